@@ -1,0 +1,60 @@
+#include "cli/atomic_file.h"
+
+#include "cli/error.h"
+
+#include <unistd.h>
+
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+namespace carlo {
+
+namespace fs = std::filesystem;
+
+AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
+  const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
+  std::error_code ec;
+  if (!fs::is_directory(folder, ec)) {
+    throw Error("cannot write {}: {} is not a folder", target_.string(), folder.string());
+  }
+  if (fs::is_directory(target_, ec))
+    throw Error("cannot write {}: it is a folder", target_.string());
+  if (::access(folder.c_str(), W_OK) != 0) {
+    throw Error("cannot write {}: no permission in {}", target_.string(), folder.string());
+  }
+  temporary_ = folder / fmt::format(".{}.{}{}", target_.stem().string(), ::getpid(),
+                                    target_.extension().string());
+}
+
+AtomicFile::~AtomicFile() {
+  if (committed_) return;
+  std::error_code ec;
+  fs::remove(temporary_, ec);
+}
+
+void AtomicFile::commit() {
+  std::error_code ec;
+  fs::rename(temporary_, target_, ec);
+  if (ec) throw Error("cannot write {}: {}", target_.string(), ec.message());
+  committed_ = true;
+}
+
+void write_file(const fs::path& target, std::string_view text) {
+  AtomicFile file(target);
+  std::ofstream out(file.path(), std::ios::binary);
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  out.close();
+  if (!out) throw Error("cannot write {}: is the disk full?", target.string());
+  file.commit();
+}
+
+std::string read_file(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw Error("cannot read {}", path.string());
+  std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  if (in.bad()) throw Error("cannot read {}", path.string());
+  return text;
+}
+
+}  // namespace carlo

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace carlo {
+
+/// A file that appears whole or not at all: write to path(), then commit() renames it into place.
+/// Without commit() the temporary file is removed, and an older file of that name is left alone.
+class AtomicFile {
+ public:
+  /// Throws Error when the folder does not exist or cannot be written to.
+  explicit AtomicFile(std::filesystem::path target);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  /// The temporary file beside the target; it keeps the target's extension.
+  const std::filesystem::path& path() const { return temporary_; }
+
+  /// Throws Error when the rename fails.
+  void commit();
+
+ private:
+  std::filesystem::path target_;
+  std::filesystem::path temporary_;
+  bool committed_ = false;
+};
+
+/// Writes `text` to `target` in one step. Throws Error.
+void write_file(const std::filesystem::path& target, std::string_view text);
+
+/// The whole of a file. Throws Error naming the path.
+std::string read_file(const std::filesystem::path& path);
+
+}  // namespace carlo

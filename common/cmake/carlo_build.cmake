@@ -1,0 +1,56 @@
+# How every target is compiled. Targets link `carlo::build` (all code) and `carlo::strict`
+# (warnings as errors: our code, never a student's file).
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Release or Debug" FORCE)
+endif()
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+
+option(CARLO_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
+
+find_program(CARLO_CCACHE ccache)
+if(CARLO_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CARLO_CCACHE}")
+endif()
+
+add_library(carlo_build INTERFACE)
+add_library(carlo::build ALIAS carlo_build)
+target_compile_features(carlo_build INTERFACE cxx_std_20)
+# No -ffast-math, and no silent contraction to FMA: the same source gives the same bits.
+target_compile_options(carlo_build INTERFACE -ffp-contract=off -fno-math-errno)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  # The oldest machine we run on has SSE4.2; faster kernels are chosen at run time.
+  target_compile_options(carlo_build INTERFACE -march=x86-64-v2)
+endif()
+if(CARLO_SANITIZE)
+  target_compile_options(carlo_build INTERFACE -fsanitize=address,undefined
+                         -fno-sanitize-recover=undefined -fno-omit-frame-pointer -O1)
+  target_link_options(carlo_build INTERFACE -fsanitize=address,undefined)
+endif()
+
+add_library(carlo_strict INTERFACE)
+add_library(carlo::strict ALIAS carlo_strict)
+target_compile_options(carlo_strict INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                       -Werror)
+
+# carlo_library(NAME SOURCES a.cpp ... DEPENDS carlo::x lib ... [PRIVATE_DEPENDS lib ...])
+# One library for one folder of common/; `carlo::NAME` is its alias. Without SOURCES it is
+# header-only.
+function(carlo_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  set(target carlo_${name})
+  if(ARG_SOURCES)
+    add_library(${target} STATIC ${ARG_SOURCES})
+    target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}/common")
+    target_link_libraries(${target} PUBLIC carlo::build ${ARG_DEPENDS}
+                          PRIVATE carlo::strict ${ARG_PRIVATE_DEPENDS})
+  else()
+    add_library(${target} INTERFACE)
+    target_include_directories(${target} INTERFACE "${PROJECT_SOURCE_DIR}/common")
+    target_link_libraries(${target} INTERFACE carlo::build ${ARG_DEPENDS})
+  endif()
+  add_library(carlo::${name} ALIAS ${target})
+endfunction()

@@ -1,0 +1,45 @@
+# Every library we use is found here once, as an imported target. `./carlo setup` installs
+# them; a missing one says which Debian package has it.
+
+set(carlo_hint "run './carlo setup', or install the Debian package")
+
+macro(carlo_find package debian)
+  find_package(${package} QUIET ${ARGN})
+  if(NOT ${package}_FOUND)
+    message(FATAL_ERROR "${package} was not found: ${carlo_hint} ${debian}")
+  endif()
+endmacro()
+
+find_package(Threads REQUIRED)
+carlo_find(glm libglm-dev)
+carlo_find(fmt libfmt-dev)
+carlo_find(CLI11 libcli11-dev)
+carlo_find(nlohmann_json nlohmann-json3-dev)
+carlo_find(pugixml libpugixml-dev)
+carlo_find(tinyobjloader libtinyobjloader-dev)
+carlo_find(TBB libtbb-dev)
+carlo_find(OpenImageIO libopenimageio-dev)
+carlo_find(Boost libboost-math-dev)
+carlo_find(Catch2 "libcatch2-dev (from bookworm-backports)" 3)
+
+# Third-party headers are not ours to warn about.
+set_target_properties(glm::glm PROPERTIES IMPORTED_NO_SYSTEM FALSE)
+
+find_package(embree 4 QUIET)
+if(NOT embree_FOUND)
+  find_package(embree 3 QUIET)
+endif()
+if(NOT embree_FOUND)
+  message(FATAL_ERROR "Embree 3 or 4 was not found: ${carlo_hint} libembree-dev")
+endif()
+
+find_path(STB_INCLUDE_DIR stb/stb_image_write.h)
+if(NOT STB_INCLUDE_DIR)
+  message(FATAL_ERROR "stb_image_write.h was not found: ${carlo_hint} libstb-dev")
+endif()
+
+# Chart.js is inlined into the pages that the labs write.
+find_file(CARLO_CHART_JS chart.min.js PATHS /usr/share/javascript/chart.js NO_DEFAULT_PATH)
+if(NOT CARLO_CHART_JS)
+  message(FATAL_ERROR "Chart.js was not found: ${carlo_hint} libjs-chart.js")
+endif()

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace carlo {
+
+/// Reads a scene in the subset of Mitsuba 0.6's XML that common/scene/README.md documents.
+/// `parameters` override the file's <default> values ($name in attributes).
+/// Throws Error "FILE:LINE:COLUMN: error: what was found, what was expected" for anything that is
+/// not understood or makes no sense; nothing is ignored in silence.
+Scene load_scene(const std::filesystem::path& path,
+                 const std::map<std::string, std::string>& parameters = {});
+
+}  // namespace carlo

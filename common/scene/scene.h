@@ -1,0 +1,104 @@
+#pragma once
+
+#include "numeric/vec.h"
+#include "scene/camera.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace carlo {
+
+// Materials ---------------------------------------------------------------------------------------
+
+/// f = reflectance / pi.
+struct Diffuse {
+  Rgb reflectance{0.5f};
+};
+
+/// Lafortune and Willems' modified Phong: f = kd/pi + ks (n+2)/(2 pi) cos^n alpha, with
+/// kd + ks <= 1 in every channel (checked at load).
+struct Phong {
+  Rgb kd{0.5f};
+  Rgb ks{0.2f};
+  float exponent = 30;
+};
+
+/// A perfect mirror.
+struct Mirror {
+  Rgb reflectance{1};
+};
+
+/// Smooth glass: Fresnel reflection and refraction between two media. The normal points into the
+/// medium with `ext_ior`.
+struct Dielectric {
+  float int_ior = 1.5046f;
+  float ext_ior = 1.000277f;
+};
+
+struct Material {
+  std::variant<Diffuse, Phong, Mirror, Dielectric> model = Diffuse{};
+  /// A one-sided surface is black on the side its normal points away from.
+  bool two_sided = false;
+};
+
+// Shapes ------------------------------------------------------------------------------------------
+
+/// The points origin + a u + b v for a, b in [0, 1]; the normal is u x v.
+struct Parallelogram {
+  Vec3 origin, u, v;
+};
+
+/// The normal points outwards, inwards if `flipped`.
+struct Sphere {
+  Vec3 center;
+  float radius;
+  bool flipped = false;
+};
+
+struct Disk {
+  Vec3 center, normal;  ///< normal of length 1
+  float radius;
+};
+
+/// Counter-clockwise triangles; normals are those of the triangles.
+struct Mesh {
+  std::vector<Vec3> positions;
+  std::vector<glm::uvec3> triangles;
+};
+
+struct Shape {
+  std::variant<Parallelogram, Sphere, Disk, Mesh> geometry;
+  std::uint32_t material = 0;  ///< index into Scene::materials
+  Rgb radiance{0};             ///< emitted on the side of the normal; 0 for most
+  bool emits() const { return radiance != Rgb(0); }
+};
+
+// Lights that are not shapes ----------------------------------------------------------------------
+
+struct PointLight {
+  Vec3 position;
+  Rgb intensity;  ///< W/sr
+};
+
+// The scene ---------------------------------------------------------------------------------------
+
+enum class SamplerKind { independent, stratified, sobol };
+
+struct Scene {
+  Camera camera;
+  int width = 256, height = 256;
+  int spp = 64;
+  SamplerKind sampler = SamplerKind::sobol;
+  /// The longest path, in segments from the camera (1: emission only, 2: direct light); 0 for no
+  /// limit.
+  int max_depth = 0;
+  std::vector<Material> materials;
+  std::vector<Shape> shapes;
+  std::vector<PointLight> points;
+  Rgb environment{0};  ///< radiance that arrives from every direction that meets no shape
+};
+
+}  // namespace carlo
