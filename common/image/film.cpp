@@ -1,0 +1,114 @@
+#include "image/film.h"
+
+#include "cli/error.h"
+#include "numeric/compensated.h"
+
+#include <cmath>
+#include <limits>
+
+namespace carlo {
+namespace {
+
+constexpr std::int64_t max_pixels = std::int64_t{1} << 25;
+
+}  // namespace
+
+Film::Film(int width, int height, std::uint32_t block, double scale)
+    : width_(width), height_(height), block_(block) {
+  if (width < 1 || height < 1 || std::int64_t{width} * height > max_pixels) {
+    throw Error("error: a film has 1 to {} pixels, got {} x {}", max_pixels, width, height);
+  }
+  if (!(scale > 0) || !std::isfinite(scale)) scale = 1;
+  const int exponent = std::ilogb(scale) + 1;
+  sum_grid_ = std::ldexp(1.0, exponent - 60);
+  square_grid_ = std::ldexp(1.0, 2 * exponent - 80);
+  pixels_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+}
+
+void Film::add_block(int x, int y, const std::array<double, 3>& mean) {
+  PixelSums& pixel = pixels_[index(x, y)];
+  for (std::size_t c = 0; c < 3; ++c) {
+    pixel.sum[c].add(mean[c], sum_grid_);
+    pixel.squares[c].add(mean[c] * mean[c], square_grid_);
+  }
+  pixel.blocks += 1;
+}
+
+void Film::merge(const Film& other) {
+  if (other.width_ != width_ || other.height_ != height_ || other.block_ != block_ ||
+      other.sum_grid_ != sum_grid_) {
+    throw Error("error: films of different size, block or scale cannot be merged");
+  }
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      pixels_[i].sum[c].add(other.pixels_[i].sum[c]);
+      pixels_[i].squares[c].add(other.pixels_[i].squares[c]);
+    }
+    pixels_[i].blocks += other.pixels_[i].blocks;
+  }
+}
+
+double Film::mean(int x, int y, std::size_t channel) const {
+  const PixelSums& pixel = pixels_[index(x, y)];
+  return pixel.blocks == 0 ? 0 : pixel.sum[channel].value(sum_grid_) / pixel.blocks;
+}
+
+double Film::variance(int x, int y, std::size_t channel) const {
+  const PixelSums& pixel = pixels_[index(x, y)];
+  if (pixel.blocks < 2) return std::numeric_limits<double>::infinity();
+  const double n = pixel.blocks;
+  const double m = pixel.sum[channel].value(sum_grid_) / n;
+  const double mean_square = pixel.squares[channel].value(square_grid_) / n;
+  return std::fmax(0.0, mean_square - m * m) / (n - 1);
+}
+
+Image Film::mean() const {
+  Image image(width_, height_);
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        image.at(x, y)[c] = static_cast<float>(mean(x, y, static_cast<std::size_t>(c)));
+      }
+    }
+  }
+  return image;
+}
+
+Image Film::standard_error() const {
+  Image image(width_, height_);
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        image.at(x, y)[c] =
+            static_cast<float>(std::sqrt(variance(x, y, static_cast<std::size_t>(c))));
+      }
+    }
+  }
+  return image;
+}
+
+std::uint64_t Film::samples() const {
+  std::uint64_t n = 0;
+  for (const PixelSums& pixel : pixels_)
+    n += std::uint64_t{pixel.blocks} * block_;
+  return n;
+}
+
+MeanRadiance mean_radiance(const Film& film) {
+  MeanRadiance result;
+  const double count = static_cast<double>(film.width()) * film.height();
+  for (std::size_t c = 0; c < 3; ++c) {
+    CompensatedSum mean, variance;
+    for (int y = 0; y < film.height(); ++y) {
+      for (int x = 0; x < film.width(); ++x) {
+        mean.add(film.mean(x, y, c));
+        variance.add(film.variance(x, y, c));
+      }
+    }
+    result.value[c] = mean.value() / count;
+    result.standard_error[c] = std::sqrt(variance.value()) / count;
+  }
+  return result;
+}
+
+}  // namespace carlo

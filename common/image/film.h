@@ -1,0 +1,74 @@
+#pragma once
+
+#include "image/image.h"
+#include "numeric/exact_sum.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace carlo {
+
+/// What one pixel has gathered. The sums are exact: they do not depend on the order of additions.
+struct PixelSums {
+  std::array<ExactSum, 3> sum;      ///< of block means
+  std::array<ExactSum, 3> squares;  ///< of squared block means
+  std::uint32_t blocks = 0;
+};
+
+/// Accumulates the samples of an image, with an honest error estimate.
+///
+/// The samples of a pixel come in blocks of equal size (a power of two); the spread of the block
+/// means gives the standard error. For independent samples that estimate is unbiased; for
+/// stratified and scrambled Sobol' points it is an upper bound, since their blocks are negatively
+/// correlated. Films that share size, block and scale may be merged in any order.
+class Film {
+ public:
+  /// `scale` is a radiance of the order of the brightest light: means are kept to 2^-60 of it.
+  /// Throws Error if the film is empty or over 2^25 pixels.
+  Film(int width, int height, std::uint32_t block, double scale);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  std::uint32_t block() const { return block_; }
+
+  /// Adds one block, given as the mean of block() samples of a pixel; finite. Two threads may add
+  /// to different pixels at once.
+  void add_block(int x, int y, const std::array<double, 3>& mean);
+
+  /// Adds another film of the same size, block and scale.
+  void merge(const Film& other);
+
+  std::uint32_t blocks(int x, int y) const { return pixels_[index(x, y)].blocks; }
+  /// The estimate of one pixel's channel; 0 before its first block.
+  double mean(int x, int y, std::size_t channel) const;
+  /// The estimated variance of mean(); infinite with fewer than two blocks.
+  double variance(int x, int y, std::size_t channel) const;
+
+  /// The estimate of each pixel; 0 where there is no sample yet.
+  Image mean() const;
+  /// The estimated standard error of each pixel's mean.
+  Image standard_error() const;
+
+  std::uint64_t samples() const;
+
+ private:
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(x);
+  }
+
+  int width_, height_;
+  std::uint32_t block_;
+  double sum_grid_, square_grid_;
+  std::vector<PixelSums> pixels_;
+};
+
+/// The mean over all pixels and its standard error, per channel, from a film.
+struct MeanRadiance {
+  std::array<double, 3> value{};
+  std::array<double, 3> standard_error{};
+};
+MeanRadiance mean_radiance(const Film& film);
+
+}  // namespace carlo

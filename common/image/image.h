@@ -1,0 +1,27 @@
+#pragma once
+
+#include "numeric/vec.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace carlo {
+
+/// Linear RGB, row-major, the top row first.
+struct Image {
+  int width = 0, height = 0;
+  std::vector<Rgb> pixels;
+
+  Image() = default;
+  Image(int w, int h)
+      : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(x);
+  }
+  Rgb& at(int x, int y) { return pixels[index(x, y)]; }
+  const Rgb& at(int x, int y) const { return pixels[index(x, y)]; }
+};
+
+}  // namespace carlo

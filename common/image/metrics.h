@@ -1,0 +1,33 @@
+#pragma once
+
+#include "image/image.h"
+
+#include <array>
+#include <vector>
+
+namespace carlo {
+
+/// How far an image is from a reference of the same size; means over pixels and channels.
+struct ImageError {
+  double mse = 0;
+  double rel_mse = 0;            ///< of (a - r)^2 / (r^2 + 0.01)
+  std::array<double, 3> mean{};  ///< of the image, per channel
+  std::array<double, 3> reference{};
+};
+
+/// Throws Error when the sizes differ. NaN in either image makes the result NaN.
+ImageError compare(const Image& image, const Image& reference);
+
+/// The difference of the means of two images in standard errors of that difference, per channel;
+/// the standard errors are those of the two images' pixels.
+std::array<double, 3> bias_z(const Image& image, const Image& standard_error,
+                             const Image& reference, const Image& reference_error);
+
+/// The same for each tile of `tile` x `tile` pixels, tiles row by row, three channels a tile.
+std::vector<double> tile_z(const Image& image, const Image& standard_error, const Image& reference,
+                           const Image& reference_error, int tile);
+
+/// Pixels with a channel that is NaN or infinite.
+std::size_t count_non_finite(const Image& image);
+
+}  // namespace carlo

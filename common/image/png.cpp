@@ -1,0 +1,47 @@
+#include "image/png.h"
+
+#include "cli/atomic_file.h"
+#include "cli/error.h"
+
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STB_IMAGE_WRITE_STATIC
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include <stb/stb_image_write.h>
+#pragma GCC diagnostic pop
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace carlo {
+namespace {
+
+/// The sRGB transfer function (IEC 61966-2-1) to 8 bits; NaN becomes 0.
+std::uint8_t encode(float linear) {
+  if (!(linear > 0)) return 0;
+  if (linear >= 1) return 255;
+  const float s =
+      linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
+  return static_cast<std::uint8_t>(std::lround(255 * s));
+}
+
+}  // namespace
+
+void write_png(const std::filesystem::path& path, const Image& image, float stops) {
+  const float gain = std::exp2(stops);
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(image.pixels.size() * 3);
+  for (const Rgb& pixel : image.pixels) {
+    for (int c = 0; c < 3; ++c)
+      bytes.push_back(encode(gain * pixel[c]));
+  }
+  AtomicFile file(path);
+  if (stbi_write_png(file.path().c_str(), image.width, image.height, 3, bytes.data(),
+                     3 * image.width) == 0) {
+    throw Error("cannot write {}: is the disk full?", path.string());
+  }
+  file.commit();
+}
+
+}  // namespace carlo
