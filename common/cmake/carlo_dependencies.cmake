@@ -18,7 +18,6 @@ carlo_find(nlohmann_json nlohmann-json3-dev)
 carlo_find(pugixml libpugixml-dev)
 carlo_find(tinyobjloader libtinyobjloader-dev)
 carlo_find(TBB libtbb-dev)
-carlo_find(OpenImageIO libopenimageio-dev)
 carlo_find(Boost libboost-math-dev)
 carlo_find(Catch2 "libcatch2-dev (from bookworm-backports)" 3)
 
@@ -32,6 +31,18 @@ endif()
 if(NOT embree_FOUND)
   message(FATAL_ERROR "Embree 3 or 4 was not found: ${carlo_hint} libembree-dev")
 endif()
+
+# Debian's CMake files for OpenImageIO demand its command-line tools too; the library is enough.
+find_path(OPENIMAGEIO_INCLUDE_DIR OpenImageIO/imageio.h)
+find_library(OPENIMAGEIO_LIBRARY OpenImageIO)
+find_library(OPENIMAGEIO_UTIL_LIBRARY OpenImageIO_Util)
+if(NOT OPENIMAGEIO_INCLUDE_DIR OR NOT OPENIMAGEIO_LIBRARY OR NOT OPENIMAGEIO_UTIL_LIBRARY)
+  message(FATAL_ERROR "OpenImageIO was not found: ${carlo_hint} libopenimageio-dev")
+endif()
+add_library(OpenImageIO::OpenImageIO INTERFACE IMPORTED)
+target_include_directories(OpenImageIO::OpenImageIO SYSTEM INTERFACE "${OPENIMAGEIO_INCLUDE_DIR}")
+target_link_libraries(OpenImageIO::OpenImageIO INTERFACE "${OPENIMAGEIO_LIBRARY}"
+                      "${OPENIMAGEIO_UTIL_LIBRARY}")
 
 find_path(STB_INCLUDE_DIR stb/stb_image_write.h)
 if(NOT STB_INCLUDE_DIR)
