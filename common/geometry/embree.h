@@ -1,0 +1,36 @@
+#pragma once
+
+// Embree 3 and 4 behind one spelling. Embree 4 moved what a query passes from a context into its
+// arguments, and took the ray out of the callbacks' context.
+
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#define CARLO_EMBREE 4
+#else
+#include <embree3/rtcore.h>
+#define CARLO_EMBREE 3
+#endif
+
+namespace carlo {
+
+inline void embree_intersect(RTCScene scene, RTCRayHit* query) {
+#if CARLO_EMBREE == 4
+  rtcIntersect1(scene, query);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene, &context, query);
+#endif
+}
+
+inline void embree_occluded(RTCScene scene, RTCRay* ray) {
+#if CARLO_EMBREE == 4
+  rtcOccluded1(scene, ray);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(scene, &context, ray);
+#endif
+}
+
+}  // namespace carlo

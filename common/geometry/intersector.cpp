@@ -1,0 +1,267 @@
+#include "geometry/intersector.h"
+
+#include "cli/error.h"
+#include "geometry/analytic.h"
+#include "geometry/embree.h"
+#include "numeric/robust.h"
+
+#include <cstring>
+#include <limits>
+#include <vector>
+
+namespace carlo {
+namespace {
+
+template <class S>
+struct Primitive {
+  const S* surface;
+  std::uint32_t shape;
+};
+
+/// Callbacks for surfaces with an analytic intersection. Embree calls them for single rays only,
+/// since we make no others.
+template <class S, double (*meet)(const S&, Vec3, Vec3, float, float)>
+struct UserGeometry {
+  static const S& surface(const void* user, unsigned primitive) {
+    return *(*static_cast<const std::vector<Primitive<S>>*>(user))[primitive].surface;
+  }
+
+  static double find(const RTCRay& ray, const S& s) {
+    return meet(s, {ray.org_x, ray.org_y, ray.org_z}, {ray.dir_x, ray.dir_y, ray.dir_z}, ray.tnear,
+                ray.tfar);
+  }
+
+  static void intersect(const RTCIntersectFunctionNArguments* args) {
+    if (args->valid[0] == 0) return;
+    auto* query = reinterpret_cast<RTCRayHit*>(args->rayhit);
+    const double t = find(query->ray, surface(args->geometryUserPtr, args->primID));
+    if (t < 0) return;
+    query->ray.tfar = static_cast<float>(t);
+    query->hit.geomID = args->geomID;
+    query->hit.primID = args->primID;
+    query->hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  }
+
+  static void occluded(const RTCOccludedFunctionNArguments* args) {
+    if (args->valid[0] == 0) return;
+    auto* ray = reinterpret_cast<RTCRay*>(args->ray);
+    if (find(*ray, surface(args->geometryUserPtr, args->primID)) >= 0) {
+      ray->tfar = -std::numeric_limits<float>::infinity();
+    }
+  }
+};
+
+/// The half-extent of a surface's bounds, widened by rounding.
+Vec3 half_extent(const Sphere& sphere) {
+  return Vec3(sphere.radius);
+}
+Vec3 half_extent(const Disk& disk) {
+  return disk.radius * glm::sqrt(glm::max(Vec3(0), 1.0f - disk.normal * disk.normal));
+}
+
+template <class S>
+void bounds(const RTCBoundsFunctionArguments* args) {
+  const S& s =
+      *(*static_cast<const std::vector<Primitive<S>>*>(args->geometryUserPtr))[args->primID]
+           .surface;
+  const Vec3 margin = (glm::abs(s.center) + Vec3(s.radius)) * rounding_bound(8);
+  const Vec3 lower = s.center - half_extent(s) - margin;
+  const Vec3 upper = s.center + half_extent(s) + margin;
+  *args->bounds_o = {lower.x, lower.y, lower.z, 0, upper.x, upper.y, upper.z, 0};
+}
+
+RTCRay embree_ray(const Ray& ray, float tmax) {
+  RTCRay r{};
+  r.org_x = ray.o.x;
+  r.org_y = ray.o.y;
+  r.org_z = ray.o.z;
+  r.dir_x = ray.d.x;
+  r.dir_y = ray.d.y;
+  r.dir_z = ray.d.z;
+  r.tfar = tmax;
+  r.mask = ~0u;
+  return r;
+}
+
+}  // namespace
+
+struct Intersector::Impl {
+  const Scene& scene;
+  RTCDevice device = nullptr;
+  RTCScene embree = nullptr;
+  std::vector<Primitive<Parallelogram>> parallelograms;
+  std::vector<Primitive<Sphere>> spheres;
+  std::vector<Primitive<Disk>> disks;
+  std::vector<Primitive<Mesh>> meshes;
+
+  explicit Impl(const Scene& s) : scene(s) {
+    // One thread builds: the tree, and with it the image's bits, must not depend on timing.
+    device = rtcNewDevice("threads=1");
+    if (device == nullptr) throw Error("error: Embree did not start");
+    embree = rtcNewScene(device);
+    rtcSetSceneFlags(embree, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(embree, RTC_BUILD_QUALITY_HIGH);
+    sort_shapes();
+    add_parallelograms();
+    using SphereCallbacks = UserGeometry<Sphere, intersect_sphere>;
+    using DiskCallbacks = UserGeometry<Disk, intersect_disk>;
+    add_user<SphereCallbacks>(spheres, sphere_geometry);
+    add_user<DiskCallbacks>(disks, disk_geometry);
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+      add_mesh(i);
+    rtcCommitScene(embree);
+    if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw Error("error: Embree is out of memory");
+  }
+
+  ~Impl() {
+    if (embree != nullptr) rtcReleaseScene(embree);
+    if (device != nullptr) rtcReleaseDevice(device);
+  }
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+
+  // Embree's geometry numbers: three for the kinds that share one, then the meshes.
+  static constexpr unsigned quad_geometry = 0, sphere_geometry = 1, disk_geometry = 2,
+                            first_mesh = 3;
+
+  void sort_shapes() {
+    for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
+      const auto& g = scene.shapes[i].geometry;
+      if (const auto* quad = std::get_if<Parallelogram>(&g)) parallelograms.push_back({quad, i});
+      if (const auto* sphere = std::get_if<Sphere>(&g)) spheres.push_back({sphere, i});
+      if (const auto* disk = std::get_if<Disk>(&g)) disks.push_back({disk, i});
+      if (const auto* mesh = std::get_if<Mesh>(&g)) meshes.push_back({mesh, i});
+    }
+  }
+
+  void attach(RTCGeometry geometry, unsigned id) {
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(embree, geometry, id);
+    rtcReleaseGeometry(geometry);
+  }
+
+  template <class T>
+  T* new_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t count) {
+    auto* data =
+        static_cast<T*>(rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), count));
+    if (data == nullptr) throw Error("error: Embree is out of memory");
+    return data;
+  }
+
+  void add_parallelograms() {
+    if (parallelograms.empty()) return;
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_QUAD);
+    const std::size_t count = parallelograms.size();
+    auto* v = new_buffer<Vec3>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, 4 * count);
+    auto* index = new_buffer<glm::uvec4>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT4, count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Parallelogram& p = *parallelograms[i].surface;
+      v[4 * i] = p.origin;
+      v[4 * i + 1] = p.origin + p.u;
+      v[4 * i + 2] = p.origin + p.u + p.v;
+      v[4 * i + 3] = p.origin + p.v;
+      const auto first = static_cast<std::uint32_t>(4 * i);
+      index[i] = {first, first + 1, first + 2, first + 3};
+    }
+    attach(geometry, quad_geometry);
+  }
+
+  template <class Callbacks, class S>
+  void add_user(std::vector<Primitive<S>>& primitives, unsigned id) {
+    if (primitives.empty()) return;
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(primitives.size()));
+    rtcSetGeometryUserData(geometry, &primitives);
+    rtcSetGeometryBoundsFunction(geometry, bounds<S>, nullptr);
+    rtcSetGeometryIntersectFunction(geometry, Callbacks::intersect);
+    rtcSetGeometryOccludedFunction(geometry, Callbacks::occluded);
+    attach(geometry, id);
+  }
+
+  void add_mesh(std::size_t i) {
+    const Mesh& mesh = *meshes[i].surface;
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* v = new_buffer<Vec3>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3,
+                               mesh.positions.size());
+    std::memcpy(v, mesh.positions.data(), mesh.positions.size() * sizeof(Vec3));
+    auto* index = new_buffer<glm::uvec3>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3,
+                                         mesh.triangles.size());
+    std::memcpy(index, mesh.triangles.data(), mesh.triangles.size() * sizeof(glm::uvec3));
+    attach(geometry, first_mesh + static_cast<unsigned>(i));
+  }
+
+  void fill(const RTCRayHit& query, const Ray& ray, Hit& hit) const;
+};
+
+namespace {
+
+void fill_parallelogram(const Parallelogram& quad, float u, float v, Hit& hit) {
+  hit.p = quad.origin + u * quad.u + v * quad.v;
+  hit.p_error = rounding_bound(12) * (glm::abs(quad.origin) + glm::abs(quad.u) + glm::abs(quad.v));
+  hit.n = glm::normalize(glm::cross(quad.u, quad.v));
+}
+
+void fill_triangle(const Mesh& mesh, float u, float v, Hit& hit) {
+  const glm::uvec3 corner = mesh.triangles[hit.primitive];
+  const Vec3 a = mesh.positions[corner.x], b = mesh.positions[corner.y],
+             c = mesh.positions[corner.z];
+  hit.p = (1 - u - v) * a + u * b + v * c;
+  hit.p_error = rounding_bound(12) * glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c)));
+  // In double: a sliver's edges are nearly parallel, and their float cross product is noise.
+  using Vec3d = glm::dvec3;
+  hit.n = Vec3(glm::normalize(glm::cross(Vec3d(b) - Vec3d(a), Vec3d(c) - Vec3d(a))));
+}
+
+/// A point that was rounded from double to float once.
+void fill_analytic(const SurfacePoint& point, Hit& hit) {
+  hit.p = point.p;
+  hit.p_error = rounding_bound(3) * glm::abs(point.p);
+  hit.n = point.n;
+}
+
+}  // namespace
+
+void Intersector::Impl::fill(const RTCRayHit& query, const Ray& ray, Hit& hit) const {
+  const unsigned id = query.hit.geomID, primitive = query.hit.primID;
+  hit.t = query.ray.tfar;
+  hit.primitive = 0;
+  switch (id) {
+    case quad_geometry:
+      hit.shape = parallelograms[primitive].shape;
+      fill_parallelogram(*parallelograms[primitive].surface, query.hit.u, query.hit.v, hit);
+      return;
+    case sphere_geometry:
+      hit.shape = spheres[primitive].shape;
+      fill_analytic(sphere_point(*spheres[primitive].surface, ray.o, ray.d, hit.t), hit);
+      return;
+    case disk_geometry:
+      hit.shape = disks[primitive].shape;
+      fill_analytic(disk_point(*disks[primitive].surface, ray.o, ray.d, hit.t), hit);
+      return;
+    default:
+      hit.shape = meshes[id - first_mesh].shape;
+      hit.primitive = primitive;
+      fill_triangle(*meshes[id - first_mesh].surface, query.hit.u, query.hit.v, hit);
+  }
+}
+
+Intersector::Intersector(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}
+Intersector::~Intersector() = default;
+
+bool Intersector::intersect(const Ray& ray, Hit& hit) const {
+  RTCRayHit query{};
+  query.ray = embree_ray(ray, std::numeric_limits<float>::infinity());
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  embree_intersect(impl_->embree, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+  impl_->fill(query, ray, hit);
+  return true;
+}
+
+bool Intersector::occluded(const Ray& ray, float tmax) const {
+  RTCRay query = embree_ray(ray, tmax);
+  embree_occluded(impl_->embree, &query);
+  return query.tfar < 0;
+}
+
+}  // namespace carlo

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "numeric/vec.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace carlo {
+
+/// The nearest point that a ray meets.
+struct Hit {
+  float t = 0;              ///< distance along the ray
+  Vec3 p{0};                ///< the point, recomputed from the surface (more accurate than o + t d)
+  Vec3 p_error{0};          ///< bound on the absolute rounding error of each coordinate of p
+  Vec3 n{0};                ///< unit geometric normal, on the surface's own side, not the ray's
+  std::uint32_t shape = 0;  ///< index into Scene::shapes
+  std::uint32_t primitive = 0;  ///< triangle of a mesh
+};
+
+/// Answers ray queries against a scene's shapes, through Embree in its robust (watertight) mode;
+/// spheres and disks are intersected in double precision. Queries may come from any thread.
+class Intersector {
+ public:
+  /// Keeps a reference to `scene`, which must outlive it. Throws Error if Embree fails.
+  explicit Intersector(const Scene& scene);
+  ~Intersector();
+  Intersector(const Intersector&) = delete;
+  Intersector& operator=(const Intersector&) = delete;
+
+  /// The nearest hit at t > 0; false if there is none.
+  bool intersect(const Ray& ray, Hit& hit) const;
+
+  /// Whether anything lies at 0 < t < tmax.
+  bool occluded(const Ray& ray, float tmax) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace carlo
