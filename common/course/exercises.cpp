@@ -1,0 +1,134 @@
+#include "course/exercises.h"
+
+#include "cli/atomic_file.h"
+#include "cli/error.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+namespace carlo {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// Reads the fields of one JSON object; says where it is when one is missing or of a wrong type.
+class Fields {
+ public:
+  Fields(const json& object, std::string where) : object_(object), where_(std::move(where)) {
+    if (!object_.is_object()) fail("expected an object");
+  }
+
+  std::string text(const char* key) const {
+    const json& value = at(key);
+    if (!value.is_string() || value.get_ref<const std::string&>().empty()) {
+      fail(fmt::format("\"{}\" must be a text that is not empty", key));
+    }
+    return value.get<std::string>();
+  }
+
+  int positive(const char* key) const {
+    const json& value = at(key);
+    if (!value.is_number_integer() || value.get<long>() < 1 || value.get<long>() > 1000) {
+      fail(fmt::format("\"{}\" must be a whole number from 1 to 1000", key));
+    }
+    return value.get<int>();
+  }
+
+  std::vector<std::string> texts(const char* key) const {
+    std::vector<std::string> list;
+    for (const json& value : array(key)) {
+      if (!value.is_string() || value.get_ref<const std::string&>().empty()) {
+        fail(fmt::format("\"{}\" must list texts that are not empty", key));
+      }
+      list.push_back(value.get<std::string>());
+    }
+    return list;
+  }
+
+  const json& array(const char* key) const {
+    const json& value = at(key);
+    if (!value.is_array()) fail(fmt::format("\"{}\" must be a list", key));
+    return value;
+  }
+
+  [[noreturn]] void fail(const std::string& what) const { throw Error("{}: {}", where_, what); }
+
+ private:
+  const json& at(const char* key) const {
+    const auto found = object_.find(key);
+    if (found == object_.end()) fail(fmt::format("\"{}\" is missing", key));
+    return *found;
+  }
+
+  const json& object_;
+  std::string where_;
+};
+
+Exercise read_exercise(const Fields& fields) {
+  Exercise exercise;
+  exercise.tag = fields.text("tag");
+  exercise.title = fields.text("title");
+  exercise.points = fields.positive("points");
+  exercise.lecture = fields.text("lecture");
+  exercise.functions = fields.texts("functions");
+  exercise.hints = fields.texts("hints");
+  return exercise;
+}
+
+json parse(const fs::path& file) {
+  try {
+    return json::parse(read_file(file));
+  } catch (const json::parse_error& error) {
+    throw Error("{}: not valid JSON at byte {}", file.string(), error.byte);
+  }
+}
+
+}  // namespace
+
+const Exercise* Lab::find(const std::string& tag) const {
+  const auto found = std::find_if(exercises.begin(), exercises.end(),
+                                  [&](const Exercise& exercise) { return exercise.tag == tag; });
+  return found == exercises.end() ? nullptr : &*found;
+}
+
+int Lab::points() const {
+  return std::accumulate(exercises.begin(), exercises.end(), 0,
+                         [](int sum, const Exercise& exercise) { return sum + exercise.points; });
+}
+
+Lab load_lab(const fs::path& file) {
+  const json document = parse(file);
+  const Fields fields(document, file.string());
+  Lab lab;
+  lab.number = fields.positive("lab");
+  lab.name = fields.text("name");
+  lab.title = fields.text("title");
+  for (const json& entry : fields.array("exercises")) {
+    const std::string tag = fmt::format("Lab {}.{}", lab.number, lab.exercises.size() + 1);
+    const Fields exercise(entry, fmt::format("{}: {}", file.string(), tag));
+    lab.exercises.push_back(read_exercise(exercise));
+    const std::string& found = lab.exercises.back().tag;
+    if (found != tag) exercise.fail(fmt::format("the tag is \"{}\", expected \"{}\"", found, tag));
+  }
+  if (lab.exercises.empty()) fields.fail("no exercises");
+  return lab;
+}
+
+std::vector<Lab> load_labs(const fs::path& labs) {
+  if (!fs::is_directory(labs)) throw Error("{}: not a folder of labs", labs.string());
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(labs)) {
+    const fs::path file = entry.path() / "lab.json";
+    if (fs::exists(file)) files.push_back(file);
+  }
+  if (files.empty()) throw Error("{}: no lab.json in any folder", labs.string());
+  std::sort(files.begin(), files.end());
+  std::vector<Lab> list;
+  std::transform(files.begin(), files.end(), std::back_inserter(list), load_lab);
+  return list;
+}
+
+}  // namespace carlo

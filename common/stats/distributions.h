@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+
+namespace carlo {
+
+/// Tail probabilities for tests. All keep their relative accuracy far out, where 1 - cdf would have
+/// rounded to 0. NaN in gives NaN out.
+
+/// P(|Z| >= |z|) for a standard normal Z.
+double normal_two_sided(double z);
+
+/// The z > 0 with P(|Z| >= z) = p, for 0 < p <= 1. Throws std::domain_error outside.
+double normal_two_sided_quantile(double p);
+
+/// P(X <= x) and P(X >= x) for chi-square with `dof` > 0 degrees of freedom, x >= 0; dof need not
+/// be whole. Throw std::domain_error outside.
+double chi_square_lower(double x, double dof);
+double chi_square_upper(double x, double dof);
+
+/// Two-sided: twice the smaller tail, at most 1.
+double chi_square_two_sided(double x, double dof);
+
+/// P(D >= d) for the Kolmogorov-Smirnov distance of n independent values from their true continuous
+/// distribution, by the asymptotic series with Stephens' correction for finite n (M. A. Stephens,
+/// "Use of the Kolmogorov-Smirnov, Cramer-von Mises and related statistics without extensive
+/// tables", 1970). Good to a few per cent for n >= 100.
+double kolmogorov_smirnov(double d, std::size_t n);
+
+/// The level of each of `count` independent tests so that all together reject a true hypothesis
+/// with probability alpha: 1 - (1 - alpha)^(1/count) (Sidak 1967).
+double sidak(double alpha, std::size_t count);
+
+}  // namespace carlo
