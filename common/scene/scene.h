@@ -99,6 +99,7 @@ struct Scene {
   std::vector<Shape> shapes;
   std::vector<PointLight> points;
   Rgb environment{0};  ///< radiance that arrives from every direction that meets no shape
+  std::vector<std::string> notes;  ///< harmless facts about the file that a report should show
 };
 
 }  // namespace carlo

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "scene/ids.h"
+#include "scene/properties.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace carlo {
+
+/// Reads <bsdf> elements and keeps those that shapes use.
+class Materials {
+ public:
+  explicit Materials(const Ids& ids) : ids_(ids) {}
+
+  /// A <bsdf> that stands in the scene for <ref>s to name.
+  void define(const XmlElement& bsdf);
+
+  /// The index into list() of the material of a shape: of its <bsdf> or <ref>, else Mitsuba's
+  /// default, grey 0.5, or black for a light.
+  std::uint32_t of_shape(const Properties& shape, bool emits);
+
+  const std::vector<Material>& list() const { return list_; }
+
+  /// One note for each defined material that no shape uses.
+  std::vector<std::string> notes() const;
+
+ private:
+  struct Entry {
+    Material material;
+    std::int64_t index = -1;  ///< into list_; -1 while no shape uses it
+    bool used = false;
+  };
+
+  Material parse(const XmlElement& bsdf);
+  Material parse_two_sided(const XmlElement& bsdf);
+  Entry& resolve(const XmlElement& ref);
+  std::uint32_t add(const Material& material);
+
+  const Ids& ids_;
+  std::map<std::string, Entry> named_;
+  std::vector<Material> list_;
+};
+
+}  // namespace carlo

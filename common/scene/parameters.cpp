@@ -1,0 +1,72 @@
+#include "scene/parameters.h"
+
+#include "scene/text.h"
+
+namespace carlo {
+namespace {
+
+constexpr std::string_view name_characters =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_";
+
+}  // namespace
+
+void Parameters::declare(const XmlElement& element) {
+  element.allow_only({"name", "value"});
+  const XmlAttribute& name = element.get("name");
+  const XmlAttribute& value = element.get("value");
+  if (!element.children.empty()) {
+    fail(element.children.front().at, "<default> takes no elements inside");
+  }
+  if (name.value.empty() || name.value.find_first_not_of(name_characters) != std::string::npos) {
+    fail(name.value_at, "a parameter's name has letters, digits and _ only, got {}",
+         in_quotes(name.value));
+  }
+  if (!declared_.emplace(element.at.source, name.value).second) {
+    fail(name.value_at, "the default {} is given twice in this file", in_quotes(name.value));
+  }
+  const auto chosen = overrides_.find(name.value);
+  values_.emplace(name.value, chosen != overrides_.end() ? chosen->second : value.value);
+}
+
+void Parameters::substitute(XmlElement& element) const {
+  for (XmlAttribute& attribute : element.attributes)
+    attribute.value = replaced(attribute);
+  for (XmlElement& child : element.children)
+    substitute(child);
+}
+
+void Parameters::check_overrides(Position at) const {
+  for (const auto& [name, value] : overrides_) {
+    if (values_.count(name) != 0) continue;
+    fail(at, "the scene has no parameter {}{}", in_quotes(name), suggest(name, names()));
+  }
+}
+
+std::string Parameters::replaced(const XmlAttribute& attribute) const {
+  const std::string& text = attribute.written;
+  std::string out;
+  std::size_t from = 0;
+  for (std::size_t dollar = text.find('$'); dollar != std::string::npos;
+       dollar = text.find('$', from)) {
+    const std::size_t end =
+        std::min(text.find_first_not_of(name_characters, dollar + 1), text.size());
+    const std::string name = text.substr(dollar + 1, end - dollar - 1);
+    const auto value = values_.find(name);
+    if (value == values_.end()) {
+      fail(attribute.value_at, "no <default> above declares the parameter {}{}",
+           in_quotes("$" + name), suggest(name, names()));
+    }
+    out += text.substr(from, dollar - from) + value->second;
+    from = end;
+  }
+  return out + text.substr(from);
+}
+
+std::vector<std::string> Parameters::names() const {
+  std::vector<std::string> out;
+  for (const auto& [name, value] : values_)
+    out.push_back(name);
+  return out;
+}
+
+}  // namespace carlo

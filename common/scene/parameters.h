@@ -1,0 +1,39 @@
+#pragma once
+
+#include "scene/xml_source.h"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace carlo {
+
+/// The $parameters of a scene: <default name="spp" value="16"/> declares one, `$spp` in any
+/// attribute's value stands for it. The caller's overrides win over defaults; of several files (the
+/// scene and its includes) the first default wins.
+class Parameters {
+ public:
+  explicit Parameters(std::map<std::string, std::string> overrides)
+      : overrides_(std::move(overrides)) {}
+
+  /// Takes in a <default>. Throws Error when the file has declared that name before.
+  void declare(const XmlElement& element);
+
+  /// Replaces $names in the attributes of `element` and of all below it. Throws Error at an unknown
+  /// name.
+  void substitute(XmlElement& element) const;
+
+  /// Throws Error at `at` when an override names no <default>.
+  void check_overrides(Position at) const;
+
+ private:
+  std::string replaced(const XmlAttribute& attribute) const;
+  std::vector<std::string> names() const;
+
+  std::map<std::string, std::string> overrides_;
+  std::map<std::string, std::string> values_;
+  std::set<std::pair<const XmlSource*, std::string>> declared_;
+};
+
+}  // namespace carlo

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace carlo {
+
+enum class PlyType { i8, u8, i16, u16, i32, u32, f32, f64 };
+
+struct PlyProperty {
+  std::string name;
+  PlyType type = PlyType::f32;
+  bool list = false;
+  PlyType count_type = PlyType::u8;  ///< of a list's length
+};
+
+struct PlyElement {
+  std::string name;
+  std::size_t count = 0;
+  std::vector<PlyProperty> properties;
+};
+
+struct PlyHeader {
+  bool binary = false;
+  std::vector<PlyElement> elements;
+  std::size_t size = 0;  ///< bytes up to and including the line end_header
+};
+
+/// Reads the header of a PLY file. Throws Error "FILE:LINE: what is wrong"; `name` is the file's.
+PlyHeader parse_ply_header(std::string_view text, const std::string& name);
+
+bool is_integer(PlyType type);
+
+}  // namespace carlo

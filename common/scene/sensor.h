@@ -1,0 +1,15 @@
+#pragma once
+
+#include "scene/scene.h"
+#include "scene/xml_source.h"
+
+namespace carlo {
+
+/// <sensor type="perspective"> with its film and sampler: fills in the camera, the film's size, the
+/// sampler and the samples a pixel.
+void parse_sensor(const XmlElement& element, Scene& scene);
+
+/// <integrator type="path">: fills in the longest path.
+void parse_integrator(const XmlElement& element, Scene& scene);
+
+}  // namespace carlo

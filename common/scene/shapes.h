@@ -1,0 +1,25 @@
+#pragma once
+
+#include "scene/properties.h"
+#include "scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace carlo {
+
+using Geometry = decltype(Shape::geometry);
+
+/// The geometry of a <shape> in world space: one item, six for a cube. Reads the geometric
+/// properties only. Normals follow toWorld (a mirroring one included) and flipNormals.
+/// Notes on what was left out go to `notes`.
+std::vector<Geometry> parse_geometry(Properties& shape, std::vector<std::string>& notes);
+
+/// Whether a parallelogram or triangle with these edges is so thin or small that its normal cannot
+/// be computed in float.
+bool is_degenerate(Vec3 edge1, Vec3 edge2);
+
+/// <shape type="obj"> and <shape type="ply">.
+Mesh parse_mesh(Properties& shape, std::vector<std::string>& notes);
+
+}  // namespace carlo

@@ -1,0 +1,110 @@
+#include "scene/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace carlo {
+namespace {
+
+constexpr std::string_view white_space = " \t\r\n";
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(white_space);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(white_space) - first + 1);
+}
+
+// std::from_chars knows no leading plus sign.
+std::string_view without_plus(std::string_view text) {
+  const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+';
+  return plus ? text.substr(1) : text;
+}
+
+// Levenshtein's distance, by rows of his table.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t longest = 60;
+  std::string out = "\"";
+  for (const char c : text.substr(0, longest)) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 0x20 || code == 0x7f) {
+      out += fmt::format("\\x{:02x}", code);
+    } else {
+      out += c;
+    }
+  }
+  return out + (text.size() > longest ? "...\"" : "\"");
+}
+
+std::string suggest(std::string_view text, const std::vector<std::string>& candidates) {
+  constexpr std::size_t few = 24;
+  text = text.substr(0, 100);  // nobody mistypes a name that long, and the table is quadratic
+  const std::string* nearest = nullptr;
+  std::size_t best = std::max<std::size_t>(2, text.size() / 3) + 1;
+  for (const std::string& candidate : candidates) {
+    const std::size_t distance = edit_distance(text, candidate);
+    if (distance < best && distance < candidate.size()) {
+      best = distance;
+      nearest = &candidate;
+    }
+  }
+  if (nearest != nullptr) return fmt::format(" (did you mean {}?)", in_quotes(*nearest));
+  if (candidates.empty() || candidates.size() > few) return "";
+  return fmt::format(" (expected {}{})", candidates.size() > 1 ? "one of " : "",
+                     fmt::join(candidates, ", "));
+}
+
+std::vector<std::string_view> words(std::string_view text, std::string_view separators) {
+  const std::string between = std::string(white_space) + std::string(separators);
+  std::vector<std::string_view> out;
+  std::size_t begin = text.find_first_not_of(between);
+  while (begin != std::string_view::npos) {
+    const std::size_t end = std::min(text.find_first_of(between, begin), text.size());
+    out.push_back(text.substr(begin, end - begin));
+    begin = text.find_first_not_of(between, end);
+  }
+  return out;
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  text = without_plus(trimmed(text));
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end) return {};
+  // Written so that NaN fails.
+  if (!(std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max()))) return {};
+  return value;
+}
+
+std::optional<int> parse_integer(std::string_view text) {
+  text = without_plus(trimmed(text));
+  int value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end) return {};
+  return value;
+}
+
+}  // namespace carlo

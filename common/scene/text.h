@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace carlo {
+
+/// `text` in double quotes for a one-line message: control characters escaped, long text cut.
+std::string in_quotes(std::string_view text);
+
+/// " (did you mean "x"?)" for the candidate nearest to `text`, or " (expected one of ...)" with all
+/// candidates when none is near and they are few, or nothing.
+std::string suggest(std::string_view text, const std::vector<std::string>& candidates);
+
+/// The words of `text`, separated by white space or by any character of `separators`.
+std::vector<std::string_view> words(std::string_view text, std::string_view separators = "");
+
+/// The whole of `text` as a number, in any locale. Empty for garbage before or after it, for NaN,
+/// infinity and numbers outside float's range.
+std::optional<double> parse_number(std::string_view text);
+
+/// The whole of `text` as an integer that an int can hold.
+std::optional<int> parse_integer(std::string_view text);
+
+}  // namespace carlo

@@ -1,0 +1,160 @@
+#include "scene/xml_source.h"
+
+#include "cli/atomic_file.h"
+#include "scene/text.h"
+
+#include <pugixml.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <system_error>
+
+namespace carlo {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int deepest_nesting = 16;
+
+bool starts_character(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+}
+
+// Turns pugixml's tree, which lives in `buffer`, into ours. Its strings are stored in place, so
+// their addresses tell where they stood in the file.
+class Converter {
+ public:
+  Converter(const XmlSource& source, const std::string& buffer)
+      : source_(source), buffer_(buffer) {}
+
+  XmlElement element(const pugi::xml_node& node, int depth) const {
+    XmlElement out;
+    out.name = node.name();
+    out.at = before(node.name());
+    if (depth > deepest_nesting) {
+      fail(out.at, "elements are nested more than {} deep", deepest_nesting);
+    }
+    for (const pugi::xml_attribute& a : node.attributes()) {
+      if (out.find(a.name()) != nullptr) {
+        fail(at(a.name()), "attribute {} is given twice", in_quotes(a.name()));
+      }
+      out.attributes.push_back({a.name(), a.value(), a.value(), at(a.name()), at(a.value())});
+    }
+    for (const pugi::xml_node& child : node.children()) {
+      if (child.type() != pugi::node_element) {
+        fail(child.value()[0] != '\0' ? at(child.value()) : out.at,
+             "unexpected text inside <{}>: {}", out.name, in_quotes(child.value()));
+      }
+      out.children.push_back(element(child, depth + 1));
+    }
+    return out;
+  }
+
+ private:
+  Position at(const char* text) const {
+    const std::less<> less;
+    const char* const begin = buffer_.data();
+    if (less(text, begin) || !less(text, begin + buffer_.size())) return {&source_, 0};
+    return {&source_, static_cast<std::size_t>(text - begin)};
+  }
+
+  Position before(const char* name) const {
+    Position position = at(name);
+    if (position.offset > 0) --position.offset;
+    return position;
+  }
+
+  const XmlSource& source_;
+  const std::string& buffer_;
+};
+
+void check_encoding(const XmlSource& source) {
+  const std::size_t nul = source.text.find('\0');
+  if (nul != std::string::npos) {
+    fail({&source, nul}, "not an XML file in UTF-8: it contains a zero byte");
+  }
+}
+
+}  // namespace
+
+const XmlAttribute* XmlElement::find(std::string_view attribute) const {
+  const auto same = [&](const XmlAttribute& a) { return a.name == attribute; };
+  const auto found = std::find_if(attributes.begin(), attributes.end(), same);
+  return found == attributes.end() ? nullptr : &*found;
+}
+
+const XmlAttribute& XmlElement::get(std::string_view attribute) const {
+  const XmlAttribute* found = find(attribute);
+  if (found == nullptr) fail(at, "<{}> needs the attribute {}", name, in_quotes(attribute));
+  return *found;
+}
+
+void XmlElement::allow_only(const std::vector<std::string_view>& names) const {
+  for (const XmlAttribute& a : attributes) {
+    if (std::find(names.begin(), names.end(), a.name) != names.end()) continue;
+    fail(a.name_at, "<{}> has no attribute {}{}", name, in_quotes(a.name),
+         suggest(a.name, {names.begin(), names.end()}));
+  }
+}
+
+void fail_at(Position at, const std::string& message) {
+  const std::string_view text =
+      std::string_view(at.source->text).substr(0, std::min(at.offset, at.source->text.size()));
+  const auto line = 1 + std::count(text.begin(), text.end(), '\n');
+  const std::size_t newline = text.rfind('\n');
+  const std::string_view last = newline == std::string_view::npos ? text : text.substr(newline + 1);
+  const auto column = 1 + std::count_if(last.begin(), last.end(), starts_character);
+  throw Error("{}:{}:{}: error: {}", at.source->path.string(), line, column, message);
+}
+
+std::unique_ptr<XmlSource> read_xml_source(const fs::path& path, Position asked_at) {
+  auto source = std::make_unique<XmlSource>();
+  source->path = path;
+  const Position blame = asked_at.source != nullptr ? asked_at : Position{source.get(), 0};
+  std::error_code ec;
+  const fs::file_status status = fs::status(path, ec);
+  if (!fs::exists(status)) fail(blame, "{} does not exist", in_quotes(path.string()));
+  if (fs::is_directory(status)) {
+    fail(blame, "{} is a folder, expected a scene file", in_quotes(path.string()));
+  }
+  if (!fs::is_regular_file(status)) fail(blame, "{} is not a file", in_quotes(path.string()));
+  try {
+    source->text = read_file(path);
+  } catch (const Error&) {
+    fail(blame, "{} cannot be read", in_quotes(path.string()));
+  }
+  return source;
+}
+
+XmlElement parse_xml(const XmlSource& source) {
+  check_encoding(source);
+  std::string buffer = source.text;
+  pugi::xml_document document;
+  const unsigned flags = pugi::parse_default | pugi::parse_declaration;
+  const pugi::xml_parse_result result =
+      document.load_buffer_inplace(buffer.data(), buffer.size(), flags, pugi::encoding_utf8);
+  if (result.status == pugi::status_no_document_element) {
+    fail({&source, 0}, "no XML element found, expected <scene>");
+  }
+  if (!result) {
+    fail({&source, static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0))},
+         "not well-formed XML: {}", result.description());
+  }
+  const std::string_view encoding = document.first_child().type() == pugi::node_declaration
+                                        ? document.first_child().attribute("encoding").value()
+                                        : "";
+  if (!encoding.empty() && encoding != "utf-8" && encoding != "UTF-8" && encoding != "us-ascii") {
+    fail({&source, 0}, "encoding {} is not supported, expected utf-8", in_quotes(encoding));
+  }
+  const XmlElement root = Converter(source, buffer).element(document.document_element(), 1);
+  for (pugi::xml_node next = document.document_element().next_sibling(); next;
+       next = next.next_sibling()) {
+    if (next.type() == pugi::node_element) {
+      const auto offset = static_cast<std::size_t>(next.name() - buffer.data()) - 1;
+      fail({&source, offset}, "a second root element <{}>, expected one", next.name());
+    }
+  }
+  return root;
+}
+
+}  // namespace carlo
