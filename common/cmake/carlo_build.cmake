@@ -37,11 +37,11 @@ target_compile_options(carlo_strict INTERFACE -Wall -Wextra -Wpedantic -Wshadow 
                        -Werror)
 
 # carlo_library(NAME SOURCES a.cpp ... DEPENDS carlo::x lib ... [PRIVATE_DEPENDS lib ...])
-# One library for one folder of common/; `carlo::NAME` is its alias. Without SOURCES it is
+# One library for one folder of common/, known as carlo::NAME. Without SOURCES it is
 # header-only.
 function(carlo_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
-  set(target carlo_${name})
+  set(target common_${name})
   if(ARG_SOURCES)
     add_library(${target} STATIC ${ARG_SOURCES})
     target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}/common")
