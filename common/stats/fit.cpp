@@ -11,7 +11,9 @@
 namespace carlo {
 namespace {
 
-bool positive(double value) { return std::isfinite(value) && value > 0; }
+bool positive(double value) {
+  return std::isfinite(value) && value > 0;
+}
 
 void check_input(std::span<const double> x, std::span<const double> y,
                  std::span<const double> weights, double confidence) {
@@ -35,7 +37,9 @@ void check_input(std::span<const double> x, std::span<const double> y,
 
 }  // namespace
 
-double PowerFit::at(double x) const { return std::exp(log_scale + slope * std::log(x)); }
+double PowerFit::at(double x) const {
+  return std::exp(log_scale + slope * std::log(x));
+}
 
 double PowerFit::band_factor(double x) const {
   return std::exp(std::hypot(mean_half_width, slope_half_width * (std::log(x) - mean_log_x)));

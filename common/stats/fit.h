@@ -20,7 +20,7 @@ struct PowerFit {
   double band_factor(double x) const;
 
   // What the band is computed from.
-  double mean_log_x = 0;      ///< weighted mean of log x
+  double mean_log_x = 0;       ///< weighted mean of log x
   double mean_half_width = 0;  ///< half width of the band at mean_log_x, in log y
 };
 

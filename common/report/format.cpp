@@ -1,0 +1,68 @@
+#include "report/format.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace carlo {
+
+std::string number_text(double value, int digits) {
+  const double size = std::fabs(value);
+  if (!std::isfinite(value) || value == 0) return fmt::format("{}", value);
+  if (size >= 1e-3 && size < 1e6) {
+    // As many decimals as the significant digits need, then without trailing zeros.
+    const int magnitude = static_cast<int>(std::floor(std::log10(size)));
+    std::string text = fmt::format("{:.{}f}", value, std::max(0, digits - 1 - magnitude));
+    if (text.find('.') != std::string::npos) {
+      text.erase(text.find_last_not_of('0') + 1);
+      if (text.back() == '.') text.pop_back();
+    }
+    return text;
+  }
+  return fmt::format("{:.{}e}", value, std::max(0, digits - 1));
+}
+
+std::string count_text(std::int64_t count) {
+  std::string text = fmt::format("{}", count);
+  const std::size_t first = count < 0 ? 1 : 0;
+  if (text.size() - first < 5) return text;
+  for (std::size_t at = text.size(); at > first + 3;) {
+    at -= 3;
+    text.insert(at, "\u2009");
+  }
+  return text;
+}
+
+std::string duration_text(double seconds) {
+  struct Unit {
+    double size;
+    const char* name;
+  };
+  constexpr std::array<Unit, 4> units = {{{1, "s"}, {1e-3, "ms"}, {1e-6, "µs"}, {1e-9, "ns"}}};
+  if (!std::isfinite(seconds)) return fmt::format("{}", seconds);
+  for (const Unit& unit : units) {
+    if (std::fabs(seconds) >= unit.size) {
+      return fmt::format("{} {}", number_text(seconds / unit.size, 3), unit.name);
+    }
+  }
+  return fmt::format("{} ns", number_text(seconds / 1e-9, 3));
+}
+
+std::string interval_text(double value, double half_width) {
+  if (!std::isfinite(value) || !std::isfinite(half_width)) {
+    return fmt::format("{} ± {}", number_text(value), number_text(half_width));
+  }
+  if (half_width <= 0) return fmt::format("{} ± 0", number_text(value));
+  const int place = static_cast<int>(std::floor(std::log10(half_width)));
+  const int decimals = std::clamp(1 - place, 0, 8);
+  return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, half_width, decimals);
+}
+
+std::size_t display_width(std::string_view text) {
+  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
+  return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), continues));
+}
+
+}  // namespace carlo

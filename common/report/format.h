@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace carlo {
+
+/// A number for people, to `digits` significant digits: "0.0123", "1.23e-05", "nan". Fixed between
+/// 1e-3 and 1e6, scientific elsewhere; trailing zeros are dropped.
+std::string number_text(double value, int digits = 4);
+
+/// A count for people, with a thin gap every three digits from five digits on: "4096", "16 384".
+std::string count_text(std::int64_t count);
+
+/// A duration for people with its unit: "12.3 ns", "4.56 µs", "7.8 ms", "12 s".
+std::string duration_text(double seconds);
+
+/// "-0.501 ± 0.012": the half width to two significant digits, the value to the same place.
+std::string interval_text(double value, double half_width);
+
+/// Columns that UTF-8 text takes on a terminal; each code point counts as one.
+std::size_t display_width(std::string_view text);
+
+}  // namespace carlo

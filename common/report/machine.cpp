@@ -1,0 +1,45 @@
+#include "report/machine.h"
+
+#include <fmt/core.h>
+
+#include <fstream>
+#include <thread>
+
+namespace carlo {
+namespace {
+
+std::string processor_name() {
+  std::ifstream in("/proc/cpuinfo");
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.rfind("model name", 0) == 0 && colon != std::string::npos) {
+      return line.substr(colon + 2);
+    }
+  }
+  return "unknown processor";
+}
+
+}  // namespace
+
+std::string machine_text() {
+  const unsigned threads = std::thread::hardware_concurrency();
+  return fmt::format("{}, {} thread{}", processor_name(), threads, threads == 1 ? "" : "s");
+}
+
+std::string compiler_text() {
+#ifdef __clang__
+  const std::string name =
+      fmt::format("Clang {}.{}.{}", __clang_major__, __clang_minor__, __clang_patchlevel__);
+#else
+  const std::string name =
+      fmt::format("GCC {}.{}.{}", __GNUC__, __GNUC_MINOR__, __GNUC_PATCHLEVEL__);
+#endif
+#ifdef __OPTIMIZE__
+  const char* kind = "optimised";
+#else
+  const char* kind = "not optimised: its times say little";
+#endif
+  return fmt::format("{}, {}", name, kind);
+}
+
+}  // namespace carlo

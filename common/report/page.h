@@ -1,0 +1,98 @@
+#pragma once
+
+#include "report/table.h"
+#include "stats/fit.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace carlo {
+
+enum class Scale { linear, log };
+
+/// How an axis writes its numbers: as they are, as counts, or as durations given in seconds.
+enum class Unit { number, count, seconds };
+
+struct Axis {
+  std::string label;
+  Unit unit = Unit::number;
+  Scale scale = Scale::log;
+};
+
+struct Point {
+  double x = 0, y = 0;
+};
+
+/// One set of points in its colour and shape. With a fit, the fitted line and its confidence band
+/// are drawn and the slope stands in the legend; without one, the points are joined.
+struct Series {
+  std::string name;
+  std::vector<Point> points;
+  std::optional<PowerFit> fit = std::nullopt;
+};
+
+/// Points that an axis cannot show (not finite, or <= 0 on a logarithmic one) are left out of the
+/// drawing; the table under the chart lists them all.
+struct Chart {
+  std::string title;
+  std::string note;  ///< one line under the title; may be empty
+  Axis x, y;
+  std::vector<Series> series;
+};
+
+/// A page of results: one HTML file that needs nothing else, no network either. It follows the
+/// reader's light or dark scheme and the width of the screen, can be used from the keyboard, and
+/// every chart has its data in a table below. Text is escaped; only raw_html() and script() are
+/// taken as they are. The same calls give the same bytes.
+class Page {
+ public:
+  explicit Page(std::string title, std::string subtitle = "");
+
+  /// Starts a section; it appears in the list of contents.
+  void section(std::string_view title);
+  /// One paragraph.
+  void prose(std::string_view paragraph);
+  /// One paragraph set apart: something the reader should not miss.
+  void note(std::string_view paragraph);
+  void table(const Table& table, std::string_view caption = "");
+  void chart(const Chart& chart) { charts({chart}); }
+  /// Charts side by side where the screen is wide enough.
+  void charts(const std::vector<Chart>& row);
+  /// One line of the page's foot: the command, the seed, the machine.
+  void fact(std::string name, std::string value);
+
+  /// Trusted HTML and JavaScript for what this class cannot draw. Scripts run at the page's end.
+  void raw_html(std::string_view html);
+  void script(std::string_view code);
+
+  std::string html() const;
+  /// Writes html(), making the folder if it is missing. Throws Error.
+  void write(const std::filesystem::path& path) const;
+
+ private:
+  void close_section();
+
+  std::string title_, subtitle_;
+  std::vector<std::string> sections_;
+  std::string body_;
+  nlohmann::json charts_ = nlohmann::json::array();
+  std::vector<std::string> scripts_;
+  std::vector<std::pair<std::string, std::string>> facts_;
+};
+
+/// Text as HTML content or attribute value.
+std::string html_escaped(std::string_view text);
+
+/// Code that may stand inside a script element: "</script" and "<!--" no longer end it.
+std::string script_escaped(std::string_view code);
+
+/// JSON that may stand inside a script element and parses to the same value.
+std::string json_for_html(const nlohmann::json& value);
+
+}  // namespace carlo
