@@ -78,6 +78,9 @@ RTCRay embree_ray(const Ray& ray, float tmax) {
   r.dir_x = ray.d.x;
   r.dir_y = ray.d.y;
   r.dir_z = ray.d.z;
+  // Embree accepts t = tnear. A surface in a coordinate plane has no rounding error, so a ray may
+  // start exactly on it, at t = 0; that is not a hit.
+  r.tnear = std::numeric_limits<float>::min();
   r.tfar = tmax;
   r.mask = ~0u;
   return r;

@@ -1,0 +1,141 @@
+#include "render/driver.h"
+
+#include "cli/progress.h"
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <chrono>
+#include <csignal>
+#include <mutex>
+
+namespace carlo {
+namespace {
+
+constexpr int tile_size = 16;
+
+/// Set by Ctrl-C. A second Ctrl-C ends the program at once.
+volatile std::sig_atomic_t interrupt_seen = 0;
+extern "C" void carlo_on_interrupt(int) {
+  interrupt_seen = 1;
+}
+
+class InterruptGuard {
+ public:
+  InterruptGuard() {
+    interrupt_seen = 0;
+    struct sigaction action {};
+    action.sa_handler = carlo_on_interrupt;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigaction(SIGINT, &action, &old_);
+  }
+  ~InterruptGuard() { sigaction(SIGINT, &old_, nullptr); }
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+ private:
+  struct sigaction old_ {};
+};
+
+class Job {
+ public:
+  Job(const Integrator& integrator, Film& film, const RenderOptions& options)
+      : integrator_(integrator),
+        film_(film),
+        options_(options),
+        columns_((film.width() + tile_size - 1) / tile_size),
+        rows_((film.height() + tile_size - 1) / tile_size),
+        progress_("rendering", options.progress) {}
+
+  /// Passes of one block in every pixel until the samples or the time are used up.
+  Counts run() {
+    const std::uint32_t passes = options_.seconds ? ~0u : options_.spp / film_.block();
+    for (std::uint32_t pass = 0; pass < passes && !stopped(pass); ++pass) {
+      tbb::parallel_for(
+          0, columns_ * rows_, [&](int tile) { run_tile(tile, pass, passes); },
+          tbb::simple_partitioner{});
+    }
+    return counts_;
+  }
+
+  double elapsed() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  /// With a time limit every pixel still gets two blocks, or there would be no error estimate.
+  bool stopped(std::uint32_t pass) const {
+    return interrupt_seen != 0 || (options_.seconds && pass >= 2 && elapsed() >= *options_.seconds);
+  }
+
+  void run_tile(int number, std::uint32_t pass, std::uint32_t passes) {
+    if (stopped(pass)) return;
+    Tile tile;
+    tile.x0 = number % columns_ * tile_size;
+    tile.y0 = number / columns_ * tile_size;
+    tile.x1 = std::min(tile.x0 + tile_size, film_.width());
+    tile.y1 = std::min(tile.y0 + tile_size, film_.height());
+    tile.samples = film_.block();
+    tile.first_sample = pass * film_.block();
+    std::array<std::array<double, 3>, tile_size * tile_size> means;
+    Counts counts;
+    integrator_.render(tile, means, counts);
+    std::size_t i = 0;
+    for (int y = tile.y0; y < tile.y1; ++y) {
+      for (int x = tile.x0; x < tile.x1; ++x)
+        film_.add_block(x, y, means[i++]);
+    }
+    finish_tile(counts, passes);
+  }
+
+  void finish_tile(const Counts& counts, std::uint32_t passes) {
+    const std::lock_guard lock(mutex_);
+    counts_ += counts;
+    ++tiles_done_;
+    const double total = static_cast<double>(columns_) * rows_ * passes;
+    progress_.update(options_.seconds ? elapsed() / *options_.seconds
+                                      : static_cast<double>(tiles_done_) / total);
+  }
+
+  const Integrator& integrator_;
+  Film& film_;
+  const RenderOptions& options_;
+  int columns_, rows_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::mutex mutex_;  ///< guards the three below
+  Counts counts_;
+  std::uint64_t tiles_done_ = 0;
+  Progress progress_;
+};
+
+}  // namespace
+
+std::uint32_t block_size(std::uint32_t spp) {
+  const std::uint32_t divisor = spp & (~spp + 1);
+  return std::clamp(std::bit_floor(spp / 8), 1u, std::min(divisor, 64u));
+}
+
+RenderResult render(const Integrator& integrator, int width, int height, double radiance_scale,
+                    const RenderOptions& options) {
+  const int threads =
+      options.threads > 0 ? options.threads : static_cast<int>(tbb::info::default_concurrency());
+  // An arena alone cannot have more workers than cores.
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
+  const std::uint32_t block = options.seconds ? 8 : block_size(options.spp);
+  RenderResult result{Film(width, height, block, radiance_scale), {}, 0, threads, false};
+  const InterruptGuard guard;
+  Job job(integrator, result.film, options);
+  arena.execute([&] { result.counts = job.run(); });
+  result.seconds = job.elapsed();
+  result.interrupted = interrupt_seen != 0;
+  return result;
+}
+
+}  // namespace carlo

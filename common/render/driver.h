@@ -1,0 +1,36 @@
+#pragma once
+
+#include "image/film.h"
+#include "render/integrator.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace carlo {
+
+struct RenderOptions {
+  std::uint32_t spp = 64;         ///< samples a pixel, unless `seconds` is set
+  std::optional<double> seconds;  ///< stop after this time, with whole blocks in every pixel
+  int threads = 0;                ///< 0: one for each core
+  bool progress = true;
+};
+
+struct RenderResult {
+  Film film;
+  Counts counts;
+  double seconds = 0;
+  int threads = 1;
+  bool interrupted = false;  ///< by Ctrl-C; the film holds what was finished
+};
+
+/// The size of the blocks (film.h) for a planned number of samples: the largest power of two that
+/// divides spp, leaves at least eight blocks if it can, and is at most 64.
+std::uint32_t block_size(std::uint32_t spp);
+
+/// Renders `width` x `height` pixels with any integrator, in tiles, on `threads` threads. The film
+/// has the same bits for any number of threads. Exceptions from the integrator reach the caller.
+/// `radiance_scale` is of the order of the brightest light (film.h).
+RenderResult render(const Integrator& integrator, int width, int height, double radiance_scale,
+                    const RenderOptions& options);
+
+}  // namespace carlo

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "numeric/vec.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace carlo {
+
+/// A rectangle of pixels, [x0, x1) x [y0, y1), and which samples of each to take.
+struct Tile {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  std::uint32_t first_sample = 0;
+  std::uint32_t samples = 0;
+};
+
+struct Counts {
+  std::uint64_t paths = 0;
+  std::uint64_t rays = 0;  ///< of all kinds, shadow rays among them
+  std::uint64_t bad = 0;   ///< samples that were NaN, infinite or negative; they count as black
+
+  Counts& operator+=(const Counts& other) {
+    paths += other.paths;
+    rays += other.rays;
+    bad += other.bad;
+    return *this;
+  }
+};
+
+/// Sums samples in order, in double; what is not a radiance is counted and left out.
+class BlockSum {
+ public:
+  void add(const Rgb& sample, Counts& counts) {
+    if (!(std::isfinite(sample.x) && std::isfinite(sample.y) && std::isfinite(sample.z) &&
+          sample.x >= 0 && sample.y >= 0 && sample.z >= 0)) {
+      ++counts.bad;
+      return;
+    }
+    sum_[0] += static_cast<double>(sample.x);
+    sum_[1] += static_cast<double>(sample.y);
+    sum_[2] += static_cast<double>(sample.z);
+  }
+
+  std::array<double, 3> mean(std::uint32_t samples) const {
+    return {sum_[0] / samples, sum_[1] / samples, sum_[2] / samples};
+  }
+
+ private:
+  std::array<double, 3> sum_{};
+};
+
+/// Estimates the radiance of pixels. What a sample is worth depends on (seed, pixel, sample index)
+/// alone, so the driver may ask for tiles in any order and from any thread.
+class Integrator {
+ public:
+  virtual ~Integrator() = default;
+
+  /// What is printed as the kernel that was chosen.
+  virtual std::string name() const = 0;
+
+  /// Renders a tile: the mean of the samples of each of its pixels, row by row, into `means`.
+  virtual void render(const Tile& tile, std::span<std::array<double, 3>> means,
+                      Counts& counts) const = 0;
+};
+
+}  // namespace carlo

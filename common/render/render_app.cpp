@@ -1,0 +1,204 @@
+#include "render/render_app.h"
+
+#include "cli/atomic_file.h"
+#include "cli/error.h"
+#include "image/exr.h"
+#include "image/png.h"
+#include "render/driver.h"
+#include "render/error_map.h"
+#include "render/report.h"
+#include "scene/load_scene.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace carlo {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string scene, output, reference, size, sampler;
+  std::vector<std::string> definitions;
+  std::optional<std::uint32_t> spp;
+  std::optional<double> seconds;
+  std::optional<int> max_depth;
+  std::uint64_t seed = 1;
+  int threads = 0;
+  bool quiet = false;
+};
+
+void add_options(CLI::App& app, Arguments& a) {
+  app.add_option("scene", a.scene, "scene file (Mitsuba 0.6-style XML)")->required();
+  auto* spp = app.add_option("--spp", a.spp, "samples a pixel (default: the scene's)")
+                  ->check(CLI::Range(1u, 1u << 28));
+  app.add_option("--seconds", a.seconds, "render for about this long instead")
+      ->check(CLI::Range(0.0, 1e7))
+      ->excludes(spp);
+  app.add_option("--size", a.size, "film size, WIDTHxHEIGHT (default: the scene's)");
+  app.add_option("--max-depth", a.max_depth, "longest path in segments, 0 for no limit")
+      ->check(CLI::Range(0, 1 << 20));
+  app.add_option("--sampler", a.sampler, "independent, stratified or sobol")
+      ->check(CLI::IsMember({"independent", "stratified", "sobol"}));
+  app.add_option("--seed", a.seed, "another seed gives independent noise")->capture_default_str();
+  app.add_option("--threads", a.threads, "default: one for each core")->check(CLI::Range(1, 1024));
+  app.add_option("-D,--define", a.definitions, "NAME=VALUE for a $NAME of the scene");
+  app.add_option("-o,--output", a.output,
+                 "base name of .png, .exr, .error.png and .json (default: out/SCENE)");
+  app.add_option("--reference", a.reference, "EXR to measure the error against");
+  app.add_flag("--quiet", a.quiet, "no progress bar, no report on stdout");
+}
+
+int parse_whole(std::string_view text, const std::string& all) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) {
+    throw Error("error: --size is WIDTHxHEIGHT, for example 256x256, got '{}'", all);
+  }
+  return value;
+}
+
+std::map<std::string, std::string> parse_definitions(const std::vector<std::string>& definitions) {
+  std::map<std::string, std::string> map;
+  for (const std::string& d : definitions) {
+    const auto equals = d.find('=');
+    if (equals == 0 || equals == std::string::npos) {
+      throw Error("error: -D takes NAME=VALUE, got '{}'", d);
+    }
+    if (!map.emplace(d.substr(0, equals), d.substr(equals + 1)).second) {
+      throw Error("error: -D {} was given twice", d.substr(0, equals));
+    }
+  }
+  return map;
+}
+
+void apply(const Arguments& a, Scene& scene) {
+  if (!a.size.empty()) {
+    const auto x = std::min(a.size.find('x'), a.size.size());
+    const int width = parse_whole(std::string_view(a.size).substr(0, x), a.size);
+    const int height =
+        parse_whole(std::string_view(a.size).substr(std::min(x + 1, a.size.size())), a.size);
+    resize(scene, width, height);
+  }
+  if (a.spp) scene.spp = static_cast<int>(*a.spp);
+  if (a.max_depth) scene.max_depth = *a.max_depth;
+  if (a.sampler == "independent") scene.sampler = SamplerKind::independent;
+  if (a.sampler == "stratified") scene.sampler = SamplerKind::stratified;
+  if (a.sampler == "sobol") scene.sampler = SamplerKind::sobol;
+}
+
+/// Where the outputs go: their common stem. A default folder is made, a given one must exist.
+fs::path output_stem(const Arguments& a) {
+  if (a.output.empty()) {
+    std::error_code ec;
+    fs::create_directories("out", ec);
+    if (ec) throw Error("cannot write into out: {}", ec.message());
+    return fs::path("out") / fs::path(a.scene).stem();
+  }
+  const fs::path given(a.output);
+  const bool suffixed = given.extension() == ".exr" || given.extension() == ".png";
+  return suffixed ? fs::path(given).replace_extension() : given;
+}
+
+fs::path with_suffix(const fs::path& stem, const char* suffix) {
+  return fs::path(stem.string() + suffix);
+}
+
+void write_outputs(const fs::path& stem, const RenderResult& result, const RenderReport& report) {
+  const Image mean = result.film.mean();
+  write_exr(with_suffix(stem, ".exr"), {mean,
+                                        result.film.standard_error(),
+                                        {{"scene", report.scene},
+                                         {"seed", std::to_string(report.seed)},
+                                         {"spp", fmt::format("{}", report.spp)},
+                                         {"kernel", report.kernel}}});
+  write_png(with_suffix(stem, ".png"), mean);
+  write_png(with_suffix(stem, ".error.png"), error_map(result.film));
+  write_file(with_suffix(stem, ".json"), to_json(report));
+}
+
+int run(const Arguments& a, const IntegratorFactory& factory) {
+  Scene scene = load_scene(a.scene, parse_definitions(a.definitions));
+  apply(a, scene);
+  const fs::path stem = output_stem(a);
+  // Find out now, not after an hour, that the output cannot be written or the reference is missing.
+  for (const char* suffix : {".exr", ".png", ".error.png", ".json"}) {
+    const AtomicFile writable(with_suffix(stem, suffix));
+  }
+  std::optional<ExrFile> reference;
+  if (!a.reference.empty()) {
+    reference = read_exr(a.reference);
+    compare(reference->image, Image(scene.width, scene.height));
+  }
+
+  const auto integrator = factory(scene, a.seed, static_cast<std::uint32_t>(scene.spp));
+  const RenderOptions options{.spp = static_cast<std::uint32_t>(scene.spp),
+                              .seconds = a.seconds,
+                              .threads = a.threads,
+                              .progress = !a.quiet};
+  const RenderResult result =
+      render(*integrator, scene.width, scene.height, radiance_scale(scene), options);
+  RenderReport report = make_report(scene, result);
+  report.scene = a.scene;
+  report.kernel = integrator->name();
+  report.seed = a.seed;
+  if (reference) report.reference = compare_with_reference(result, a.reference, *reference);
+  write_outputs(stem, result, report);
+  if (!a.quiet) {
+    fmt::print("{}", to_text(report));
+    for (const std::string& note : scene.notes)
+      fmt::print("  {:<16} {}\n", "note", note);
+    fmt::print("  {:<16} {}.png, .exr (with standard errors), .error.png (noise map), .json\n",
+               "written", stem.string());
+  }
+  return result.interrupted ? 130 : 0;
+}
+
+}  // namespace
+
+double radiance_scale(const Scene& scene) {
+  const auto brightest = [](Rgb c) { return static_cast<double>(std::max({c.r, c.g, c.b})); };
+  double scale = brightest(scene.environment);
+  for (const Shape& shape : scene.shapes)
+    scale = std::max(scale, brightest(shape.radiance));
+  // What a point light brings depends on distances; its intensity is as good a unit as any.
+  for (const PointLight& light : scene.points)
+    scale = std::max(scale, brightest(light.intensity));
+  return scale;
+}
+
+void resize(Scene& scene, int width, int height) {
+  if (width < 1 || height < 1) {
+    throw Error("error: the film must be at least 1x1, got {}x{}", width, height);
+  }
+  scene.width = width;
+  scene.height = height;
+  scene.camera.tan_half_y =
+      scene.camera.tan_half_x * static_cast<float>(height) / static_cast<float>(width);
+}
+
+int render_app(int argc, char** argv, const IntegratorFactory& factory) {
+  Arguments arguments;
+  CLI::App app("Renders a scene by path tracing: PNG, EXR and a report of error against time.",
+               "./carlo render");
+  add_options(app, arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& request) {
+    return app.exit(request);  // --help
+  } catch (const CLI::ParseError& error) {
+    throw Error("error: {} (see ./carlo render --help)", error.what());
+  }
+  return run(arguments, factory);
+}
+
+}  // namespace carlo

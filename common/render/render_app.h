@@ -1,0 +1,26 @@
+#pragma once
+
+#include "render/integrator.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace carlo {
+
+/// Makes an integrator for a scene; `spp` is the planned number of samples a pixel.
+using IntegratorFactory = std::function<std::unique_ptr<Integrator>(
+    const Scene& scene, std::uint64_t seed, std::uint32_t spp)>;
+
+/// The command `render SCENE ...`, whatever integrator it drives: loads the scene, renders, writes
+/// PNG, EXR and JSON and prints the report. Returns the exit code; throws Error.
+int render_app(int argc, char** argv, const IntegratorFactory& factory);
+
+/// A radiance of the order of the brightest light of the scene (film.h).
+double radiance_scale(const Scene& scene);
+
+/// Changes the film's size; the horizontal field of view and square pixels are kept.
+void resize(Scene& scene, int width, int height);
+
+}  // namespace carlo

@@ -1,0 +1,152 @@
+#include "render/report.h"
+
+#include "cli/progress.h"
+#include "numeric/compensated.h"
+#include "scene/needs.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace carlo {
+namespace {
+
+std::string sampler_name(SamplerKind kind) {
+  switch (kind) {
+    case SamplerKind::independent:
+      return "independent";
+    case SamplerKind::stratified:
+      return "stratified";
+    case SamplerKind::sobol:
+      return "sobol";
+  }
+  return "";
+}
+
+double relative_error(const Film& film) {
+  CompensatedSum sum;
+  for (int y = 0; y < film.height(); ++y) {
+    for (int x = 0; x < film.width(); ++x) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double mean = film.mean(x, y, c);
+        sum.add(film.variance(x, y, c) / (mean * mean + 0.01));
+      }
+    }
+  }
+  return std::sqrt(sum.value() / (3.0 * film.width() * film.height()));
+}
+
+std::string millions(double per_second) {
+  return fmt::format("{:.2f} M", per_second / 1e6);
+}
+
+/// JSON has no infinity: what cannot be told is null.
+nlohmann::json number(double x) {
+  return std::isfinite(x) ? nlohmann::json(x) : nlohmann::json();
+}
+
+nlohmann::json numbers(const std::array<double, 3>& x) {
+  return {number(x[0]), number(x[1]), number(x[2])};
+}
+
+}  // namespace
+
+RenderReport make_report(const Scene& scene, const RenderResult& result) {
+  RenderReport report;
+  report.needs = describe(needs(scene));
+  report.sampler = sampler_name(scene.sampler);
+  report.width = result.film.width();
+  report.height = result.film.height();
+  report.threads = result.threads;
+  report.max_depth = scene.max_depth;
+  report.samples = result.film.samples();
+  report.spp = static_cast<double>(report.samples) / (1.0 * report.width * report.height);
+  report.seconds = result.seconds;
+  report.interrupted = result.interrupted;
+  report.counts = result.counts;
+  report.mean = mean_radiance(result.film);
+  report.relative_error = relative_error(result.film);
+  return report;
+}
+
+ReferenceReport compare_with_reference(const RenderResult& result, const std::string& path,
+                                       const ExrFile& reference) {
+  ReferenceReport report;
+  report.path = path;
+  const Image image = result.film.mean();
+  report.error = compare(image, reference.image);
+  const Image exact(image.width, image.height);
+  report.bias_z = bias_z(image, result.film.standard_error(), reference.image,
+                         reference.standard_error ? *reference.standard_error : exact);
+  report.efficiency = 1 / (report.error.mse * result.seconds);
+  return report;
+}
+
+std::string to_text(const RenderReport& r) {
+  std::string text;
+  const auto line = [&text](const char* name, const std::string& value) {
+    text += fmt::format("  {:<16} {}\n", name, value);
+  };
+  line("scene", r.scene);
+  line("needs", r.needs);
+  line("kernel", fmt::format("{}, {} sampler, seed {}", r.kernel, r.sampler, r.seed));
+  line("image", fmt::format("{} x {}, {:.6g} samples a pixel{}", r.width, r.height, r.spp,
+                            r.interrupted ? " (interrupted)" : ""));
+  line("time", fmt::format("{} on {} thread{}: {} paths/s, {} rays/s", format_seconds(r.seconds),
+                           r.threads, r.threads == 1 ? "" : "s",
+                           millions(static_cast<double>(r.counts.paths) / r.seconds),
+                           millions(static_cast<double>(r.counts.rays) / r.seconds)));
+  line("mean radiance", fmt::format("R {:.6g}, G {:.6g}, B {:.6g}", r.mean.value[0],
+                                    r.mean.value[1], r.mean.value[2]));
+  line("standard error",
+       fmt::format("R {:.2g}, G {:.2g}, B {:.2g}; a pixel: {:.2g} % (rms, relative)",
+                   r.mean.standard_error[0], r.mean.standard_error[1], r.mean.standard_error[2],
+                   100 * r.relative_error));
+  if (r.reference) {
+    line("reference", r.reference->path);
+    line("error",
+         fmt::format("MSE {:.4g}, relMSE {:.4g}, relMSE x seconds {:.4g}", r.reference->error.mse,
+                     r.reference->error.rel_mse, r.reference->error.rel_mse * r.seconds));
+    line("bias z", fmt::format("R {:.2f}, G {:.2f}, B {:.2f}", r.reference->bias_z[0],
+                               r.reference->bias_z[1], r.reference->bias_z[2]));
+    line("efficiency", fmt::format("{:.4g} = 1 / (MSE x s)", r.reference->efficiency));
+  }
+  if (r.counts.bad > 0) {
+    line("WARNING",
+         fmt::format("{} samples were not finite or negative; they count as black", r.counts.bad));
+  }
+  return text;
+}
+
+std::string to_json(const RenderReport& r) {
+  nlohmann::ordered_json json = {{"scene", r.scene},
+                                 {"needs", r.needs},
+                                 {"kernel", r.kernel},
+                                 {"sampler", r.sampler},
+                                 {"seed", std::to_string(r.seed)},
+                                 {"width", r.width},
+                                 {"height", r.height},
+                                 {"max_depth", r.max_depth},
+                                 {"threads", r.threads},
+                                 {"spp", r.spp},
+                                 {"samples", r.samples},
+                                 {"interrupted", r.interrupted},
+                                 {"seconds", r.seconds},
+                                 {"paths", r.counts.paths},
+                                 {"rays", r.counts.rays},
+                                 {"bad_samples", r.counts.bad},
+                                 {"mean", numbers(r.mean.value)},
+                                 {"standard_error", numbers(r.mean.standard_error)},
+                                 {"relative_pixel_error", number(r.relative_error)}};
+  if (r.reference) {
+    json["reference"] = {{"path", r.reference->path},
+                         {"mse", number(r.reference->error.mse)},
+                         {"rel_mse", number(r.reference->error.rel_mse)},
+                         {"bias_z", numbers(r.reference->bias_z)},
+                         {"efficiency", number(r.reference->efficiency)}};
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace carlo

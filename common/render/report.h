@@ -1,0 +1,48 @@
+#pragma once
+
+#include "image/exr.h"
+#include "image/metrics.h"
+#include "render/driver.h"
+#include "scene/scene.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace carlo {
+
+/// How a render compares with a reference image.
+struct ReferenceReport {
+  std::string path;
+  ImageError error;
+  std::array<double, 3> bias_z{};  ///< of the whole image's mean, per channel
+  double efficiency = 0;           ///< 1 / (MSE * seconds)
+};
+
+/// All that a render tells about itself: never a time without its error, nor an error without its
+/// time.
+struct RenderReport {
+  std::string scene, needs, kernel, sampler;
+  int width = 0, height = 0, threads = 0, max_depth = 0;
+  std::uint64_t seed = 0, samples = 0;
+  double spp = 0;  ///< mean over the pixels
+  double seconds = 0;
+  bool interrupted = false;
+  Counts counts;
+  MeanRadiance mean;
+  double relative_error = 0;  ///< of a pixel: root mean over pixels of variance / (mean^2 + 0.01)
+  std::optional<ReferenceReport> reference;
+};
+
+/// Fills in what follows from the result.
+RenderReport make_report(const Scene& scene, const RenderResult& result);
+
+/// Compares with a reference; its standard error is used where the file has one.
+ReferenceReport compare_with_reference(const RenderResult& result, const std::string& path,
+                                       const ExrFile& reference);
+
+std::string to_text(const RenderReport& report);
+std::string to_json(const RenderReport& report);
+
+}  // namespace carlo

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "geometry/intersector.h"
+#include "numeric/vec.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace renderer {
+
+using carlo::Rgb;
+using carlo::Vec2;
+using carlo::Vec3;
+
+/// A point of a light as seen from a surface point.
+struct LightSample {
+  Vec3 p;        ///< on the light
+  Rgb radiance;  ///< towards the surface point; for a point light intensity / distance^2
+  float pdf;     ///< per solid angle at the surface point, light choice included; 0 for a point
+                 ///< light, whose radiance is already divided by the probability of its choice
+};
+
+/// Chooses among a scene's lights in proportion to their power, and samples the chosen one:
+/// rectangles and spheres by solid angle, other shapes by area.
+class Lights {
+ public:
+  /// Keeps a reference to `scene`.
+  explicit Lights(const carlo::Scene& scene);
+
+  bool empty() const { return entries_.empty(); }
+
+  /// Nothing when the light sends no radiance to `from`.
+  std::optional<LightSample> sample(Vec3 from, float u_light, Vec2 u) const;
+
+  /// The density, per solid angle at `from`, with which sample() gives the point of `hit`; the hit
+  /// shape must emit.
+  float pdf(Vec3 from, const carlo::Hit& hit) const;
+
+ private:
+  struct Entry {
+    std::uint32_t shape = 0;  ///< index of an emitting shape, or of a point light
+    bool point = false;
+    bool by_solid_angle = false;
+    double probability = 0;
+    double area = 0;
+  };
+
+  const Entry& choose(float u) const;
+  std::optional<LightSample> sample_shape(const Entry& entry, Vec3 from, Vec2 u) const;
+  /// Density at `from` of a point p with normal n of a shape.
+  float shape_pdf(const Entry& entry, Vec3 from, Vec3 p, Vec3 n) const;
+
+  const carlo::Scene& scene_;
+  std::vector<Entry> entries_;
+  std::vector<double> cdf_;  ///< of the choice, ends at 1
+  std::vector<std::uint32_t> entry_of_shape_;
+  std::vector<std::vector<double>> mesh_cdf_;  ///< per shape: area CDF of a mesh light's triangles
+};
+
+}  // namespace renderer

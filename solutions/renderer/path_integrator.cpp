@@ -1,0 +1,244 @@
+#include "path_integrator.h"
+
+#include "bsdf.h"
+#include "geometry/intersector.h"
+#include "lights.h"
+#include "numeric/robust.h"
+#include "sampling/samplers.h"
+
+#include <algorithm>
+#include <variant>
+#include <vector>
+
+namespace renderer {
+namespace {
+
+using carlo::Counts;
+using carlo::Hit;
+using carlo::Ray;
+using carlo::Scene;
+
+/// Shadow rays end this fraction before the light: a light point is known to some float ulps.
+constexpr float shadow_end = 1 - 1e-4f;
+
+/// Sampler dimensions: two for the film, then a fixed number for each vertex of the path.
+constexpr std::uint32_t film_dimensions = 2, vertex_dimensions = 8;
+/// Within a vertex: light choice and point (3), lobe and direction (3), roulette (1).
+constexpr std::uint32_t light_dimension = 0, lobe_dimension = 3, roulette_dimension = 6;
+
+struct Surface {
+  std::variant<ModifiedPhong, carlo::Mirror, carlo::Dielectric> bsdf;
+  bool two_sided;
+};
+
+Surface make_surface(const carlo::Material& material) {
+  struct Visitor {
+    decltype(Surface::bsdf) operator()(const carlo::Diffuse& m) const {
+      return ModifiedPhong(m.reflectance, Rgb(0), 0);
+    }
+    decltype(Surface::bsdf) operator()(const carlo::Phong& m) const {
+      return ModifiedPhong(m.kd, m.ks, m.exponent);
+    }
+    decltype(Surface::bsdf) operator()(const carlo::Mirror& m) const { return m; }
+    decltype(Surface::bsdf) operator()(const carlo::Dielectric& m) const { return m; }
+  };
+  return {std::visit(Visitor{}, material.model), material.two_sided};
+}
+
+/// The weight of a sample of density p against another technique of density q.
+/// Source: Veach, "Robust Monte Carlo methods for light transport simulation", section 9.2.4.
+float power_heuristic(float p, float q) {
+  const float r = q / p;
+  return 1 / (1 + r * r);
+}
+
+float max_channel(Rgb c) {
+  return std::max({c.r, c.g, c.b});
+}
+
+template <class Sampler>
+class PathIntegrator final : public carlo::Integrator {
+ public:
+  PathIntegrator(const Scene& scene, const PathOptions& options)
+      : scene_(scene), options_(options), intersector_(scene), lights_(scene) {
+    for (const carlo::Material& material : scene.materials) {
+      surfaces_.push_back(make_surface(material));
+    }
+  }
+
+  std::string name() const override { return "scalar path tracer, Embree"; }
+
+  void render(const carlo::Tile& tile, std::span<std::array<double, 3>> means,
+              Counts& counts) const override {
+    std::size_t i = 0;
+    for (int y = tile.y0; y < tile.y1; ++y) {
+      for (int x = tile.x0; x < tile.x1; ++x) {
+        carlo::BlockSum sum;
+        for (std::uint32_t s = 0; s < tile.samples; ++s) {
+          sum.add(sample(x, y, tile.first_sample + s, counts), counts);
+        }
+        means[i++] = sum.mean(tile.samples);
+      }
+    }
+  }
+
+ private:
+  /// A path under way: the next ray, what it carries, and how its direction was drawn.
+  struct Path {
+    Ray ray;
+    Rgb beta{1};
+    Rgb L{0};
+    float eta_scale = 1;    ///< radiance compression so far; undone when the path leaves the glass
+    bool competes = false;  ///< was next-event estimation done for the ray's direction?
+    float pdf = 0;          ///< if so: of the ray's direction,
+    Vec3 vertex{0};         ///< and where
+    std::uint32_t dimension = film_dimensions;  ///< the current vertex's first
+  };
+
+  Rgb sample(int x, int y, std::uint32_t index, Counts& counts) const {
+    const auto pixel = static_cast<std::uint32_t>(y * scene_.width + x);
+    Sampler sampler({options_.seed, pixel, index, options_.spp});
+    const Vec2 jitter = sampler.next_2d();
+    const Vec2 film((static_cast<float>(x) + jitter.x) / static_cast<float>(scene_.width),
+                    (static_cast<float>(y) + jitter.y) / static_cast<float>(scene_.height));
+    Path path;
+    path.ray = scene_.camera.ray(film);
+    ++counts.paths;
+    for (int depth = 1; extend(path, sampler, depth == scene_.max_depth, counts); ++depth) {
+      path.dimension += vertex_dimensions;
+    }
+    return path.L;
+  }
+
+  /// Follows the path's ray to the next surface, gathers light there and draws the next ray; false
+  /// when the path ends.
+  bool extend(Path& path, Sampler& sampler, bool last, Counts& counts) const {
+    Hit hit;
+    ++counts.rays;
+    if (!intersector_.intersect(path.ray, hit)) {
+      path.L += path.beta * scene_.environment;
+      return false;
+    }
+    const carlo::Shape& shape = scene_.shapes[hit.shape];
+    const Vec3 wo = -path.ray.d;
+    const bool front = glm::dot(hit.n, wo) > 0;
+    if (front && shape.emits()) path.L += path.beta * emitted(path, hit, shape.radiance);
+    if (last) return false;
+    const Surface& surface = surfaces_[shape.material];
+    if (const auto* glass = std::get_if<carlo::Dielectric>(&surface.bsdf)) {
+      return pass_glass(path, sampler, hit, front, *glass);
+    }
+    if (!front && !surface.two_sided) return false;
+    const Vec3 normal = front ? hit.n : -hit.n;
+    if (const auto* mirror = std::get_if<carlo::Mirror>(&surface.bsdf)) {
+      path.beta *= mirror->reflectance;
+      path.competes = false;
+      spawn(path, hit, glm::normalize(reflect(normal, wo)));
+      return survive(path, sampler);
+    }
+    return scatter(path, sampler, hit, normal, std::get<ModifiedPhong>(surface.bsdf), counts);
+  }
+
+  /// Emission met by the path's ray, weighed against next-event estimation.
+  Rgb emitted(const Path& path, const Hit& hit, Rgb radiance) const {
+    if (!path.competes) return radiance;
+    return radiance * power_heuristic(path.pdf, lights_.pdf(path.vertex, hit));
+  }
+
+  bool scatter(Path& path, Sampler& sampler, const Hit& hit, Vec3 normal, const ModifiedPhong& bsdf,
+               Counts& counts) const {
+    if (bsdf.black()) return false;
+    const Vec3 wo = -path.ray.d;
+    sampler.seek(path.dimension + light_dimension);
+    const float u_light = sampler.next_1d();
+    const Vec2 u_point = sampler.next_2d();
+    if (!lights_.empty()) {
+      path.L += path.beta * direct(hit, normal, wo, bsdf, u_light, u_point, counts);
+    }
+    sampler.seek(path.dimension + lobe_dimension);
+    const float u_lobe = sampler.next_1d();
+    const auto next = bsdf.sample(normal, wo, u_lobe, sampler.next_2d());
+    if (!next) return false;
+    path.beta *= next->weight;
+    path.pdf = next->pdf;
+    path.vertex = hit.p;
+    path.competes = !lights_.empty();
+    spawn(path, hit, next->wi);
+    return survive(path, sampler);
+  }
+
+  /// Light that reaches the surface straight from a light, by sampling lights.
+  Rgb direct(const Hit& hit, Vec3 normal, Vec3 wo, const ModifiedPhong& bsdf, float u_light,
+             Vec2 u_point, Counts& counts) const {
+    const auto light = lights_.sample(hit.p, u_light, u_point);
+    if (!light) return Rgb(0);
+    const Vec3 wi = glm::normalize(light->p - hit.p);
+    const ModifiedPhong::Value value = bsdf.evaluate(normal, wo, wi);
+    if (!(value.pdf > 0)) return Rgb(0);
+    const Vec3 origin = carlo::offset_origin(hit.p, hit.p_error, hit.n, wi);
+    const Vec3 to_light = light->p - origin;
+    const float distance = glm::length(to_light);
+    ++counts.rays;
+    if (intersector_.occluded({origin, to_light / distance}, distance * shadow_end)) return Rgb(0);
+    const Rgb reflected = value.f * light->radiance * glm::dot(normal, wi);
+    if (light->pdf == 0) return reflected;  // a point light: nothing to compete with
+    return reflected * (power_heuristic(light->pdf, value.pdf) / light->pdf);
+  }
+
+  bool pass_glass(Path& path, Sampler& sampler, const Hit& hit, bool front,
+                  const carlo::Dielectric& glass) const {
+    const Vec3 wo = -path.ray.d;
+    const Vec3 normal = front ? hit.n : -hit.n;
+    const float eta = front ? glass.ext_ior / glass.int_ior : glass.int_ior / glass.ext_ior;
+    const Refraction refraction = refract(normal, wo, eta);
+    path.competes = false;
+    sampler.seek(path.dimension + lobe_dimension);
+    if (sampler.next_1d() < refraction.reflectance || !refraction.wt) {
+      spawn(path, hit, glm::normalize(reflect(normal, wo)));
+    } else {
+      // Radiance is compressed into a smaller solid angle in the denser medium.
+      path.beta *= refraction.eta * refraction.eta;
+      path.eta_scale *= refraction.eta * refraction.eta;
+      spawn(path, hit, *refraction.wt);
+    }
+    return survive(path, sampler);
+  }
+
+  /// Sets the path's ray to leave the surface in direction d.
+  static void spawn(Path& path, const Hit& hit, Vec3 d) {
+    path.ray = {carlo::offset_origin(hit.p, hit.p_error, hit.n, d), d};
+  }
+
+  /// Russian roulette: absorption ends the path as often as its throughput asks for.
+  static bool survive(Path& path, Sampler& sampler) {
+    const float q = max_channel(path.beta) / path.eta_scale;
+    if (q >= 1) return true;
+    sampler.seek(path.dimension + roulette_dimension);
+    if (!(sampler.next_1d() < q)) return false;
+    path.beta /= q;
+    return true;
+  }
+
+  const Scene& scene_;
+  PathOptions options_;
+  carlo::Intersector intersector_;
+  Lights lights_;
+  std::vector<Surface> surfaces_;
+};
+
+}  // namespace
+
+std::unique_ptr<carlo::Integrator> make_path_integrator(const Scene& scene,
+                                                        const PathOptions& options) {
+  switch (scene.sampler) {
+    case carlo::SamplerKind::independent:
+      return std::make_unique<PathIntegrator<carlo::IndependentSampler>>(scene, options);
+    case carlo::SamplerKind::stratified:
+      return std::make_unique<PathIntegrator<carlo::StratifiedSampler>>(scene, options);
+    case carlo::SamplerKind::sobol:
+      return std::make_unique<PathIntegrator<carlo::SobolSampler>>(scene, options);
+  }
+  return nullptr;
+}
+
+}  // namespace renderer

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "render/integrator.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace renderer {
+
+struct PathOptions {
+  std::uint64_t seed = 1;
+  std::uint32_t spp = 64;  ///< planned samples a pixel, for the stratified sampler
+};
+
+/// The iterative path tracer: emission added at every hit, next-event estimation and BRDF sampling
+/// combined by the power heuristic, Russian roulette on the throughput (so absorption ends paths),
+/// mirrors and glass by their deterministic directions.
+/// Keeps a reference to `scene`, which must outlive the integrator.
+std::unique_ptr<carlo::Integrator> make_path_integrator(const carlo::Scene& scene,
+                                                        const PathOptions& options);
+
+}  // namespace renderer

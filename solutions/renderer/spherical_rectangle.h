@@ -1,0 +1,32 @@
+#pragma once
+
+#include "numeric/vec.h"
+#include "scene/scene.h"
+
+namespace renderer {
+
+using carlo::Vec2;
+using carlo::Vec3;
+
+/// A rectangle seen from a point, ready to be sampled uniformly by solid angle. Area sampling has
+/// unbounded variance when the point comes close to the rectangle's plane or edge; this has none.
+/// Source: Urena, Fajardo, King, "An area-preserving parametrization for spherical rectangles",
+/// EGSR 2013.
+class SphericalRectangle {
+ public:
+  /// Needs u perpendicular to v and both longer than 0.
+  SphericalRectangle(const carlo::Parallelogram& rectangle, Vec3 from);
+
+  /// Steradians; 0 when seen edge-on.
+  double solid_angle() const { return solid_angle_; }
+
+  /// A point of the rectangle; the directions to such points have density 1 / solid_angle().
+  Vec3 sample(Vec2 u) const;
+
+ private:
+  Vec3 from_, x_, y_, z_;          ///< local frame: x along u, y along v, z away from the rectangle
+  double x0_, x1_, y0_, y1_, z0_;  ///< the rectangle in that frame; z0 < 0
+  double b0_, b1_, k_, solid_angle_;
+};
+
+}  // namespace renderer

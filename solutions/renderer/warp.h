@@ -1,0 +1,63 @@
+#pragma once
+
+#include "numeric/robust.h"
+#include "numeric/vec.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace renderer {
+
+using carlo::pi_f;
+using carlo::Vec2;
+using carlo::Vec3;
+
+// Each sampler stands beside its pdf. u is uniform in [0, 1)^2; directions are in a frame whose z
+// is the axis; pdfs are per solid angle.
+
+/// The direction with polar angle given by its cosine and sine, azimuth 2 pi u.
+inline Vec3 spherical(float cos_theta, float sin_theta, float u) {
+  const float phi = 2 * pi_f * u;
+  return {sin_theta * std::cos(phi), sin_theta * std::sin(phi), cos_theta};
+}
+
+/// Density cos(theta) / pi on the upper hemisphere. Lecture, "Reflected Ray Sampling".
+inline Vec3 sample_cosine_hemisphere(Vec2 u) {
+  return spherical(std::sqrt(1 - u.x), std::sqrt(u.x), u.y);
+}
+inline float cosine_hemisphere_pdf(float cos_theta) {
+  return std::max(0.0f, cos_theta) / pi_f;
+}
+
+/// Uniform in a cone about z of which 1 - cos(half angle) is given, since for a small light the
+/// cosine itself rounds to 1.
+inline Vec3 sample_cone(Vec2 u, float one_minus_cos) {
+  const float h = u.x * one_minus_cos;
+  return spherical(1 - h, carlo::safe_sqrt(h * (2 - h)), u.y);
+}
+inline float cone_pdf(float one_minus_cos) {
+  return 1 / (2 * pi_f * one_minus_cos);
+}
+
+/// Density (n+1)/(2 pi) cos^n(alpha) about z, n >= 0. Lecture, "recipe for sampling specular term":
+/// cos(alpha) = z^(1/(n+1)), with sin^2(alpha) = -expm1(2 ln z / (n+1)), which keeps its digits
+/// when n is large and the cosine rounds to 1.
+inline Vec3 sample_lobe(Vec2 u, float n) {
+  const float log_cos = std::log1p(-u.x) / (n + 1);
+  return spherical(std::exp(log_cos), carlo::safe_sqrt(-std::expm1(2 * log_cos)), u.y);
+}
+
+/// cos^n(alpha) of the angle between two unit vectors, 0 for alpha >= 90 degrees. From their
+/// difference: |a - b|^2 / 2 = 1 - cos(alpha), so that a cosine of 1 + 1e-7 is not raised to the
+/// power 1e7.
+inline float cos_power(Vec3 a, Vec3 b, float n) {
+  const Vec3 d = a - b;
+  const float one_minus_cos = 0.5f * glm::dot(d, d);
+  if (!(one_minus_cos < 1)) return 0;
+  return std::exp(n * std::log1p(-one_minus_cos));
+}
+inline float lobe_pdf(float cos_to_n, float n) {
+  return (n + 1) / (2 * pi_f) * cos_to_n;
+}
+
+}  // namespace renderer
