@@ -1,0 +1,179 @@
+// Scenes that must be refused: each file of broken_scenes/ stands in expected.txt with the place
+// and a phrase of its message.
+
+#include "cli/error.h"
+#include "random/rng.h"
+#include "scene/load_scene.h"
+#include "scene_helpers.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+using scene_test::TemporaryFolder;
+using scene_test::write_bytes;
+
+namespace {
+
+const fs::path source_dir = CARLO_SOURCE_DIR;
+const fs::path broken = source_dir / "tests/common/broken_scenes";
+
+struct Expected {
+  std::string scene, place, phrase;
+};
+
+std::vector<Expected> expected_errors() {
+  std::ifstream in(broken / "expected.txt");
+  std::vector<Expected> out;
+  for (std::string line; std::getline(in, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    const std::size_t first = line.find(" | "), second = line.find(" | ", first + 3);
+    REQUIRE(second != std::string::npos);
+    out.push_back({line.substr(0, first), line.substr(first + 3, second - first - 3),
+                   line.substr(second + 3)});
+  }
+  return out;
+}
+
+/// The message of the Error that loading throws; empty when it loads. Any other exception fails the
+/// test that calls this.
+std::string error_of(const fs::path& path,
+                     const std::map<std::string, std::string>& parameters = {}) {
+  try {
+    carlo::load_scene(path, parameters);
+  } catch (const carlo::Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+/// `bytes` with one to four bytes changed, removed, doubled or the rest cut off.
+std::string mutated(std::string bytes, carlo::Rng& rng) {
+  static const std::string interesting = "<>\"'/=-$&.09eE \n\xff\x01";
+  const std::uint32_t edits = 1 + rng.next_u32() % 4;
+  for (std::uint32_t i = 0; i < edits && !bytes.empty(); ++i) {
+    const std::size_t at = rng.next_u32() % bytes.size();
+    switch (rng.next_u32() % 8) {
+      case 0:
+        bytes.resize(at);
+        break;
+      case 1:
+        bytes.erase(at, 1 + rng.next_u32() % 8);
+        break;
+      case 2:
+        bytes.insert(at, bytes.substr(at, 1 + rng.next_u32() % 40));
+        break;
+      case 3:
+        bytes[at] = static_cast<char>(rng.next_u32());
+        break;
+      default:
+        bytes[at] = interesting[rng.next_u32() % interesting.size()];
+        break;
+    }
+  }
+  return bytes;
+}
+
+/// Loads `runs` mutations of `target`, in a copy of its folder's files; `scene` is what is loaded.
+void fuzz(const std::vector<fs::path>& files, const std::string& target, const std::string& scene,
+          int runs) {
+  const TemporaryFolder folder;
+  for (const fs::path& file : files)
+    fs::copy_file(file, folder.path() / file.filename());
+  const std::string original = bytes_of(folder.path() / target);
+  REQUIRE(error_of(folder.path() / scene).empty());
+  int refused = 0;
+  for (int run = 0; run < runs; ++run) {
+    carlo::Rng rng(1, static_cast<std::uint64_t>(run));
+    write_bytes(folder.path() / target, mutated(original, rng));
+    const std::string message = error_of(folder.path() / scene);
+    refused += message.empty() ? 0 : 1;
+    INFO("run " << run << ": " << message);
+    CHECK(message.find('\n') == std::string::npos);
+    CHECK((message.empty() || message.find(": error: ") != std::string::npos));
+  }
+  // Mutations that hit comments, names or digits leave a valid scene; most do not.
+  CHECK(refused > runs / 4);
+  CHECK(refused < runs);
+}
+
+}  // namespace
+
+TEST_CASE("each broken scene gives one line with its place and what is wrong", "[scene]") {
+  for (const Expected& e : expected_errors()) {
+    const std::string message = error_of(broken / e.scene);
+    INFO(e.scene << ": " << message);
+    CHECK(message.rfind((broken / e.place).string() + ": error: ", 0) == 0);
+    CHECK(message.find(e.phrase) != std::string::npos);
+    CHECK(message.find('\n') == std::string::npos);
+  }
+}
+
+TEST_CASE("each file of broken_scenes is listed in expected.txt", "[scene]") {
+  std::set<std::string> listed, there;
+  for (const Expected& e : expected_errors())
+    listed.insert(e.scene);
+  for (const auto& entry : fs::directory_iterator(broken)) {
+    if (entry.path().extension() == ".xml") there.insert(entry.path().filename().string());
+  }
+  CHECK(listed == there);
+  CHECK(listed.size() >= 30);
+}
+
+TEST_CASE("a scene that is no file is an error", "[scene]") {
+  CHECK(error_of(broken / "nowhere.xml").find("nowhere.xml:1:1: error: ") != std::string::npos);
+  CHECK(error_of(broken / "nowhere.xml").find("does not exist") != std::string::npos);
+  CHECK(error_of(broken).find("is a folder") != std::string::npos);
+  CHECK(error_of("/dev/null").find("is not a file") != std::string::npos);
+}
+
+TEST_CASE("a zero byte is an error at its place", "[scene]") {
+  const TemporaryFolder folder;
+  write_bytes(folder.path() / "zero.xml", std::string("<scene>\n  \0</scene>", 19));
+  CHECK(error_of(folder.path() / "zero.xml").find("zero.xml:2:3: error: ") != std::string::npos);
+}
+
+TEST_CASE("columns count characters, not bytes", "[scene]") {
+  const TemporaryFolder folder;
+  write_bytes(folder.path() / "utf8.xml",
+              "<scene version=\"0.6.0\">\n<!-- \xc3\xa4\xc3\xb6 --><nothing/></scene>");
+  CHECK(error_of(folder.path() / "utf8.xml").find("utf8.xml:2:12: error: ") != std::string::npos);
+}
+
+TEST_CASE("an override that names no parameter is an error", "[scene]") {
+  const fs::path scene = source_dir / "common/scenes/cornell_phong.xml";
+  const std::string message = error_of(scene, {{"sppp", "4"}});
+  CHECK(message.find("no parameter \"sppp\" (did you mean \"spp\"?)") != std::string::npos);
+  CHECK(message.find("cornell_phong.xml:1:1: error: ") != std::string::npos);
+  CHECK(error_of(scene, {{"spp", "many"}}).find("got \"many\" (from \"$spp\")") !=
+        std::string::npos);
+}
+
+TEST_CASE("no mutation of a scene file does worse than an error", "[scene][fuzz]") {
+  const fs::path scene = source_dir / "common/scenes/cornell_phong.xml";
+  fuzz({scene}, "cornell_phong.xml", "cornell_phong.xml", 2000);
+}
+
+TEST_CASE("no mutation of a mesh file does worse than an error", "[scene][fuzz]") {
+  const fs::path folder = source_dir / "tests/common/scenes";
+  const std::vector<fs::path> files = {folder / "meshes.xml", folder / "tetrahedron.obj",
+                                       folder / "tetrahedron_ascii.ply",
+                                       folder / "tetrahedron_binary.ply"};
+  for (const char* target :
+       {"tetrahedron.obj", "tetrahedron_ascii.ply", "tetrahedron_binary.ply"}) {
+    fuzz(files, target, "meshes.xml", 700);
+  }
+}

@@ -1,0 +1,118 @@
+// Mesh files: OBJ and both kinds of PLY.
+
+#include "scene/mesh_file.h"
+#include "scene/needs.h"
+#include "scene_helpers.h"
+
+#include <string>
+#include <variant>
+
+using namespace carlo;
+using scene_test::close;
+using scene_test::TemporaryFolder;
+using scene_test::write_bytes;
+
+namespace {
+
+const std::filesystem::path scenes =
+    std::filesystem::path(CARLO_SOURCE_DIR) / "tests/common/scenes";
+
+/// The volume that the triangles enclose, positive for counter-clockwise ones seen from outside.
+double volume(const Mesh& mesh) {
+  double sum = 0;
+  for (const glm::uvec3& t : mesh.triangles) {
+    const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
+    sum += glm::dot(a, glm::cross(b, c)) / 6;
+  }
+  return sum;
+}
+
+/// The mesh of a scene with one <shape type="obj"> of that text and these further elements.
+Scene load_obj(const std::string& obj, const std::string& inside = "") {
+  const TemporaryFolder folder;
+  write_bytes(folder.path() / "mesh.obj", obj);
+  write_bytes(folder.path() / "scene.xml",
+              "<scene version=\"0.6.0\"><sensor type=\"perspective\"><float name=\"fov\" "
+              "value=\"45\"/></sensor><shape type=\"obj\"><string name=\"filename\" "
+              "value=\"mesh.obj\"/>" +
+                  inside + "</shape></scene>");
+  return load_scene(folder.path() / "scene.xml");
+}
+
+const Mesh& mesh_of(const Scene& scene, std::size_t shape = 0) {
+  return std::get<Mesh>(scene.shapes.at(shape).geometry);
+}
+
+const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+}  // namespace
+
+TEST_CASE("OBJ and both forms of PLY give the same tetrahedron, outside out", "[scene]") {
+  const Scene scene = load_scene(scenes / "meshes.xml");
+  REQUIRE(scene.shapes.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Mesh& mesh = mesh_of(scene, i);
+    CHECK(mesh.positions.size() == 4);
+    CHECK(mesh.triangles.size() == 4);
+    CHECK(volume(mesh) == Catch::Approx(1.0 / 6));
+  }
+  const Needs n = needs(scene);
+  CHECK(n.meshes == 3);
+  CHECK(n.triangles == 12);
+}
+
+TEST_CASE("what a PLY file holds beyond the mesh is noted", "[scene]") {
+  const MeshFile file = read_ply(scenes / "tetrahedron_binary.ply");
+  REQUIRE(file.notes.size() == 3);
+  CHECK(file.notes[0] == "tetrahedron_binary.ply: vertex's \"red\" is not used");
+}
+
+TEST_CASE("a polygon becomes a fan of triangles", "[scene]") {
+  const Scene scene = load_obj(square + "f 1 2 3 4\n");
+  REQUIRE(mesh_of(scene).triangles.size() == 2);
+  CHECK(mesh_of(scene).triangles[0] == glm::uvec3(0, 1, 2));
+  CHECK(mesh_of(scene).triangles[1] == glm::uvec3(0, 2, 3));
+}
+
+TEST_CASE("a mesh keeps its outside when it is mirrored, and turns it when flipped", "[scene]") {
+  const std::string tetrahedron =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  const std::string mirror = "<transform name=\"toWorld\"><scale x=\"-2\"/></transform>";
+  const std::string flip = "<boolean name=\"flipNormals\" value=\"true\"/>";
+  CHECK(volume(mesh_of(load_obj(tetrahedron))) == Catch::Approx(1.0 / 6));
+  CHECK(volume(mesh_of(load_obj(tetrahedron, mirror))) == Catch::Approx(2.0 / 6));
+  CHECK(volume(mesh_of(load_obj(tetrahedron, flip))) == Catch::Approx(-1.0 / 6));
+  CHECK(volume(mesh_of(load_obj(tetrahedron, flip + mirror))) == Catch::Approx(-2.0 / 6));
+}
+
+TEST_CASE("vertex normals are refused unless faceNormals is asked for", "[scene]") {
+  const std::string smooth = square + "vn 0 0 1\nf 1//1 2//1 3//1\n";
+  CHECK_THROWS(load_obj(smooth));
+  const Scene scene = load_obj(smooth, "<boolean name=\"faceNormals\" value=\"true\"/>");
+  CHECK(mesh_of(scene).triangles.size() == 1);
+  CHECK_THROWS(load_obj(square + "f 1 2 3\n", "<boolean name=\"faceNormals\" value=\"false\"/>"));
+  // Texture coordinates alone are no normals.
+  CHECK(mesh_of(load_obj(square + "vt 0 0\nf 1/1 2/1 3/1\n")).triangles.size() == 1);
+}
+
+TEST_CASE("degenerate triangles are left out with a note", "[scene]") {
+  const Scene scene = load_obj(square + "f 1 2 3\nf 1 1 2\n");
+  CHECK(mesh_of(scene).triangles.size() == 1);
+  REQUIRE_FALSE(scene.notes.empty());
+  CHECK(scene.notes[0] == "mesh.obj: 1 degenerate triangles left out");
+}
+
+TEST_CASE("comments, Windows line ends and stray lines do no harm", "[scene]") {
+  const Scene scene = load_obj(
+      "# c\r\nv 0 0 0 # origin\r\nv 1 0 0\r\nv 0 1 0 1\r\n\r\n"
+      "usemtl red\r\nl 1 2\r\nf 1 2 3");
+  CHECK(mesh_of(scene).triangles.size() == 1);
+  REQUIRE(scene.notes.size() >= 2);
+  CHECK(scene.notes[0] == "mesh.obj: materials named in the file are not used");
+  CHECK(scene.notes[1] == "mesh.obj: 1 lines and points left out");
+}
+
+TEST_CASE("coordinates keep the precision that the file gives", "[scene]") {
+  const Scene scene = load_obj("v 0.1 16777215 1e-30\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  CHECK(mesh_of(scene).positions[0] == Vec3(0.1f, 16777215.0f, 1e-30f));
+}
