@@ -1,0 +1,120 @@
+// Checks of exercise 1.3. All lists have exact answers.
+
+#include "grader/judge/judge.h"
+
+#include <array>
+#include <cmath>
+
+using namespace carlo::grader;
+
+namespace {
+
+const Diagnosis by_n{"variance-divided-by-n",
+                     "the sum of squares is divided by N; the unbiased estimate takes N - 1."};
+const Diagnosis not_a_mean{"standard-error-of-one-number",
+                           "the standard deviation of one number is given; that of the mean is "
+                           "smaller by sqrt(N)."};
+const Diagnosis cancellation{"sum-of-squares-cancellation",
+                             "the variance is lost where the mean is large: two sums of nearly "
+                             "equal size are subtracted."};
+const Diagnosis between_missing{"merge-without-between-means",
+                                "merging adds the spreads within both parts, but their means "
+                                "differ too, and that is spread as well."};
+
+/// What a list of numbers must give.
+struct Exact {
+  double count, mean, variance;
+  double standard_error() const { return count < 2 ? 0 : std::sqrt(variance / count); }
+};
+
+Rows list(int pattern, std::int64_t n, double offset = 0) {
+  return probe("Lab 1.3 list",
+               {.n = n, .numbers = {{"pattern", pattern}, {"offset", offset}}}, {.columns = 4});
+}
+
+/// Judges row `row` of {count, mean, variance, standard error}.
+void judge_moments(const std::string& list_name, const Rows& rows, std::size_t row,
+                   const Exact& exact, double tolerance, const Suspects& variances = {}) {
+  const double by_all = exact.variance * (exact.count - 1) / exact.count;
+  Suspects suspects = variances;
+  Suspects errors;
+  if (exact.count > 1) {
+    suspects.push_back({by_all, by_n});
+    errors = {{std::sqrt(exact.variance), not_a_mean}, {std::sqrt(by_all), not_a_mean}};
+  }
+  judge(equals("the count of " + list_name, rows.at(row, 0), exact.count, 0));
+  judge(equals("the mean of " + list_name, rows.at(row, 1), exact.mean,
+               tolerance * std::abs(exact.mean)));
+  judge(equals("the variance of " + list_name, rows.at(row, 2), exact.variance,
+               tolerance * exact.variance, suspects));
+  judge(equals("the standard error of " + list_name, rows.at(row, 3), exact.standard_error(),
+               tolerance * exact.standard_error(), errors));
+}
+
+constexpr double rounding = 1e-12;
+
+}  // namespace
+
+TEST_CASE("Lab 1.3: mean, variance and standard error of a short list", "[lab01][ex3]") {
+  judge_moments("2 4 4 4 5 5 7 9", list(0, 8), 0, {8, 5, 32.0 / 7}, rounding);
+  judge_moments("2 4 4", list(0, 3), 0, {3, 10.0 / 3, 4.0 / 3}, rounding);
+  judge_moments("2 4", list(0, 2), 0, {2, 3, 2}, rounding);
+}
+
+TEST_CASE("Lab 1.3: one number has no variance, and no number has no mean", "[lab01][ex3]") {
+  judge_moments("the list of 2 alone", list(0, 1), 0, {1, 2, 0}, rounding);
+  judge_moments("the empty list", list(0, 0), 0, {0, 0, 0}, rounding);
+}
+
+// A million numbers 1e8 - 1 and 1e8 + 1 in turn: the variance is N / (N - 1). The sum of squares,
+// 1e22, keeps nothing of it; Welford's update loses 1e-8 at most (the mean's rounding).
+TEST_CASE("Lab 1.3: the variance survives a mean of 1e8", "[lab01][ex3]") {
+  for (const double n : {10.0, 1'000'000.0}) {
+    const Rows rows = list(1, static_cast<std::int64_t>(n), 1e8);
+    const double variance = n / (n - 1);
+    judge(equals("the mean", rows.at(0, 1), 1e8, 1e-6));
+    Verdict verdict = equals(fmt::format("the variance of {:g} numbers 1e8 ± 1", n), rows.at(0, 2),
+                             variance, 1e-5, {{1, by_n}});
+    const bool far = !(std::abs(rows.at(0, 2) - variance) <= 0.2);
+    if (!verdict.passed && far) verdict.diagnoses.push_back(cancellation);
+    judge(verdict);
+  }
+}
+
+// 0 1 4 9 ... 49: mean 17.5, sum of squares 4676, so m2 = 4676 - 8 * 17.5^2 = 2226.
+TEST_CASE("Lab 1.3: parts merged are the whole, however it is cut", "[lab01][ex3]") {
+  const Rows rows = probe("Lab 1.3 merge", {.n = 8, .numbers = {{"pattern", 2}, {"offset", 0}}},
+                          {.rows = 45, .columns = 4});
+  const auto spread = [](int first, int last) {
+    double sum = 0, squares = 0;
+    for (int i = first; i < last; ++i) {
+      sum += i * i;
+      squares += std::pow(i, 4);
+    }
+    return first == last ? 0 : squares - sum * sum / (last - first);
+  };
+  std::size_t row = 0;
+  for (int first = 0; first <= 8; ++first) {
+    for (int second = first; second <= 8; ++second) {
+      const double within = spread(0, first) + spread(first, second) + spread(second, 8);
+      Suspects suspects;
+      if (within < 2225) suspects.push_back({within / 7, between_missing});
+      judge_moments(fmt::format("0 1 4 ... 49 cut after {} and {}", first, second), rows, row++,
+                    {8, 17.5, 318}, rounding, suspects);
+    }
+  }
+}
+
+TEST_CASE("Lab 1.3: many merges keep the variance at a mean of 1e8", "[lab01][ex3]") {
+  const double n = 7'000;
+  const Rows rows =
+      probe("Lab 1.3 merge many",
+            {.n = 7'000, .numbers = {{"pattern", 1}, {"offset", 1e8}, {"length", 7}}},
+            {.columns = 4});
+  const double variance = n / (n - 1);
+  judge(equals("the count", rows.at(0, 0), n, 0));
+  judge(equals("the mean", rows.at(0, 1), 1e8, 1e-6));
+  // Seven numbers -1 1 ... -1 lie 6/7 * 8 / 7 about their own mean.
+  judge(equals("the variance of 1000 parts of 7 numbers 1e8 ± 1", rows.at(0, 2), variance, 1e-5,
+               {{1000 * (48.0 / 7) / (n - 1), between_missing}, {1, by_n}}));
+}

@@ -1,0 +1,229 @@
+// Checks of exercises 1.4 and 1.5. A rule's error for the first power that it does not integrate is
+// known exactly (h: the cell's width): for x^2, midpoint -(b - a) h^2 / 12 and trapezoid
+// +(b - a) h^2 / 6; for x^4, Simpson +(b - a) h^4 / 120.
+
+#include "01_integration/integrands.h"
+#include "01_integration/theory.h"
+#include "grader/judge/judge.h"
+
+#include <array>
+#include <cmath>
+
+using namespace carlo::grader;
+using namespace lab01_tests;
+
+namespace {
+
+enum Rule { midpoint, trapezoid, simpson };
+constexpr std::array<const char*, 3> names{"midpoint", "trapezoid", "Simpson"};
+
+const Diagnosis ends_not_halved{"trapezoid-ends-not-halved",
+                                "the two ends of the interval have full weight; each belongs to "
+                                "one cell only and has half."};
+const Diagnosis weights_swapped{"simpson-weights-swapped",
+                                "the weights 4 (midpoints) and 2 (inner joints) are swapped."};
+const Diagnosis at_left_ends{"midpoint-at-cell-ends",
+                             "f is evaluated at the cells' ends and not in their middle."};
+const Diagnosis drift{"step-accumulated",
+                      "the points drift from where they should be: adding h again and again adds "
+                      "up its rounding; compute each point from its index."};
+const Diagnosis wrong_points{"wrong-points", "f is not evaluated where the rule wants it."};
+const Diagnosis width_missing{"missing-cell-width", "the sum is not multiplied by the width h."};
+const Diagnosis one_dimension{"cell-volume-of-one-dimension",
+                              "the sum is multiplied by the width of one dimension and not by "
+                              "those of all."};
+const Diagnosis too_few{"n-points-in-all",
+                        "n points are taken in all; n in every dimension are n^d."};
+
+struct Interval {
+  double a, b;
+};
+
+Params rule_params(Rule rule, int k, Interval on, std::int64_t n) {
+  return {.n = n, .numbers = {{"rule", rule}, {"k", k}, {"a", on.a}, {"b", on.b}, {"points", 0}}};
+}
+
+/// The number of evaluations that the contract allows.
+double evaluations(Rule rule, double n) {
+  if (rule == midpoint) return n;
+  return rule == trapezoid ? n + 1 : 2 * n + 1;
+}
+
+/// Where they lie, in order.
+std::vector<double> points_of(Rule rule, Interval on, int n) {
+  std::vector<double> points;
+  const int steps = rule == trapezoid ? n : 2 * n;
+  for (int i = rule == midpoint ? 1 : 0; i <= steps; i += rule == midpoint ? 2 : 1) {
+    points.push_back(on.a + (on.b - on.a) * i / steps);
+  }
+  return points;
+}
+
+/// What the rule gives for x^k with the weights of its inner points (at joints and at midpoints) and
+/// of its ends, in units of h: {1, 4, 2} / 6 is Simpson's.
+double weighted(int k, Interval on, int n, double end, double middle, double joint) {
+  const double h = (on.b - on.a) / n;
+  double sum = end * (power(on.a, k) + power(on.b, k));
+  for (int i = 0; i < n; ++i) sum += middle * power(on.a + (i + 0.5) * h, k);
+  for (int i = 1; i < n; ++i) sum += joint * power(on.a + i * h, k);
+  return h * sum;
+}
+
+/// What each rule's slips would give.
+Suspects suspects(Rule rule, int k, Interval on, int n, double right) {
+  Suspects list{{right * n / (on.b - on.a), width_missing}};
+  if (rule == midpoint) {
+    const double h = (on.b - on.a) / n;
+    const double ends = weighted(k, on, n, 0, 0, 1);
+    list.push_back({ends + h * power(on.a, k), at_left_ends});
+    list.push_back({ends + h * power(on.b, k), at_left_ends});
+  } else if (rule == trapezoid) {
+    list.push_back({weighted(k, on, n, 1, 0, 1), ends_not_halved});
+  } else {
+    list.push_back({weighted(k, on, n, 1.0 / 6, 2.0 / 6, 4.0 / 6), weights_swapped});
+  }
+  return list;
+}
+
+/// The rule's error for x^k, k up to 2 (midpoint, trapezoid) or 4 (Simpson).
+double exact_error(Rule rule, int k, Interval on, int n) {
+  const double width = on.b - on.a;
+  const double h = width / n;
+  if (rule == simpson) return k == 4 ? width * std::pow(h, 4) / 120 : 0;
+  if (k < 2) return 0;
+  return rule == midpoint ? -width * h * h / 12 : width * h * h / 6;
+}
+
+void judge_rule(Rule rule) {
+  for (const Interval on : {Interval{1, 3}, Interval{-1.5, 0.5}}) {
+    for (const int n : {1, 2, 7}) {
+      for (int k = 0; k <= (rule == simpson ? 4 : 2); ++k) {
+        const Rows rows = probe("Lab 1.4 rule", rule_params(rule, k, on, n), {.columns = 3});
+        const double right =
+            (on.b - on.a) * power_mean(k, on.a, on.b) + exact_error(rule, k, on, n);
+        judge(equals(fmt::format("{}: x^{} over [{}, {}], n = {}", names[rule], k, on.a, on.b, n),
+                     rows.at(0, 0), right, 1e-12 * 100, suspects(rule, k, on, n, right)));
+      }
+    }
+  }
+}
+
+void judge_points(Rule rule) {
+  for (const int n : {1, 2, 7}) {
+    const Interval on{-1, 2.5};
+    Params params = rule_params(rule, 1, on, n);
+    const std::vector<double> expected = points_of(rule, on, n);
+    params.numbers["points"] = static_cast<double>(expected.size());
+    const Rows count = probe("Lab 1.4 rule", params, {.columns = 3});
+    judge(equals(fmt::format("{}: evaluations for n = {}", names[rule], n), count.at(0, 1),
+                 evaluations(rule, n), 0));
+    const Rows rows =
+        probe("Lab 1.4 points", params, {.rows = expected.size(), .finite = false});
+    judge(all_equal(fmt::format("{}: the points for n = {}", names[rule], n), rows.values, expected,
+                    1e-12, {wrong_points}));
+  }
+}
+
+/// The last point of a million cells on [0, 0.1]: to 1e-12 of the width it is where it should be.
+void judge_last_point(Rule rule) {
+  const std::int64_t n = 1'000'000;
+  const Interval on{0, 0.1};
+  const Rows rows = probe("Lab 1.4 rule", rule_params(rule, 1, on, n), {.columns = 3});
+  const double last = rule == midpoint ? 0.1 - 0.1 / 2e6 : 0.1;
+  judge(equals(fmt::format("{}: evaluations for n = 1e6", names[rule]), rows.at(0, 1),
+               evaluations(rule, 1e6), 0));
+  Verdict verdict = equals(fmt::format("{}: the last point", names[rule]), rows.at(0, 2), last,
+                           1e-13);
+  const bool near = std::abs(rows.at(0, 2) - last) <= 1e-7;
+  if (!verdict.passed && near) verdict.diagnoses.push_back(drift);
+  judge(verdict);
+}
+
+Rows nested(BoxIntegrand integrand, int d, std::int64_t n) {
+  return probe("Lab 1.5 nested",
+               {.n = n, .numbers = {{"d", d}, {"integrand", static_cast<double>(integrand)}}},
+               {.columns = 3});
+}
+
+double side(int i) { return upper(static_cast<std::size_t>(i)) - lower(static_cast<std::size_t>(i)); }
+
+double volume(int d) {
+  double product = 1;
+  for (int i = 0; i < d; ++i) product *= side(i);
+  return product;
+}
+
+/// The mean over the box of the two integrands; `n` > 0: as the midpoint rule sees it.
+double box_mean(BoxIntegrand integrand, int d, double n) {
+  double product = 1, squares = 0;
+  for (int i = 0; i < d; ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    const double h = n > 0 ? side(i) / n : 0;
+    product *= (lower(index) + upper(index)) / 2;
+    squares += (i + 1) * (power_mean(2, lower(index), upper(index)) - h * h / 12);
+  }
+  return integrand == BoxIntegrand::product ? product : squares;
+}
+
+void judge_nested(BoxIntegrand integrand, int d, int n) {
+  const Rows rows = nested(integrand, d, n);
+  const double right = volume(d) * box_mean(integrand, d, n);
+  Suspects suspects;
+  for (int i = 0; i < d && d > 1; ++i) {
+    // One width in place of all; the sum runs over n^d points or its mean is taken.
+    suspects.push_back({right / volume(d) * side(i), one_dimension});
+    suspects.push_back({right / volume(d) * side(i) * std::pow(n, d - 1), one_dimension});
+  }
+  const double count = std::pow(n, d);
+  judge(equals(fmt::format("evaluations in {} dimensions, n = {}", d, n), rows.at(0, 1), count, 0,
+               d > 1 && n > 1 ? Suspects{{static_cast<double>(n), too_few},
+                                         {static_cast<double>(n) * d, too_few}}
+                              : Suspects{}));
+  judge(equals(fmt::format("evaluations outside the box in {} dimensions", d), rows.at(0, 2), 0, 0));
+  judge(equals(fmt::format("the integral in {} dimensions, n = {}", d, n), rows.at(0, 0), right,
+               1e-12 * right, suspects));
+}
+
+}  // namespace
+
+TEST_CASE("Lab 1.4: the midpoint rule is exact for lines and has its known error for x^2",
+          "[lab01][ex4]") {
+  judge_rule(midpoint);
+}
+
+TEST_CASE("Lab 1.4: the trapezoid rule is exact for lines and has its known error for x^2",
+          "[lab01][ex4]") {
+  judge_rule(trapezoid);
+}
+
+TEST_CASE("Lab 1.4: Simpson's rule is exact for cubics and has its known error for x^4",
+          "[lab01][ex4]") {
+  judge_rule(simpson);
+}
+
+TEST_CASE("Lab 1.4: each rule evaluates f where it should, once", "[lab01][ex4]") {
+  for (const Rule rule : {midpoint, trapezoid, simpson}) judge_points(rule);
+}
+
+TEST_CASE("Lab 1.4: a million cells do not drift", "[lab01][ex4]") {
+  for (const Rule rule : {midpoint, trapezoid, simpson}) judge_last_point(rule);
+}
+
+TEST_CASE("Lab 1.4: an empty interval gives 0", "[lab01][ex4]") {
+  for (const Rule rule : {midpoint, trapezoid, simpson}) {
+    const Rows rows = probe("Lab 1.4 rule", rule_params(rule, 2, {3, 3}, 4), {.columns = 3});
+    judge(equals(fmt::format("{}: the integral over [3, 3]", names[rule]), rows.at(0, 0), 0, 0));
+  }
+}
+
+TEST_CASE("Lab 1.5: the nested rule is exact for functions linear in each coordinate",
+          "[lab01][ex5]") {
+  for (const int d : {1, 2, 3, 5}) {
+    for (const int n : {1, 4}) judge_nested(BoxIntegrand::product, d, n);
+  }
+}
+
+TEST_CASE("Lab 1.5: the nested rule has its known error for squares, in each dimension its own",
+          "[lab01][ex5]") {
+  for (const int d : {1, 2, 3, 5}) judge_nested(BoxIntegrand::squares, d, 3);
+}

@@ -1,0 +1,162 @@
+#include "grader/judge/compare.h"
+
+#include "stats/distributions.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace carlo::grader {
+namespace {
+
+double sum(std::span<const double> values, const std::function<double(double)>& f) {
+  long double total = 0;
+  for (const double value : values) total += f(value);
+  return static_cast<double>(total);
+}
+
+double mean_of(std::span<const double> values) {
+  return sum(values, [](double x) { return x; }) / static_cast<double>(values.size());
+}
+
+double mean_square_about(std::span<const double> values, double centre) {
+  return sum(values, [centre](double x) { return (x - centre) * (x - centre); }) /
+         static_cast<double>(values.size());
+}
+
+void name_suspects(Verdict& verdict, const Suspects& suspects,
+                   const std::function<double(double)>& slack, double measured) {
+  if (verdict.passed) return;
+  for (const Suspect& suspect : suspects) {
+    if (std::abs(measured - suspect.value) <= slack(suspect.value)) {
+      verdict.diagnoses.push_back(suspect.diagnosis);
+    }
+  }
+}
+
+/// A p-value in words; it fails when it is too small or no number.
+void conclude(Verdict& verdict, const std::string& statistic, double p) {
+  verdict.p = p;
+  verdict.passed = p >= comparison_alpha();
+  const std::string odds = p > 0 ? fmt::format("once in {:.2g} runs", 1 / p) : "practically never";
+  verdict.certainty = std::isnan(p) ? statistic + " is no number"
+                                    : fmt::format("{}, p = {:.2g}: a right solution is this far "
+                                                  "off {}",
+                                                  statistic, p, odds);
+}
+
+/// How many standard deviations a value may lie off a suspect's to be taken for it.
+constexpr double fit = 6;
+
+}  // namespace
+
+double comparison_alpha() { return sidak(lab_alpha, lab_budget); }
+
+Verdict mean_is(const std::string& what, std::span<const double> values, const Theory& theory,
+                const Suspects& suspects) {
+  const double root = std::sqrt(static_cast<double>(values.size()));
+  const double mean = mean_of(values);
+  const double z = (mean - theory.mean) / (theory.sd / root);
+  const double spread = std::sqrt(mean_square_about(values, mean));
+  Verdict verdict;
+  verdict.what = what;
+  verdict.measured = fmt::format("{:.6g} ± {:.2g}, the mean of {}", mean, theory.sd / root,
+                                 values.size());
+  verdict.expected = fmt::format("{:.6g}", theory.mean);
+  conclude(verdict, fmt::format("z = {:.1f}", z), normal_two_sided(z));
+  const double slack = fit * std::max(spread, theory.sd) / root;
+  name_suspects(verdict, suspects, [slack](double) { return slack; }, mean);
+  return verdict;
+}
+
+Verdict variance_is(const std::string& what, std::span<const double> values, const Theory& theory,
+                    const Suspects& suspects) {
+  const double variance = mean_square_about(values, theory.mean);
+  const double expected = theory.sd * theory.sd;
+  const double dof = 2 * static_cast<double>(values.size()) / (2 + theory.excess_kurtosis);
+  const double ratio = variance / expected;
+  Verdict verdict;
+  verdict.what = what;
+  verdict.measured = fmt::format("{:.5g}, from {} values", variance, values.size());
+  verdict.expected = fmt::format("{:.5g}", expected);
+  conclude(verdict, fmt::format("ratio {:.4g}", ratio), chi_square_two_sided(ratio * dof, dof));
+  const double slack = fit * std::sqrt(2 / dof);
+  name_suspects(verdict, suspects, [slack](double value) { return slack * value; }, variance);
+  return verdict;
+}
+
+Verdict uniform_on(const std::string& what, std::vector<double> values, double lower,
+                   double upper) {
+  Verdict verdict;
+  verdict.what = what;
+  verdict.expected = fmt::format("uniform on [{}, {})", lower, upper);
+  const bool finite =
+      std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
+  if (!finite || values.empty()) {
+    verdict.measured = values.empty() ? "no values" : "values that are no numbers";
+    return verdict;
+  }
+  std::sort(values.begin(), values.end());
+  const auto n = static_cast<double>(values.size());
+  double distance = 0;
+  double rank = 0;
+  for (const double value : values) {
+    const double cdf = std::clamp((value - lower) / (upper - lower), 0.0, 1.0);
+    distance = std::max({distance, cdf - rank / n, (rank + 1) / n - cdf});
+    rank += 1;
+  }
+  verdict.measured = fmt::format("{} values from {:.6g} to {:.6g}", values.size(), values.front(),
+                                 values.back());
+  conclude(verdict, fmt::format("largest distance of the distributions {:.3g}", distance),
+           kolmogorov_smirnov(distance, values.size()));
+  return verdict;
+}
+
+Verdict equals(const std::string& what, double measured, double expected, double tolerance,
+               const Suspects& suspects) {
+  Verdict verdict;
+  verdict.what = what;
+  verdict.passed = std::abs(measured - expected) <= tolerance;
+  // As many digits as show a difference, and no more.
+  const bool close = std::abs(measured - expected) <= 1e-4 * std::abs(expected);
+  verdict.measured = close ? fmt::format("{:.16g}", measured) : fmt::format("{:.6g}", measured);
+  verdict.expected = close ? fmt::format("{:.16g}", expected) : fmt::format("{:.6g}", expected);
+  if (tolerance > 0) verdict.expected += fmt::format(" within {:.1g}", tolerance);
+  const auto slack = [tolerance](double value) {
+    return std::max(tolerance, 1e-9 * std::abs(value));
+  };
+  name_suspects(verdict, suspects, slack, measured);
+  return verdict;
+}
+
+Verdict all_equal(const std::string& what, std::span<const double> measured,
+                  std::span<const double> expected, double tolerance,
+                  const std::vector<Diagnosis>& diagnosis) {
+  if (measured.size() != expected.size()) {
+    return holds(what, false, fmt::format("{} values", measured.size()),
+                 fmt::format("{} values", expected.size()), diagnosis);
+  }
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    Verdict verdict = equals(what, measured[i], expected[i], tolerance);
+    if (verdict.passed) continue;
+    verdict.what += fmt::format(" (number {})", i + 1);
+    verdict.diagnoses = diagnosis;
+    return verdict;
+  }
+  return holds(what, true, fmt::format("all {} equal", measured.size()), "all equal");
+}
+
+Verdict holds(const std::string& what, bool passed, const std::string& measured,
+              const std::string& expected, const std::vector<Diagnosis>& diagnosis) {
+  Verdict verdict;
+  verdict.passed = passed;
+  verdict.what = what;
+  verdict.measured = measured;
+  verdict.expected = expected;
+  if (!passed) verdict.diagnoses = diagnosis;
+  return verdict;
+}
+
+}  // namespace carlo::grader

@@ -1,0 +1,60 @@
+#include "grader/judge/judge.h"
+
+#include "grader/judge/current_run.h"
+
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_test_case_info.hpp>
+#include <catch2/reporters/catch_reporter_event_listener.hpp>
+#include <catch2/reporters/catch_reporter_registrars.hpp>
+
+namespace carlo::grader {
+namespace {
+
+/// Tells the run where one test case begins and ends.
+class Follower : public Catch::EventListenerBase {
+ public:
+  using EventListenerBase::EventListenerBase;
+
+  void testCaseStarting(const Catch::TestCaseInfo& info) override {
+    current_run()->begin_test(info.name);
+  }
+  void testCaseEnded(const Catch::TestCaseStats& stats) override {
+    current_run()->end_test(stats.totals.assertions.failed == 0 && !stats.aborting);
+  }
+};
+CATCH_REGISTER_LISTENER(Follower)
+
+/// Says nothing: the report is written after the run. `--verbose` takes Catch2's console instead.
+class Silent : public Catch::EventListenerBase {
+ public:
+  using EventListenerBase::EventListenerBase;
+  static std::string getDescription() { return "says nothing"; }
+};
+CATCH_REGISTER_REPORTER("silent", Silent)
+
+}  // namespace
+
+std::unique_ptr<Run>& current_run() {
+  static std::unique_ptr<Run> run;
+  return run;
+}
+
+Rows probe(const std::string& name, const Params& params, Shape shape) {
+  return current_run()->probe(name, params, shape);
+}
+
+void judge(const Verdict& verdict) {
+  current_run()->record(verdict);
+  UNSCOPED_INFO(verdict.what << ": " << verdict.measured << "; expected " << verdict.expected
+                             << ". " << verdict.certainty);
+  CHECK(verdict.passed);
+}
+
+std::vector<double> column(const Rows& rows, std::size_t index) {
+  std::vector<double> values;
+  values.reserve(rows.count());
+  for (std::size_t row = 0; row < rows.count(); ++row) values.push_back(rows.at(row, index));
+  return values;
+}
+
+}  // namespace carlo::grader

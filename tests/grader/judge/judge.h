@@ -1,0 +1,25 @@
+#pragma once
+
+// What checks are written with:
+//   TEST_CASE("Lab 1.2: the integral over [a, b] is unbiased", "[lab01][ex2]") {
+//     const Rows rows = probe("Lab 1.2 estimates", {.n = 16, .numbers = {{"a", -1}}}, {.rows = 99});
+//     judge(mean_is("the mean", rows.values, {...}));
+//   }
+
+#include "grader/judge/compare.h"
+#include "grader/judge/run.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+namespace carlo::grader {
+
+/// Runs a probe for the current test case; a failure of it ends the test case.
+Rows probe(const std::string& name, const Params& params, Shape shape);
+
+/// Notes the verdict for the current test case.
+void judge(const Verdict& verdict);
+
+/// One column of a table.
+std::vector<double> column(const Rows& rows, std::size_t index);
+
+}  // namespace carlo::grader

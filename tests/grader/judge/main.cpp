@@ -1,0 +1,121 @@
+// The judge of one lab: a Catch2 program of checks that starts workers and holds no student code.
+
+#include "cli/atomic_file.h"
+#include "cli/error.h"
+#include "cli/main_guard.h"
+#include "grader/judge/consistency.h"
+#include "grader/judge/current_run.h"
+#include "grader/judge/report.h"
+#include "random/hash.h"
+
+#include <catch2/catch_session.hpp>
+#include <catch2/catch_test_case_info.hpp>
+#include <catch2/interfaces/catch_interfaces_testcase.hpp>
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <string>
+
+namespace carlo::grader {
+namespace {
+
+struct Options {
+  std::string lab, worker, exercise, json, stub, handout;
+  std::string secret = "public", submission = "local", sandbox = "auto";
+  std::uint64_t seed = 0;
+  double deadline = 10;
+  bool verbose = false;
+  bool seed_given = false;
+};
+
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("--lab", options.lab, "the lab's lab.json")->required();
+  app.add_option("--worker", options.worker, "the worker program to judge");
+  app.add_option("--exercise", options.exercise, "judge only this exercise, such as 1.2");
+  app.add_option("--json", options.json, "write the verdicts to this file");
+  app.add_option("--seed", options.seed, "use the numbers of this seed");
+  app.add_option("--secret", options.secret, "seeds follow from this and the submission")
+      ->capture_default_str();
+  app.add_option("--submission", options.submission, "the submission's name")
+      ->capture_default_str();
+  app.add_option("--deadline", options.deadline, "seconds that one probe may take")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+  app.add_option("--sandbox", options.sandbox, "auto, bubblewrap or limits")
+      ->check(CLI::IsMember({"auto", "bubblewrap", "limits"}))
+      ->capture_default_str();
+  app.add_flag("--verbose", options.verbose, "also show the test framework's report");
+  app.add_option("--stub", options.stub, "check that stub, handout and tests agree with lab.json");
+  app.add_option("--handout", options.handout, "the handout for --stub");
+}
+
+Sandbox make_sandbox(const Options& options) {
+  if (options.worker.empty()) throw Error("--worker is missing: which program is judged?");
+  if (options.sandbox == "auto") return Sandbox::strongest(options.worker);
+  return Sandbox(options.worker,
+                 options.sandbox == "limits" ? Level::limits : Level::bubblewrap);
+}
+
+std::uint64_t run_seed(const Options& options) {
+  if (options.seed_given) return options.seed;
+  return hash(word_of(options.secret), word_of(options.submission));
+}
+
+/// Runs the test cases of one exercise (a tag such as "Lab 1.2") or, for "", of all.
+void run_tests(const std::string& tag, bool verbose) {
+  Catch::Session session;
+  Catch::ConfigData config;
+  if (!verbose) config.reporterSpecifications.push_back({"silent", {}, {}, {}});
+  if (!tag.empty()) config.testsOrTags.push_back("\"" + tag + ": *\"");
+  session.useConfigData(config);
+  session.run();  // its exit code says less than the records
+}
+
+int judge_lab(const Options& options) {
+  const Lab lab = load_lab(options.lab);
+  const std::string tag = options.exercise.empty() ? "" : "Lab " + options.exercise;
+  if (!tag.empty() && lab.find(tag) == nullptr) {
+    throw Error("lab {} has no exercise {}", lab.number, options.exercise);
+  }
+  Limits limits;
+  limits.deadline = std::chrono::milliseconds(static_cast<long>(options.deadline * 1000));
+  current_run() = std::make_unique<Run>(make_sandbox(options), run_seed(options), limits);
+  run_tests(tag, options.verbose);
+
+  LabResult result = collect(lab, current_run()->records(), tag);
+  result.seed = current_run()->seed();
+  result.sandbox = to_string(current_run()->sandbox().level());
+  fmt::print("{}", report_text(result));
+  if (!options.json.empty()) write_file(options.json, report_json(result));
+  return result.earned() == result.possible() ? 0 : 1;
+}
+
+int check_consistency(const Options& options) {
+  std::vector<TestName> tests;
+  for (const Catch::TestCaseInfo* info : Catch::getRegistryHub().getTestCaseRegistry().getAllInfos()) {
+    TestName test{info->name, {}};
+    for (const Catch::Tag& tag : info->tags) test.tags.emplace_back(tag.original);
+    tests.push_back(test);
+  }
+  const std::vector<std::string> lines = disagreements(
+      load_lab(options.lab), read_file(options.stub), read_file(options.handout), tests);
+  for (const std::string& line : lines) fmt::print(stderr, "{}\n", line);
+  if (lines.empty()) fmt::print("lab.json, stub, handout, hints and tests agree\n");
+  return lines.empty() ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace carlo::grader
+
+int main(int argc, char** argv) {
+  return carlo::run_main([&] {
+    CLI::App app("The judge of one lab");
+    carlo::grader::Options options;
+    carlo::grader::add_options(app, options);
+    CLI11_PARSE(app, argc, argv);
+    options.seed_given = app.count("--seed") > 0;
+    return options.stub.empty() ? carlo::grader::judge_lab(options)
+                                : carlo::grader::check_consistency(options);
+  });
+}

@@ -1,0 +1,129 @@
+#include "grader/judge/process.h"
+
+#include "cli/error.h"
+#include "grader/judge/spawn.h"
+#include "grader/judge/survivors.h"
+
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+
+namespace carlo::grader {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Reads all that is there now. False when more than `most` bytes have come; of them only `kept`
+/// are stored. Closes the descriptor at its end.
+class Reader {
+ public:
+  Reader(Descriptor fd, std::size_t most, std::size_t kept)
+      : fd_(std::move(fd)), most_(most), kept_(kept) {}
+
+  bool drain() {
+    while (fd_.open() && seen_ <= most_) {
+      const ssize_t got = ::read(fd_.get(), block_.data(), block_.size());
+      if (got < 0 && errno == EINTR) continue;
+      if (got < 0) break;
+      if (got == 0) fd_.close();
+      const auto bytes = static_cast<std::size_t>(got);
+      seen_ += bytes;
+      text_.append(block_.data(), std::min(bytes, kept_ - std::min(kept_, text_.size())));
+    }
+    return seen_ <= most_;
+  }
+
+  int fd() const { return fd_.get(); }
+  bool open() const { return fd_.open(); }
+  std::string take() { return std::move(text_); }
+
+ private:
+  Descriptor fd_;
+  std::size_t most_, kept_;
+  std::size_t seen_ = 0;
+  std::string text_;
+  std::array<char, 65536> block_{};
+};
+
+/// Whether the child has ended, and how. It is not reaped yet, so its process group keeps its name.
+bool ended(pid_t pid, Outcome& outcome) {
+  siginfo_t info{};
+  if (::waitid(P_PID, static_cast<id_t>(pid), &info, WEXITED | WNOHANG | WNOWAIT) != 0) {
+    throw Error("lost sight of a worker: {}", std::strerror(errno));
+  }
+  if (info.si_pid != pid) return false;
+  const bool exited = info.si_code == CLD_EXITED;
+  outcome.end = exited ? Outcome::End::exited : Outcome::End::signalled;
+  outcome.code = info.si_status;
+  return true;
+}
+
+/// Follows the child to its end or to the first limit that it breaks.
+void follow(pid_t pid, Reader& result, Reader& output, Clock::time_point deadline,
+            Outcome& outcome) {
+  while (true) {
+    const bool over = ended(pid, outcome);  // asked first: what it wrote is there by now
+    if (!result.drain()) outcome.end = Outcome::End::flooded_result;
+    if (!output.drain()) outcome.end = Outcome::End::flooded_output;
+    if (over || outcome.end != Outcome::End::not_started) return;
+    if (Clock::now() >= deadline) {
+      outcome.end = Outcome::End::deadline;
+      return;
+    }
+    // Closed descriptors are -1, which poll() skips. The short wait bounds how late we learn of an
+    // end that a surviving grandchild hides by holding the pipes.
+    std::array<pollfd, 2> waiting{pollfd{result.fd(), POLLIN, 0}, pollfd{output.fd(), POLLIN, 0}};
+    ::poll(waiting.data(), waiting.size(), result.open() || output.open() ? 10 : 1);
+  }
+}
+
+}  // namespace
+
+Outcome run_limited(const std::vector<std::string>& argv,
+                    const std::vector<std::string>& environment, const Limits& limits) {
+  adopt_orphans();
+  const Clock::time_point deadline = Clock::now() + limits.deadline;
+  Child child = spawn(argv, environment, limits);
+  Reader result(std::move(child.result), limits.result_bytes, limits.result_bytes);
+  Reader output(std::move(child.output), limits.output_bytes, limits.output_kept);
+  Outcome outcome;
+  follow(child.pid, result, output, deadline, outcome);
+  ::kill(-child.pid, SIGKILL);
+  end_orphans();
+  outcome.result = result.take();
+  outcome.output = output.take();
+  return outcome;
+}
+
+std::string signal_name(int signal) {
+  switch (signal) {
+    case SIGSEGV: return "segmentation fault";
+    case SIGABRT: return "abort";
+    case SIGFPE: return "division of a whole number by zero";
+    case SIGILL: return "illegal instruction";
+    case SIGBUS: return "bus error";
+    case SIGKILL: return "killed";
+    case SIGXCPU: return "too much processor time";
+    case SIGXFSZ: return "too large a file";
+    case SIGPIPE: return "broken pipe";
+    default: return fmt::format("signal {}", signal);
+  }
+}
+
+bool address_sanitizer() {
+#if defined(__SANITIZE_ADDRESS__)
+  return true;
+#elif defined(__has_feature)
+  return __has_feature(address_sanitizer);
+#else
+  return false;
+#endif
+}
+
+}  // namespace carlo::grader

@@ -1,0 +1,160 @@
+#include "grader/judge/report.h"
+
+#include "cli/terminal.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+namespace carlo::grader {
+namespace {
+
+/// Of many failing comparisons the first few tell the story.
+constexpr int shown_comparisons = 3;
+
+/// How far the columns reach, in characters (bytes of UTF-8 that start one).
+std::size_t width(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::string indent(const std::string& text, const std::string& margin) {
+  std::string out;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    // What a student's program prints must not steer the terminal.
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
+    out += margin + line + "\n";
+  }
+  return out;
+}
+
+std::string comparison(const Verdict& verdict) {
+  std::string out = fmt::format("      {}: {}\n        expected {}\n", verdict.what,
+                                verdict.measured, verdict.expected);
+  if (!verdict.certainty.empty()) out += fmt::format("        {}\n", verdict.certainty);
+  return out;
+}
+
+std::string failed_test(const TestRecord& test) {
+  std::string out = fmt::format("    {}\n", test.sentence);
+  if (!test.problem.empty()) out += fmt::format("      {}\n", test.problem);
+  if (!test.printed.empty()) {
+    out += "      your program printed:\n" + indent(test.printed, "        | ");
+  }
+  int failures = 0;
+  for (const Verdict& verdict : test.verdicts) {
+    if (!verdict.passed && ++failures <= shown_comparisons) out += comparison(verdict);
+  }
+  if (failures > shown_comparisons) {
+    out += fmt::format("      and {} more like these\n", failures - shown_comparisons);
+  }
+  return out;
+}
+
+std::vector<Diagnosis> diagnoses(const ExerciseResult& result) {
+  std::vector<Diagnosis> list;
+  std::set<std::string> seen;
+  for (const TestRecord& test : result.tests) {
+    for (const Verdict& verdict : test.verdicts) {
+      for (const Diagnosis& diagnosis : verdict.diagnoses) {
+        if (seen.insert(diagnosis.id).second) list.push_back(diagnosis);
+      }
+    }
+  }
+  return list;
+}
+
+std::string heading(const ExerciseResult& result, std::size_t titles) {
+  const bool passed = result.status == Status::passed;
+  const bool open = result.status == Status::not_implemented;
+  const std::string mark = passed ? coloured(Colour::green, "✓")
+                           : open ? coloured(Colour::yellow, "–")
+                                  : coloured(Colour::red, "✗");
+  const std::string& title = result.exercise.title;
+  const std::string gap(titles - width(title), ' ');
+  const std::string points = fmt::format("{} of {} points", result.earned(),
+                                         result.exercise.points);
+  return fmt::format("{} {}  {}{}  {}", mark, result.exercise.number(), title, gap, points);
+}
+
+std::string exercise_text(const ExerciseResult& result, std::size_t titles) {
+  const std::string line = heading(result, titles);
+  const std::string hint = fmt::format("./carlo hint {}", result.exercise.number());
+  if (result.status == Status::passed) return line + "\n";
+  if (result.status == Status::not_implemented) {
+    return fmt::format("{}  not implemented yet: {}\n", line, hint);
+  }
+  std::string out = line + "\n";
+  for (const TestRecord& test : result.tests) {
+    if (test.status != Status::passed) out += failed_test(test);
+  }
+  for (const Diagnosis& diagnosis : diagnoses(result)) {
+    out += fmt::format("    {} {} [{}]\n", coloured(Colour::bold, "It looks like this:"),
+                       diagnosis.sentence, diagnosis.id);
+  }
+  return out + fmt::format("    For help: {}\n", hint);
+}
+
+/// What went wrong in one line, for programs.
+std::string message(const ExerciseResult& result) {
+  for (const TestRecord& test : result.tests) {
+    if (test.status == Status::passed) continue;
+    if (!test.problem.empty()) return test.sentence + ": " + test.problem;
+    for (const Verdict& verdict : test.verdicts) {
+      if (verdict.passed) continue;
+      return fmt::format("{}: {}: {}; expected {}", test.sentence, verdict.what, verdict.measured,
+                         verdict.expected);
+    }
+  }
+  return "";
+}
+
+nlohmann::json exercise_json(const ExerciseResult& result) {
+  std::vector<std::string> ids;
+  for (const Diagnosis& diagnosis : diagnoses(result)) ids.push_back(diagnosis.id);
+  std::vector<double> p_values;
+  for (const TestRecord& test : result.tests) {
+    for (const Verdict& verdict : test.verdicts) {
+      if (verdict.p) p_values.push_back(*verdict.p);
+    }
+  }
+  return {{"tag", result.exercise.tag}, {"points", result.earned()},
+          {"max", result.exercise.points}, {"status", to_string(result.status)},
+          {"diagnoses", ids}, {"message", message(result)}, {"p_values", p_values}};
+}
+
+}  // namespace
+
+std::string report_text(const LabResult& result) {
+  std::size_t titles = 0;
+  for (const ExerciseResult& entry : result.exercises) {
+    titles = std::max(titles, width(entry.exercise.title));
+  }
+  std::string out = fmt::format("Lab {:02}  {}  (sandbox: {})\n", result.lab.number,
+                                result.lab.title, result.sandbox);
+  for (const ExerciseResult& entry : result.exercises) out += exercise_text(entry, titles);
+  const bool full = result.earned() == result.possible();
+  const std::string total = fmt::format("Lab {:02}: {} of {} points", result.lab.number,
+                                        result.earned(), result.possible());
+  out += coloured(full ? Colour::green : Colour::bold, total) + "\n";
+  if (!full) out += fmt::format("The same numbers again: --seed {}\n", result.seed);
+  return out;
+}
+
+std::string report_json(const LabResult& result) {
+  nlohmann::json document{{"lab", result.lab.number}, {"points", result.earned()},
+                          {"max", result.possible()}, {"seed", std::to_string(result.seed)},
+                          {"sandbox", result.sandbox}, {"exercises", nlohmann::json::array()}};
+  for (const ExerciseResult& entry : result.exercises) {
+    document["exercises"].push_back(exercise_json(entry));
+  }
+  // A message may hold what a student's program said: bytes that are no UTF-8 are replaced.
+  return document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace carlo::grader

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "grader/judge/results.h"
+
+#include <string>
+
+namespace carlo::grader {
+
+/// The report for the student, in colour where stdout shows it.
+std::string report_text(const LabResult& result);
+
+/// The same for programs: the lab, the seed, and for each exercise tag, points, max, status,
+/// diagnosis ids, message and p-values.
+std::string report_json(const LabResult& result);
+
+}  // namespace carlo::grader

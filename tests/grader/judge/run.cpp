@@ -1,0 +1,145 @@
+#include "grader/judge/run.h"
+
+#include "cli/error.h"
+#include "grader/judge/compare.h"
+#include "random/hash.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carlo::grader {
+namespace {
+
+std::string shape_text(std::size_t rows, std::size_t columns) {
+  return fmt::format("{} x {} values", rows, columns);
+}
+
+/// Throws unless the worker ended as it should.
+void check_end(const Outcome& outcome, const Limits& limits) {
+  using End = Outcome::End;
+  const auto fail = [&](Status status, const std::string& message) {
+    throw ProbeFailure(status, message, outcome.output);
+  };
+  switch (outcome.end) {
+    case End::exited: break;
+    case End::signalled:
+      fail(Status::crashed, fmt::format("it crashed: {}", signal_name(outcome.code)));
+      break;
+    case End::deadline:
+      fail(Status::timeout, fmt::format("it was not done after {:.3g} seconds",
+                                        static_cast<double>(limits.deadline.count()) / 1000));
+      break;
+    case End::flooded_output: fail(Status::crashed, "it printed without end"); break;
+    case End::flooded_result: fail(Status::crashed, "it sent more than any answer holds"); break;
+    case End::not_started: throw Error("a worker was not started");
+  }
+  if (outcome.code != 0) {
+    fail(Status::crashed, fmt::format("the program ended itself with exit code {}", outcome.code));
+  }
+  if (outcome.result.empty()) {
+    fail(Status::crashed, "the program ended itself (exit code 0) before the function returned");
+  }
+}
+
+void check_rows(const Rows& rows, const Shape& shape) {
+  if (rows.count() != shape.rows || rows.columns != shape.columns) {
+    throw ProbeFailure(Status::failed,
+                       fmt::format("it returned {}, expected {}",
+                                   shape_text(rows.count(), rows.columns),
+                                   shape_text(shape.rows, shape.columns)));
+  }
+  if (!shape.finite) return;
+  const auto bad = std::find_if(rows.values.begin(), rows.values.end(),
+                                [](double value) { return !std::isfinite(value); });
+  if (bad == rows.values.end()) return;
+  throw ProbeFailure(Status::failed, std::isnan(*bad) ? "it returned NaN, which is no number"
+                                                      : "it returned an infinite value");
+}
+
+}  // namespace
+
+std::uint64_t word_of(const std::string& text) {
+  std::uint64_t h = 0xCBF29CE484222325;
+  for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001B3;
+  return mix(h);
+}
+
+Rows run_probe(const Sandbox& sandbox, const std::string& name, const Params& params, Shape shape,
+               const Limits& limits) {
+  const Outcome outcome =
+      sandbox.run({"--probe", name, "--params", to_json(params), "--fd", "3"}, limits);
+  check_end(outcome, limits);
+  const std::optional<Frame> frame = decode(outcome.result);
+  if (!frame) throw ProbeFailure(Status::crashed, "its answer was cut short or no answer at all");
+  if (frame->status == Frame::Status::not_implemented) {
+    throw ProbeFailure(Status::not_implemented, "not implemented yet");
+  }
+  if (frame->status == Frame::Status::error) {
+    throw ProbeFailure(Status::crashed, "it threw an exception: " + frame->text.substr(0, 500),
+                       outcome.output);
+  }
+  check_rows(frame->rows, shape);
+  return frame->rows;
+}
+
+void Run::begin_test(const std::string& name) {
+  const auto colon = name.find(": ");
+  if (colon == std::string::npos) throw Error("the test \"{}\" names no exercise", name);
+  TestRecord record;
+  record.tag = name.substr(0, colon);
+  record.sentence = name.substr(colon + 2);
+  records_.push_back(record);
+  probes_in_test_ = 0;
+}
+
+TestRecord& Run::current() {
+  if (records_.empty()) throw Error("a verdict outside of any test");
+  return records_.back();
+}
+
+void Run::end_test(bool clean) {
+  TestRecord& test = current();
+  const bool all_passed = std::all_of(test.verdicts.begin(), test.verdicts.end(),
+                                      [](const Verdict& verdict) { return verdict.passed; });
+  if (!test.problem.empty()) return;
+  if (test.verdicts.empty()) {
+    test.problem = "the grader came to no verdict: please report this";
+  } else if (all_passed && !clean) {
+    test.problem = "the grader itself failed: please report this";
+  } else if (all_passed) {
+    test.status = Status::passed;
+  }
+}
+
+const TestRecord* Run::hopeless(const std::string& tag) const {
+  const auto found = std::find_if(records_.begin(), records_.end(), [&](const TestRecord& test) {
+    return test.tag == tag &&
+           (test.status == Status::not_implemented || test.status == Status::timeout);
+  });
+  return found == records_.end() ? nullptr : &*found;
+}
+
+Rows Run::probe(const std::string& name, Params params, Shape shape) {
+  TestRecord& test = current();
+  params.seed = hash(seed_, word_of(test.tag + ": " + test.sentence), probes_in_test_++);
+  try {
+    if (const TestRecord* earlier = hopeless(test.tag)) {
+      throw ProbeFailure(earlier->status, "not run, because of the above");
+    }
+    return run_probe(sandbox_, name, params, shape, limits_);
+  } catch (const ProbeFailure& failure) {
+    test.status = failure.status;
+    test.problem = failure.what();
+    test.printed = failure.printed;
+    throw;
+  }
+}
+
+void Run::record(const Verdict& verdict) {
+  if (verdict.p && ++statistical_ > lab_budget) {
+    throw Error("more than {} statistical comparisons: their error rate is not kept", lab_budget);
+  }
+  current().verdicts.push_back(verdict);
+}
+
+}  // namespace carlo::grader

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "grader/judge/results.h"
+#include "grader/judge/sandbox.h"
+#include "grader/protocol/frame.h"
+#include "grader/protocol/params.h"
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace carlo::grader {
+
+/// The table that a probe must return. `finite`: infinities and NaN are a fail.
+struct Shape {
+  std::size_t rows = 1;
+  std::size_t columns = 1;
+  bool finite = true;
+};
+
+/// Why a probe returned no usable values.
+struct ProbeFailure : std::runtime_error {
+  ProbeFailure(Status status_, const std::string& message, std::string printed_ = {})
+      : std::runtime_error(message), status(status_), printed(std::move(printed_)) {}
+  Status status;
+  std::string printed;
+};
+
+/// Runs one probe in a fresh worker. Throws ProbeFailure unless exactly the table of `shape` comes
+/// back, in time, from a worker that then ends well.
+Rows run_probe(const Sandbox& sandbox, const std::string& name, const Params& params, Shape shape,
+               const Limits& limits);
+
+/// One judgement of a lab: what the test cases have found so far.
+class Run {
+ public:
+  Run(Sandbox sandbox, std::uint64_t seed, Limits limits)
+      : sandbox_(std::move(sandbox)), seed_(seed), limits_(limits) {}
+
+  void begin_test(const std::string& name);
+  /// `clean`: the test framework saw no failure.
+  void end_test(bool clean);
+
+  /// A probe of the current test; its seed follows from the run's, the test's name and the number
+  /// of probes before it. A failure is noted and ends the test. Once an exercise is known to be not
+  /// implemented or to run into the deadline, its probes are not started any more.
+  Rows probe(const std::string& name, Params params, Shape shape);
+
+  /// Notes a verdict. Throws Error when the budget of statistical ones is used up.
+  void record(const Verdict& verdict);
+
+  const std::vector<TestRecord>& records() const { return records_; }
+  std::uint64_t seed() const { return seed_; }
+  const Sandbox& sandbox() const { return sandbox_; }
+
+ private:
+  TestRecord& current();
+  const TestRecord* hopeless(const std::string& tag) const;
+
+  Sandbox sandbox_;
+  std::uint64_t seed_;
+  Limits limits_;
+  std::vector<TestRecord> records_;
+  std::uint64_t probes_in_test_ = 0;
+  int statistical_ = 0;
+};
+
+/// A word from a text (FNV-1a, then mixed): seeds follow from names.
+std::uint64_t word_of(const std::string& text);
+
+}  // namespace carlo::grader

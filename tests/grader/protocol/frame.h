@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace carlo::grader {
+
+/// A table of raw values, row by row.
+struct Rows {
+  std::size_t columns = 0;
+  std::vector<double> values;
+
+  std::size_t count() const { return columns == 0 ? 0 : values.size() / columns; }
+  double at(std::size_t row, std::size_t column) const { return values[row * columns + column]; }
+};
+
+/// What a worker sends back, once: a table, or a text saying why there is none.
+struct Frame {
+  enum class Status : std::uint32_t { rows = 0, error = 1, not_implemented = 2 };
+  Status status = Status::rows;
+  Rows rows;
+  std::string text;
+};
+
+/// The largest frame that a judge reads, in bytes.
+constexpr std::size_t max_frame_bytes = std::size_t{64} << 20;
+
+/// The frame as bytes of this machine: a header of 32 (magic, status, columns, rows, bytes of
+/// payload), then the values or the text.
+std::string encode(const Frame& frame);
+
+/// The frame that `bytes` hold from the first to the last; nothing when they are anything else: cut
+/// short, too long, of impossible sizes. Never reads outside `bytes`.
+std::optional<Frame> decode(std::string_view bytes);
+
+}  // namespace carlo::grader
