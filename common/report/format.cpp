@@ -8,20 +8,29 @@
 
 namespace carlo {
 
+namespace {
+
+std::string without_trailing_zeros(std::string digits) {
+  if (digits.find('.') == std::string::npos) return digits;
+  digits.erase(digits.find_last_not_of('0') + 1);
+  if (digits.back() == '.') digits.pop_back();
+  return digits;
+}
+
+}  // namespace
+
 std::string number_text(double value, int digits) {
   const double size = std::fabs(value);
   if (!std::isfinite(value) || value == 0) return fmt::format("{}", value);
-  if (size >= 1e-3 && size < 1e6) {
-    // As many decimals as the significant digits need, then without trailing zeros.
-    const int magnitude = static_cast<int>(std::floor(std::log10(size)));
-    std::string text = fmt::format("{:.{}f}", value, std::max(0, digits - 1 - magnitude));
-    if (text.find('.') != std::string::npos) {
-      text.erase(text.find_last_not_of('0') + 1);
-      if (text.back() == '.') text.pop_back();
-    }
-    return text;
+  const std::string scientific = fmt::format("{:.{}e}", value, std::max(0, digits - 1));
+  const std::size_t e = scientific.find('e');
+  // The exponent after rounding: 999.96 to four digits is 1000.
+  const int exponent = std::stoi(scientific.substr(e + 1));
+  if (size >= 1e-3 && exponent < 6) {
+    return without_trailing_zeros(
+        fmt::format("{:.{}f}", value, std::max(0, digits - 1 - exponent)));
   }
-  return fmt::format("{:.{}e}", value, std::max(0, digits - 1));
+  return fmt::format("{}e{}", without_trailing_zeros(scientific.substr(0, e)), exponent);
 }
 
 std::string count_text(std::int64_t count) {
@@ -43,7 +52,8 @@ std::string duration_text(double seconds) {
   constexpr std::array<Unit, 4> units = {{{1, "s"}, {1e-3, "ms"}, {1e-6, "µs"}, {1e-9, "ns"}}};
   if (!std::isfinite(seconds)) return fmt::format("{}", seconds);
   for (const Unit& unit : units) {
-    if (std::fabs(seconds) >= unit.size) {
+    // A little less than a unit is rounded up to one: "1 ms", not "1000 µs".
+    if (std::fabs(seconds) >= 0.9995 * unit.size) {
       return fmt::format("{} {}", number_text(seconds / unit.size, 3), unit.name);
     }
   }

@@ -7,7 +7,7 @@
 
 namespace carlo {
 
-/// A number for people, to `digits` significant digits: "0.0123", "1.23e-05", "nan". Fixed between
+/// A number for people, to `digits` significant digits: "0.0123", "1.23e-5", "nan". Fixed between
 /// 1e-3 and 1e6, scientific elsewhere; trailing zeros are dropped.
 std::string number_text(double value, int digits = 4);
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "notebook.h"
+
+namespace lab01 {
+
+// One experiment each: it runs the exercises it needs, and writes what it finds.
+
+/// Lab 1.1: the error of an average against N; slope -1/2.
+void average_experiment(Notebook& notebook);
+/// Labs 1.2 and 1.4: Monte Carlo beside midpoint, trapezoid and Simpson.
+void rules_experiment(Notebook& notebook);
+/// Labs 1.5 and 1.6: the curse of dimensionality.
+void dimensions_experiment(Notebook& notebook);
+/// Labs 1.2, 1.3 and 1.4: a jump, singularities and a rare spike.
+void hard_integrands_experiment(Notebook& notebook);
+/// Lab 1.3: variances of numbers with a large mean.
+void variance_experiment(Notebook& notebook);
+/// Lab 1.7: balls, and whether the error bars tell the truth.
+void domain_experiment(Notebook& notebook);
+
+}  // namespace lab01

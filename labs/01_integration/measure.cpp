@@ -1,0 +1,130 @@
+#include "measure.h"
+
+#include "report/format.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace lab01 {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double root_mean_square(const std::vector<double>& errors) {
+  double sum = 0;
+  for (const double e : errors)
+    sum += e * e;
+  return std::sqrt(sum / static_cast<double>(errors.size()));
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+std::optional<carlo::PowerFit> fit(const std::vector<Measurement>& runs, bool seconds) {
+  std::vector<double> x, y;
+  for (const Measurement& m : runs) {
+    const double floor = 1e-12 * std::fabs(m.estimate);
+    const double at = seconds ? m.seconds : static_cast<double>(m.points);
+    if (!(std::isfinite(m.error) && m.error > floor && at > 0)) continue;
+    x.push_back(at);
+    y.push_back(m.error);
+  }
+  if (x.size() < 3) return std::nullopt;
+  return carlo::fit_power_law(x, y);
+}
+
+carlo::Series series(const Curve& curve, bool seconds, bool fitted) {
+  carlo::Series result{curve.name, {}};
+  for (const Measurement& m : curve.runs) {
+    result.points.push_back({seconds ? m.seconds : static_cast<double>(m.points), m.error});
+  }
+  if (fitted) result.fit = fit(curve.runs, seconds);
+  return result;
+}
+
+}  // namespace
+
+Measurement repeat(std::int64_t points, int repetitions, Summary summary,
+                   const std::function<Trial()>& trial) {
+  std::vector<double> errors;
+  Measurement result{points};
+  const auto start = Clock::now();
+  for (int i = 0; i < repetitions; ++i) {
+    const Trial t = trial();
+    if (i == 0) result.estimate = t.estimate;
+    errors.push_back(std::fabs(t.estimate - t.exact));
+  }
+  result.seconds = seconds_since(start) / repetitions;
+  result.error = summary == Summary::median ? median(std::move(errors)) : root_mean_square(errors);
+  return result;
+}
+
+Measurement time_rule(std::int64_t points, double exact, const std::function<double()>& rule) {
+  Measurement result{points};
+  std::int64_t rounds = 0;
+  const auto start = Clock::now();
+  do {
+    result.estimate = rule();
+    ++rounds;
+    result.seconds = seconds_since(start);
+  } while (result.seconds < 1e-3);
+  result.seconds /= static_cast<double>(rounds);
+  result.error = std::fabs(result.estimate - exact);
+  return result;
+}
+
+std::vector<std::int64_t> ladder(std::int64_t first, std::int64_t last) {
+  std::vector<std::int64_t> rungs;
+  for (std::int64_t n = first; n <= last; n *= 4)
+    rungs.push_back(n);
+  return rungs;
+}
+
+std::optional<carlo::PowerFit> Curve::against_points() const {
+  return fit(runs, false);
+}
+std::optional<carlo::PowerFit> Curve::against_seconds() const {
+  return fit(runs, true);
+}
+
+std::vector<carlo::Chart> error_charts(const std::string& title, const std::string& error_label,
+                                       const std::vector<Curve>& curves, bool fitted) {
+  carlo::Chart points{
+      title + ": error against points", "", {"points N", carlo::Unit::count}, {error_label}, {}};
+  carlo::Chart seconds{
+      title + ": error against time", "", {"time", carlo::Unit::seconds}, {error_label}, {}};
+  for (const Curve& curve : curves) {
+    points.series.push_back(series(curve, false, fitted));
+    seconds.series.push_back(series(curve, true, fitted));
+  }
+  return {points, seconds};
+}
+
+carlo::Table measurement_table(const std::vector<Curve>& curves, std::size_t stride) {
+  carlo::Table table({"method", "N", "estimate", "error", "time"},
+                     {"method", "points", "estimate", "error", "seconds"});
+  for (const Curve& curve : curves) {
+    for (std::size_t i = 0; i < curve.runs.size(); ++i) {
+      if ((curve.runs.size() - 1 - i) % stride != 0) continue;
+      const Measurement& m = curve.runs[i];
+      table.add_row({curve.name, m.points,
+                     carlo::Cell(carlo::number_text(m.estimate, 7), m.estimate), m.error,
+                     carlo::seconds_cell(m.seconds)});
+    }
+  }
+  return table;
+}
+
+carlo::Cell slope_cell(const std::optional<carlo::PowerFit>& fit) {
+  return fit ? carlo::interval_cell(fit->slope, fit->slope_half_width) : carlo::empty_cell();
+}
+
+}  // namespace lab01

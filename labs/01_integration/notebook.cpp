@@ -1,0 +1,77 @@
+#include "notebook.h"
+
+#include "cli/terminal.h"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+
+namespace lab01 {
+
+Notebook::Notebook(const Options& options, carlo::Page& page) : options_(options), page_(page) {}
+
+void Notebook::begin(std::string_view title) {
+  bar_.clear();
+  fmt::print("\n{}\n\n", carlo::coloured(carlo::Colour::bold, title));
+  page_.section(title);
+  left_out_here_.clear();
+}
+
+namespace {
+
+/// `text` in lines of at most 88 characters.
+std::string wrapped(std::string_view text) {
+  std::string result;
+  std::size_t column = 0;
+  while (!text.empty()) {
+    const std::size_t space = text.find(' ');
+    const std::string_view word = text.substr(0, space);
+    text.remove_prefix(space == std::string_view::npos ? text.size() : space + 1);
+    if (column > 0 && column + 1 + word.size() > 88) {
+      result += '\n';
+      column = 0;
+    } else if (column > 0) {
+      result += ' ';
+      ++column;
+    }
+    result += word;
+    column += word.size();
+  }
+  return result;
+}
+
+}  // namespace
+
+void Notebook::say(std::string_view paragraph) {
+  bar_.clear();
+  fmt::print("{}\n\n", wrapped(paragraph));
+  page_.prose(paragraph);
+}
+
+void Notebook::table(const std::string& key, const carlo::Table& table, std::string_view caption) {
+  if (table.rows().empty()) return;
+  bar_.clear();
+  fmt::print("{}:\n{}\n", caption, table.text());
+  std::fflush(stdout);
+  page_.table(table, caption);
+  results_[key] = table.json();
+}
+
+void Notebook::leave_out(const std::string& reason) {
+  left_out_.insert(reason);
+  if (!left_out_here_.insert(reason).second) return;
+  bar_.clear();
+  fmt::print("{}\n\n", carlo::coloured(carlo::Colour::yellow, reason));
+  page_.note(reason);
+}
+
+void Notebook::set_experiment(int index, int count) {
+  experiment_ = index;
+  experiments_ = count;
+}
+
+void Notebook::progress(double done, double total) {
+  bar_.update((experiment_ + done / total) / experiments_);
+}
+
+}  // namespace lab01

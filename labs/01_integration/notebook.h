@@ -1,0 +1,79 @@
+#pragma once
+
+#include "cli/progress.h"
+#include "course/not_implemented.h"
+#include "random/rng.h"
+#include "report/page.h"
+#include "report/table.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lab01 {
+
+struct Options {
+  std::int64_t n = 1 << 18;  ///< the largest number of points an experiment uses
+  std::uint64_t seed = 1;
+  bool quick = false;  ///< fewer points and repetitions; the same experiments
+};
+
+/// Where the experiments write: each heading, sentence and table goes to the console and to the
+/// page, charts go to the page, tables to the JSON file as well.
+class Notebook {
+ public:
+  Notebook(const Options& options, carlo::Page& page);
+
+  const Options& options() const { return options_; }
+
+  /// A stream of random numbers that no other call of rng() returns.
+  carlo::Rng rng() { return carlo::Rng(options_.seed, next_stream_++); }
+
+  /// `full` repetitions; fewer in a quick run.
+  int repetitions(int full) const { return options_.quick ? full / 4 : full; }
+
+  void begin(std::string_view title);
+  void say(std::string_view paragraph);
+  void table(const std::string& key, const carlo::Table& table, std::string_view caption);
+  void charts(const std::vector<carlo::Chart>& row) { page_.charts(row); }
+
+  /// Does `work`, which calls exercises. Where one of them has not been done, says so (once a
+  /// section) and returns false.
+  template <class Work>
+  bool attempt(const Work& work) {
+    try {
+      work();
+      return true;
+    } catch (const carlo::NotImplemented& missing) {
+      leave_out(missing.what());
+      return false;
+    }
+  }
+
+  /// How far the run is: `done` of `total` steps of the current one of all experiments.
+  void progress(double done, double total);
+  void set_experiment(int index, int count);
+  void finish() { bar_.clear(); }
+
+  /// What was left out, for the last lines of the run; and everything measured.
+  const std::set<std::string>& left_out() const { return left_out_; }
+  const nlohmann::json& results() const { return results_; }
+
+ private:
+  void leave_out(const std::string& reason);
+
+  Options options_;
+  carlo::Page& page_;
+  carlo::Progress bar_{"lab 01", true};
+  nlohmann::json results_ = nlohmann::json::object();
+  std::set<std::string> left_out_;
+  std::set<std::string> left_out_here_;
+  std::uint64_t next_stream_ = 0;
+  int experiment_ = 0, experiments_ = 1;
+};
+
+}  // namespace lab01
