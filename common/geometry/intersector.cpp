@@ -18,6 +18,19 @@ struct Primitive {
   std::uint32_t shape;
 };
 
+/// A parallelogram with all that a hit needs to know of it.
+struct Flat {
+  Parallelogram surface;
+  Vec3 n, p_error;
+  std::uint32_t shape;
+
+  Flat(const Parallelogram& s, std::uint32_t index)
+      : surface(s),
+        n(glm::normalize(glm::cross(s.u, s.v))),
+        p_error(rounding_bound(12) * (glm::abs(s.origin) + glm::abs(s.u) + glm::abs(s.v))),
+        shape(index) {}
+};
+
 /// Callbacks for surfaces with an analytic intersection. Embree calls them for single rays only,
 /// since we make no others.
 template <class S, double (*meet)(const S&, Vec3, Vec3, float, float)>
@@ -92,7 +105,7 @@ struct Intersector::Impl {
   const Scene& scene;
   RTCDevice device = nullptr;
   RTCScene embree = nullptr;
-  std::vector<Primitive<Parallelogram>> parallelograms;
+  std::vector<Flat> parallelograms;
   std::vector<Primitive<Sphere>> spheres;
   std::vector<Primitive<Disk>> disks;
   std::vector<Primitive<Mesh>> meshes;
@@ -130,7 +143,7 @@ struct Intersector::Impl {
   void sort_shapes() {
     for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
       const auto& g = scene.shapes[i].geometry;
-      if (const auto* quad = std::get_if<Parallelogram>(&g)) parallelograms.push_back({quad, i});
+      if (const auto* quad = std::get_if<Parallelogram>(&g)) parallelograms.emplace_back(*quad, i);
       if (const auto* sphere = std::get_if<Sphere>(&g)) spheres.push_back({sphere, i});
       if (const auto* disk = std::get_if<Disk>(&g)) disks.push_back({disk, i});
       if (const auto* mesh = std::get_if<Mesh>(&g)) meshes.push_back({mesh, i});
@@ -158,7 +171,7 @@ struct Intersector::Impl {
     auto* v = new_buffer<Vec3>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, 4 * count);
     auto* index = new_buffer<glm::uvec4>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT4, count);
     for (std::size_t i = 0; i < count; ++i) {
-      const Parallelogram& p = *parallelograms[i].surface;
+      const Parallelogram& p = parallelograms[i].surface;
       v[4 * i] = p.origin;
       v[4 * i + 1] = p.origin + p.u;
       v[4 * i + 2] = p.origin + p.u + p.v;
@@ -198,10 +211,11 @@ struct Intersector::Impl {
 
 namespace {
 
-void fill_parallelogram(const Parallelogram& quad, float u, float v, Hit& hit) {
-  hit.p = quad.origin + u * quad.u + v * quad.v;
-  hit.p_error = rounding_bound(12) * (glm::abs(quad.origin) + glm::abs(quad.u) + glm::abs(quad.v));
-  hit.n = glm::normalize(glm::cross(quad.u, quad.v));
+void fill_parallelogram(const Flat& flat, float u, float v, Hit& hit) {
+  hit.shape = flat.shape;
+  hit.p = flat.surface.origin + u * flat.surface.u + v * flat.surface.v;
+  hit.p_error = flat.p_error;
+  hit.n = flat.n;
 }
 
 void fill_triangle(const Mesh& mesh, float u, float v, Hit& hit) {
@@ -230,8 +244,7 @@ void Intersector::Impl::fill(const RTCRayHit& query, const Ray& ray, Hit& hit) c
   hit.primitive = 0;
   switch (id) {
     case quad_geometry:
-      hit.shape = parallelograms[primitive].shape;
-      fill_parallelogram(*parallelograms[primitive].surface, query.hit.u, query.hit.v, hit);
+      fill_parallelogram(parallelograms[primitive], query.hit.u, query.hit.v, hit);
       return;
     case sphere_geometry:
       hit.shape = spheres[primitive].shape;

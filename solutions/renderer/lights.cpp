@@ -147,11 +147,13 @@ Lights::Lights(const Scene& scene) : scene_(scene) {
     if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) mesh_cdf_[i] = mesh_areas(*mesh);
     entry_of_shape_[i] = static_cast<std::uint32_t>(entries_.size());
     const double area = area_of(shape);
-    entries_.push_back({i, false, quad != nullptr && is_rectangle(*quad), 0, area});
+    std::optional<RectangleFrame> rectangle;
+    if (quad != nullptr && is_rectangle(*quad)) rectangle.emplace(*quad);
+    entries_.push_back({i, false, rectangle, 0, area});
     power.push_back(carlo::pi * area * brightness(shape.radiance));
   }
   for (std::uint32_t i = 0; i < scene.points.size(); ++i) {
-    entries_.push_back({i, true, false, 0, 0});
+    entries_.push_back({i, true, std::nullopt, 0, 0});
     power.push_back(4 * carlo::pi * brightness(scene.points[i].intensity));
   }
   cdf_ = running_sum(power);
@@ -179,11 +181,9 @@ std::optional<LightSample> Lights::sample_shape(const Entry& entry, Vec3 from, V
   const Shape& shape = scene_.shapes[entry.shape];
   const auto probability = static_cast<float>(entry.probability);
   AreaPoint point{};
-  if (entry.by_solid_angle) {
-    const auto& quad = std::get<Parallelogram>(shape.geometry);
-    const Vec3 n = glm::cross(quad.u, quad.v);
-    if (!(glm::dot(n, from - quad.origin) > 0)) return std::nullopt;
-    const SphericalRectangle rectangle(quad, from);
+  if (entry.rectangle) {
+    if (!(glm::dot(entry.rectangle->z, from - entry.rectangle->origin) > 0)) return std::nullopt;
+    const SphericalRectangle rectangle(*entry.rectangle, from);
     if (!(rectangle.solid_angle() > 0)) return std::nullopt;
     const auto density = static_cast<float>(1 / rectangle.solid_angle());
     return LightSample{rectangle.sample(u), shape.radiance, probability * density};
@@ -215,8 +215,8 @@ float Lights::pdf(Vec3 from, const carlo::Hit& hit) const {
 
 float Lights::shape_pdf(const Entry& entry, Vec3 from, Vec3 p, Vec3 n) const {
   const Shape& shape = scene_.shapes[entry.shape];
-  if (entry.by_solid_angle) {
-    const SphericalRectangle rectangle(std::get<Parallelogram>(shape.geometry), from);
+  if (entry.rectangle) {
+    const SphericalRectangle rectangle(*entry.rectangle, from);
     return rectangle.solid_angle() > 0 ? static_cast<float>(1 / rectangle.solid_angle()) : 0;
   }
   if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {

@@ -2,6 +2,7 @@
 
 #include "geometry/intersector.h"
 #include "numeric/vec.h"
+#include "renderer/spherical_rectangle.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -42,7 +43,7 @@ class Lights {
   struct Entry {
     std::uint32_t shape = 0;  ///< index of an emitting shape, or of a point light
     bool point = false;
-    bool by_solid_angle = false;
+    std::optional<RectangleFrame> rectangle;  ///< of lights sampled by solid angle
     double probability = 0;
     double area = 0;
   };

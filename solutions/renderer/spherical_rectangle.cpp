@@ -14,11 +14,16 @@ double square(double x) {
 
 }  // namespace
 
-SphericalRectangle::SphericalRectangle(const carlo::Parallelogram& rectangle, Vec3 from)
-    : from_(from),
-      x_(glm::normalize(rectangle.u)),
-      y_(glm::normalize(rectangle.v)),
-      z_(glm::cross(x_, y_)) {
+RectangleFrame::RectangleFrame(const carlo::Parallelogram& rectangle)
+    : origin(rectangle.origin),
+      x(glm::normalize(rectangle.u)),
+      y(glm::normalize(rectangle.v)),
+      z(glm::cross(x, y)),
+      width(static_cast<double>(glm::length(rectangle.u))),
+      height(static_cast<double>(glm::length(rectangle.v))) {}
+
+SphericalRectangle::SphericalRectangle(const RectangleFrame& rectangle, Vec3 from)
+    : from_(from), x_(rectangle.x), y_(rectangle.y), z_(rectangle.z) {
   const Vec3 d = rectangle.origin - from;
   x0_ = glm::dot(d, x_);
   y0_ = glm::dot(d, y_);
@@ -27,8 +32,8 @@ SphericalRectangle::SphericalRectangle(const carlo::Parallelogram& rectangle, Ve
     z_ = -z_;
     z0_ = -z0_;
   }
-  x1_ = x0_ + static_cast<double>(glm::length(rectangle.u));
-  y1_ = y0_ + static_cast<double>(glm::length(rectangle.v));
+  x1_ = x0_ + rectangle.width;
+  y1_ = y0_ + rectangle.height;
   // The z components of the normals of the four planes through `from` and an edge. The solid angle
   // is the sum of the angles between neighbouring planes, less 2 pi: in float that difference
   // would lose a distant rectangle, hence double throughout.

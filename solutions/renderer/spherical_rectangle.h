@@ -8,14 +8,22 @@ namespace renderer {
 using carlo::Vec2;
 using carlo::Vec3;
 
+/// A rectangle in its own frame, computed once.
+struct RectangleFrame {
+  Vec3 origin, x, y, z;  ///< x along u, y along v
+  double width, height;
+
+  /// Needs u perpendicular to v and both longer than 0.
+  explicit RectangleFrame(const carlo::Parallelogram& rectangle);
+};
+
 /// A rectangle seen from a point, ready to be sampled uniformly by solid angle. Area sampling has
 /// unbounded variance when the point comes close to the rectangle's plane or edge; this has none.
 /// Source: Urena, Fajardo, King, "An area-preserving parametrization for spherical rectangles",
 /// EGSR 2013.
 class SphericalRectangle {
  public:
-  /// Needs u perpendicular to v and both longer than 0.
-  SphericalRectangle(const carlo::Parallelogram& rectangle, Vec3 from);
+  SphericalRectangle(const RectangleFrame& rectangle, Vec3 from);
 
   /// Steradians; 0 when seen edge-on.
   double solid_angle() const { return solid_angle_; }
