@@ -1,21 +1,47 @@
 # add_lab_tests(FOLDER NAME): the grader's tests of one lab, through CTest. The solution has full
-# marks, at every seed; the stub has none and says "not implemented"; each mistake is caught and
-# named; lab.json, stub, handout and tests agree.
+# marks, and at many seeds; the stub has none and says "not implemented"; each mistake is caught and
+# named; lab.json, stub, handout, hints and tests agree.
+
+# One test that expect.cmake judges.
+function(add_expectation name lab worker)
+  add_test(NAME ${name}
+           COMMAND ${CMAKE_COMMAND} -DJUDGE=$<TARGET_FILE:${lab}_judge> -DLAB=${${lab}_json}
+                   -DWORKER=$<TARGET_FILE:${worker}>
+                   -DJSON=${CMAKE_CURRENT_BINARY_DIR}/${name}.json ${ARGN}
+                   -P ${PROJECT_SOURCE_DIR}/tests/grader/expect.cmake)
+endfunction()
+
 function(add_lab_tests folder name)
   string(REGEX MATCH "^[0-9][0-9]" number "${folder}")
   set(lab lab${number})
   set(here "${PROJECT_SOURCE_DIR}/labs/${folder}")
-  set(judge $<TARGET_FILE:${lab}_judge> --lab "${here}/lab.json")
+  set(${lab}_json "${here}/lab.json")
+  if(NOT TARGET ${lab}_judge)
+    return()
+  endif()
 
   add_test(NAME ${lab}.consistency
-           COMMAND ${judge} --stub "${here}/${name}.cpp" --handout "${here}/README.md")
-  add_test(NAME ${lab}.stub COMMAND ${CMAKE_COMMAND} "-DJUDGE=${judge}" 
-           "-DWORKER=$<TARGET_FILE:${lab}_worker>" -DEXPECT=not_implemented
-           -P "${PROJECT_SOURCE_DIR}/tests/grader/expect.cmake" COMMAND_EXPAND_LISTS)
-  set(fast ${lab}.consistency ${lab}.stub)
+           COMMAND ${lab}_judge --lab "${here}/lab.json" --stub "${here}/${name}.cpp"
+                   --handout "${here}/README.md")
+  set(fast ${lab}.consistency)
   if(TARGET ${lab}_worker_solution)
-    add_test(NAME ${lab}.solution COMMAND ${judge} --worker $<TARGET_FILE:${lab}_worker_solution>)
-    list(APPEND fast ${lab}.solution)
+    # The file in labs/ is the stub only where nobody works on the exercises: in the tree that has
+    # the solutions.
+    add_expectation(${lab}.stub ${lab} ${lab}_worker)
+    add_test(NAME ${lab}.solution COMMAND ${lab}_judge --lab "${here}/lab.json"
+             --worker $<TARGET_FILE:${lab}_worker_solution>)
+    add_expectation(${lab}.seeds ${lab} ${lab}_worker_solution -DSEEDS=20)
+    list(APPEND fast ${lab}.stub ${lab}.solution)
+    set_tests_properties(${lab}.seeds PROPERTIES TIMEOUT 600)
   endif()
+  file(GLOB patches CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/${folder}/mistakes/*.patch")
+  foreach(patch IN LISTS patches)
+    get_filename_component(mistake "${patch}" NAME_WE)
+    if(TARGET ${lab}_worker_mistake_${mistake})
+      add_expectation(${lab}.mistake.${mistake} ${lab} ${lab}_worker_mistake_${mistake}
+                      -DPATCH=${patch})
+      set_tests_properties(${lab}.mistake.${mistake} PROPERTIES TIMEOUT 120)
+    endif()
+  endforeach()
   set_tests_properties(${fast} PROPERTIES LABELS fast TIMEOUT 120)
 endfunction()

@@ -6,6 +6,7 @@
 #include <catch2/catch_test_case_info.hpp>
 #include <catch2/reporters/catch_reporter_event_listener.hpp>
 #include <catch2/reporters/catch_reporter_registrars.hpp>
+#include <catch2/reporters/catch_reporter_streaming_base.hpp>
 
 namespace carlo::grader {
 namespace {
@@ -25,9 +26,9 @@ class Follower : public Catch::EventListenerBase {
 CATCH_REGISTER_LISTENER(Follower)
 
 /// Says nothing: the report is written after the run. `--verbose` takes Catch2's console instead.
-class Silent : public Catch::EventListenerBase {
+class Silent : public Catch::StreamingReporterBase {
  public:
-  using EventListenerBase::EventListenerBase;
+  using StreamingReporterBase::StreamingReporterBase;
   static std::string getDescription() { return "says nothing"; }
 };
 CATCH_REGISTER_REPORTER("silent", Silent)

@@ -10,6 +10,7 @@
 #include "grader/judge/run.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <fmt/core.h>
 
 namespace carlo::grader {
 

@@ -10,7 +10,7 @@ namespace carlo::grader {
 struct Params {
   std::uint64_t seed = 0;
   std::int64_t n = 0;
-  std::map<std::string, double> numbers;
+  std::map<std::string, double> numbers = {};
 
   /// A named number; throws Error when the check did not send it.
   double operator[](const std::string& name) const;
