@@ -79,16 +79,16 @@ carlo::Cell crossing_cell(const std::optional<carlo::PowerFit>& rule,
                           const std::optional<carlo::PowerFit>& dice, bool seconds) {
   if (!rule || !dice) return carlo::empty_cell();
   const double at = carlo::crossing(*rule, *dice);
-  if (dice->slope >= rule->slope) return {"never: the rule is steeper", std::nan("")};
+  if (dice->slope >= rule->slope) return {"never", std::nan("")};
   // A slope that the data cannot tell from the other gives no crossing worth printing.
   if (rule->slope - dice->slope < rule->slope_half_width + dice->slope_half_width) {
-    return {"slopes too alike", std::nan("")};
+    return {"undecided", std::nan("")};
   }
-  return {seconds ? carlo::duration_text(at) : "N = " + carlo::number_text(at, 2), at};
+  return {seconds ? carlo::duration_text(at) : carlo::number_text(at, 3), at};
 }
 
 carlo::Table slopes(const std::vector<Curve>& rules, const std::vector<Curve>& dice) {
-  carlo::Table table({"d", "theory", "midpoint", "Monte Carlo", "Monte Carlo wins from", "or from"},
+  carlo::Table table({"d", "theory", "midpoint", "Monte Carlo", "dice win from N", "from time"},
                      {"dimension", "theory", "slope_midpoint", "slope_monte_carlo",
                       "crossing_points", "crossing_seconds"});
   for (std::size_t i = 0; i < dimensions.size(); ++i) {
@@ -132,7 +132,8 @@ void dimensions_experiment(Notebook& notebook) {
       "in all, the nested rule has only N^(1/d) of them a side, so its error falls as N^(-2/d). "
       "Monte Carlo's slope does not know the dimension. Where the two fitted lines meet, Monte "
       "Carlo takes over: counted in points, and in seconds, for a random point costs more than a "
-      "point of a grid. A crossing outside the measured range is an extrapolation.");
+      "point of a grid. A crossing outside the measured range is an extrapolation; \"undecided\" "
+      "means that the two slopes cannot be told apart.");
   notebook.table("dimensions_slopes", slopes(rules, dice),
                  "Slope of log error against N, with 95 % interval");
   notebook.table("dimensions", measurement_table(duel, 2),

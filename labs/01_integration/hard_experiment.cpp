@@ -46,7 +46,7 @@ Curve monte_carlo_curve(Notebook& notebook, const Hard& hard,
   for (const std::int64_t n : rungs) {
     const auto trial = [&] {
       const Integrand g = hard.make(rng);
-      return Trial{integrate(g.f, g.a, g.b, n, rng), g.integral};
+      return Trial{integrate(g.f, g.a, g.b, n, rng) / g.integral, 1};
     };
     curve.runs.push_back(repeat(n, notebook.repetitions(128), Summary::median, trial));
   }
@@ -59,7 +59,7 @@ Curve midpoint_curve(Notebook& notebook, const Hard& hard, const std::vector<std
   for (const std::int64_t n : rungs) {
     const auto trial = [&] {
       const Integrand g = hard.make(rng);
-      return Trial{midpoint(g.f, g.a, g.b, n), g.integral};
+      return Trial{midpoint(g.f, g.a, g.b, n) / g.integral, 1};
     };
     curve.runs.push_back(repeat(n, notebook.repetitions(128), Summary::median, trial));
   }
@@ -146,17 +146,18 @@ void hard_integrands_experiment(Notebook& notebook) {
   });
   notebook.say(
       "A shadow's edge, three integrable singularities at 0 and a spike that holds half of the "
-      "integral on a thousandth of the interval. The error is the median of |estimate - exact|: "
-      "where the variance is infinite a root mean square would never settle.");
+      "integral on a thousandth of the interval. Estimates are relative to the exact value, and "
+      "the error is the median of |estimate - 1|: where the variance is infinite a root mean "
+      "square would never settle.");
   if (!dice.empty() || !rules.empty()) {
     notebook.table("hard_slopes", slope_table(all, dice, rules),
                    "Slope of log error against N, with 95 % interval");
-    notebook.table("hard", measurement_table(dice, 3), "Monte Carlo");
+    notebook.table("hard", measurement_table(dice, 3), "Monte Carlo, relative to the exact value");
     if (!dice.empty()) {
-      notebook.charts(error_charts("Monte Carlo", "median error", dice, false));
+      notebook.charts(error_charts("Monte Carlo", "median relative error", dice, false));
     }
     if (!rules.empty()) {
-      notebook.charts(error_charts("Midpoint rule", "median error", rules, false));
+      notebook.charts(error_charts("Midpoint rule", "median relative error", rules, false));
     }
   }
   notebook.attempt([&] {

@@ -11,6 +11,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Estimates between two looks at the clock, which itself takes some 30 ns. The time of one is the
+/// median over the batches: other programs' interruptions do not count.
+constexpr int batch = 4;
+
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -55,28 +59,33 @@ carlo::Series series(const Curve& curve, bool seconds, bool fitted) {
 Measurement repeat(std::int64_t points, int repetitions, Summary summary,
                    const std::function<Trial()>& trial) {
   std::vector<double> errors;
+  std::vector<double> times;
   Measurement result{points};
-  const auto start = Clock::now();
-  for (int i = 0; i < repetitions; ++i) {
-    const Trial t = trial();
-    if (i == 0) result.estimate = t.estimate;
-    errors.push_back(std::fabs(t.estimate - t.exact));
+  while (static_cast<int>(errors.size()) < repetitions) {
+    const auto start = Clock::now();
+    for (int i = 0; i < batch; ++i) {
+      const Trial t = trial();
+      result.estimate = t.estimate;
+      errors.push_back(std::fabs(t.estimate - t.exact));
+    }
+    times.push_back(seconds_since(start) / batch);
   }
-  result.seconds = seconds_since(start) / repetitions;
+  result.seconds = median(std::move(times));
   result.error = summary == Summary::median ? median(std::move(errors)) : root_mean_square(errors);
   return result;
 }
 
 Measurement time_rule(std::int64_t points, double exact, const std::function<double()>& rule) {
   Measurement result{points};
-  std::int64_t rounds = 0;
-  const auto start = Clock::now();
+  std::vector<double> times;
+  const auto begin = Clock::now();
   do {
-    result.estimate = rule();
-    ++rounds;
-    result.seconds = seconds_since(start);
-  } while (result.seconds < 1e-3);
-  result.seconds /= static_cast<double>(rounds);
+    const auto start = Clock::now();
+    for (int i = 0; i < batch; ++i)
+      result.estimate = rule();
+    times.push_back(seconds_since(start) / batch);
+  } while (seconds_since(begin) < 2e-3);
+  result.seconds = median(std::move(times));
   result.error = std::fabs(result.estimate - exact);
   return result;
 }

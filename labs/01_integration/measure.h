@@ -30,11 +30,11 @@ struct Trial {
   double estimate = 0, exact = 0;
 };
 
-/// Repeats a random estimate that takes `points` evaluations.
+/// Repeats a random estimate that takes `points` evaluations, at least `repetitions` times.
 Measurement repeat(std::int64_t points, int repetitions, Summary summary,
                    const std::function<Trial()>& trial);
 
-/// Times a rule: repeats it until a millisecond has gone by.
+/// Times a rule, which it repeats until two milliseconds have gone by.
 Measurement time_rule(std::int64_t points, double exact, const std::function<double()>& rule);
 
 /// first, first 4, first 16, ... up to `last`.

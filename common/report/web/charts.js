@@ -35,7 +35,7 @@
   const tick = (axis, value) => {
     if (axis.unit === "seconds") return seconds(value, 2);
     const power = Math.log10(value);
-    if (axis.scale === "log" && (value >= 1e4 || value < 1e-2)) {
+    if (axis.scale === "log" && (value >= 1e4 || value < 0.05)) {
       const whole = Math.round(power);
       if (Math.abs(power - whole) < 1e-9) return `10${superscript(whole)}`;
     }
