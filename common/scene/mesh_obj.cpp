@@ -63,6 +63,7 @@ class ObjReader {
   void read_face(const std::vector<std::string_view>& parts) {
     if (parts.size() < 3) wrong(fmt::format("a face has 3 corners or more, got {}", parts.size()));
     std::vector<std::uint32_t> corners;
+    corners.reserve(parts.size());
     for (const std::string_view part : parts)
       corners.push_back(corner(part));
     add_polygon(mesh_, corners);

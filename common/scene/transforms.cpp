@@ -86,16 +86,14 @@ glm::dmat4 matrix(const XmlElement& step) {
     fail(value.value_at, "a matrix has 16 numbers (4 rows of 4), got {}", parts.size());
   }
   glm::dmat4 out(1);
-  for (int row = 0; row < 4; ++row) {
-    for (int column = 0; column < 4; ++column) {
-      const std::string_view part = parts[static_cast<std::size_t>(4 * row + column)];
-      const auto number = parse_number(part);
-      if (!number) {
-        fail(value.value_at, "a matrix has finite numbers, got {} in row {}, column {}",
-             in_quotes(part), row + 1, column + 1);
-      }
-      out[column][row] = *number;
+  for (std::size_t i = 0; i < 16; ++i) {
+    const auto row = static_cast<int>(i / 4), column = static_cast<int>(i % 4);
+    const auto number = parse_number(parts[i]);
+    if (!number) {
+      fail(value.value_at, "a matrix has finite numbers, got {} in row {}, column {}",
+           in_quotes(parts[i]), row + 1, column + 1);
     }
+    out[column][row] = *number;
   }
   if (out[0][3] != 0 || out[1][3] != 0 || out[2][3] != 0 || out[3][3] != 1) {
     fail(value.value_at, "the last row of a matrix must be 0 0 0 1 (no projective transforms)");

@@ -146,7 +146,7 @@ XmlElement parse_xml(const XmlSource& source) {
   if (!encoding.empty() && encoding != "utf-8" && encoding != "UTF-8" && encoding != "us-ascii") {
     fail({&source, 0}, "encoding {} is not supported, expected utf-8", in_quotes(encoding));
   }
-  const XmlElement root = Converter(source, buffer).element(document.document_element(), 1);
+  XmlElement root = Converter(source, buffer).element(document.document_element(), 1);
   for (pugi::xml_node next = document.document_element().next_sibling(); next;
        next = next.next_sibling()) {
     if (next.type() == pugi::node_element) {

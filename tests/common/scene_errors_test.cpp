@@ -7,6 +7,7 @@
 #include "scene_helpers.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <fstream>
@@ -146,6 +147,31 @@ TEST_CASE("a zero byte is an error at its place", "[scene]") {
   CHECK(error_of(folder.path() / "zero.xml").find("zero.xml:2:3: error: ") != std::string::npos);
 }
 
+TEST_CASE("a million nested elements are an error, not a crash", "[scene]") {
+  const TemporaryFolder folder;
+  std::string text;
+  for (int i = 0; i < 1'000'000; ++i)
+    text += "<a>";
+  write_bytes(folder.path() / "open.xml", text);
+  CHECK(error_of(folder.path() / "open.xml").find("not well-formed") != std::string::npos);
+  for (int i = 0; i < 1'000'000; ++i)
+    text += "</a>";
+  write_bytes(folder.path() / "deep.xml", text);
+  CHECK(error_of(folder.path() / "deep.xml").find("deep.xml:1:49: error: elements are nested") !=
+        std::string::npos);
+}
+
+TEST_CASE("includes that multiply are cut off", "[scene]") {
+  const TemporaryFolder folder;
+  for (int level = 0; level < 20; ++level) {
+    const std::string next = fmt::format("<include filename=\"s{}.xml\"/>", level + 1);
+    write_bytes(folder.path() / fmt::format("s{}.xml", level),
+                "<scene version=\"0.6.0\">" + next + next + "</scene>");
+  }
+  write_bytes(folder.path() / "s20.xml", "<scene version=\"0.6.0\"/>");
+  CHECK(error_of(folder.path() / "s0.xml").find("more than 1000 files") != std::string::npos);
+}
+
 TEST_CASE("columns count characters, not bytes", "[scene]") {
   const TemporaryFolder folder;
   write_bytes(folder.path() / "utf8.xml",
@@ -164,7 +190,10 @@ TEST_CASE("an override that names no parameter is an error", "[scene]") {
 
 TEST_CASE("no mutation of a scene file does worse than an error", "[scene][fuzz]") {
   const fs::path scene = source_dir / "common/scenes/cornell_phong.xml";
-  fuzz({scene}, "cornell_phong.xml", "cornell_phong.xml", 2000);
+  fuzz({scene}, "cornell_phong.xml", "cornell_phong.xml", 1000);
+  const fs::path folder = source_dir / "tests/common/scenes";
+  fuzz({folder / "every_plugin.xml", folder / "included.xml", folder / "tetrahedron.obj"},
+       "every_plugin.xml", "every_plugin.xml", 2000);
 }
 
 TEST_CASE("no mutation of a mesh file does worse than an error", "[scene][fuzz]") {

@@ -8,7 +8,6 @@
 #include <variant>
 
 using namespace carlo;
-using scene_test::close;
 using scene_test::TemporaryFolder;
 using scene_test::write_bytes;
 
