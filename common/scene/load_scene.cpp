@@ -95,7 +95,10 @@ class Loader {
   }
 
   static void once(const XmlSource*& seen, const XmlElement& element) {
-    if (seen != nullptr) fail(element.at, "a second <{}>, expected one", element.name);
+    if (seen != nullptr) {
+      const XmlAttribute& type = element.get("type");
+      fail(element.at, "a second <{} type={}>, expected one", element.name, in_quotes(type.value));
+    }
     seen = element.at.source;
   }
 

@@ -166,7 +166,7 @@ TEST_CASE("includes that multiply are cut off", "[scene]") {
   for (int level = 0; level < 20; ++level) {
     const std::string next = fmt::format("<include filename=\"s{}.xml\"/>", level + 1);
     write_bytes(folder.path() / fmt::format("s{}.xml", level),
-                "<scene version=\"0.6.0\">" + next + next + "</scene>");
+                fmt::format("<scene version=\"0.6.0\">{}{}</scene>", next, next));
   }
   write_bytes(folder.path() / "s20.xml", "<scene version=\"0.6.0\"/>");
   CHECK(error_of(folder.path() / "s0.xml").find("more than 1000 files") != std::string::npos);
