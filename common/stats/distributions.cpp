@@ -10,7 +10,9 @@
 
 namespace carlo {
 
-double normal_two_sided(double z) { return std::erfc(std::abs(z) / std::numbers::sqrt2); }
+double normal_two_sided(double z) {
+  return std::erfc(std::abs(z) / std::numbers::sqrt2);
+}
 
 double normal_two_sided_quantile(double p) {
   if (!(p > 0 && p <= 1)) throw std::domain_error("normal_two_sided_quantile: p outside (0, 1]");

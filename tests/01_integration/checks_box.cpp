@@ -41,7 +41,8 @@ const Diagnosis error_of_one{"standard-error-of-one-number",
 
 double box_volume(int d) {
   double product = 1;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(d); ++i) product *= upper(i) - lower(i);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(d); ++i)
+    product *= upper(i) - lower(i);
   return product;
 }
 
@@ -55,8 +56,8 @@ RawMoments product_moments(int d) {
   return all;
 }
 
-/// Of the mean of n values of sum (i + 1) x_i^2, times the volume: cumulants of independent summands
-/// add.
+/// Of the mean of n values of sum (i + 1) x_i^2, times the volume: cumulants of independent
+/// summands add.
 Theory squares_theory(int d, double n) {
   double mean = 0, variance = 0, fourth = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(d); ++i) {
@@ -118,7 +119,8 @@ struct DomainCase {
 
   double volume() const {
     double product = 1;
-    for (int i = 0; i < d; ++i) product *= domain_upper[i] - domain_lower[i];
+    for (int i = 0; i < d; ++i)
+      product *= domain_upper[i] - domain_lower[i];
     return product;
   }
   /// The variance of one value volume * f(x) * [x inside].
@@ -139,8 +141,8 @@ Params domain_params(const DomainCase& of, std::int64_t n, double repetitions = 
 }
 
 void judge_domain(const std::string& name, const DomainCase& of) {
-  const Rows rows = probe("Lab 1.7 estimates", domain_params(of, 16, 20'000),
-                          {.rows = 20'000, .columns = 2});
+  const Rows rows =
+      probe("Lab 1.7 estimates", domain_params(of, 16, 20'000), {.rows = 20'000, .columns = 2});
   const double inside = of.d == 2 ? pi : 4 * pi / 3;
   const Theory theory{of.integral, std::sqrt(of.variance() / 16)};
   judge(mean_is(name, column(rows, 0), theory,
@@ -150,22 +152,25 @@ void judge_domain(const std::string& name, const DomainCase& of) {
 
 }  // namespace
 
-// The largest cv is 1.1 (the product in five dimensions): 320 000 evaluations catch a bias of 1.7 %.
+// The largest cv is 1.1 (the product in five dimensions): 320 000 evaluations catch a bias of 1.7
+// %.
 TEST_CASE("Lab 1.6: the integral over a box is unbiased and its variance falls as 1/n",
           "[lab01][ex6]") {
-  for (const int d : {1, 2, 3, 5}) judge_box(BoxIntegrand::product, d);
-  for (const int d : {2, 10}) judge_box(BoxIntegrand::squares, d);
+  for (const int d : {1, 2, 3, 5})
+    judge_box(BoxIntegrand::product, d);
+  for (const int d : {2, 10})
+    judge_box(BoxIntegrand::squares, d);
 }
 
 TEST_CASE("Lab 1.6: f is evaluated n times within the box and its values are averaged",
           "[lab01][ex6]") {
   for (const int d : {1, 3, 10}) {
-    const Rows rows = probe("Lab 1.6 record",
-                            {.n = 4096, .numbers = {{"d", d}, {"integrand", 1}}}, {.columns = 4});
+    const Rows rows = probe("Lab 1.6 record", {.n = 4096, .numbers = {{"d", d}, {"integrand", 1}}},
+                            {.columns = 4});
     const double expected = box_volume(d) * rows.at(0, 3);
     judge(equals("the number of evaluations of f", rows.at(0, 1), 4096, 0));
-    judge(holds("evaluations outside the box", rows.at(0, 2) == 0,
-                fmt::format("{}", rows.at(0, 2)), "none", {outside_box}));
+    judge(holds("evaluations outside the box", rows.at(0, 2) == 0, fmt::format("{}", rows.at(0, 2)),
+                "none", {outside_box}));
     judge(equals("the estimate against the values that f returned", rows.at(0, 0), expected,
                  1e-12 * expected, {{rows.at(0, 3), volume_missing}}));
   }
@@ -208,11 +213,12 @@ TEST_CASE("Lab 1.7: the value comes from all n points, those outside count as 0"
 TEST_CASE("Lab 1.7: the squared standard error is right on average", "[lab01][ex7]") {
   for (const double n : {4.0, 64.0}) {
     const DomainCase& of = disc_area;
-    const Rows rows = probe("Lab 1.7 estimates",
-                            domain_params(of, static_cast<std::int64_t>(n), 20'000),
-                            {.rows = 20'000, .columns = 2});
+    const Rows rows =
+        probe("Lab 1.7 estimates", domain_params(of, static_cast<std::int64_t>(n), 20'000),
+              {.rows = 20'000, .columns = 2});
     std::vector<double> squares;
-    for (const double error : column(rows, 1)) squares.push_back(error * error);
+    for (const double error : column(rows, 1))
+      squares.push_back(error * error);
     const double p = of.integral / of.volume();
     const double variance = of.variance();
     const double kurtosis = (1 - 6 * p * (1 - p)) / (p * (1 - p));
@@ -230,8 +236,8 @@ TEST_CASE("Lab 1.7: the squared standard error is right on average", "[lab01][ex
 // test's threshold is .13: standard errors that are off by 9 % are caught.
 TEST_CASE("Lab 1.7: errors are as large as the standard error says", "[lab01][ex7]") {
   const DomainCase& of = disc_tilted;
-  const Rows rows = probe("Lab 1.7 estimates", domain_params(of, 400, 4'000),
-                          {.rows = 4'000, .columns = 2});
+  const Rows rows =
+      probe("Lab 1.7 estimates", domain_params(of, 400, 4'000), {.rows = 4'000, .columns = 2});
   std::vector<double> scores;
   for (std::size_t row = 0; row < rows.count(); ++row) {
     scores.push_back((rows.at(row, 0) - of.integral) / rows.at(row, 1));

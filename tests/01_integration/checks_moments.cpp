@@ -28,8 +28,8 @@ struct Exact {
 };
 
 Rows list(int pattern, std::int64_t n, double offset = 0) {
-  return probe("Lab 1.3 list",
-               {.n = n, .numbers = {{"pattern", pattern}, {"offset", offset}}}, {.columns = 4});
+  return probe("Lab 1.3 list", {.n = n, .numbers = {{"pattern", pattern}, {"offset", offset}}},
+               {.columns = 4});
 }
 
 /// Judges row `row` of {count, mean, variance, standard error}.
@@ -107,10 +107,9 @@ TEST_CASE("Lab 1.3: parts merged are the whole, however it is cut", "[lab01][ex3
 
 TEST_CASE("Lab 1.3: many merges keep the variance at a mean of 1e8", "[lab01][ex3]") {
   const double n = 7'000;
-  const Rows rows =
-      probe("Lab 1.3 merge many",
-            {.n = 7'000, .numbers = {{"pattern", 1}, {"offset", 1e8}, {"length", 7}}},
-            {.columns = 4});
+  const Rows rows = probe("Lab 1.3 merge many",
+                          {.n = 7'000, .numbers = {{"pattern", 1}, {"offset", 1e8}, {"length", 7}}},
+                          {.columns = 4});
   const double variance = n / (n - 1);
   judge(equals("the count", rows.at(0, 0), n, 0));
   judge(equals("the mean", rows.at(0, 1), 1e8, 1e-6));

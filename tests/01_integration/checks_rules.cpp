@@ -59,13 +59,15 @@ std::vector<double> points_of(Rule rule, Interval on, int n) {
   return points;
 }
 
-/// What the rule gives for x^k with the weights of its inner points (at joints and at midpoints) and
-/// of its ends, in units of h: {1, 4, 2} / 6 is Simpson's.
+/// What the rule gives for x^k with the weights of its inner points (at joints and at midpoints)
+/// and of its ends, in units of h: {1, 4, 2} / 6 is Simpson's.
 double weighted(int k, Interval on, int n, double end, double middle, double joint) {
   const double h = (on.b - on.a) / n;
   double sum = end * (power(on.a, k) + power(on.b, k));
-  for (int i = 0; i < n; ++i) sum += middle * power(on.a + (i + 0.5) * h, k);
-  for (int i = 1; i < n; ++i) sum += joint * power(on.a + i * h, k);
+  for (int i = 0; i < n; ++i)
+    sum += middle * power(on.a + (i + 0.5) * h, k);
+  for (int i = 1; i < n; ++i)
+    sum += joint * power(on.a + i * h, k);
   return h * sum;
 }
 
@@ -117,8 +119,7 @@ void judge_points(Rule rule) {
     const Rows count = probe("Lab 1.4 rule", params, {.columns = 3});
     judge(equals(fmt::format("{}: evaluations for n = {}", names[rule], n), count.at(0, 1),
                  evaluations(rule, n), 0));
-    const Rows rows =
-        probe("Lab 1.4 points", params, {.rows = expected.size(), .finite = false});
+    const Rows rows = probe("Lab 1.4 points", params, {.rows = expected.size(), .finite = false});
     judge(all_equal(fmt::format("{}: the points for n = {}", names[rule], n), rows.values, expected,
                     1e-12, {wrong_points}));
   }
@@ -132,8 +133,8 @@ void judge_last_point(Rule rule) {
   const double last = rule == midpoint ? 0.1 - 0.1 / 2e6 : 0.1;
   judge(equals(fmt::format("{}: evaluations for n = 1e6", names[rule]), rows.at(0, 1),
                evaluations(rule, 1e6), 0));
-  Verdict verdict = equals(fmt::format("{}: the last point", names[rule]), rows.at(0, 2), last,
-                           1e-13);
+  Verdict verdict =
+      equals(fmt::format("{}: the last point", names[rule]), rows.at(0, 2), last, 1e-13);
   const bool near = std::abs(rows.at(0, 2) - last) <= 1e-7;
   if (!verdict.passed && near) verdict.diagnoses.push_back(drift);
   judge(verdict);
@@ -145,11 +146,14 @@ Rows nested(BoxIntegrand integrand, int d, std::int64_t n) {
                {.columns = 3});
 }
 
-double side(int i) { return upper(static_cast<std::size_t>(i)) - lower(static_cast<std::size_t>(i)); }
+double side(int i) {
+  return upper(static_cast<std::size_t>(i)) - lower(static_cast<std::size_t>(i));
+}
 
 double volume(int d) {
   double product = 1;
-  for (int i = 0; i < d; ++i) product *= side(i);
+  for (int i = 0; i < d; ++i)
+    product *= side(i);
   return product;
 }
 
@@ -179,7 +183,8 @@ void judge_nested(BoxIntegrand integrand, int d, int n) {
                d > 1 && n > 1 ? Suspects{{static_cast<double>(n), too_few},
                                          {static_cast<double>(n) * d, too_few}}
                               : Suspects{}));
-  judge(equals(fmt::format("evaluations outside the box in {} dimensions", d), rows.at(0, 2), 0, 0));
+  judge(
+      equals(fmt::format("evaluations outside the box in {} dimensions", d), rows.at(0, 2), 0, 0));
   judge(equals(fmt::format("the integral in {} dimensions, n = {}", d, n), rows.at(0, 0), right,
                1e-12 * right, suspects));
 }
@@ -202,11 +207,13 @@ TEST_CASE("Lab 1.4: Simpson's rule is exact for cubics and has its known error f
 }
 
 TEST_CASE("Lab 1.4: each rule evaluates f where it should, once", "[lab01][ex4]") {
-  for (const Rule rule : {midpoint, trapezoid, simpson}) judge_points(rule);
+  for (const Rule rule : {midpoint, trapezoid, simpson})
+    judge_points(rule);
 }
 
 TEST_CASE("Lab 1.4: a million cells do not drift", "[lab01][ex4]") {
-  for (const Rule rule : {midpoint, trapezoid, simpson}) judge_last_point(rule);
+  for (const Rule rule : {midpoint, trapezoid, simpson})
+    judge_last_point(rule);
 }
 
 TEST_CASE("Lab 1.4: an empty interval gives 0", "[lab01][ex4]") {
@@ -219,11 +226,13 @@ TEST_CASE("Lab 1.4: an empty interval gives 0", "[lab01][ex4]") {
 TEST_CASE("Lab 1.5: the nested rule is exact for functions linear in each coordinate",
           "[lab01][ex5]") {
   for (const int d : {1, 2, 3, 5}) {
-    for (const int n : {1, 4}) judge_nested(BoxIntegrand::product, d, n);
+    for (const int n : {1, 4})
+      judge_nested(BoxIntegrand::product, d, n);
   }
 }
 
 TEST_CASE("Lab 1.5: the nested rule has its known error for squares, in each dimension its own",
           "[lab01][ex5]") {
-  for (const int d : {1, 2, 3, 5}) judge_nested(BoxIntegrand::squares, d, 3);
+  for (const int d : {1, 2, 3, 5})
+    judge_nested(BoxIntegrand::squares, d, 3);
 }

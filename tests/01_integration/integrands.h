@@ -9,11 +9,17 @@
 namespace lab01_tests {
 
 /// x^k; its moments on any interval are closed forms (theory.h).
-inline double power(double x, int k) { return std::pow(x, k); }
+inline double power(double x, int k) {
+  return std::pow(x, k);
+}
 
 /// Side i of the test box: [0.5 + i / 4, 1.5 + i / 2), so that no two sides agree.
-inline double lower(std::size_t i) { return 0.5 + 0.25 * static_cast<double>(i); }
-inline double upper(std::size_t i) { return 1.5 + 0.5 * static_cast<double>(i); }
+inline double lower(std::size_t i) {
+  return 0.5 + 0.25 * static_cast<double>(i);
+}
+inline double upper(std::size_t i) {
+  return 1.5 + 0.5 * static_cast<double>(i);
+}
 
 /// Integrands on the box: the product of the coordinates, which is linear in each of them; and
 /// the sum of (i + 1) x_i^2, which tells the dimensions apart.
@@ -37,7 +43,8 @@ constexpr double domain_upper[] = {1.5, 1, 1};
 
 inline bool contains(Domain domain, std::span<const double> x) {
   double squares = 0;
-  for (const double coordinate : x) squares += coordinate * coordinate;
+  for (const double coordinate : x)
+    squares += coordinate * coordinate;
   return domain == Domain::everything || (domain == Domain::ball && squares < 1);
 }
 

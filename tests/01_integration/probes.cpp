@@ -1,11 +1,10 @@
 // Probes of lab 01's exercises on the line: 1.1 to 1.4. They call the student's functions and
 // return raw values; what the values should be stands in checks_*.cpp.
 
-#include "integration.h"
-
 #include "01_integration/integrands.h"
 #include "01_integration/recorder.h"
 #include "grader/worker/probe.h"
+#include "integration.h"
 
 #include <algorithm>
 #include <array>
@@ -38,15 +37,19 @@ double list_number(const Params& params, std::int64_t i) {
   const double alternating = i % 2 == 0 ? -1 : 1;
   const double growing = static_cast<double>(i) * static_cast<double>(i);
   switch (params.whole("pattern")) {
-    case 0: return params["offset"] + mixed[static_cast<std::size_t>(i % 8)];
-    case 1: return params["offset"] + alternating;
-    default: return params["offset"] + growing;
+    case 0:
+      return params["offset"] + mixed[static_cast<std::size_t>(i % 8)];
+    case 1:
+      return params["offset"] + alternating;
+    default:
+      return params["offset"] + growing;
   }
 }
 
 lab01::Moments moments_of(const Params& params, std::int64_t first, std::int64_t last) {
   lab01::Moments moments;
-  for (std::int64_t i = first; i < last; ++i) moments.add(list_number(params, i));
+  for (std::int64_t i = first; i < last; ++i)
+    moments.add(list_number(params, i));
   return moments;
 }
 
@@ -59,10 +62,14 @@ double apply_rule(const Params& params, const lab01::Function& f) {
   const double a = params["a"];
   const double b = params["b"];
   switch (params.whole("rule")) {
-    case 0: return lab01::midpoint(f, a, b, params.n);
-    case 1: return lab01::trapezoid(f, a, b, params.n);
-    case 2: return lab01::simpson(f, a, b, params.n);
-    default: throw std::invalid_argument("no such rule");
+    case 0:
+      return lab01::midpoint(f, a, b, params.n);
+    case 1:
+      return lab01::trapezoid(f, a, b, params.n);
+    case 2:
+      return lab01::simpson(f, a, b, params.n);
+    default:
+      throw std::invalid_argument("no such rule");
   }
 }
 
@@ -84,8 +91,9 @@ PROBE("Lab 1.1 record") {
   const carlo::Rng before = rng;
   Recorder recorder;
   const double value = lab01::average(recorder.watch(power_function(params)), params.n, rng);
-  return {6, {value, recorder.count(), recorder.lowest(), recorder.highest(), recorder.mean(),
-              words_drawn(before, rng, 4 * params.n + 64)}};
+  return {6,
+          {value, recorder.count(), recorder.lowest(), recorder.highest(), recorder.mean(),
+           words_drawn(before, rng, 4 * params.n + 64)}};
 }
 
 PROBE("Lab 1.1 points") {

@@ -1,9 +1,8 @@
 // Probes of lab 01's exercises in several dimensions: 1.5 to 1.7.
 
-#include "integration.h"
-
 #include "01_integration/integrands.h"
 #include "grader/worker/probe.h"
+#include "integration.h"
 
 #include <vector>
 
@@ -89,8 +88,7 @@ PROBE("Lab 1.6 record") {
   Watch watch;
   carlo::Rng rng(params.seed);
   const auto kind = static_cast<BoxIntegrand>(params.whole("integrand"));
-  const double value =
-      lab01::integrate_box(watched(kind, box, watch), box.view(), params.n, rng);
+  const double value = lab01::integrate_box(watched(kind, box, watch), box.view(), params.n, rng);
   return {4, {value, watch.count, watch.outside, watch.mean()}};
 }
 
@@ -103,8 +101,7 @@ PROBE("Lab 1.7 estimates") {
   carlo::Rng rng(params.seed);
   RowWriter rows;
   for (std::int64_t i = 0; i < params.whole("repetitions"); ++i) {
-    const lab01::Estimate estimate =
-        lab01::integrate_domain(f, inside, box.view(), params.n, rng);
+    const lab01::Estimate estimate = lab01::integrate_domain(f, inside, box.view(), params.n, rng);
     rows.add({estimate.value, estimate.standard_error});
   }
   return rows.take();
@@ -125,6 +122,7 @@ PROBE("Lab 1.7 record") {
   };
   carlo::Rng rng(params.seed);
   const lab01::Estimate estimate = lab01::integrate_domain(f, inside, box.view(), params.n, rng);
-  return {8, {estimate.value, estimate.standard_error, values.count, values.outside, points.count,
-              points.outside, static_cast<double>(points.sum), values.mean()}};
+  return {8,
+          {estimate.value, estimate.standard_error, values.count, values.outside, points.count,
+           points.outside, static_cast<double>(points.sum), values.mean()}};
 }

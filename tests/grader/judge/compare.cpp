@@ -13,7 +13,8 @@ namespace {
 
 double sum(std::span<const double> values, const std::function<double(double)>& f) {
   long double total = 0;
-  for (const double value : values) total += f(value);
+  for (const double value : values)
+    total += f(value);
   return static_cast<double>(total);
 }
 
@@ -40,11 +41,15 @@ void name_suspects(Verdict& verdict, const Suspects& suspects,
 void conclude(Verdict& verdict, const std::string& statistic, double p) {
   verdict.p = p;
   verdict.passed = p >= comparison_alpha();
-  const std::string odds = p > 0 ? fmt::format("once in {:.2g} runs", 1 / p) : "practically never";
-  verdict.certainty = std::isnan(p) ? statistic + " is no number"
-                                    : fmt::format("{}, p = {:.2g}: a right solution is this far "
-                                                  "off {}",
-                                                  statistic, p, odds);
+  if (std::isnan(p)) {
+    verdict.certainty = statistic + " is no number";
+  } else if (p < 1e-300) {
+    verdict.certainty = statistic + ": chance does not do that";
+  } else {
+    verdict.certainty =
+        fmt::format("{}, p = {:.2g}: chance takes a right solution this far once in {:.2g} runs",
+                    statistic, p, 1 / p);
+  }
 }
 
 /// How many standard deviations a value may lie off a suspect's to be taken for it.
@@ -52,7 +57,9 @@ constexpr double fit = 6;
 
 }  // namespace
 
-double comparison_alpha() { return sidak(lab_alpha, lab_budget); }
+double comparison_alpha() {
+  return sidak(lab_alpha, lab_budget);
+}
 
 Verdict mean_is(const std::string& what, std::span<const double> values, const Theory& theory,
                 const Suspects& suspects) {
@@ -62,12 +69,13 @@ Verdict mean_is(const std::string& what, std::span<const double> values, const T
   const double spread = std::sqrt(mean_square_about(values, mean));
   Verdict verdict;
   verdict.what = what;
-  verdict.measured = fmt::format("{:.6g} ± {:.2g}, the mean of {}", mean, theory.sd / root,
-                                 values.size());
+  verdict.measured =
+      fmt::format("{:.6g} ± {:.2g}, the mean of {}", mean, theory.sd / root, values.size());
   verdict.expected = fmt::format("{:.6g}", theory.mean);
   conclude(verdict, fmt::format("z = {:.1f}", z), normal_two_sided(z));
   const double slack = fit * std::max(spread, theory.sd) / root;
-  name_suspects(verdict, suspects, [slack](double) { return slack; }, mean);
+  name_suspects(
+      verdict, suspects, [slack](double) { return slack; }, mean);
   return verdict;
 }
 
@@ -83,7 +91,8 @@ Verdict variance_is(const std::string& what, std::span<const double> values, con
   verdict.expected = fmt::format("{:.5g}", expected);
   conclude(verdict, fmt::format("ratio {:.4g}", ratio), chi_square_two_sided(ratio * dof, dof));
   const double slack = fit * std::sqrt(2 / dof);
-  name_suspects(verdict, suspects, [slack](double value) { return slack * value; }, variance);
+  name_suspects(
+      verdict, suspects, [slack](double value) { return slack * value; }, variance);
   return verdict;
 }
 
@@ -107,8 +116,8 @@ Verdict uniform_on(const std::string& what, std::vector<double> values, double l
     distance = std::max({distance, cdf - rank / n, (rank + 1) / n - cdf});
     rank += 1;
   }
-  verdict.measured = fmt::format("{} values from {:.6g} to {:.6g}", values.size(), values.front(),
-                                 values.back());
+  verdict.measured =
+      fmt::format("{} values from {:.6g} to {:.6g}", values.size(), values.front(), values.back());
   conclude(verdict, fmt::format("largest distance of the distributions {:.3g}", distance),
            kolmogorov_smirnov(distance, values.size()));
   return verdict;

@@ -57,9 +57,11 @@ std::vector<std::string> disagreements(const Lab& lab, const std::string& stub,
   compare(lab, "the stub", tags_in(lab, stub), lines);
   compare(lab, "the handout", tags_in(lab, handout), lines);
   std::string names;
-  for (const TestName& test : tests) names += test.name + "\n";
+  for (const TestName& test : tests)
+    names += test.name + "\n";
   compare(lab, "the tests", tags_in(lab, names), lines);
-  for (const TestName& test : tests) check_test(lab, test, lines);
+  for (const TestName& test : tests)
+    check_test(lab, test, lines);
   for (const Exercise& exercise : lab.exercises) {
     if (exercise.hints.size() < 2) {
       lines.push_back(fmt::format("{} has fewer than two hints", exercise.tag));

@@ -54,7 +54,8 @@ void judge(const Verdict& verdict) {
 std::vector<double> column(const Rows& rows, std::size_t index) {
   std::vector<double> values;
   values.reserve(rows.count());
-  for (std::size_t row = 0; row < rows.count(); ++row) values.push_back(rows.at(row, index));
+  for (std::size_t row = 0; row < rows.count(); ++row)
+    values.push_back(rows.at(row, index));
   return values;
 }
 

@@ -2,8 +2,8 @@
 
 // What checks are written with:
 //   TEST_CASE("Lab 1.2: the integral over [a, b] is unbiased", "[lab01][ex2]") {
-//     const Rows rows = probe("Lab 1.2 estimates", {.n = 16, .numbers = {{"a", -1}}}, {.rows = 99});
-//     judge(mean_is("the mean", rows.values, {...}));
+//     const Rows rows = probe("Lab 1.2 estimates", {.n = 16, .numbers = {{"a", -1}}}, {.rows =
+//     99}); judge(mean_is("the mean", rows.values, {...}));
 //   }
 
 #include "grader/judge/compare.h"

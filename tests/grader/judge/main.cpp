@@ -8,13 +8,13 @@
 #include "grader/judge/report.h"
 #include "random/hash.h"
 
+#include <CLI/CLI.hpp>
 #include <catch2/catch_session.hpp>
 #include <catch2/catch_test_case_info.hpp>
 #include <catch2/interfaces/catch_interfaces_registry_hub.hpp>
 #include <catch2/interfaces/catch_interfaces_testcase.hpp>
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <string>
 
@@ -54,8 +54,7 @@ void add_options(CLI::App& app, Options& options) {
 Sandbox make_sandbox(const Options& options) {
   if (options.worker.empty()) throw Error("--worker is missing: which program is judged?");
   if (options.sandbox == "auto") return Sandbox::strongest(options.worker);
-  return Sandbox(options.worker,
-                 options.sandbox == "limits" ? Level::limits : Level::bubblewrap);
+  return Sandbox(options.worker, options.sandbox == "limits" ? Level::limits : Level::bubblewrap);
 }
 
 std::uint64_t run_seed(const Options& options) {
@@ -94,14 +93,17 @@ int judge_lab(const Options& options) {
 
 int check_consistency(const Options& options) {
   std::vector<TestName> tests;
-  for (const Catch::TestCaseInfo* info : Catch::getRegistryHub().getTestCaseRegistry().getAllInfos()) {
+  for (const Catch::TestCaseInfo* info :
+       Catch::getRegistryHub().getTestCaseRegistry().getAllInfos()) {
     TestName test{info->name, {}};
-    for (const Catch::Tag& tag : info->tags) test.tags.emplace_back(tag.original);
+    for (const Catch::Tag& tag : info->tags)
+      test.tags.emplace_back(tag.original);
     tests.push_back(test);
   }
   const std::vector<std::string> lines = disagreements(
       load_lab(options.lab), read_file(options.stub), read_file(options.handout), tests);
-  for (const std::string& line : lines) fmt::print(stderr, "{}\n", line);
+  for (const std::string& line : lines)
+    fmt::print(stderr, "{}\n", line);
   if (lines.empty()) fmt::print("lab.json, stub, handout, hints and tests agree\n");
   return lines.empty() ? 0 : 1;
 }

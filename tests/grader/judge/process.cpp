@@ -103,16 +103,26 @@ Outcome run_limited(const std::vector<std::string>& argv,
 
 std::string signal_name(int signal) {
   switch (signal) {
-    case SIGSEGV: return "segmentation fault";
-    case SIGABRT: return "abort";
-    case SIGFPE: return "division of a whole number by zero";
-    case SIGILL: return "illegal instruction";
-    case SIGBUS: return "bus error";
-    case SIGKILL: return "killed";
-    case SIGXCPU: return "too much processor time";
-    case SIGXFSZ: return "too large a file";
-    case SIGPIPE: return "broken pipe";
-    default: return fmt::format("signal {}", signal);
+    case SIGSEGV:
+      return "segmentation fault";
+    case SIGABRT:
+      return "abort";
+    case SIGFPE:
+      return "division of a whole number by zero";
+    case SIGILL:
+      return "illegal instruction";
+    case SIGBUS:
+      return "bus error";
+    case SIGKILL:
+      return "killed";
+    case SIGXCPU:
+      return "too much processor time";
+    case SIGXFSZ:
+      return "too large a file";
+    case SIGPIPE:
+      return "broken pipe";
+    default:
+      return fmt::format("signal {}", signal);
   }
 }
 

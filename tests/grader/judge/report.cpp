@@ -12,8 +12,9 @@
 namespace carlo::grader {
 namespace {
 
-/// Of many failing comparisons the first few tell the story.
-constexpr int shown_comparisons = 3;
+/// Of many failures the first few tell the story: tests shown in full, and comparisons of each.
+constexpr int shown_tests = 2;
+constexpr int shown_comparisons = 2;
 
 /// How far the columns reach, in characters (bytes of UTF-8 that start one).
 std::size_t width(const std::string& text) {
@@ -77,8 +78,8 @@ std::string heading(const ExerciseResult& result, std::size_t titles) {
                                   : coloured(Colour::red, "✗");
   const std::string& title = result.exercise.title;
   const std::string gap(titles - width(title), ' ');
-  const std::string points = fmt::format("{} of {} points", result.earned(),
-                                         result.exercise.points);
+  const std::string points =
+      fmt::format("{} of {} points", result.earned(), result.exercise.points);
   return fmt::format("{} {}  {}{}  {}", mark, result.exercise.number(), title, gap, points);
 }
 
@@ -90,8 +91,11 @@ std::string exercise_text(const ExerciseResult& result, std::size_t titles) {
     return fmt::format("{}  not implemented yet: {}\n", line, hint);
   }
   std::string out = line + "\n";
+  int failures = 0;
   for (const TestRecord& test : result.tests) {
-    if (test.status != Status::passed) out += failed_test(test);
+    if (test.status == Status::passed) continue;
+    out += ++failures <= shown_tests ? failed_test(test)
+                                     : fmt::format("    also fails: {}\n", test.sentence);
   }
   for (const Diagnosis& diagnosis : diagnoses(result)) {
     out += fmt::format("    {} {} [{}]\n", coloured(Colour::bold, "It looks like this:"),
@@ -116,16 +120,21 @@ std::string message(const ExerciseResult& result) {
 
 nlohmann::json exercise_json(const ExerciseResult& result) {
   std::vector<std::string> ids;
-  for (const Diagnosis& diagnosis : diagnoses(result)) ids.push_back(diagnosis.id);
+  for (const Diagnosis& diagnosis : diagnoses(result))
+    ids.push_back(diagnosis.id);
   std::vector<double> p_values;
   for (const TestRecord& test : result.tests) {
     for (const Verdict& verdict : test.verdicts) {
       if (verdict.p) p_values.push_back(*verdict.p);
     }
   }
-  return {{"tag", result.exercise.tag}, {"points", result.earned()},
-          {"max", result.exercise.points}, {"status", to_string(result.status)},
-          {"diagnoses", ids}, {"message", message(result)}, {"p_values", p_values}};
+  return {{"tag", result.exercise.tag},
+          {"points", result.earned()},
+          {"max", result.exercise.points},
+          {"status", to_string(result.status)},
+          {"diagnoses", ids},
+          {"message", message(result)},
+          {"p_values", p_values}};
 }
 
 }  // namespace
@@ -137,7 +146,8 @@ std::string report_text(const LabResult& result) {
   }
   std::string out = fmt::format("Lab {:02}  {}  (sandbox: {})\n", result.lab.number,
                                 result.lab.title, result.sandbox);
-  for (const ExerciseResult& entry : result.exercises) out += exercise_text(entry, titles);
+  for (const ExerciseResult& entry : result.exercises)
+    out += exercise_text(entry, titles);
   const bool full = result.earned() == result.possible();
   const std::string total = fmt::format("Lab {:02}: {} of {} points", result.lab.number,
                                         result.earned(), result.possible());
@@ -147,8 +157,8 @@ std::string report_text(const LabResult& result) {
 }
 
 std::string report_json(const LabResult& result) {
-  nlohmann::json document{{"lab", result.lab.number}, {"points", result.earned()},
-                          {"max", result.possible()}, {"seed", std::to_string(result.seed)},
+  nlohmann::json document{{"lab", result.lab.number},  {"points", result.earned()},
+                          {"max", result.possible()},  {"seed", std::to_string(result.seed)},
                           {"sandbox", result.sandbox}, {"exercises", nlohmann::json::array()}};
   for (const ExerciseResult& entry : result.exercises) {
     document["exercises"].push_back(exercise_json(entry));

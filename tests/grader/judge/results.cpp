@@ -9,11 +9,16 @@ namespace carlo::grader {
 
 std::string to_string(Status status) {
   switch (status) {
-    case Status::passed: return "passed";
-    case Status::failed: return "failed";
-    case Status::crashed: return "crashed";
-    case Status::timeout: return "timeout";
-    case Status::not_implemented: return "not_implemented";
+    case Status::passed:
+      return "passed";
+    case Status::failed:
+      return "failed";
+    case Status::crashed:
+      return "crashed";
+    case Status::timeout:
+      return "timeout";
+    case Status::not_implemented:
+      return "not_implemented";
   }
   throw Error("unknown status");
 }
@@ -36,9 +41,9 @@ LabResult collect(const Lab& lab, const std::vector<TestRecord>& records, const 
     result.exercises.push_back({exercise, Status::passed, {}});
   }
   for (const TestRecord& record : records) {
-    const auto found = std::find_if(
-        result.exercises.begin(), result.exercises.end(),
-        [&](const ExerciseResult& entry) { return entry.exercise.tag == record.tag; });
+    const auto found =
+        std::find_if(result.exercises.begin(), result.exercises.end(),
+                     [&](const ExerciseResult& entry) { return entry.exercise.tag == record.tag; });
     if (found == result.exercises.end()) {
       throw Error("the test \"{}: {}\" belongs to no exercise judged here", record.tag,
                   record.sentence);

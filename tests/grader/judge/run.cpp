@@ -21,7 +21,8 @@ void check_end(const Outcome& outcome, const Limits& limits) {
     throw ProbeFailure(status, message, outcome.output);
   };
   switch (outcome.end) {
-    case End::exited: break;
+    case End::exited:
+      break;
     case End::signalled:
       fail(Status::crashed, fmt::format("it crashed: {}", signal_name(outcome.code)));
       break;
@@ -29,9 +30,14 @@ void check_end(const Outcome& outcome, const Limits& limits) {
       fail(Status::timeout, fmt::format("it was not done after {:.3g} seconds",
                                         static_cast<double>(limits.deadline.count()) / 1000));
       break;
-    case End::flooded_output: fail(Status::crashed, "it printed without end"); break;
-    case End::flooded_result: fail(Status::crashed, "it sent more than any answer holds"); break;
-    case End::not_started: throw Error("a worker was not started");
+    case End::flooded_output:
+      fail(Status::crashed, "it printed without end");
+      break;
+    case End::flooded_result:
+      fail(Status::crashed, "it sent more than any answer holds");
+      break;
+    case End::not_started:
+      throw Error("a worker was not started");
   }
   if (outcome.code != 0) {
     fail(Status::crashed, fmt::format("the program ended itself with exit code {}", outcome.code));
@@ -43,10 +49,9 @@ void check_end(const Outcome& outcome, const Limits& limits) {
 
 void check_rows(const Rows& rows, const Shape& shape) {
   if (rows.count() != shape.rows || rows.columns != shape.columns) {
-    throw ProbeFailure(Status::failed,
-                       fmt::format("it returned {}, expected {}",
-                                   shape_text(rows.count(), rows.columns),
-                                   shape_text(shape.rows, shape.columns)));
+    throw ProbeFailure(Status::failed, fmt::format("it returned {}, expected {}",
+                                                   shape_text(rows.count(), rows.columns),
+                                                   shape_text(shape.rows, shape.columns)));
   }
   if (!shape.finite) return;
   const auto bad = std::find_if(rows.values.begin(), rows.values.end(),
@@ -60,7 +65,8 @@ void check_rows(const Rows& rows, const Shape& shape) {
 
 std::uint64_t word_of(const std::string& text) {
   std::uint64_t h = 0xCBF29CE484222325;
-  for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001B3;
+  for (const char c : text)
+    h = (h ^ static_cast<unsigned char>(c)) * 0x100000001B3;
   return mix(h);
 }
 

@@ -14,15 +14,39 @@ namespace fs = std::filesystem;
 constexpr const char* bubblewrap_program = "/usr/bin/bwrap";
 
 std::vector<std::string> bubblewrap(const fs::path& worker) {
-  return {bubblewrap_program, "--unshare-all", "--die-with-parent", "--new-session",
-          "--cap-drop", "ALL",
-          "--ro-bind", "/usr", "/usr",
-          "--ro-bind-try", "/lib", "/lib",
-          "--ro-bind-try", "/lib64", "/lib64",
-          "--ro-bind-try", "/etc/ld.so.cache", "/etc/ld.so.cache",
-          "--proc", "/proc", "--dev", "/dev",
-          "--size", "67108864", "--tmpfs", "/tmp", "--chdir", "/tmp",
-          "--ro-bind", worker.string(), "/worker", "--", "/worker"};
+  return {bubblewrap_program,
+          "--unshare-all",
+          "--die-with-parent",
+          "--new-session",
+          "--cap-drop",
+          "ALL",
+          "--ro-bind",
+          "/usr",
+          "/usr",
+          "--ro-bind-try",
+          "/lib",
+          "/lib",
+          "--ro-bind-try",
+          "/lib64",
+          "/lib64",
+          "--ro-bind-try",
+          "/etc/ld.so.cache",
+          "/etc/ld.so.cache",
+          "--proc",
+          "/proc",
+          "--dev",
+          "/dev",
+          "--size",
+          "67108864",
+          "--tmpfs",
+          "/tmp",
+          "--chdir",
+          "/tmp",
+          "--ro-bind",
+          worker.string(),
+          "/worker",
+          "--",
+          "/worker"};
 }
 
 /// Leaks are no fault of an answer, and the leak checker cannot trace inside a sandbox. The memory
@@ -30,8 +54,8 @@ std::vector<std::string> bubblewrap(const fs::path& worker) {
 std::vector<std::string> environment(const Limits& limits) {
   std::vector<std::string> variables{"PATH=/usr/bin:/bin", "LANG=C.UTF-8"};
   if (address_sanitizer()) {
-    variables.push_back(fmt::format("ASAN_OPTIONS=detect_leaks=0:hard_rss_limit_mb={}",
-                                    limits.memory_bytes >> 20));
+    variables.push_back(
+        fmt::format("ASAN_OPTIONS=detect_leaks=0:hard_rss_limit_mb={}", limits.memory_bytes >> 20));
   }
   return variables;
 }
@@ -39,7 +63,7 @@ std::vector<std::string> environment(const Limits& limits) {
 }  // namespace
 
 std::string to_string(Level level) {
-  return level == Level::bubblewrap ? "bubblewrap" : "limits only (bubblewrap does not work here)";
+  return level == Level::bubblewrap ? "bubblewrap" : "limits only";
 }
 
 Sandbox::Sandbox(fs::path worker, Level level) : level_(level) {

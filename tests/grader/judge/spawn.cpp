@@ -60,17 +60,15 @@ bool apply(const Limits& limits, rlim_t cpu_seconds, bool limit_memory) {
   constexpr rlim_t processes = 4096;
   return limit(RLIMIT_CORE, 0) && limit(RLIMIT_CPU, cpu_seconds) &&
          limit(RLIMIT_FSIZE, limits.file_bytes) && limit(RLIMIT_NOFILE, limits.open_files) &&
-         limit(RLIMIT_NPROC, processes) &&
-         (!limit_memory || limit(RLIMIT_AS, limits.memory_bytes));
+         limit(RLIMIT_NPROC, processes) && (!limit_memory || limit(RLIMIT_AS, limits.memory_bytes));
 }
 
 [[noreturn]] void become(const std::vector<char*>& argv, const std::vector<char*>& environment,
                          int input, int output, int result, const Limits& limits, rlim_t cpu) {
-  const bool ready = ::setsid() >= 0 && ::dup2(input, 0) == 0 && ::dup2(output, 1) == 1 &&
-                     ::dup2(output, 2) == 2 && ::dup2(result, 3) == 3 &&
-                     ::close_range(4, ~0U, 0) == 0 &&
-                     ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
-                     apply(limits, cpu, !address_sanitizer());
+  const bool ready =
+      ::setsid() >= 0 && ::dup2(input, 0) == 0 && ::dup2(output, 1) == 1 &&
+      ::dup2(output, 2) == 2 && ::dup2(result, 3) == 3 && ::close_range(4, ~0U, 0) == 0 &&
+      ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && apply(limits, cpu, !address_sanitizer());
   if (ready) ::execve(argv[0], argv.data(), environment.data());
   ::_exit(127);
 }

@@ -22,10 +22,10 @@ using Suspects = std::vector<Suspect>;
 /// The conclusion of one comparison.
 struct Verdict {
   bool passed = false;
-  std::string what;       ///< the thing compared, in words
+  std::string what;  ///< the thing compared, in words
   std::string measured;
   std::string expected;
-  std::string certainty;  ///< how sure: z, p; empty for exact comparisons
+  std::string certainty;    ///< how sure: z, p; empty for exact comparisons
   std::optional<double> p;  ///< for statistical ones: its p-value under a right solution
   std::vector<Diagnosis> diagnoses;
 };

@@ -6,10 +6,10 @@
 #include "course/not_implemented.h"
 #include "grader/worker/probe.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -60,7 +60,8 @@ int main(int argc, char** argv) {
   app.add_flag("--list", list, "name all probes");
   CLI11_PARSE(app, argc, argv);
   if (list) {
-    for (const auto& [probe, function] : probes()) fmt::print("{}\n", probe);
+    for (const auto& [probe, function] : probes())
+      fmt::print("{}\n", probe);
     return 0;
   }
   const auto found = probes().find(name);

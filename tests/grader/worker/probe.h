@@ -38,7 +38,7 @@ class RowWriter {
 
 /// PROBE("Lab 1.1 estimates") { ... params.seed ... return rows; }
 #define PROBE(name) CARLO_PROBE(name, CARLO_JOIN(carlo_probe_, __LINE__))
-#define CARLO_PROBE(name, function)                                                    \
-  static ::carlo::grader::Rows function(const ::carlo::grader::Params& params);        \
+#define CARLO_PROBE(name, function)                                                        \
+  static ::carlo::grader::Rows function(const ::carlo::grader::Params& params);            \
   static const ::carlo::grader::Registration CARLO_JOIN(function, _entry)(name, function); \
   static ::carlo::grader::Rows function([[maybe_unused]] const ::carlo::grader::Params& params)

@@ -1,0 +1,146 @@
+#include "cli/atomic_file.h"
+#include "cli/error.h"
+#include "course/exercises.h"
+#include "course/hints.h"
+#include "grader/judge/consistency.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+
+namespace fs = std::filesystem;
+using namespace carlo;
+
+namespace {
+
+/// A folder of its own that goes when the test ends.
+class Folder {
+ public:
+  Folder() : path_(fs::temp_directory_path() / fmt::format("carlo_course_{}", ::getpid())) {
+    fs::create_directories(path_ / "labs/01_demo");
+  }
+  ~Folder() {
+    std::error_code ec;
+    fs::remove_all(path_, ec);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  fs::path labs() const { return path_ / "labs"; }
+  fs::path state() const { return path_ / ".carlo/state.json"; }
+  void write_lab(const std::string& text) const { write_file(labs() / "01_demo/lab.json", text); }
+
+ private:
+  fs::path path_;
+};
+
+std::string exercise(const std::string& tag, const std::string& points = "2") {
+  return fmt::format(
+      R"({{"tag": "{}", "title": "T", "points": {}, "lecture": "L", "functions": ["f"],
+          "hints": ["nudge", "plan"]}})",
+      tag, points);
+}
+
+std::string lab_json(const std::string& exercises) {
+  return R"({"lab": 1, "name": "demo", "title": "Demo", "exercises": [)" + exercises + "]}";
+}
+
+std::string error_of(const Folder& folder, const std::string& text) {
+  folder.write_lab(text);
+  try {
+    load_labs(folder.labs());
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a lab's exercises are read in order", "[course]") {
+  const Folder folder;
+  folder.write_lab(lab_json(exercise("Lab 1.1") + "," + exercise("Lab 1.2", "3")));
+  const std::vector<Lab> labs = load_labs(folder.labs());
+  REQUIRE(labs.size() == 1);
+  CHECK(labs[0].points() == 5);
+  REQUIRE(labs[0].find("Lab 1.2") != nullptr);
+  CHECK(labs[0].find("Lab 1.2")->number() == "1.2");
+  CHECK(labs[0].find("Lab 1.3") == nullptr);
+}
+
+TEST_CASE("a broken lab.json is one line that says where and what", "[course]") {
+  const Folder folder;
+  CHECK(has(error_of(folder, "{"), "lab.json: not valid JSON"));
+  CHECK(has(error_of(folder, "[]"), "expected an object"));
+  CHECK(has(error_of(folder, "{}"), "\"lab\" is missing"));
+  CHECK(has(error_of(folder, lab_json("")), "no exercises"));
+  CHECK(has(error_of(folder, lab_json(exercise("Lab 1.2"))), "expected \"Lab 1.1\""));
+  CHECK(has(error_of(folder, lab_json(exercise("Lab 1.1", "0"))), "\"points\" must be"));
+  CHECK(has(error_of(folder, lab_json(exercise("Lab 1.1", "1.5"))), "\"points\" must be"));
+  CHECK(has(error_of(folder, lab_json(exercise(""))), "\"tag\" must be"));
+  CHECK_THROWS_AS(load_labs(folder.labs() / "none"), Error);
+}
+
+TEST_CASE("hints come one at a time and are remembered", "[course]") {
+  const Folder folder;
+  folder.write_lab(lab_json(exercise("Lab 1.1")));
+  const std::vector<Lab> labs = load_labs(folder.labs());
+  const auto next = [&] {
+    HintState state(folder.state());
+    return next_hint(find_exercise(labs, "1.1"), state);
+  };
+  const std::string first = next();
+  CHECK(has(first, "hint 1 of 2; run again for the next"));
+  CHECK(has(first, "nudge"));
+  CHECK_FALSE(has(first, "plan"));
+  CHECK(has(next(), "hint 2 of 2; the last\n\nplan"));
+  CHECK(has(next(), "there are no more"));
+}
+
+TEST_CASE("a wrong exercise number lists the right ones", "[course]") {
+  const Folder folder;
+  folder.write_lab(lab_json(exercise("Lab 1.1") + "," + exercise("Lab 1.2")));
+  const std::vector<Lab> labs = load_labs(folder.labs());
+  CHECK(find_exercise(labs, "Lab 1.2").tag == "Lab 1.2");
+  for (const char* wrong : {"1.9", "9.1", "", "one"}) {
+    try {
+      find_exercise(labs, wrong);
+      FAIL("no error for " << wrong);
+    } catch (const Error& error) {
+      CHECK(has(error.what(), "1.1, 1.2"));
+    }
+  }
+}
+
+TEST_CASE("a spoilt record of hints is an error that says what to do", "[course]") {
+  const Folder folder;
+  fs::create_directories(folder.state().parent_path());
+  for (const char* text : {"", "[]", R"({"hints": 3})"}) {
+    write_file(folder.state(), text);
+    CHECK_THROWS_AS(HintState(folder.state()), Error);
+  }
+}
+
+TEST_CASE("disagreements of stub, handout and tests with lab.json are told", "[course]") {
+  const Folder folder;
+  folder.write_lab(lab_json(exercise("Lab 1.1") + "," + exercise("Lab 1.2")));
+  const Lab lab = load_labs(folder.labs())[0];
+  const std::string both = "Lab 1.1 and Lab 1.2";
+  const std::vector<grader::TestName> tests{{"Lab 1.1: a", {"lab01", "ex1"}},
+                                            {"Lab 1.2: b", {"lab01", "ex2"}}};
+  CHECK(grader::disagreements(lab, both, both, tests).empty());
+  CHECK(grader::disagreements(lab, "Lab 1.1", both, tests).size() == 1);
+  CHECK(grader::disagreements(lab, both, both + " Lab 1.3", tests).size() == 1);
+  CHECK(grader::disagreements(lab, both, both, {tests[0]}).size() == 1);
+  CHECK(grader::disagreements(lab, both, both, {tests[0], {"Lab 1.2: b", {"lab01"}}}).size() == 1);
+  Lab bare = lab;
+  bare.exercises[0].hints.pop_back();
+  CHECK(grader::disagreements(bare, both, both, tests).size() == 1);
+}

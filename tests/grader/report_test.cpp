@@ -1,0 +1,125 @@
+#include "grader/judge/report.h"
+
+#include "cli/error.h"
+#include "grader/judge/compare.h"
+#include "grader/judge/run.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+using namespace carlo::grader;
+
+namespace {
+
+carlo::Lab demo_lab() {
+  return {1,
+          "demo",
+          "Demo",
+          {{"Lab 1.1", "First", 2, "L", {"f"}, {"a", "b"}},
+           {"Lab 1.2", "Second", 3, "L", {"g"}, {"a", "b"}}}};
+}
+
+TestRecord passed(const std::string& tag) {
+  return {tag, "it holds", {holds("it", true, "1", "1")}, Status::passed, "", ""};
+}
+
+TestRecord failed(const std::string& tag) {
+  return {tag,
+          "it holds",
+          {holds("it", false, "1", "2", {{"off-by-one", "one is missing."}})},
+          Status::failed,
+          "",
+          ""};
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("an exercise earns its points when all its tests pass", "[report]") {
+  const carlo::Lab lab = demo_lab();
+  CHECK(collect(lab, {passed("Lab 1.1"), passed("Lab 1.2")}, "").earned() == 5);
+  CHECK(collect(lab, {passed("Lab 1.1"), failed("Lab 1.1"), passed("Lab 1.2")}, "").earned() == 3);
+  const LabResult one = collect(lab, {passed("Lab 1.2")}, "Lab 1.2");
+  CHECK(one.earned() == 3);
+  CHECK(one.possible() == 3);
+}
+
+TEST_CASE("an exercise without a test and a test without an exercise are errors", "[report]") {
+  const carlo::Lab lab = demo_lab();
+  CHECK_THROWS_AS(collect(lab, {passed("Lab 1.1")}, ""), carlo::Error);
+  CHECK_THROWS_AS(collect(lab, {}, "Lab 1.1"), carlo::Error);
+  CHECK_THROWS_AS(collect(lab, {passed("Lab 1.1")}, "Lab 1.9"), carlo::Error);
+  CHECK_THROWS_AS(collect(lab, {passed("Lab 1.3")}, ""), carlo::Error);
+}
+
+TEST_CASE("a test without a verdict, or of a framework that failed, does not pass", "[run]") {
+  Run run(Sandbox(FIXTURE_WORKER, Level::limits), 1, {});
+  run.begin_test("Lab 1.1: says nothing");
+  run.end_test(true);
+  run.begin_test("Lab 1.1: passes, but something else went wrong");
+  run.record(holds("it", true, "1", "1"));
+  run.end_test(false);
+  run.begin_test("Lab 1.1: passes");
+  run.record(holds("it", true, "1", "1"));
+  run.end_test(true);
+  CHECK(run.records()[0].status == Status::failed);
+  CHECK(run.records()[1].status == Status::failed);
+  CHECK(run.records()[2].status == Status::passed);
+  CHECK_THROWS_AS(run.begin_test("no tag"), carlo::Error);
+}
+
+TEST_CASE("the budget of statistical comparisons is kept", "[run]") {
+  Run run(Sandbox(FIXTURE_WORKER, Level::limits), 1, {});
+  run.begin_test("Lab 1.1: judges without end");
+  const std::vector<double> values{0};
+  for (int i = 0; i < lab_budget; ++i)
+    run.record(mean_is("it", values, {}));
+  CHECK_THROWS_AS(run.record(mean_is("it", values, {})), carlo::Error);
+}
+
+TEST_CASE("after a deadline or a missing implementation an exercise starts no more workers",
+          "[run]") {
+  Run run(Sandbox(FIXTURE_WORKER, Level::limits), 1, {});
+  for (const char* test : {"Lab 1.1: first", "Lab 1.1: second"}) {
+    run.begin_test(test);
+    CHECK_THROWS_AS(run.probe("not implemented", {}, {}), ProbeFailure);
+    run.end_test(false);
+  }
+  CHECK(run.records()[1].status == Status::not_implemented);
+  CHECK(run.records()[1].problem == "not run, because of the above");
+}
+
+TEST_CASE("the report names points, what failed and what it looks like", "[report]") {
+  const LabResult result = collect(demo_lab(), {passed("Lab 1.1"), failed("Lab 1.2")}, "");
+  const std::string text = report_text(result);
+  CHECK(has(text, "✓ 1.1  First   2 of 2 points"));
+  CHECK(has(text, "✗ 1.2  Second  0 of 3 points"));
+  CHECK(has(text, "it: 1\n        expected 2"));
+  CHECK(has(text, "one is missing. [off-by-one]"));
+  CHECK(has(text, "./carlo hint 1.2"));
+  CHECK(has(text, "Lab 01: 2 of 5 points"));
+}
+
+TEST_CASE("what a program printed cannot steer the terminal", "[report]") {
+  TestRecord crashed{"Lab 1.1", "it holds", {}, Status::crashed, "it crashed", "\x1b[2Jgotcha\r"};
+  const std::string text = report_text(collect(demo_lab(), {crashed, passed("Lab 1.2")}, ""));
+  CHECK(has(text, "gotcha"));
+  CHECK_FALSE(has(text, "\x1b[2J"));
+  CHECK_FALSE(has(text, "\r"));
+}
+
+TEST_CASE("the JSON report is valid whatever a program said", "[report]") {
+  TestRecord crashed{"Lab 1.1", "it holds", {}, Status::crashed, "threw \xFF\"\n", ""};
+  const nlohmann::json document =
+      nlohmann::json::parse(report_json(collect(demo_lab(), {crashed, failed("Lab 1.2")}, "")));
+  CHECK(document["points"] == 0);
+  CHECK(document["max"] == 5);
+  CHECK(document["exercises"][0]["status"] == "crashed");
+  CHECK(document["exercises"][1]["status"] == "failed");
+  CHECK(document["exercises"][1]["diagnoses"][0] == "off-by-one");
+}
