@@ -47,7 +47,10 @@ SurfacePoint sphere_point(const Sphere& sphere, Vec3 o, Vec3 d, double t) {
 }
 
 SurfacePoint disk_point(const Disk& disk, Vec3 o, Vec3 d, double t) {
-  return {Vec3(Vec3d(o) + t * Vec3d(d)), disk.normal};
+  // t may have been rounded to float on its way: put the point back into the plane.
+  const Vec3d n(disk.normal), p = Vec3d(o) + t * Vec3d(d);
+  const double height = glm::dot(p - Vec3d(disk.center), n) / glm::dot(n, n);
+  return {Vec3(p - height * n), disk.normal};
 }
 
 }  // namespace carlo

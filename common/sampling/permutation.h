@@ -13,15 +13,16 @@ constexpr std::uint32_t permute(std::uint32_t i, std::uint32_t n, std::uint32_t 
   const std::uint32_t mask = std::bit_ceil(n) - 1;
   const int half = std::bit_width(mask) / 2 + 1;
   do {
-    // Each step is a bijection of the masked words: xor, odd multiple, xor with a right shift.
-    i = (i ^ seed) & mask;
-    i = (i * (seed >> 8 | 1)) & mask;
-    i ^= i >> half;
-    i = (i * 0x9E3779B1 + (seed >> 5)) & mask;
-    i ^= i >> half;
-    i = (i * 0x85EBCA6B + (seed >> 17)) & mask;
-    i ^= i >> half;
-    i = (i * 0xC2B2AE35 + (seed >> 23)) & mask;
+    std::uint32_t key = seed;
+    for (int round = 0; round < 4; ++round) {
+      key = key * 0x9E3779B1 + 0x85EBCA6B;
+      key ^= key >> 15;
+      // Each step is a bijection of the masked words: xor, odd multiple, xor with a right shift.
+      i ^= key & mask;
+      i = (i * (key >> 8 | 1)) & mask;
+      i ^= i >> half;
+      i = (i + (key >> 19)) & mask;
+    }
   } while (i >= n);
   return i;
 }

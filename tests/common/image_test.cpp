@@ -1,0 +1,182 @@
+#include "cli/atomic_file.h"
+#include "cli/error.h"
+#include "image/exr.h"
+#include "image/film.h"
+#include "image/metrics.h"
+#include "image/png.h"
+#include "random/rng.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace {
+
+using namespace carlo;
+namespace fs = std::filesystem;
+
+/// A folder that is gone when the test is.
+struct Scratch {
+  fs::path path = fs::temp_directory_path() / ("carlo_" + std::to_string(std::random_device{}()));
+  Scratch() { fs::create_directory(path); }
+  ~Scratch() {
+    std::error_code ec;
+    fs::remove_all(path, ec);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+};
+
+TEST_CASE("A film's bits do not depend on the order of blocks nor on how films are merged") {
+  Rng rng(1);
+  std::vector<std::array<double, 3>> blocks(500);
+  for (auto& b : blocks) {
+    for (double& x : b)
+      x = std::exp(20 * rng.uniform() - 15);  // 1e-7 ... 1e2
+  }
+  Film forward(1, 1, 4, 17), backward(1, 1, 4, 17), left(1, 1, 4, 17), right(1, 1, 4, 17);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    forward.add_block(0, 0, blocks[i]);
+    backward.add_block(0, 0, blocks[blocks.size() - 1 - i]);
+    (i % 3 == 0 ? left : right).add_block(0, 0, blocks[i]);
+  }
+  right.merge(left);
+  for (const Film* film : {&backward, &right}) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      CHECK(film->mean(0, 0, c) == forward.mean(0, 0, c));
+      CHECK(film->variance(0, 0, c) == forward.variance(0, 0, c));
+    }
+  }
+}
+
+TEST_CASE("A film keeps values far below the brightest light") {
+  // A tiny light of radiance 1e8 may light a room to 1.
+  Film film(1, 1, 1, 1e8);
+  for (int i = 0; i < 100; ++i)
+    film.add_block(0, 0, {1e-3 * (1 + i % 2), 1, 1e8});
+  CHECK(std::abs(film.mean(0, 0, 0) - 1.5e-3) <= 1e-9);
+  CHECK(film.mean(0, 0, 1) == 1);
+  CHECK(film.mean(0, 0, 2) == 1e8);
+}
+
+TEST_CASE("A film's standard error is the textbook's, and infinite for one block") {
+  Film film(2, 1, 8, 1);
+  CHECK(std::isinf(film.variance(1, 0, 0)));
+  const std::vector<double> x = {1, 2, 4, 5};
+  for (const double v : x)
+    film.add_block(0, 0, {v, v, v});
+  // mean 3, sum of squared deviations 10, variance of the mean 10 / 3 / 4
+  CHECK(film.mean(0, 0, 0) == 3);
+  CHECK(std::abs(film.variance(0, 0, 0) - 10.0 / 12) <= 1e-12);
+  CHECK(film.samples() == 32);
+}
+
+TEST_CASE("A film's standard error is honest: z-scores of known means have unit variance") {
+  // 2000 pixels of 64 uniform samples each: sum of z^2 is chi-square with about 2000
+  // (heavier-tailed: t with 63 degrees) - sd of its mean .033; the bound is 5 of those.
+  Rng rng(3);
+  double sum = 0;
+  for (int pixel = 0; pixel < 2000; ++pixel) {
+    Film film(1, 1, 1, 1);
+    for (int i = 0; i < 64; ++i) {
+      const double u = rng.uniform();
+      film.add_block(0, 0, {u, u, u});
+    }
+    const double d = film.mean(0, 0, 0) - 0.5;
+    sum += d * d / film.variance(0, 0, 0);
+  }
+  CHECK(std::abs(sum / 2000 - 63.0 / 61) <= 5 * 0.033);
+}
+
+TEST_CASE("Impossible films are refused") {
+  CHECK_THROWS_AS(Film(0, 4, 1, 1), Error);
+  CHECK_THROWS_AS(Film(4, -1, 1, 1), Error);
+  CHECK_THROWS_AS(Film(100000, 100000, 1, 1), Error);
+  CHECK_THROWS_AS(Film(2, 2, 1, 1).merge(Film(2, 3, 1, 1)), Error);
+  CHECK_THROWS_AS(Film(2, 2, 1, 1).merge(Film(2, 2, 2, 1)), Error);
+}
+
+Image random_image(int width, int height, std::uint64_t seed) {
+  Rng rng(seed);
+  Image image(width, height);
+  for (Rgb& pixel : image.pixels) {
+    for (int c = 0; c < 3; ++c)
+      pixel[c] = rng.uniform_float();
+  }
+  return image;
+}
+
+TEST_CASE("An EXR round trip keeps every bit, the errors and the attributes") {
+  const Scratch scratch;
+  ExrFile file{random_image(17, 5, 1), random_image(17, 5, 2), {{"seed", "18446744073709551615"}}};
+  file.image.at(3, 2) = Rgb(1e-20f, 1e20f, std::numeric_limits<float>::infinity());
+  write_exr(scratch.path / "a.exr", file);
+  const ExrFile back = read_exr(scratch.path / "a.exr");
+  CHECK(back.image.pixels == file.image.pixels);
+  REQUIRE(back.standard_error);
+  CHECK(back.standard_error->pixels == file.standard_error->pixels);
+  CHECK(back.attributes == file.attributes);
+  write_exr(scratch.path / "b.exr", file);
+  CHECK(read_file(scratch.path / "a.exr") == read_file(scratch.path / "b.exr"));
+}
+
+TEST_CASE("What cannot be read or written is an error that leaves nothing behind") {
+  const Scratch scratch;
+  write_file(scratch.path / "not.exr", "hello");
+  CHECK_THROWS_AS(read_exr(scratch.path / "not.exr"), Error);
+  CHECK_THROWS_AS(read_exr(scratch.path / "missing.exr"), Error);
+  const Image image(2, 2);
+  CHECK_THROWS_AS(write_exr(scratch.path / "no" / "such.exr", {image, {}, {}}), Error);
+  CHECK_THROWS_AS(write_png(scratch.path / "no" / "such.png", image), Error);
+  { const AtomicFile unfinished(scratch.path / "x.png"); }
+  CHECK(std::distance(fs::directory_iterator(scratch.path), {}) == 1);
+}
+
+TEST_CASE("A PNG is written whole and has its signature") {
+  const Scratch scratch;
+  write_png(scratch.path / "a.png", random_image(8, 8, 1));
+  CHECK(read_file(scratch.path / "a.png").substr(1, 3) == "PNG");
+}
+
+TEST_CASE("Errors against a reference are the definitions'") {
+  Image a(2, 1), r(2, 1);
+  a.pixels = {Rgb(1), Rgb(3)};
+  r.pixels = {Rgb(1), Rgb(2)};
+  const ImageError error = compare(a, r);
+  CHECK(std::abs(error.mse - 0.5) <= 1e-12);
+  CHECK(std::abs(error.rel_mse - 0.5 / 4.01) <= 1e-12);
+  CHECK(error.mean[0] == 2);
+  CHECK_THROWS_AS(compare(a, Image(1, 1)), Error);
+  a.pixels[0].r = std::numeric_limits<float>::quiet_NaN();
+  CHECK(std::isnan(compare(a, r).mse));
+  CHECK(count_non_finite(a) == 1);
+}
+
+TEST_CASE("Bias z-scores of unbiased noise are standard normal, and a bias of 5 sd shows") {
+  // 200 images of 32x32 with unit noise a pixel: the variance of 600 z has sd .058.
+  double sum = 0;
+  const Image zero(32, 32);
+  Image se(32, 32);
+  for (Rgb& p : se.pixels)
+    p = Rgb(1 / std::sqrt(12.0f));
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    Image noise = random_image(32, 32, seed);
+    for (Rgb& p : noise.pixels)
+      p -= Rgb(0.5f);
+    for (const double z : bias_z(noise, se, zero, zero))
+      sum += z * z;
+  }
+  CHECK(std::abs(sum / 600 - 1) <= 5 * 0.058);
+  Image biased = zero;
+  for (Rgb& p : biased.pixels)
+    p = Rgb(5 / std::sqrt(12.0f) / 32);
+  CHECK(std::abs(bias_z(biased, se, zero, zero)[0] - 5) <= 1e-3);
+  CHECK(tile_z(biased, se, zero, zero, 16).size() == 4 * 3);
+}
+
+}  // namespace

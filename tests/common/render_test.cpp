@@ -1,0 +1,111 @@
+#include "cli/error.h"
+#include "random/rng.h"
+#include "render/driver.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <limits>
+#include <stdexcept>
+
+namespace {
+
+using namespace carlo;
+
+/// Uniform noise around 1 + x; optionally something bad in one place.
+class Noise final : public Integrator {
+ public:
+  std::string name() const override { return "noise"; }
+  void render(const Tile& tile, std::span<std::array<double, 3>> means,
+              Counts& counts) const override {
+    if (interrupt_at == ++tiles) std::raise(SIGINT);
+    std::size_t i = 0;
+    for (int y = tile.y0; y < tile.y1; ++y) {
+      for (int x = tile.x0; x < tile.x1; ++x) {
+        BlockSum sum;
+        for (std::uint32_t s = 0; s < tile.samples; ++s) {
+          Rng rng(1, static_cast<std::uint64_t>((y * 1000 + x) * 1000) + tile.first_sample + s);
+          if (x == throw_at) throw std::runtime_error("from a worker");
+          const float value = x == nan_at ? std::numeric_limits<float>::quiet_NaN()
+                                          : static_cast<float>(x) + 2 * rng.uniform_float();
+          sum.add(Rgb(value), counts);
+          ++counts.paths;
+        }
+        means[i++] = sum.mean(tile.samples);
+      }
+    }
+  }
+  int throw_at = -1, nan_at = -1;
+  int interrupt_at = -1;
+  mutable std::atomic<int> tiles = 0;
+};
+
+RenderResult run(const Noise& noise, std::uint32_t spp, int threads) {
+  return render(noise, 37, 21, 1,
+                {.spp = spp, .seconds = {}, .threads = threads, .progress = false});
+}
+
+TEST_CASE("The image has the same bits for 1, 2 and 7 threads") {
+  const Noise noise;
+  const RenderResult one = run(noise, 24, 1);
+  for (const int threads : {2, 7}) {
+    const RenderResult many = run(noise, 24, threads);
+    CHECK(many.film.mean().pixels == one.film.mean().pixels);
+    CHECK(many.film.standard_error().pixels == one.film.standard_error().pixels);
+    CHECK(many.counts.paths == 37u * 21 * 24);
+  }
+}
+
+TEST_CASE("Every pixel gets exactly the samples asked for, whatever their number") {
+  const Noise noise;
+  for (const std::uint32_t spp : {1u, 3u, 7u, 8u, 100u, 128u}) {
+    const RenderResult result = run(noise, spp, 2);
+    CHECK(result.film.samples() == std::uint64_t{37} * 21 * spp);
+    CHECK(result.film.blocks(36, 20) * result.film.block() == spp);
+  }
+}
+
+TEST_CASE("Blocks are a power of two that divides the samples, and at least eight if possible") {
+  CHECK(block_size(1) == 1);
+  CHECK(block_size(7) == 1);
+  CHECK(block_size(64) == 8);
+  CHECK(block_size(100) == 4);
+  CHECK(block_size(4096) == 64);
+  CHECK(block_size(1u << 20) == 64);
+}
+
+TEST_CASE("An exception in a worker thread reaches the caller") {
+  Noise noise;
+  noise.throw_at = 30;
+  CHECK_THROWS_AS(run(noise, 8, 2), std::runtime_error);
+}
+
+TEST_CASE("Samples that are not finite are counted and left out") {
+  Noise noise;
+  noise.nan_at = 5;
+  const RenderResult result = run(noise, 8, 2);
+  CHECK(result.counts.bad == 21u * 8);
+  CHECK(result.film.mean(5, 3, 0) == 0);
+  CHECK(std::isfinite(result.film.mean(6, 3, 0)));
+}
+
+TEST_CASE("Ctrl-C ends the render and keeps what is finished") {
+  Noise noise;
+  noise.interrupt_at = 20;  // 6 tiles a pass
+  const RenderResult result = run(noise, 64, 1);
+  CHECK(result.interrupted);
+  CHECK(result.film.blocks(0, 0) == 4);
+  CHECK(result.film.blocks(36, 20) == 3);
+}
+
+TEST_CASE("A time limit gives every pixel at least two blocks") {
+  const Noise noise;
+  const RenderResult result =
+      render(noise, 20, 20, 1, {.spp = 1, .seconds = 0.0, .threads = 2, .progress = false});
+  CHECK(result.film.blocks(0, 0) == 2);
+  CHECK(std::isfinite(result.film.variance(19, 19, 0)));
+}
+
+}  // namespace
