@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <csignal>
 #include <system_error>
 
 namespace carlo::grader {
@@ -66,7 +67,7 @@ std::string to_string(Level level) {
   return level == Level::bubblewrap ? "bubblewrap" : "limits only";
 }
 
-Sandbox::Sandbox(fs::path worker, Level level) : level_(level) {
+Sandbox::Sandbox(const fs::path& worker, Level level) : level_(level) {
   std::error_code ec;
   worker_ = fs::canonical(worker, ec);
   if (ec || ::access(worker_.c_str(), X_OK) != 0 || !fs::is_regular_file(worker_)) {
@@ -91,7 +92,8 @@ Outcome Sandbox::run(const std::vector<std::string>& arguments, const Limits& li
   argv.insert(argv.end(), arguments.begin(), arguments.end());
   Outcome outcome = run_limited(argv, environment(limits), limits);
   // bubblewrap reports a child's death by signal as exit code 128 + signal, as shells do.
-  if (level_ == Level::bubblewrap && outcome.end == Outcome::End::exited && outcome.code > 128) {
+  const bool by_signal = outcome.code > 128 && outcome.code <= 128 + SIGRTMAX;
+  if (level_ == Level::bubblewrap && outcome.end == Outcome::End::exited && by_signal) {
     outcome.end = Outcome::End::signalled;
     outcome.code -= 128;
   }

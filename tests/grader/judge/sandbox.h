@@ -22,7 +22,7 @@ class Sandbox {
   static Sandbox strongest(const std::filesystem::path& worker);
 
   /// Throws Error when the worker is no program that can be run.
-  Sandbox(std::filesystem::path worker, Level level);
+  Sandbox(const std::filesystem::path& worker, Level level);
 
   Level level() const { return level_; }
   /// Runs the worker with these arguments. A death by signal is told as such at every level.
