@@ -1,7 +1,6 @@
 #include "experiments.h"
 #include "integrands.h"
 #include "measure.h"
-#include "report/format.h"
 
 #include <fmt/core.h>
 

@@ -105,6 +105,7 @@ void rules_experiment(Notebook& notebook) {
       "same coin for all. Rules have no randomness: their error is |estimate - ln 3|. Points below "
       "the rounding errors of double are drawn but not fitted.");
   std::vector<Curve> plain;
+  plain.reserve(curves.size());
   for (const Expected& e : curves)
     plain.push_back(e.curve);
   notebook.table("rules", measurement_table(plain, 3), "Integral of 1/x over [1, 3]");

@@ -1,5 +1,4 @@
 #include "cli/atomic_file.h"
-#include "cli/error.h"
 #include "cli/main_guard.h"
 #include "cli/terminal.h"
 #include "experiments.h"
@@ -67,6 +66,8 @@ nlohmann::json results(const lab01::Notebook& notebook, const Arguments& argumen
 }
 
 void run(const Arguments& arguments, const std::string& command) {
+  // A file that cannot be written is better known before the experiments than after them.
+  if (!arguments.json.empty()) (void)carlo::AtomicFile(arguments.json);
   carlo::Page page("Lab 01: integration",
                    "Averages, rules and dice: what an integral costs, in points and in seconds.");
   lab01::Notebook notebook(arguments.options, page);

@@ -52,7 +52,7 @@ void Notebook::table(const std::string& key, const carlo::Table& table, std::str
   if (table.rows().empty()) return;
   bar_.clear();
   fmt::print("{}:\n{}\n", caption, table.text());
-  std::fflush(stdout);
+  (void)std::fflush(stdout);
   page_.table(table, caption);
   results_[key] = table.json();
 }

@@ -1,6 +1,7 @@
 #include "experiments.h"
 #include "integration.h"
-#include "report/format.h"
+#include "report/page.h"
+#include "report/table.h"
 
 #include <chrono>
 #include <cmath>

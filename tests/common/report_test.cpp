@@ -1,0 +1,192 @@
+#include "cli/atomic_file.h"
+#include "cli/error.h"
+#include "report/format.h"
+#include "report/page.h"
+#include "report/table.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using carlo::Cell;
+using carlo::Page;
+using carlo::Table;
+
+namespace {
+
+std::size_t occurrences(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) {
+    ++count;
+  }
+  return count;
+}
+
+std::vector<std::string> lines(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> result;
+  for (std::string line; std::getline(in, line);)
+    result.push_back(line);
+  return result;
+}
+
+/// The data of the page's charts, as a browser would read them.
+nlohmann::json charts_of(const std::string& html) {
+  const std::string open = "<script type=\"application/json\" id=\"charts\">";
+  const std::size_t start = html.find(open);
+  REQUIRE(start != std::string::npos);
+  const std::size_t from = start + open.size();
+  return nlohmann::json::parse(html.substr(from, html.find("</script>", from) - from));
+}
+
+carlo::Chart chart_named(const std::string& name) {
+  carlo::Chart chart{name, "", {"N", carlo::Unit::count}, {"error"}, {}};
+  chart.series.push_back({name, {{16, 0.25}, {64, 0.125}, {256, 0.0625}}});
+  return chart;
+}
+
+const std::string hostile = "</script><script>alert('x')</script><b>&\"";
+
+}  // namespace
+
+TEST_CASE("Numbers are written for people", "[report]") {
+  CHECK(carlo::number_text(0) == "0");
+  CHECK(carlo::number_text(1.5) == "1.5");
+  CHECK(carlo::number_text(-0.012345) == "-0.01235");
+  CHECK(carlo::number_text(999.96) == "1000");
+  CHECK(carlo::number_text(1234567) == "1.235e6");
+  CHECK(carlo::number_text(1e-9) == "1e-9");
+  CHECK(carlo::number_text(std::nan("")) == "nan");
+  CHECK(carlo::number_text(-std::numeric_limits<double>::infinity()) == "-inf");
+  CHECK(carlo::count_text(4096) == "4096");
+  CHECK(carlo::count_text(-1234567) == "-1\u2009234\u2009567");
+  CHECK(carlo::duration_text(0.00123) == "1.23 ms");
+  CHECK(carlo::duration_text(0.0009999) == "1 ms");
+  CHECK(carlo::duration_text(2e-7) == "200 ns");
+  CHECK(carlo::duration_text(90) == "90 s");
+  CHECK(carlo::interval_text(-0.50123, 0.0123) == "-0.501 ± 0.012");
+  CHECK(carlo::interval_text(2, 0) == "2 ± 0");
+  CHECK(carlo::interval_text(1, std::nan("")) == "1 ± nan");
+}
+
+TEST_CASE("A table aligns words left and numbers right, counting letters and not bytes",
+          "[report]") {
+  REQUIRE(::setenv("NO_COLOR", "1", 1) == 0);
+  Table table({"µ-name", "value", "n"});
+  table.add_row({"é", 1.5, 7});
+  table.add_row({"longer name", 123.5, 65536});
+  const auto rows = lines(table.text());
+  REQUIRE(rows.size() == 3);
+  for (const std::string& row : rows) {
+    CHECK(carlo::display_width(row) == carlo::display_width(rows[0]));
+  }
+  CHECK(rows[0] == "µ-name       value       n");
+  CHECK(rows[1] == "é              1.5       7");
+  CHECK(rows[2] ==
+        "longer name  123.5  65\u2009"
+        "536");
+}
+
+TEST_CASE("A table says in JSON what it shows, at full precision", "[report]") {
+  Table table({"method", "error"}, {"name", "rms"});
+  table.add_row({"a \"quoted\" name", 1.0 / 3});
+  table.add_row({"bad", std::nan("")});
+  const auto json = nlohmann::json::parse(table.json().dump());
+  CHECK(json.at(0).at("name") == "a \"quoted\" name");
+  CHECK(json.at(0).at("rms").get<double>() == 1.0 / 3);
+  CHECK(json.at(1).at("rms").is_null());
+}
+
+TEST_CASE("A table refuses rows of another width", "[report]") {
+  Table table({"a", "b"});
+  CHECK_THROWS_AS(table.add_row({"alone"}), carlo::Error);
+  CHECK_THROWS_AS(Table({}), carlo::Error);
+  CHECK_THROWS_AS(Table({"a", "b"}, {"a"}), carlo::Error);
+}
+
+TEST_CASE("Whatever text a page is given stays text", "[report]") {
+  Page page(hostile, hostile);
+  page.section(hostile);
+  page.prose(hostile);
+  page.note(hostile);
+  page.chart(chart_named(hostile));
+  Table table({hostile});
+  table.add_row({hostile});
+  page.table(table, hostile);
+  page.fact(hostile, hostile);
+  const std::string html = page.html();
+  CHECK(occurrences(html, "<b>") == 0);
+  CHECK(occurrences(html, "<script>alert") == 0);
+  // The charts' data, the chart library and our own script; nothing else opens or closes one.
+  CHECK(occurrences(html, "<script") == 3);
+  CHECK(occurrences(html, "</script") == 3);
+  CHECK(charts_of(html).at(0).at("series").at(0).at("name") == hostile);
+}
+
+TEST_CASE("Placeholders in a page's text are not filled in", "[report]") {
+  Page page("{{css}}");
+  page.prose("{{scripts}} and {{");
+  const std::string html = page.html();
+  CHECK(html.find("<title>{{css}}</title>") != std::string::npos);
+  CHECK(html.find("<p>{{scripts}} and {{</p>") != std::string::npos);
+}
+
+TEST_CASE("Code in a page cannot end its script element", "[report]") {
+  Page page("raw");
+  page.script("const s = '</SCRIPT><!--';");
+  const std::string html = page.html();
+  CHECK(html.find("const s = '<\\/SCRIPT><\\!--';") != std::string::npos);
+  CHECK(carlo::script_escaped("a < b / c </script</script") == "a < b / c <\\/script<\\/script");
+}
+
+TEST_CASE("A chart carries its points, its fitted line and a table of both", "[report]") {
+  carlo::Chart chart = chart_named("error");
+  carlo::Series& series = chart.series[0];
+  series.fit =
+      carlo::fit_power_law(std::vector{16.0, 64.0, 256.0}, std::vector{0.25, 0.125, 0.0625});
+  series.points.push_back({1024, std::nan("")});
+  Page page("page");
+  page.chart(chart);
+  const std::string html = page.html();
+  const auto drawn = charts_of(html).at(0);
+  const auto& points = drawn.at("series").at(0).at("points");
+  CHECK(points.size() == 4);
+  CHECK(points.at(1).at(1).get<double>() == 0.125);
+  CHECK(points.at(3).at(1).is_null());
+  CHECK(drawn.at("x").at("unit") == "count");
+  for (const auto& place : drawn.at("series").at(0).at("fit")) {
+    const double x = place.at(0), y = place.at(1), band = place.at(2);
+    CHECK(std::fabs(y - std::pow(x, -0.5)) <= 1e-12);
+    CHECK(std::fabs(band - 1) <= 1e-12);
+  }
+  CHECK(html.find("<td class=\"number\">0.0625</td>") != std::string::npos);
+  CHECK(html.find("aria-label=\"Chart: error.") != std::string::npos);
+}
+
+TEST_CASE("A page needs nothing from outside and is the same each time", "[report]") {
+  Page page("page");
+  page.chart(chart_named("error"));
+  const std::string html = page.html();
+  CHECK(html == page.html());
+  for (const char* outside : {"src=", "href=\"http", "@import", "url("}) {
+    CHECK(occurrences(html.substr(0, html.find("<script")), outside) == 0);
+  }
+  CHECK(occurrences(html, "{{") == 0);
+}
+
+TEST_CASE("A page makes its folder, and says so when it cannot", "[report]") {
+  const auto folder = std::filesystem::temp_directory_path() / "carlo_report_test";
+  std::filesystem::remove_all(folder);
+  Page page("page");
+  page.write(folder / "deep" / "page.html");
+  CHECK(carlo::read_file(folder / "deep" / "page.html") == page.html());
+  // A file where a folder would have to be.
+  CHECK_THROWS_AS(page.write(folder / "deep" / "page.html" / "other.html"), carlo::Error);
+  std::filesystem::remove_all(folder);
+}
