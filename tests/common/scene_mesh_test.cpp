@@ -115,3 +115,11 @@ TEST_CASE("coordinates keep the precision that the file gives", "[scene]") {
   const Scene scene = load_obj("v 0.1 16777215 1e-30\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   CHECK(mesh_of(scene).positions[0] == Vec3(0.1f, 16777215.0f, 1e-30f));
 }
+
+TEST_CASE("a mesh that shines is one light a triangle", "[scene]") {
+  const Needs n = needs(load_obj(square + "f 1 2 3 4\n",
+                                 "<emitter type=\"area\"><rgb name=\"radiance\" value=\"2\"/>"
+                                 "</emitter>"));
+  CHECK(n.triangle_lights == 2);
+  CHECK(n.area_lights() == 2);
+}
