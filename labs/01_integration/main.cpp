@@ -86,9 +86,10 @@ void run(const Arguments& arguments, const std::string& command) {
   if (!arguments.json.empty()) {
     carlo::write_file(arguments.json, results(notebook, arguments, spent.count()).dump(2) + "\n");
   }
+  fmt::print("{:.1f} s in all.\n", spent.count());
   if (!arguments.no_page) {
     page.write(arguments.page);
-    fmt::print("{:.1f} s. The page with the plots: {}\n", spent.count(),
+    fmt::print("The page with the plots: {}\n",
                std::filesystem::absolute(arguments.page).lexically_normal().string());
   }
 }
