@@ -62,11 +62,8 @@ carlo::Table volume_table(Notebook& notebook) {
     const Cube cube(d);
     const double exact = unit_ball_volume(d);
     carlo::Rng rng = notebook.rng();
-    Estimate estimate;
-    const Measurement timed = time_rule(n, exact, [&] {
-      estimate = ball_volume(cube, n, rng);
-      return estimate.value;
-    });
+    const Estimate estimate = ball_volume(cube, n, rng);
+    const Measurement timed = time_rule(n, exact, [&] { return ball_volume(cube, n, rng).value; });
     const double inside = exact / std::pow(2.0, static_cast<double>(d));
     const double covered = coverage(notebook, d, n, repetitions);
     table.add_row({static_cast<std::int64_t>(d), exact,
