@@ -111,8 +111,8 @@ struct Intersector::Impl {
   std::vector<Primitive<Mesh>> meshes;
 
   explicit Impl(const Scene& s) : scene(s) {
-    // One thread builds: the tree, and with it the image's bits, must not depend on timing.
-    device = rtcNewDevice("threads=1");
+    // No "threads=1" here: it would limit the whole program's TBB.
+    device = rtcNewDevice(nullptr);
     if (device == nullptr) throw Error("error: Embree did not start");
     embree = rtcNewScene(device);
     rtcSetSceneFlags(embree, RTC_SCENE_FLAG_ROBUST);

@@ -18,6 +18,7 @@ namespace carlo {
 namespace {
 
 constexpr int tile_size = 16;
+constexpr std::size_t max_threads = 1024;
 
 /// Set by Ctrl-C. A second Ctrl-C ends the program at once.
 volatile std::sig_atomic_t interrupt_seen = 0;
@@ -124,9 +125,9 @@ RenderResult render(const Integrator& integrator, int width, int height, double 
                     const RenderOptions& options) {
   const int threads =
       options.threads > 0 ? options.threads : static_cast<int>(tbb::info::default_concurrency());
-  // An arena alone cannot have more workers than cores.
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(threads));
+  // Lets arenas have more workers than there are cores. One limit for the whole program: TBB does
+  // not take kindly to its being lowered and raised again.
+  static const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, max_threads);
   tbb::task_arena arena(threads);
   const std::uint32_t block = options.seconds ? 8 : block_size(options.spp);
   RenderResult result{Film(width, height, block, radiance_scale), {}, 0, threads, false};

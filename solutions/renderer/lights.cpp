@@ -189,8 +189,11 @@ std::optional<LightSample> Lights::sample_shape(const Entry& entry, Vec3 from, V
     return LightSample{rectangle.sample(u), shape.radiance, probability * density};
   }
   if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
-    if (outside(*sphere, from) == sphere->flipped) return std::nullopt;
+    // A sphere that emits outwards does not light its inside. One that emits inwards is sampled by
+    // area: from the outside its near half is in the way, and points on it may be rounded either
+    // way.
     if (!sphere->flipped) {
+      if (!outside(*sphere, from)) return std::nullopt;
       return LightSample{sample_sphere_cone(*sphere, from, u), shape.radiance,
                          probability * cone_pdf(cone_of(*sphere, from))};
     }

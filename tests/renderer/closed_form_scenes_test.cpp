@@ -1,0 +1,203 @@
+// Whole renders against closed forms. Each mean must lie within 4 standard errors, and the standard
+// error be below .2 %; samples are independent, so that the standard error is unbiased. At fixed
+// seeds nothing is left to chance; over seeds each test would fail once in 16 000.
+
+#include "closed_forms.h"
+#include "scene_tools.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace {
+
+using namespace scene_tools;
+
+void check_mean(const RenderResult& result, double exact) {
+  const MeanRadiance mean = mean_radiance(result.film);
+  CHECK(result.counts.bad == 0);
+  for (std::size_t c = 0; c < 3; ++c) {
+    INFO("channel " << c << ": " << mean.value[c] << " +- " << mean.standard_error[c] << " for "
+                    << exact);
+    CHECK(std::abs(mean.value[c] - exact) <= 4 * mean.standard_error[c] + 1e-6 * exact);
+    CHECK(mean.standard_error[c] <= 0.002 * exact);
+  }
+}
+
+Scene empty_scene(int size) {
+  Scene scene;
+  scene.width = scene.height = size;
+  scene.sampler = SamplerKind::independent;
+  return scene;
+}
+
+/// The closed form of the albedo, interpolated in theta: its sum over n terms is too slow to take
+/// for every ray. With 400 steps the error is below 3e-6 but for the last degree at large n.
+class AlbedoTable {
+ public:
+  explicit AlbedoTable(int n) {
+    for (int i = 0; i <= steps; ++i)
+      values_.push_back(closed_forms::phong_albedo(n, i * step));
+  }
+  double operator()(double theta) const {
+    const double x = std::min(theta / step, steps - 1e-9);
+    const auto i = static_cast<std::size_t>(x);
+    const double f = x - static_cast<double>(i);
+    return (1 - f) * values_[i] + f * values_[i + 1];
+  }
+
+ private:
+  static constexpr int steps = 400;
+  static constexpr double step = closed_forms::pi / 2 / steps;
+  std::vector<double> values_;
+};
+
+TEST_CASE("A convex Phong object in a uniform environment shows kd + ks a(n, theta)") {
+  // A sphere of radius 1 that fills part of the film. What the film should read is the mean over
+  // camera rays, by quadrature on a grid of rays much finer than the pixels.
+  constexpr float kd = 0.3f, ks = 0.6f;
+  for (const int n : {0, 1, 2, 50, 1000, 1000000}) {
+    Scene scene = empty_scene(24);
+    scene.camera = look_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 26);
+    scene.environment = Rgb(1);
+    scene.materials = {{Phong{Rgb(kd), Rgb(ks), static_cast<float>(n)}, false}};
+    scene.shapes = {{Sphere{{0, 0, 0}, 1}}};
+    const AlbedoTable albedo(n);
+    constexpr int grid = 600;
+    double sum = 0;
+    for (int i = 0; i < grid * grid; ++i) {
+      const Vec2 film((static_cast<float>(i % grid) + .5f) / grid,
+                      (static_cast<float>(i / grid) + .5f) / grid);
+      const glm::dvec3 d(scene.camera.ray(film).d);
+      const double b = 5 * d.z, discriminant = b * b - 24;  // |o + t d| = 1 with o = (0, 0, 5)
+      if (discriminant < 0) {
+        sum += 1;
+        continue;
+      }
+      const glm::dvec3 p = glm::dvec3(0, 0, 5) + (-b - std::sqrt(discriminant)) * d;
+      const double theta = std::acos(-glm::dot(p, d));
+      sum += static_cast<double>(kd) + static_cast<double>(ks) * albedo(theta);
+    }
+    INFO("n = " << n);
+    check_mean(render_scene(scene, 512), sum / (grid * grid));
+  }
+}
+
+TEST_CASE("A mirror and a glass sphere vanish in a uniform environment") {
+  for (const Material& material :
+       {Material{Mirror{}, false}, Material{Dielectric{1.5f, 1}, false}}) {
+    Scene scene = empty_scene(16);
+    scene.camera = look_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 30);
+    scene.environment = Rgb(1);
+    scene.materials = {material};
+    scene.shapes = {{Sphere{{0, 0, 0}, 1}}};
+    const MeanRadiance mean = mean_radiance(render_scene(scene, 256).film);
+    // Roulette keeps the mirror exact; in glass radiance grows and shrinks with eta^2.
+    CHECK(std::abs(mean.value[0] - 1) <= 4 * mean.standard_error[0] + 1e-5);
+    CHECK(mean.standard_error[0] <= 0.002);
+  }
+}
+
+/// The six faces of a cube of half-width 1, normals inwards.
+std::vector<Parallelogram> inward_cube() {
+  const Vec3 x(2, 0, 0), y(0, 2, 0), z(0, 0, 2), low(-1), high(1);
+  return {{low, x, y}, {low, y, z}, {low, z, x}, {high, -y, -x}, {high, -z, -y}, {high, -x, -z}};
+}
+
+TEST_CASE("A closed furnace reads Le / (1 - rho)") {
+  for (const double rho : {.1, .5, .9}) {
+    for (const bool phong : {false, true}) {
+      Scene scene = empty_scene(16);
+      scene.camera = look_at({.1f, .2f, .3f}, {1, 1, 1}, {0, 1, 0}, 100);
+      const auto albedo = static_cast<float>(rho);
+      // A lobe with ks = 0 everywhere but in its model: the mixture's bookkeeping is on trial too.
+      scene.materials = {phong ? Material{Phong{Rgb(albedo), Rgb(0), 20}, false}
+                               : Material{Diffuse{Rgb(albedo)}, false}};
+      for (const Parallelogram& face : inward_cube())
+        scene.shapes.push_back({face, 0, Rgb(1)});
+      check_mean(render_scene(scene, 512), 1 / (1 - rho));
+    }
+  }
+}
+
+TEST_CASE("A furnace cut after K bounces reads Le (1 - rho^(K+1)) / (1 - rho)") {
+  Scene scene = empty_scene(16);
+  scene.camera = look_at({.1f, .2f, .3f}, {1, 1, 1}, {0, 1, 0}, 100);
+  scene.materials = {{Diffuse{Rgb(.8f)}, false}};
+  for (const Parallelogram& face : inward_cube())
+    scene.shapes.push_back({face, 0, Rgb(1)});
+  for (const int segments : {1, 2, 3, 6}) {
+    scene.max_depth = segments;
+    check_mean(render_scene(scene, 1024), (1 - std::pow(.8, segments)) / .2);
+  }
+}
+
+TEST_CASE("A spherical furnace, lit from all around, reads Le / (1 - rho)") {
+  Scene scene = empty_scene(16);
+  scene.camera = look_at({.1f, .2f, .3f}, {1, 1, 1}, {0, 1, 0}, 100);
+  scene.materials = {{Diffuse{Rgb(.5f)}, false}};
+  scene.shapes = {{Sphere{{0, 0, 0}, 2, true}, 0, Rgb(1)}};
+  check_mean(render_scene(scene, 2048), 2);
+}
+
+/// A white diffuse floor of reflectance rho, seen in one small spot at the origin.
+Scene floor_under(Shape light, double rho) {
+  Scene scene = empty_scene(8);
+  scene.camera = look_at({.6f, .02f, .05f}, {0, 0, 0}, {0, 1, 0}, .01);
+  scene.materials = {{Diffuse{Rgb(static_cast<float>(rho))}, false}, {Diffuse{Rgb(0)}, false}};
+  scene.shapes = {{Parallelogram{{-50, 0, -50}, {0, 0, 100}, {100, 0, 0}}}};
+  light.material = 1;
+  light.radiance = Rgb(2);
+  scene.shapes.push_back(std::move(light));
+  return scene;
+}
+
+TEST_CASE("A floor under a sphere, a disk and rectangles reads rho E / pi") {
+  struct Case {
+    Shape light;
+    double irradiance;
+  };
+  const double s = std::sin(50 * closed_forms::pi / 180), c = std::cos(50 * closed_forms::pi / 180);
+  const std::vector<Case> cases = {
+      {{Sphere{{0, 2, 0}, 1}}, closed_forms::sphere_irradiance(2, 0)},
+      {{Sphere{{static_cast<float>(-2 * s), static_cast<float>(2 * c), 0}, 1}}, .5048442},
+      {{Disk{{0, 1, 0}, {0, -1, 0}, 1}}, closed_forms::disk_irradiance(1, 1, 0)},
+      {{Disk{{-.5f, 1, 0}, {0, -1, 0}, 1}}, closed_forms::disk_irradiance(1, 1, .5)},
+      {{Parallelogram{{-.5f, 1, -.5f}, {1, 0, 0}, {0, 0, 1}}},
+       4 * closed_forms::rectangle_irradiance(.5, .5)},
+      {{Parallelogram{{-1, 0, -.5f}, {0, 1, 0}, {0, 0, 1}}},
+       2 * closed_forms::perpendicular_irradiance(1 / .5, 1 / .5)}};
+  for (const Case& test : cases) {
+    INFO("irradiance " << test.irradiance);
+    check_mean(render_scene(floor_under(test.light, .7), 8192),
+               .7 * 2 * test.irradiance / closed_forms::pi);
+  }
+}
+
+TEST_CASE("A floor under a point light reads rho I cos / (pi d^2)") {
+  Scene scene = floor_under({Disk{{0, 90, 0}, {0, -1, 0}, 1e-3f}}, .7);
+  scene.shapes.pop_back();
+  scene.points.push_back({{3, 4, 0}, Rgb(10)});
+  check_mean(render_scene(scene, 256), .7 * 10 * .8 / 25 / closed_forms::pi);
+}
+
+TEST_CASE("A level mirror above the floor shows the floor, dimmed by its reflectance") {
+  // The mirror hides part of the light from the floor: both cameras see the spot at x = .55, and
+  // the one that looks up at the mirror must see .9 of what the other sees.
+  Scene scene = floor_under({Disk{{0, 1, 0}, {0, -1, 0}, 1}}, .7);
+  scene.materials.push_back({Mirror{Rgb(.9f)}, false});
+  scene.shapes.push_back({Parallelogram{{.5f, .45f, -.05f}, {.1f, 0, 0}, {0, 0, .1f}}, 2});
+  const Vec3 spot(.55f, 0, 0), at_mirror(.55f, .45f, 0);
+  scene.camera = look_at({.55f, .4f, 0}, spot, {0, 0, 1}, .001);
+  const MeanRadiance direct = mean_radiance(render_scene(scene, 8192, 1).film);
+  scene.camera = look_at({.55f, .4f, 0}, at_mirror, {0, 0, 1}, .001);
+  const MeanRadiance mirrored = mean_radiance(render_scene(scene, 8192, 2).film);
+  const double error = std::hypot(.9 * direct.standard_error[0], mirrored.standard_error[0]);
+  CHECK(direct.value[0] > 0.1);
+  CHECK(std::abs(mirrored.value[0] - .9 * direct.value[0]) <= 4 * error);
+  CHECK(error <= .002 * mirrored.value[0]);
+}
+
+}  // namespace
