@@ -1,5 +1,6 @@
 // carlo_course: what a student asks of the course itself. Verb so far: hint.
 
+#include "cli/arguments.h"
 #include "cli/main_guard.h"
 #include "course/hints.h"
 
@@ -10,7 +11,7 @@
 
 int main(int argc, char** argv) {
   return carlo::run_main([&] {
-    CLI::App app("The course: hints, one step at a time");
+    CLI::App app("The course: hints, one step at a time", "./carlo");
     app.require_subcommand(1);
     std::string number;
     std::string labs = "labs";
@@ -20,7 +21,7 @@ int main(int argc, char** argv) {
     hint->add_option("--labs", labs, "the folder of the labs")->capture_default_str();
     hint->add_option("--state", state, "where to note which hints were seen")
         ->capture_default_str();
-    CLI11_PARSE(app, argc, argv);
+    if (const auto code = carlo::parse_arguments(app, argc, argv)) return *code;
 
     const std::vector<carlo::Lab> list = carlo::load_labs(labs);
     carlo::HintState seen(state);

@@ -1,5 +1,6 @@
 #include "render/render_app.h"
 
+#include "cli/arguments.h"
 #include "cli/atomic_file.h"
 #include "cli/error.h"
 #include "image/exr.h"
@@ -191,13 +192,7 @@ int render_app(int argc, char** argv, const IntegratorFactory& factory) {
   CLI::App app("Renders a scene by path tracing: PNG, EXR and a report of error against time.",
                "./carlo render");
   add_options(app, arguments);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& request) {
-    return app.exit(request);  // --help
-  } catch (const CLI::ParseError& error) {
-    throw Error("error: {} (see ./carlo render --help)", error.what());
-  }
+  if (const auto code = parse_arguments(app, argc, argv)) return *code;
   return run(arguments, factory);
 }
 

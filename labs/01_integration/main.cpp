@@ -1,3 +1,4 @@
+#include "cli/arguments.h"
 #include "cli/atomic_file.h"
 #include "cli/main_guard.h"
 #include "cli/terminal.h"
@@ -107,7 +108,8 @@ std::string command_line(int argc, char** argv) {
 int main(int argc, char** argv) {
   return carlo::run_main([&] {
     Arguments arguments;
-    CLI::App app{"Lab 01: integration. Runs the lab's experiments on the exercises done so far."};
+    CLI::App app("Lab 01: integration. Runs the lab's experiments on the exercises done so far.",
+                 "./carlo lab 1");
     auto* n = app.add_option("--n", arguments.options.n, "largest number of points, >= 1024");
     n->check(CLI::Range(std::int64_t{1024}, std::int64_t{1} << 30))->capture_default_str();
     app.add_option("--seed", arguments.options.seed, "seed of all random numbers")
@@ -116,11 +118,7 @@ int main(int argc, char** argv) {
     app.add_option("--json", arguments.json, "write all tables to this file");
     app.add_option("--page", arguments.page, "where the page goes")->capture_default_str();
     app.add_flag("--no-page", arguments.no_page, "write no page");
-    try {
-      app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-      return app.exit(error);
-    }
+    if (const auto code = carlo::parse_arguments(app, argc, argv)) return *code;
     if (arguments.options.quick && n->count() == 0) arguments.options.n = 1 << 14;
     run(arguments, command_line(argc, argv));
     return 0;

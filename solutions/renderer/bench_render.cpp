@@ -1,6 +1,6 @@
 // `./carlo bench render`: error against time of the reference renderer, on one thread.
 
-#include "cli/error.h"
+#include "cli/arguments.h"
 #include "cli/main_guard.h"
 #include "image/exr.h"
 #include "image/metrics.h"
@@ -81,13 +81,7 @@ int run(int argc, char** argv) {
   app.add_option("--threads", a.threads, "threads")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& request) {
-    return app.exit(request);
-  } catch (const CLI::ParseError& error) {
-    throw carlo::Error("error: {} (see ./carlo bench render --help)", error.what());
-  }
+  if (const auto code = carlo::parse_arguments(app, argc, argv)) return *code;
   fmt::print("256 x 256, {} samples a pixel, {} thread(s), medians of {} runs\n", a.spp, a.threads,
              a.runs);
   fmt::print("{:<22} {:>8} {:>9} {:>10} {:>12} {:>17} {:>10} {:>8}\n", "scene", "seconds",

@@ -1,0 +1,18 @@
+#include "cli/arguments.h"
+
+#include "cli/error.h"
+
+namespace carlo {
+
+std::optional<int> parse_arguments(CLI::App& app, int argc, const char* const* argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& request) {
+    return app.exit(request);
+  } catch (const CLI::ParseError& error) {
+    throw Error("error: {} (see {} --help)", error.what(), app.get_name());
+  }
+  return std::nullopt;
+}
+
+}  // namespace carlo
