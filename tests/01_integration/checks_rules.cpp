@@ -135,7 +135,7 @@ void judge_last_point(Rule rule) {
                evaluations(rule, 1e6), 0));
   Verdict verdict =
       equals(fmt::format("{}: the last point", names[rule]), rows.at(0, 2), last, 1e-13);
-  const bool near = std::abs(rows.at(0, 2) - last) <= 1e-7;
+  const bool near = std::abs(rows.at(0, 2) - last) <= 1e-9;
   if (!verdict.passed && near) verdict.diagnoses.push_back(drift);
   judge(verdict);
 }
@@ -179,13 +179,13 @@ void judge_nested(BoxIntegrand integrand, int d, int n) {
     suspects.push_back({right / volume(d) * side(i) * std::pow(n, d - 1), one_dimension});
   }
   const double count = std::pow(n, d);
-  judge(equals(fmt::format("evaluations in {} dimensions, n = {}", d, n), rows.at(0, 1), count, 0,
+  judge(equals(fmt::format("evaluations in {} dimension(s), n = {}", d, n), rows.at(0, 1), count, 0,
                d > 1 && n > 1 ? Suspects{{static_cast<double>(n), too_few},
                                          {static_cast<double>(n) * d, too_few}}
                               : Suspects{}));
-  judge(
-      equals(fmt::format("evaluations outside the box in {} dimensions", d), rows.at(0, 2), 0, 0));
-  judge(equals(fmt::format("the integral in {} dimensions, n = {}", d, n), rows.at(0, 0), right,
+  judge(equals(fmt::format("evaluations outside the box in {} dimension(s)", d), rows.at(0, 2), 0,
+               0));
+  judge(equals(fmt::format("the integral in {} dimension(s), n = {}", d, n), rows.at(0, 0), right,
                1e-12 * right, suspects));
 }
 

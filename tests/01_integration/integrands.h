@@ -13,12 +13,12 @@ inline double power(double x, int k) {
   return std::pow(x, k);
 }
 
-/// Side i of the test box: [0.5 + i / 4, 1.5 + i / 2), so that no two sides agree.
+/// Side i of the test box: [0.5 + i / 4, 1.75 + i / 2): no two sides agree, and none is 1.
 inline double lower(std::size_t i) {
   return 0.5 + 0.25 * static_cast<double>(i);
 }
 inline double upper(std::size_t i) {
-  return 1.5 + 0.5 * static_cast<double>(i);
+  return 1.75 + 0.5 * static_cast<double>(i);
 }
 
 /// Integrands on the box: the product of the coordinates, which is linear in each of them; and

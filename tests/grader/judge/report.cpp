@@ -6,15 +6,17 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <set>
+#include <map>
 #include <sstream>
 
 namespace carlo::grader {
 namespace {
 
-/// Of many failures the first few tell the story: tests shown in full, and comparisons of each.
+/// Of many failures the first few tell the story: tests shown in full, comparisons of each, and the
+/// diagnoses that fit best.
 constexpr int shown_tests = 2;
 constexpr int shown_comparisons = 2;
+constexpr std::size_t shown_diagnoses = 2;
 
 /// How far the columns reach, in characters (bytes of UTF-8 that start one).
 std::size_t width(const std::string& text) {
@@ -57,16 +59,20 @@ std::string failed_test(const TestRecord& test) {
   return out;
 }
 
+/// All diagnoses, the one that most failing comparisons fit first.
 std::vector<Diagnosis> diagnoses(const ExerciseResult& result) {
   std::vector<Diagnosis> list;
-  std::set<std::string> seen;
+  std::map<std::string, int> votes;
   for (const TestRecord& test : result.tests) {
     for (const Verdict& verdict : test.verdicts) {
       for (const Diagnosis& diagnosis : verdict.diagnoses) {
-        if (seen.insert(diagnosis.id).second) list.push_back(diagnosis);
+        if (++votes[diagnosis.id] == 1) list.push_back(diagnosis);
       }
     }
   }
+  std::stable_sort(list.begin(), list.end(), [&](const Diagnosis& a, const Diagnosis& b) {
+    return votes[a.id] > votes[b.id];
+  });
   return list;
 }
 
@@ -97,7 +103,9 @@ std::string exercise_text(const ExerciseResult& result, std::size_t titles) {
     out += ++failures <= shown_tests ? failed_test(test)
                                      : fmt::format("    also fails: {}\n", test.sentence);
   }
-  for (const Diagnosis& diagnosis : diagnoses(result)) {
+  std::vector<Diagnosis> likely = diagnoses(result);
+  if (likely.size() > shown_diagnoses) likely.resize(shown_diagnoses);
+  for (const Diagnosis& diagnosis : likely) {
     out += fmt::format("    {} {} [{}]\n", coloured(Colour::bold, "It looks like this:"),
                        diagnosis.sentence, diagnosis.id);
   }
