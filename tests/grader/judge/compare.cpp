@@ -73,7 +73,8 @@ Verdict mean_is(const std::string& what, std::span<const double> values, const T
       fmt::format("{:.6g} ± {:.2g}, the mean of {}", mean, theory.sd / root, values.size());
   verdict.expected = fmt::format("{:.6g}", theory.mean);
   conclude(verdict, fmt::format("z = {:.1f}", z), normal_two_sided(z));
-  const double slack = fit * std::max(spread, theory.sd) / root;
+  // A mistake has a spread of its own, which the values show.
+  const double slack = fit * spread / root;
   name_suspects(
       verdict, suspects, [slack](double) { return slack; }, mean);
   return verdict;
