@@ -18,7 +18,8 @@ class ObjReader {
     while (!text.empty()) {
       const std::size_t end = std::min(text.find('\n'), text.size());
       ++line_;
-      read_line(text.substr(0, std::min(end, text.find('#'))));
+      const std::string_view line = text.substr(0, end);
+      read_line(line.substr(0, line.find('#')));
       text.remove_prefix(std::min(end + 1, text.size()));
     }
     if (materials_) mesh_.notes.push_back(name_ + ": materials named in the file are not used");

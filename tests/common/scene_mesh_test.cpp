@@ -4,6 +4,7 @@
 #include "scene/needs.h"
 #include "scene_helpers.h"
 
+#include <chrono>
 #include <string>
 #include <variant>
 
@@ -122,4 +123,14 @@ TEST_CASE("a mesh that shines is one light a triangle", "[scene]") {
                                  "</emitter>"));
   CHECK(n.triangle_lights == 2);
   CHECK(n.area_lights() == 2);
+}
+
+TEST_CASE("a large mesh takes time in proportion to its size", "[scene]") {
+  // 200 000 lines take well under a second; with time in their square it would be minutes.
+  std::string text = square;
+  for (int i = 0; i < 200'000; ++i)
+    text += "f 1 2 3\n";
+  const auto start = std::chrono::steady_clock::now();
+  CHECK(mesh_of(load_obj(text)).triangles.size() == 200'000);
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
 }
