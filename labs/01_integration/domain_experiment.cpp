@@ -1,6 +1,5 @@
 #include "experiments.h"
 #include "integrands.h"
-#include "measure.h"
 
 #include <fmt/core.h>
 

@@ -1,8 +1,13 @@
 #pragma once
 
-#include "notebook.h"
+#include "report/measure.h"
+#include "report/notebook.h"
 
 namespace lab01 {
+
+using carlo::Curve, carlo::Measurement, carlo::Notebook, carlo::Summary, carlo::Trial;
+using carlo::error_charts, carlo::ladder, carlo::measurement_table, carlo::repeat,
+    carlo::slope_cell, carlo::time_rule;
 
 // One experiment each: it runs the exercises it needs, and writes what it finds.
 

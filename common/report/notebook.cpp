@@ -1,18 +1,20 @@
-#include "notebook.h"
+#include "report/notebook.h"
 
 #include "cli/terminal.h"
 
 #include <fmt/core.h>
 
 #include <cstdio>
+#include <utility>
 
-namespace lab01 {
+namespace carlo {
 
-Notebook::Notebook(const Options& options, carlo::Page& page) : options_(options), page_(page) {}
+Notebook::Notebook(std::string label, const LabOptions& options, Page& page)
+    : options_(options), page_(page), bar_(std::move(label), true) {}
 
 void Notebook::begin(std::string_view title) {
   bar_.clear();
-  fmt::print("\n{}\n\n", carlo::coloured(carlo::Colour::bold, title));
+  fmt::print("\n{}\n\n", coloured(Colour::bold, title));
   page_.section(title);
   left_out_here_.clear();
 }
@@ -48,7 +50,7 @@ void Notebook::say(std::string_view paragraph) {
   page_.prose(paragraph);
 }
 
-void Notebook::table(const std::string& key, const carlo::Table& table, std::string_view caption) {
+void Notebook::table(const std::string& key, const Table& table, std::string_view caption) {
   if (table.rows().empty()) return;
   bar_.clear();
   fmt::print("{}:\n{}\n", caption, table.text());
@@ -61,7 +63,7 @@ void Notebook::leave_out(const std::string& reason) {
   left_out_.insert(reason);
   if (!left_out_here_.insert(reason).second) return;
   bar_.clear();
-  fmt::print("{}\n\n", carlo::coloured(carlo::Colour::yellow, reason));
+  fmt::print("{}\n\n", coloured(Colour::yellow, reason));
   page_.note(reason);
 }
 
@@ -74,4 +76,4 @@ void Notebook::progress(double done, double total) {
   bar_.update((experiment_ + done / total) / experiments_);
 }
 
-}  // namespace lab01
+}  // namespace carlo

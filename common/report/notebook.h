@@ -14,32 +14,33 @@
 #include <string_view>
 #include <vector>
 
-namespace lab01 {
+namespace carlo {
 
-struct Options {
+/// What every lab's executable can be told.
+struct LabOptions {
   std::int64_t n = 1 << 18;  ///< the largest number of points an experiment uses
   std::uint64_t seed = 1;
   bool quick = false;  ///< fewer points and repetitions; the same experiments
 };
 
-/// Where the experiments write: each heading, sentence and table goes to the console and to the
+/// Where a lab's experiments write: each heading, sentence and table goes to the console and to the
 /// page, charts go to the page, tables to the JSON file as well.
 class Notebook {
  public:
-  Notebook(const Options& options, carlo::Page& page);
+  Notebook(std::string label, const LabOptions& options, Page& page);
 
-  const Options& options() const { return options_; }
+  const LabOptions& options() const { return options_; }
 
   /// A stream of random numbers that no other call of rng() returns.
-  carlo::Rng rng() { return carlo::Rng(options_.seed, next_stream_++); }
+  Rng rng() { return Rng(options_.seed, next_stream_++); }
 
   /// `full` repetitions; fewer in a quick run.
   int repetitions(int full) const { return options_.quick ? full / 4 : full; }
 
   void begin(std::string_view title);
   void say(std::string_view paragraph);
-  void table(const std::string& key, const carlo::Table& table, std::string_view caption);
-  void charts(const std::vector<carlo::Chart>& row) { page_.charts(row); }
+  void table(const std::string& key, const Table& table, std::string_view caption);
+  void charts(const std::vector<Chart>& row) { page_.charts(row); }
 
   /// Does `work`, which calls exercises. Where one of them has not been done, says so (once a
   /// section) and returns false.
@@ -48,7 +49,7 @@ class Notebook {
     try {
       work();
       return true;
-    } catch (const carlo::NotImplemented& missing) {
+    } catch (const NotImplemented& missing) {
       leave_out(missing.what());
       return false;
     }
@@ -66,9 +67,9 @@ class Notebook {
  private:
   void leave_out(const std::string& reason);
 
-  Options options_;
-  carlo::Page& page_;
-  carlo::Progress bar_{"lab 01", true};
+  LabOptions options_;
+  Page& page_;
+  Progress bar_;
   nlohmann::json results_ = nlohmann::json::object();
   std::set<std::string> left_out_;
   std::set<std::string> left_out_here_;
@@ -76,4 +77,4 @@ class Notebook {
   int experiment_ = 0, experiments_ = 1;
 };
 
-}  // namespace lab01
+}  // namespace carlo

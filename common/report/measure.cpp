@@ -1,4 +1,4 @@
-#include "measure.h"
+#include "report/measure.h"
 
 #include "report/format.h"
 
@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cmath>
 
-namespace lab01 {
+namespace carlo {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -32,7 +32,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-std::optional<carlo::PowerFit> fit(const std::vector<Measurement>& runs, bool seconds) {
+std::optional<PowerFit> fit(const std::vector<Measurement>& runs, bool seconds) {
   std::vector<double> x, y;
   for (const Measurement& m : runs) {
     const double floor = 1e-12 * std::fabs(m.estimate);
@@ -42,11 +42,11 @@ std::optional<carlo::PowerFit> fit(const std::vector<Measurement>& runs, bool se
     y.push_back(m.error);
   }
   if (x.size() < 3) return std::nullopt;
-  return carlo::fit_power_law(x, y);
+  return fit_power_law(x, y);
 }
 
-carlo::Series series(const Curve& curve, bool seconds, bool fitted) {
-  carlo::Series result{curve.name, {}};
+Series series(const Curve& curve, bool seconds, bool fitted) {
+  Series result{curve.name, {}};
   for (const Measurement& m : curve.runs) {
     result.points.push_back({seconds ? m.seconds : static_cast<double>(m.points), m.error});
   }
@@ -97,19 +97,17 @@ std::vector<std::int64_t> ladder(std::int64_t first, std::int64_t last) {
   return rungs;
 }
 
-std::optional<carlo::PowerFit> Curve::against_points() const {
+std::optional<PowerFit> Curve::against_points() const {
   return fit(runs, false);
 }
-std::optional<carlo::PowerFit> Curve::against_seconds() const {
+std::optional<PowerFit> Curve::against_seconds() const {
   return fit(runs, true);
 }
 
-std::vector<carlo::Chart> error_charts(const std::string& title, const std::string& error_label,
-                                       const std::vector<Curve>& curves, bool fitted) {
-  carlo::Chart points{
-      title + ": error against points", "", {"points N", carlo::Unit::count}, {error_label}, {}};
-  carlo::Chart seconds{
-      title + ": error against time", "", {"time", carlo::Unit::seconds}, {error_label}, {}};
+std::vector<Chart> error_charts(const std::string& title, const std::string& error_label,
+                                const std::vector<Curve>& curves, bool fitted) {
+  Chart points{title + ": error against points", "", {"points N", Unit::count}, {error_label}, {}};
+  Chart seconds{title + ": error against time", "", {"time", Unit::seconds}, {error_label}, {}};
   for (const Curve& curve : curves) {
     points.series.push_back(series(curve, false, fitted));
     seconds.series.push_back(series(curve, true, fitted));
@@ -117,23 +115,22 @@ std::vector<carlo::Chart> error_charts(const std::string& title, const std::stri
   return {points, seconds};
 }
 
-carlo::Table measurement_table(const std::vector<Curve>& curves, std::size_t stride) {
-  carlo::Table table({"method", "N", "estimate", "error", "time"},
-                     {"method", "points", "estimate", "error", "seconds"});
+Table measurement_table(const std::vector<Curve>& curves, std::size_t stride) {
+  Table table({"method", "N", "estimate", "error", "time"},
+              {"method", "points", "estimate", "error", "seconds"});
   for (const Curve& curve : curves) {
     for (std::size_t i = 0; i < curve.runs.size(); ++i) {
       if ((curve.runs.size() - 1 - i) % stride != 0) continue;
       const Measurement& m = curve.runs[i];
-      table.add_row({curve.name, m.points,
-                     carlo::Cell(carlo::number_text(m.estimate, 7), m.estimate), m.error,
-                     carlo::seconds_cell(m.seconds)});
+      table.add_row({curve.name, m.points, Cell(number_text(m.estimate, 7), m.estimate), m.error,
+                     seconds_cell(m.seconds)});
     }
   }
   return table;
 }
 
-carlo::Cell slope_cell(const std::optional<carlo::PowerFit>& fit) {
-  return fit ? carlo::interval_cell(fit->slope, fit->slope_half_width) : carlo::empty_cell();
+Cell slope_cell(const std::optional<PowerFit>& fit) {
+  return fit ? interval_cell(fit->slope, fit->slope_half_width) : empty_cell();
 }
 
-}  // namespace lab01
+}  // namespace carlo

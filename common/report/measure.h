@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace lab01 {
+namespace carlo {
 
 /// What one way of integrating does with `points` evaluations of the integrand.
 struct Measurement {
@@ -47,20 +47,20 @@ struct Curve {
 
   /// The slope of error against points or seconds on log-log axes; none with fewer than three
   /// points that are above the rounding errors of double.
-  std::optional<carlo::PowerFit> against_points() const;
-  std::optional<carlo::PowerFit> against_seconds() const;
+  std::optional<PowerFit> against_points() const;
+  std::optional<PowerFit> against_seconds() const;
 };
 
 /// Two charts of the same curves: error against points and against seconds. With `fitted` the
 /// slopes are drawn.
-std::vector<carlo::Chart> error_charts(const std::string& title, const std::string& error_label,
-                                       const std::vector<Curve>& curves, bool fitted = true);
+std::vector<Chart> error_charts(const std::string& title, const std::string& error_label,
+                                const std::vector<Curve>& curves, bool fitted = true);
 
 /// A table of all measurements: method, points, estimate, error, seconds; every `stride`-th rung,
 /// counted from the last one.
-carlo::Table measurement_table(const std::vector<Curve>& curves, std::size_t stride = 1);
+Table measurement_table(const std::vector<Curve>& curves, std::size_t stride = 1);
 
 /// "-0.501 ± 0.012", or an empty cell.
-carlo::Cell slope_cell(const std::optional<carlo::PowerFit>& fit);
+Cell slope_cell(const std::optional<PowerFit>& fit);
 
-}  // namespace lab01
+}  // namespace carlo

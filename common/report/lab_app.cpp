@@ -1,0 +1,109 @@
+#include "report/lab_app.h"
+
+#include "cli/arguments.h"
+#include "cli/atomic_file.h"
+#include "cli/main_guard.h"
+#include "cli/terminal.h"
+#include "report/machine.h"
+#include "report/page.h"
+
+#include <fmt/core.h>
+
+#include <chrono>
+#include <filesystem>
+
+namespace carlo {
+namespace {
+
+struct Arguments {
+  LabOptions options;
+  std::string page, json;
+  bool no_page = false;
+};
+
+/// The command as one could type it again.
+std::string command_line(int number, int argc, char** argv) {
+  std::string command = fmt::format("./carlo lab {}", number);
+  if (std::filesystem::path(argv[0]).filename().string().ends_with("_solution")) {
+    command += " --solutions";
+  }
+  for (int i = 1; i < argc; ++i)
+    command += fmt::format(" {}", argv[i]);
+  return command;
+}
+
+void run_experiments(const LabApp& lab, Notebook& notebook) {
+  for (std::size_t i = 0; i < lab.experiments.size(); ++i) {
+    notebook.set_experiment(static_cast<int>(i), static_cast<int>(lab.experiments.size()));
+    lab.experiments[i](notebook);
+  }
+  notebook.finish();
+  notebook.begin("What you should see");
+  for (const std::string& paragraph : lab.what_you_should_see)
+    notebook.say(paragraph);
+}
+
+nlohmann::json results(const LabApp& lab, const Notebook& notebook, double seconds) {
+  return {{"lab", lab.number},
+          {"n", notebook.options().n},
+          {"seed", std::to_string(notebook.options().seed)},
+          {"quick", notebook.options().quick},
+          {"machine", machine_text()},
+          {"compiler", compiler_text()},
+          {"seconds", seconds},
+          {"left_out", notebook.left_out()},
+          {"tables", notebook.results()}};
+}
+
+void run(const LabApp& lab, const Arguments& arguments, const std::string& command) {
+  // A file that cannot be written is better known before the experiments than after them.
+  if (!arguments.json.empty()) (void)AtomicFile(arguments.json);
+  Page page(lab.title, lab.subtitle);
+  Notebook notebook(fmt::format("lab {:02}", lab.number), arguments.options, page);
+  const auto start = std::chrono::steady_clock::now();
+  run_experiments(lab, notebook);
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+
+  page.fact("Command", command);
+  page.fact("Seed", std::to_string(arguments.options.seed));
+  page.fact("Machine", machine_text());
+  page.fact("Compiler", compiler_text());
+  for (const std::string& reason : notebook.left_out()) {
+    fmt::print("{}\n", coloured(Colour::yellow, reason));
+  }
+  if (!arguments.json.empty()) {
+    write_file(arguments.json, results(lab, notebook, spent.count()).dump(2) + "\n");
+  }
+  fmt::print("{:.1f} s in all.\n", spent.count());
+  if (!arguments.no_page) {
+    page.write(arguments.page);
+    fmt::print("The page with the plots: {}\n",
+               std::filesystem::absolute(arguments.page).lexically_normal().string());
+  }
+}
+
+}  // namespace
+
+int run_lab(const LabApp& lab, int argc, char** argv) {
+  return run_main([&] {
+    Arguments arguments;
+    arguments.options.n = lab.n;
+    arguments.page = fmt::format("out/lab{:02}.html", lab.number);
+    CLI::App app(lab.title + ". Runs the lab's experiments on the exercises done so far.",
+                 fmt::format("./carlo lab {}", lab.number));
+    auto* n = app.add_option("--n", arguments.options.n, "largest number of points, >= 1024");
+    n->check(CLI::Range(std::int64_t{1024}, std::int64_t{1} << 30))->capture_default_str();
+    app.add_option("--seed", arguments.options.seed, "seed of all random numbers")
+        ->capture_default_str();
+    app.add_flag("--quick", arguments.options.quick, "fewer points and repetitions");
+    app.add_option("--json", arguments.json, "write all tables to this file");
+    app.add_option("--page", arguments.page, "where the page goes")->capture_default_str();
+    app.add_flag("--no-page", arguments.no_page, "write no page");
+    if (const auto code = parse_arguments(app, argc, argv)) return *code;
+    if (arguments.options.quick && n->count() == 0) arguments.options.n = lab.quick_n;
+    run(lab, arguments, command_line(lab.number, argc, argv));
+    return 0;
+  });
+}
+
+}  // namespace carlo

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "report/notebook.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace carlo {
+
+using Experiment = void (*)(Notebook& notebook);
+
+/// A lab's executable: its experiments and the words around them.
+struct LabApp {
+  int number = 0;
+  std::string title;               ///< "Lab 01: integration"
+  std::string subtitle;            ///< one sentence under the page's title
+  std::int64_t n = 1 << 18;        ///< largest number of points by default,
+  std::int64_t quick_n = 1 << 14;  ///< and in a quick run
+  std::vector<Experiment> experiments;
+  std::vector<std::string> what_you_should_see;  ///< the last section, a paragraph each
+};
+
+/// main() of a lab: takes --n, --seed, --quick, --json, --page and --no-page, runs the experiments
+/// on the exercises that are done, prints tables and writes the page (default: out/labNN.html).
+/// Returns the exit code; errors are printed as one line.
+int run_lab(const LabApp& lab, int argc, char** argv);
+
+}  // namespace carlo
