@@ -8,7 +8,6 @@
 
 using namespace lab01_tests;
 using carlo::grader::Params;
-using carlo::grader::Rows;
 using carlo::grader::RowWriter;
 
 namespace {

@@ -14,7 +14,6 @@
 #include <string>
 #include <vector>
 
-using carlo::Cell;
 using carlo::Page;
 using carlo::Table;
 
