@@ -66,7 +66,7 @@ function(add_lab folder name)
   set(here "${PROJECT_SOURCE_DIR}/labs/${folder}")
   set(tests "${PROJECT_SOURCE_DIR}/tests/${folder}")
   set(solution "${PROJECT_SOURCE_DIR}/solutions/${folder}/${name}.cpp")
-  set(uses carlo::random ${ARG_DEPENDS})
+  set(uses carlo::random carlo::stats ${ARG_DEPENDS})
 
   # A student's file gets the warnings but is built all the same; ours is not. Parameters of exercises
   # that are not done yet are unused by nature.
