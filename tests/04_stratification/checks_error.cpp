@@ -1,0 +1,232 @@
+// Checks of exercise 4.5.
+
+#include "04_stratification/theory.h"
+#include "grader/judge/judge.h"
+
+#include <cmath>
+
+using namespace carlo::grader;
+using namespace lab04_tests;
+
+namespace {
+
+const Diagnosis not_stratified{
+    "points-not-in-their-cells",
+    "the cells do not get per_cell points each: the points fall anywhere "
+    "or in the cells of another grid."};
+const Diagnosis plain_error{"strata-ignored-in-the-error",
+                            "the standard error treats the points as if they could fall anywhere: "
+                            "that is the plain one. With strata only the spread within the cells "
+                            "counts."};
+const Diagnosis by_n{"variance-divided-by-n",
+                     "a cell's sum of squares is divided by the number of its points m; the "
+                     "unbiased estimate takes m - 1."};
+const Diagnosis of_one_point{"standard-error-of-one-point",
+                             "a cell's variance is that of one point; the mean of m points has one "
+                             "m-th of it."};
+const Diagnosis of_mean_cell{"variances-averaged",
+                             "the variance of a mean of K cells is the sum of their variances over "
+                             "K squared: one more K is to be divided by."};
+const Diagnosis errors_added{"standard-errors-averaged",
+                             "the cells' standard errors are averaged; it is their squares that "
+                             "add."};
+const Diagnosis plain_too_small{"plain-error-without-correction",
+                                "the plain error is too small: value^2 is on average larger than "
+                                "the squared integral, by the value's own variance."};
+const Diagnosis plain_within{"plain-error-only-within",
+                             "the plain error leaves out how the cells' means differ."};
+const Diagnosis cancellation{"sum-of-squares-cancellation",
+                             "digits cancel where the mean is large: two sums of nearly equal size "
+                             "are subtracted."};
+
+struct Setup {
+  int columns, rows, per_cell;
+
+  int cells() const { return columns * rows; }
+  double points() const { return static_cast<double>(cells()) * per_cell; }
+  std::map<std::string, double> numbers() const {
+    return {{"columns", columns}, {"rows", rows}, {"per_cell", per_cell}};
+  }
+};
+
+/// Of x y over one cell.
+struct Cell {
+  double mean, variance, central_fourth, variance_of_square;
+};
+
+Cell product_cell(const Setup& of, int column, int row) {
+  const auto moment = [&](int k) {
+    return power_mean(k, static_cast<double>(column) / of.columns, (column + 1.0) / of.columns) *
+           power_mean(k, static_cast<double>(row) / of.rows, (row + 1.0) / of.rows);
+  };
+  const Cumulants c = from_raw(moment(1), moment(2), moment(3), moment(4));
+  return {c.mean, c.variance, c.fourth + 3 * c.variance * c.variance,
+          moment(4) - moment(2) * moment(2)};
+}
+
+/// What the three results are on average for x y, and how they spread.
+struct Expected {
+  Theory value;              ///< of value
+  double squared_error = 0;  ///< mean and sd of its square
+  double squared_error_sd = 0;
+  double plain_squared_error = 0;  ///< mean of the plain one's square, and a bound of its sd
+  double plain_squared_error_sd = 0;
+  double within = 0;  ///< mean variance within the cells
+};
+
+Expected expected(const Setup& of) {
+  Expected e;
+  const double m = of.per_cell, k = of.cells(), n = of.points();
+  Cumulants value;
+  double variance_of_squares = 0, second_moment = 0, error_variance = 0;
+  for (int cell = 0; cell < of.cells(); ++cell) {
+    const Cell c = product_cell(of, cell % of.columns, cell / of.columns);
+    const double fourth = c.central_fourth - 3 * c.variance * c.variance;
+    value.add({c.mean, c.variance / m, fourth / (m * m * m)}, 1 / k);
+    second_moment += (c.variance + c.mean * c.mean) / k;
+    variance_of_squares += c.variance_of_square / m / (k * k);
+    e.within += c.variance / k;
+    // The variance of an unbiased sample variance (Kenney and Keeping, Mathematics of Statistics).
+    const double of_s2 = c.central_fourth / m - c.variance * c.variance * (m - 3) / (m * (m - 1));
+    error_variance += of_s2 / (m * m) / std::pow(k, 4);
+  }
+  e.value = value.theory();
+  e.squared_error = value.variance;
+  e.squared_error_sd = std::sqrt(error_variance);
+  e.plain_squared_error = (second_moment - value.mean * value.mean) / n;
+  // The square is (mean of y^2 - value^2 + squared error) / N: standard deviations of summands add
+  // at most; that of value^2 follows from |value^2 - I^2| <= |value - I| (1 + I), for value <= 1.
+  e.plain_squared_error_sd =
+      (std::sqrt(variance_of_squares) + e.value.sd * (1 + value.mean) + e.squared_error_sd) / n;
+  return e;
+}
+
+std::vector<double> squares(std::vector<double> values) {
+  for (double& v : values)
+    v *= v;
+  return values;
+}
+
+void judge_estimates(const Setup& of) {
+  auto numbers = of.numbers();
+  numbers["repetitions"] = 20'000;
+  const Rows rows =
+      probe("Lab 4.5 estimates", {.numbers = numbers}, {.rows = 20'000, .columns = 3});
+  const Expected e = expected(of);
+  const double m = of.per_cell, k = of.cells();
+  const std::string which =
+      fmt::format(", {} x {} cells with {} points each", of.columns, of.rows, of.per_cell);
+  judge(mean_is("the value" + which, column(rows, 0), e.value));
+  Suspects variances;
+  if (of.cells() > 1) variances.push_back({e.plain_squared_error, not_stratified});
+  judge(variance_is("the variance of the value" + which, column(rows, 0), e.value, variances));
+  Suspects errors{{e.squared_error * (m - 1) / m, by_n}, {e.squared_error * m, of_one_point}};
+  if (of.cells() > 1) {
+    errors.push_back({e.plain_squared_error, plain_error});
+    errors.push_back({e.squared_error * k, of_mean_cell});
+  }
+  judge(mean_is("the squared standard error" + which, squares(column(rows, 1)),
+                {e.squared_error, e.squared_error_sd}, errors));
+  const double n = of.points();
+  judge(mean_is("the squared plain standard error" + which, squares(column(rows, 2)),
+                {e.plain_squared_error, e.plain_squared_error_sd},
+                {{e.plain_squared_error - e.squared_error / n, plain_too_small},
+                 {(e.plain_squared_error - e.squared_error / n) * n / (n - 1), plain_too_small},
+                 {e.within / n, plain_within}}));
+}
+
+/// The results recomputed from the places and values that f was asked for.
+struct Recomputed {
+  bool stratified = true;
+  double value = 0, squared_error = 0, mean_error = 0;
+};
+
+Recomputed recompute(const Rows& rows, const Setup& of) {
+  std::vector<std::vector<long double>> cells(static_cast<std::size_t>(of.cells()));
+  Recomputed result;
+  for (std::size_t i = 2; i < rows.count(); ++i) {
+    const double x = rows.at(i, 0), y = rows.at(i, 1);
+    if (!(x >= 0 && x < 1 && y >= 0 && y < 1)) {
+      result.stratified = false;
+      return result;
+    }
+    const int cell = static_cast<int>(y * of.rows) * of.columns + static_cast<int>(x * of.columns);
+    cells[static_cast<std::size_t>(cell)].push_back(rows.at(i, 2));
+  }
+  const long double k = of.cells(), m = of.per_cell;
+  long double value = 0, variance = 0, errors = 0;
+  for (const auto& cell : cells) {
+    if (cell.size() != static_cast<std::size_t>(of.per_cell)) result.stratified = false;
+    long double mean = 0, spread = 0;
+    for (const long double y : cell)
+      mean += y / m;
+    for (const long double y : cell)
+      spread += (y - mean) * (y - mean);
+    value += mean / k;
+    variance += spread / (m - 1) / m / (k * k);
+    errors += std::sqrt(spread / (m - 1) / m) / k;
+  }
+  result.value = static_cast<double>(value);
+  result.squared_error = static_cast<double>(variance);
+  result.mean_error = static_cast<double>(errors);
+  return result;
+}
+
+Rows record(const Setup& of, double offset) {
+  auto numbers = of.numbers();
+  numbers["offset"] = offset;
+  return probe("Lab 4.5 record", {.numbers = numbers},
+               {.rows = static_cast<std::size_t>(of.points()) + 2, .columns = 3, .finite = false});
+}
+
+}  // namespace
+
+// 20 000 estimates each. 2 x 1 cells with 2 points: sd of the value .084, so a bias of .005 (2 %)
+// is caught; of the squared error, relative sd 1.2, 7 %; of the plain one (sd bounded from above)
+// 15 %, where the correction makes 18 %. One cell with 2 points: the correction is half of it.
+TEST_CASE("Lab 4.5: value, squared error and squared plain error are right on average",
+          "[lab04][ex5]") {
+  judge_estimates({1, 1, 2});
+  judge_estimates({2, 1, 2});
+  judge_estimates({4, 3, 3});
+}
+
+// Exact but for rounding: the mean of the values is 2 to 1e8, whose last digits are 1e-8.
+TEST_CASE("Lab 4.5: value and error follow from the values in each cell, whatever their mean",
+          "[lab04][ex5]") {
+  for (const Setup& of : {Setup{5, 3, 4}, Setup{1, 1, 16}, Setup{16, 16, 2}}) {
+    for (const double offset : {0.0, 1e8}) {
+      const Rows rows = record(of, offset);
+      const std::string which = fmt::format(", {} x {} cells with {} points each, mean {:g}",
+                                            of.columns, of.rows, of.per_cell, offset + 4.0 / 3);
+      judge(equals("the number of evaluations of f" + which, rows.at(1, 0), of.points(), 0));
+      const Recomputed right = recompute(rows, of);
+      judge(holds("per_cell points in each cell" + which, right.stratified, "not so", "so",
+                  {not_stratified}));
+      if (!right.stratified) continue;
+      judge(equals("the value" + which, rows.at(0, 0), right.value, 1e-12 * right.value));
+      const double error = std::sqrt(right.squared_error), m = of.per_cell, k = of.cells();
+      const double tolerance = (offset > 0 ? 1e-5 : 1e-11) * error;
+      Verdict verdict = equals("the standard error" + which, rows.at(0, 1), error, tolerance,
+                               {{error * std::sqrt((m - 1) / m), by_n},
+                                {error * std::sqrt(m), of_one_point},
+                                {error * std::sqrt(k), of_mean_cell},
+                                {right.mean_error, errors_added}});
+      if (!verdict.passed && offset > 0) verdict.diagnoses.push_back(cancellation);
+      judge(verdict);
+    }
+  }
+}
+
+// With one cell nothing is stratified: both errors are the same number.
+TEST_CASE("Lab 4.5: one cell alone gains nothing", "[lab04][ex5]") {
+  for (const double offset : {0.0, 1e8}) {
+    const Rows rows = record({1, 1, 5}, offset);
+    const double error = rows.at(0, 1);
+    Verdict verdict = equals("the plain error of one cell", rows.at(0, 2), error,
+                             (offset > 0 ? 1e-5 : 1e-11) * error,
+                             {{error * std::sqrt(4.0 / 5), plain_too_small}});
+    if (!verdict.passed && offset > 0) verdict.diagnoses.push_back(cancellation);
+    judge(verdict);
+  }
+}

@@ -1,0 +1,173 @@
+// Checks of exercises 4.1 and 4.2. A mean over m independent estimates catches a bias of 8.74 sd /
+// sqrt(m) with power .999 (compare.h).
+
+#include "04_stratification/integrands.h"
+#include "04_stratification/theory.h"
+#include "grader/judge/judge.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace carlo::grader;
+using namespace lab04_tests;
+
+namespace {
+
+const Diagnosis not_stratified{"points-not-stratified",
+                               "the points fall anywhere: some strata get none, others several."};
+const Diagnosis no_jitter{"no-jitter",
+                          "every point lies at the same place of its stratum on every run: that is "
+                          "a rule, with a rule's bias, and no random estimate."};
+const Diagnosis one_jitter{"one-jitter-for-all",
+                           "all strata share one random number: their errors add up in place of "
+                           "cancelling."};
+const Diagnosis too_wide{"strata-over-n-minus-one",
+                         "the strata are 1/(n-1) wide: the last one lies beyond 1."};
+const Diagnosis not_divided{"sum-not-divided", "the sum of the values is not divided by n."};
+
+const Diagnosis reaches_one{"float-reaches-one",
+                            "the last stratum's points are rounded up to 1, which is outside of "
+                            "[0, 1): hard case of every renderer's first sampler."};
+const Diagnosis leaves_above{"leaves-stratum-above",
+                             "x is rounded up to the first place of the next stratum: keeping it "
+                             "below 1 helps the last stratum only."};
+const Diagnosis leaves_below{"leaves-stratum-below",
+                             "x is rounded down to below i/n, where i/n is no float."};
+const Diagnosis float_digits{"computed-in-float",
+                             "i + u in float keeps only a few digits of u: compute in double, "
+                             "round once."};
+
+/// The average of x^k from one point in each of n strata: its cumulants are those of the strata,
+/// each with the weight 1/n.
+Cumulants stratified_power(int k, int n) {
+  Cumulants sum;
+  for (int i = 0; i < n; ++i)
+    sum.add(of_power(k, static_cast<double>(i) / n, (i + 1.0) / n), 1.0 / n);
+  return sum;
+}
+
+/// The same from n points of [0, 1) without strata, and from one number shared by all strata.
+double plain_variance(int k, int n) {
+  return of_power(k, 0, 1).variance / n;
+}
+
+void judge_estimates(int k, int n) {
+  const Rows rows =
+      probe("Lab 4.1 estimates", {.n = n, .numbers = {{"k", k}, {"repetitions", 20'000}}},
+            {.rows = 20'000});
+  const Theory theory = stratified_power(k, n).theory();
+  double left_ends = 0, centres = 0;
+  for (int i = 0; i < n; ++i) {
+    left_ends += power(static_cast<double>(i) / n, k) / n;
+    centres += power((i + 0.5) / n, k) / n;
+  }
+  const std::string which = fmt::format("estimates of the average of x^{}, n = {}", k, n);
+  judge(mean_is("the mean of " + which, rows.values, theory,
+                {{left_ends, no_jitter}, {centres, no_jitter}, {theory.mean * n, not_divided}}));
+  Suspects variances{{0, no_jitter}};
+  if (n > 1) variances.push_back({plain_variance(k, n), not_stratified});
+  // With x^1 a shared number moves the estimate like one point of one stratum.
+  if (n > 1 && k == 1) variances.push_back({1.0 / 12 / n / n, one_jitter});
+  judge(variance_is("the variance of " + which, rows.values, theory, variances));
+}
+
+Rows places(std::int32_t n) {
+  return probe("Lab 4.2 places", {.n = n, .numbers = {{"places", 30'000}}},
+               {.rows = 30'000, .columns = 3, .finite = false});
+}
+
+}  // namespace
+
+// sd of one estimate at n = 8: .0128 (x), .0145 (x^2): 20 000 of them catch a bias of 9e-4, .2 %.
+// Variances that are off by 9 % are caught; plain points' is 64 times as large for x.
+TEST_CASE("Lab 4.1: the average is unbiased, with the variance that strata leave", "[lab04][ex1]") {
+  judge_estimates(1, 8);
+  judge_estimates(2, 8);
+  judge_estimates(2, 1);
+}
+
+TEST_CASE("Lab 4.1: each stratum holds exactly one point, and the values are averaged",
+          "[lab04][ex1]") {
+  for (const std::size_t n : {1U, 7U, 4096U}) {
+    const Rows rows = probe("Lab 4.1 record", {.n = static_cast<std::int64_t>(n)},
+                            {.rows = n + 2, .finite = false});
+    const double count = static_cast<double>(n);
+    judge(equals("the number of evaluations of f", rows.at(1, 0), count, 0));
+    std::vector<double> points(rows.values.begin() + 2, rows.values.end());
+    std::vector<int> held(n, 0);
+    int outside = 0;
+    double sum = 0;
+    for (const double x : points) {
+      sum += x * x;
+      if (x >= 0 && x < 1) {
+        ++held[static_cast<std::size_t>(x * count)];
+      } else {
+        ++outside;
+      }
+    }
+    const auto missed = std::count(held.begin(), held.end(), 0);
+    judge(holds(fmt::format("points outside [0, 1), n = {}", n), outside == 0,
+                fmt::format("{}", outside), "none", {too_wide}));
+    if (outside == 0) {
+      judge(holds(fmt::format("strata without a point, n = {}", n), missed == 0,
+                  fmt::format("{}", missed), "none", {not_stratified}));
+    }
+    judge(equals("the estimate against the values that f returned", rows.at(0, 0), sum / count,
+                 1e-12 * sum / count, {{sum, not_divided}}));
+  }
+}
+
+// Kolmogorov-Smirnov on 4096 places within their strata: catches distances of .058 with power .999.
+TEST_CASE("Lab 4.1: within its stratum a point may lie anywhere, equally likely", "[lab04][ex1]") {
+  const Rows rows = probe("Lab 4.1 record", {.n = 4096}, {.rows = 4098, .finite = false});
+  std::vector<double> within;
+  for (std::size_t i = 2; i < rows.count(); ++i)
+    within.push_back(std::fmod(rows.at(i, 0) * 4096, 1.0));
+  const auto [least, most] = std::minmax_element(within.begin(), within.end());
+  judge(holds("the places within the strata differ", *most - *least > 0.5,
+              fmt::format("from {:.6g} to {:.6g} of a stratum", *least, *most), "from 0 to 1",
+              {one_jitter, no_jitter}));
+  judge(uniform_on("the places within the strata", within, 0, 1));
+}
+
+// Exact for every place: x n needs 24 + 21 bits, which double has.
+TEST_CASE("Lab 4.2: x lies in its stratum, at both ends and up to 2^20 strata", "[lab04][ex2]") {
+  for (const std::int32_t n : {1, 3, 49, 1000, 65'535, 1 << 20, (1 << 20) - 1}) {
+    const Rows rows = places(n);
+    int ones = 0, above = 0, below = 0;
+    for (std::size_t row = 0; row < rows.count(); ++row) {
+      const double i = rows.at(row, 0), x = rows.at(row, 2);
+      if (x >= 1) {
+        ++ones;
+      } else if (!(x * n < i + 1)) {
+        ++above;
+      } else if (!(x * n >= i)) {
+        ++below;
+      }
+    }
+    const auto tell = [&](const std::string& what, int found, const Diagnosis& diagnosis) {
+      judge(holds(fmt::format("{} of 30 000, n = {}", what, n), found == 0,
+                  fmt::format("{}", found), "none", {diagnosis}));
+    };
+    tell("places at 1", ones, reaches_one);
+    tell("places above their stratum", above, leaves_above);
+    tell("places below their stratum", below, leaves_below);
+  }
+}
+
+// One float's distance is at most 2^-23 x: rounding to nearest takes half of it, a step back into
+// the stratum the rest.
+TEST_CASE("Lab 4.2: x is (i + u)/n to float precision", "[lab04][ex2]") {
+  for (const std::int32_t n : {1, 7, 1000, 1 << 20}) {
+    const Rows rows = places(n);
+    double worst = 0;
+    for (std::size_t row = 0; row < rows.count(); ++row) {
+      const double exact = (rows.at(row, 0) + rows.at(row, 1)) / n;
+      const double allowed = 0x1p-23 * exact + 0x1p-60;
+      const double off = std::abs(rows.at(row, 2) - exact) / allowed;
+      worst = off <= worst ? worst : off;
+    }
+    judge(holds(fmt::format("the largest error, n = {}", n), worst <= 1.0001,
+                fmt::format("{:.3g} floats", worst), "at most 1 float", {float_digits}));
+  }
+}

@@ -1,0 +1,248 @@
+// Checks of exercises 4.3 and 4.4.
+
+#include "04_stratification/theory.h"
+#include "grader/judge/judge.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+using namespace carlo::grader;
+using namespace lab04_tests;
+
+namespace {
+
+const Diagnosis swapped{"columns-and-rows-swapped",
+                        "points lie in the cells of a grid with columns and rows exchanged, or in "
+                        "another order: x belongs to the column, which runs fastest."};
+const Diagnosis not_in_cell{"points-not-in-their-cells",
+                            "points lie outside of the cell that is theirs."};
+const Diagnosis no_jitter{"no-jitter", "all points lie at the same place of their cells."};
+const Diagnosis same_number{"same-number-for-x-and-y",
+                            "x and y come from one random number: the points lie on the diagonals "
+                            "of their cells."};
+
+const Diagnosis not_stratified{"axis-not-stratified",
+                               "along an axis, some strata hold no point and others several."};
+const Diagnosis in_order{"axis-in-order",
+                         "on an axis the strata are dealt out in order and not shuffled."};
+const Diagnosis same_order{"same-permutation-on-every-axis",
+                           "all axes share one permutation: the points lie along the diagonal."};
+const Diagnosis biased_shuffle{"biased-shuffle",
+                               "some orders are more likely than others: swap place j with one of "
+                               "the places 0 ... j, each equally likely, j included."};
+
+struct Grid {
+  std::size_t columns, rows;
+};
+
+Rows jittered(const Grid& grid) {
+  return probe("Lab 4.3 points",
+               {.numbers = {{"columns", static_cast<double>(grid.columns)},
+                            {"rows", static_cast<double>(grid.rows)}}},
+               {.rows = grid.columns * grid.rows + 1, .columns = 2, .finite = false});
+}
+
+/// Where points lie within their cells, in [0, 1)^2 for those that lie in them.
+struct Within {
+  std::vector<double> x, y;
+};
+
+Within within_cells(const Rows& rows, const Grid& grid) {
+  Within within;
+  for (std::size_t i = 0; i + 1 < rows.count(); ++i) {
+    within.x.push_back(rows.at(i + 1, 0) * static_cast<double>(grid.columns) -
+                       static_cast<double>(i % grid.columns));
+    within.y.push_back(rows.at(i + 1, 1) * static_cast<double>(grid.rows) -
+                       static_cast<double>(i / grid.columns));
+  }
+  return within;
+}
+
+bool in_cell(double x, double y) {
+  return x >= 0 && x < 1 && y >= 0 && y < 1;
+}
+
+/// How many points lie in cell (i / rows, i % rows), what exchanged loops would give.
+std::size_t in_exchanged_order(const Rows& points, const Grid& grid) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i + 1 < points.count(); ++i) {
+    const double across = points.at(i + 1, 0), down = points.at(i + 1, 1);
+    const auto column = static_cast<double>(i / grid.rows),
+               row = static_cast<double>(i % grid.rows);
+    const auto columns = static_cast<double>(grid.columns), rows = static_cast<double>(grid.rows);
+    const bool other_order = in_cell(across * columns - column, down * rows - row);
+    const bool other_sides = in_cell(across * rows - static_cast<double>(i % grid.rows),
+                                     down * columns - static_cast<double>(i / grid.rows));
+    const bool turned = in_cell(across * rows - static_cast<double>(i / grid.columns),
+                                down * columns - static_cast<double>(i % grid.columns));
+    count += other_order || other_sides || turned ? 1 : 0;
+  }
+  return count;
+}
+
+Rows hypercubes(std::size_t n, std::size_t dimensions, std::size_t repetitions) {
+  return probe("Lab 4.4 hypercubes",
+               {.n = static_cast<std::int64_t>(n),
+                .numbers = {{"dimensions", static_cast<double>(dimensions)},
+                            {"repetitions", static_cast<double>(repetitions)}}},
+               {.rows = repetitions, .columns = n * dimensions + 1, .finite = false});
+}
+
+/// The strata of axis k's n coordinates in the hypercube of one row.
+std::vector<int> strata_of(const Rows& rows, std::size_t row, std::size_t n, std::size_t d,
+                           std::size_t k) {
+  std::vector<int> strata;
+  for (std::size_t j = 0; j < n; ++j) {
+    const double x = rows.at(row, 1 + j * d + k);
+    strata.push_back(x >= 0 && x < 1 ? static_cast<int>(x * static_cast<double>(n)) : -1);
+  }
+  return strata;
+}
+
+}  // namespace
+
+TEST_CASE("Lab 4.3: each cell holds its point, in reading order", "[lab04][ex3]") {
+  for (const Grid& grid : {Grid{5, 3}, Grid{1, 8}, Grid{8, 1}, Grid{64, 64}}) {
+    const std::string which = fmt::format("{} columns, {} rows", grid.columns, grid.rows);
+    const Rows rows = jittered(grid);
+    const auto cells = static_cast<double>(grid.columns * grid.rows);
+    judge(equals("the number of points, " + which, rows.at(0, 0), cells, 0));
+    const Within within = within_cells(rows, grid);
+    std::size_t astray = 0;
+    for (std::size_t i = 0; i < within.x.size(); ++i)
+      astray += in_cell(within.x[i], within.y[i]) ? 0 : 1;
+    const bool exchanged = in_exchanged_order(rows, grid) == within.x.size();
+    judge(holds("points outside of their cell, " + which, astray == 0, fmt::format("{}", astray),
+                "none", {exchanged ? swapped : not_in_cell}));
+  }
+}
+
+// 4096 places: Kolmogorov-Smirnov catches distances of .058, the product of the two offsets a
+// correlation of .14, with power .999.
+TEST_CASE("Lab 4.3: within its cell a point may lie anywhere, equally likely", "[lab04][ex3]") {
+  const Grid grid{64, 64};
+  const Within within = within_cells(jittered(grid), grid);
+  const auto [least, most] = std::minmax_element(within.x.begin(), within.x.end());
+  judge(holds("the places within the cells differ", *most - *least > 0.5,
+              fmt::format("x from {:.4g} to {:.4g} of a cell", *least, *most), "from 0 to 1",
+              {no_jitter}));
+  judge(uniform_on("x within the cells", within.x, 0, 1));
+  judge(uniform_on("y within the cells", within.y, 0, 1));
+  std::vector<double> products;
+  for (std::size_t i = 0; i < within.x.size(); ++i)
+    products.push_back((within.x[i] - 0.5) * (within.y[i] - 0.5));
+  judge(mean_is("the mean product of the offsets in x and y", products, {0, 1.0 / 12},
+                {{1.0 / 12, same_number}}));
+}
+
+// Neighbouring cells: offsets that repeat from cell to cell would show here.
+TEST_CASE("Lab 4.3: the points of different cells are independent", "[lab04][ex3]") {
+  const Grid grid{64, 64};
+  const Within within = within_cells(jittered(grid), grid);
+  std::vector<double> along, down;
+  for (std::size_t i = 0; i + 64 < within.x.size(); ++i) {
+    along.push_back((within.x[i] - 0.5) * (within.x[i + 1] - 0.5));
+    down.push_back((within.y[i] - 0.5) * (within.y[i + 64] - 0.5));
+  }
+  // Products of neighbours are uncorrelated though they share a point.
+  judge(mean_is("the mean product of neighbours' offsets in x", along, {0, 1.0 / 12},
+                {{1.0 / 12, no_jitter}}));
+  judge(mean_is("the mean product of offsets in y of cells one above the other", down,
+                {0, 1.0 / 12}, {{1.0 / 12, no_jitter}}));
+}
+
+TEST_CASE("Lab 4.4: along every axis each stratum holds exactly one point", "[lab04][ex4]") {
+  struct Size {
+    std::size_t n, d;
+  };
+  for (const Size& size : {Size{1, 3}, Size{7, 1}, Size{64, 5}, Size{4096, 2}}) {
+    const std::string which = fmt::format("{} points in {} dimensions", size.n, size.d);
+    const Rows rows = hypercubes(size.n, size.d, 1);
+    judge(equals("the number of coordinates, " + which, rows.at(0, 0),
+                 static_cast<double>(size.n * size.d), 0));
+    std::size_t missed = 0;
+    for (std::size_t k = 0; k < size.d; ++k) {
+      std::vector<int> strata = strata_of(rows, 0, size.n, size.d, k);
+      std::sort(strata.begin(), strata.end());
+      for (std::size_t i = 0; i < size.n; ++i)
+        missed += std::binary_search(strata.begin(), strata.end(), static_cast<int>(i)) ? 0 : 1;
+    }
+    judge(holds("strata without a point, " + which, missed == 0, fmt::format("{}", missed), "none",
+                {not_stratified}));
+  }
+}
+
+// The six orders of three strata, in 60 000 hypercubes: each frequency is caught when it is off by
+// .0133 with power .999; swapping any place with any other gives 4/27 and 5/27 for 1/6, off by
+// .0185.
+TEST_CASE("Lab 4.4: all orders of the strata are equally likely and independent from axis to axis",
+          "[lab04][ex4]") {
+  constexpr std::size_t repetitions = 60'000;
+  const Rows rows = hypercubes(3, 2, repetitions);
+  const Theory sixth{1.0 / 6, std::sqrt(1.0 / 6 * 5 / 6)};
+  std::vector<double> together(repetitions, 0);
+  std::array<std::array<std::vector<double>, 6>, 2> is_order;
+  const std::array<std::vector<int>, 6> orders{
+      {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+  for (std::size_t row = 0; row < repetitions; ++row) {
+    const auto first = strata_of(rows, row, 3, 2, 0), second = strata_of(rows, row, 3, 2, 1);
+    together[row] = first == second ? 1 : 0;
+    for (std::size_t o = 0; o < 6; ++o) {
+      is_order[0][o].push_back(first == orders[o] ? 1 : 0);
+      is_order[1][o].push_back(second == orders[o] ? 1 : 0);
+    }
+  }
+  judge(mean_is("how often two axes have the same order", together, sixth, {{1, same_order}}));
+  for (std::size_t k = 0; k < 2; ++k) {
+    for (std::size_t o = 0; o < 6; ++o) {
+      Verdict verdict =
+          mean_is(fmt::format("how often axis {} has the order {}", k, fmt::join(orders[o], " ")),
+                  is_order[k][o], sixth);
+      const auto& hits = is_order[k][o];
+      const bool always =
+          std::all_of(hits.begin(), hits.end(), [](double hit) { return hit == 1; });
+      if (!verdict.passed)
+        verdict.diagnoses.push_back(o == 0 && always ? in_order : biased_shuffle);
+      judge(verdict);
+    }
+  }
+}
+
+// Two axes at 8192 places each; Kolmogorov-Smirnov catches distances of .041.
+TEST_CASE("Lab 4.4: within its strata a point may lie anywhere, equally likely", "[lab04][ex4]") {
+  constexpr std::size_t n = 8192;
+  const Rows rows = hypercubes(n, 2, 1);
+  std::array<std::vector<double>, 2> within;
+  for (std::size_t j = 0; j < 2 * n; ++j)
+    within[j % 2].push_back(std::fmod(rows.at(0, 1 + j) * static_cast<double>(n), 1.0));
+  const auto [least, most] = std::minmax_element(within[0].begin(), within[0].end());
+  judge(holds("the places within the strata differ", *most - *least > 0.5,
+              fmt::format("from {:.4g} to {:.4g} of a stratum", *least, *most), "from 0 to 1",
+              {no_jitter}));
+  judge(uniform_on("places within the strata of axis 0", within[0], 0, 1));
+  judge(uniform_on("places within the strata of axis 1", within[1], 0, 1));
+}
+
+// For x + y each axis is stratified for itself: variance 2/(12 n^3), excess kurtosis -1.2/(2 n).
+// 20 000 estimates catch a bias of 4e-4 and variances that are off by 8 %; plain points' is 256
+// times as large.
+TEST_CASE("Lab 4.4: sums of functions of one coordinate are estimated with a stratum's variance",
+          "[lab04][ex4]") {
+  constexpr std::size_t n = 16, repetitions = 20'000;
+  const Rows rows = hypercubes(n, 2, repetitions);
+  std::vector<double> estimates;
+  for (std::size_t row = 0; row < repetitions; ++row) {
+    double sum = 0;
+    for (std::size_t j = 0; j < 2 * n; ++j)
+      sum += rows.at(row, 1 + j);
+    estimates.push_back(sum / n);
+  }
+  const double variance = 2.0 / 12 / (n * n * n);
+  const Theory theory{1, std::sqrt(variance), -1.2 / (2 * n)};
+  judge(mean_is("the mean of x + y", estimates, theory));
+  judge(variance_is("the variance of the estimates of x + y", estimates, theory,
+                    {{2.0 / 12 / n, not_stratified}, {0, no_jitter}}));
+}

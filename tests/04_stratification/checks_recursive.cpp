@@ -1,0 +1,258 @@
+// Checks of exercise 4.6. How points are shared out is the student's choice: what is judged is that
+// the estimate is unbiased, that its error bar is honest, that it costs no more than n evaluations,
+// and that the points go where they are needed.
+
+#include "04_stratification/integrands.h"
+#include "04_stratification/theory.h"
+#include "grader/judge/judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace carlo::grader;
+using namespace lab04_tests;
+
+namespace {
+
+const Diagnosis by_points{"halves-weighed-by-points",
+                          "the half with more points counts for more: both are half of the box, "
+                          "however many points they got."};
+const Diagnosis too_many{"more-than-n-evaluations",
+                         "f is evaluated more than n times: the points that explore have to come "
+                         "out of the n."};
+const Diagnosis too_few{"points-wasted", "most of the n points go into exploring, or nowhere."};
+const Diagnosis outside_cube{"points-outside-cube", "f is evaluated outside of the unit cube."};
+const Diagnosis starved{"starved-box",
+                        "a box was left with fewer than two points, which have no variance."};
+const Diagnosis not_adaptive{"not-adaptive",
+                             "points are not drawn to where f varies: the halves get equal shares, "
+                             "or the split is blind."};
+const Diagnosis backwards{"shares-exchanged",
+                          "the points go where f does not vary: the halves' shares are "
+                          "exchanged."};
+const Diagnosis wrong_axis{"wrong-axis",
+                           "boxes are not halved along the axis that matters: with f = exp(5 x_1) "
+                           "only axis 1 does."};
+const Diagnosis variance_halved{"variance-not-quartered",
+                                "the variance of (a + b)/2 is a quarter of the sum of both "
+                                "variances, not half of it."};
+const Diagnosis not_split{"no-gain", "the error is as large as without strata."};
+const Diagnosis does_not_tile{"strata-do-not-fill-the-cube",
+                              "the boxes given overlap, or leave a part of the cube out."};
+
+struct Case {
+  std::string name;
+  CubeIntegrand integrand;
+  int d;
+  double average;
+  double plain_variance;  ///< of one point of the cube
+};
+
+/// The integral of exp(-sharpness (x - c)^2) over [0, 1].
+double bell_1d(double sharpness, double c) {
+  const double root = std::sqrt(sharpness);
+  return std::sqrt(std::numbers::pi) / (2 * root) * (std::erf(root * (1 - c)) + std::erf(root * c));
+}
+
+Case disc() {
+  const double pi = std::numbers::pi;
+  return {"the quarter disc", CubeIntegrand::disc, 2, pi, pi * (4 - pi)};
+}
+
+Case bell(int d) {
+  const double average = std::pow(bell_1d(1, 0), d);
+  return {fmt::format("exp(-|x|^2), d = {}", d), CubeIntegrand::bell, d, average,
+          std::pow(bell_1d(2, 0), d) - average * average};
+}
+
+Case peak() {
+  const double average = bell_1d(peak_sharpness, peak_at[0]) * bell_1d(peak_sharpness, peak_at[1]);
+  const double square =
+      bell_1d(2 * peak_sharpness, peak_at[0]) * bell_1d(2 * peak_sharpness, peak_at[1]);
+  return {"a narrow peak", CubeIntegrand::peak, 2, average, square - average * average};
+}
+
+Case half() {
+  return {"a chessboard on one half", CubeIntegrand::half, 2, 0.5, 0.75};
+}
+
+Params params(const Case& of, std::int64_t n, double repetitions = 1) {
+  return {.n = n,
+          .numbers = {{"integrand", static_cast<double>(of.integrand)},
+                      {"d", of.d},
+                      {"repetitions", repetitions}}};
+}
+
+constexpr std::size_t repetitions = 2000;
+
+/// Unbiased within the spread of `most` times the plain variance, and no larger spread than that.
+void judge_case(const Case& of, std::int64_t n, double most) {
+  const Rows rows =
+      probe("Lab 4.6 estimates", params(of, n, repetitions), {.rows = repetitions, .columns = 2});
+  const double plain = of.plain_variance / static_cast<double>(n);
+  const std::string which = fmt::format("{}, n = {}", of.name, n);
+  Verdict mean = mean_is("the mean of the estimates of " + which, column(rows, 0),
+                         {of.average, std::sqrt(most * plain)});
+  long double sum = 0, squared = 0, claimed = 0;
+  for (std::size_t row = 0; row < rows.count(); ++row) {
+    const double off = rows.at(row, 0) - of.average;
+    sum += rows.at(row, 0);
+    squared += off * off / repetitions;
+    claimed += rows.at(row, 1) * rows.at(row, 1) / repetitions;
+  }
+  const bool too_high = static_cast<double>(sum) / repetitions > of.average;
+  if (!mean.passed && of.integrand == CubeIntegrand::half && too_high) {
+    mean.diagnoses.push_back(by_points);
+  }
+  judge(mean);
+  const double gain = static_cast<double>(squared) / plain;
+  judge(holds("the squared error against that of plain points, " + which, gain <= most,
+              fmt::format("{:.3g}", gain), fmt::format("{:g} at most", most), {not_split}));
+  // Sums of 2000 squares: their relative sd is .03 for normal errors; .08 at the kurtosis of 12
+  // that rare large errors give. A wrong factor of a level is 2 and more.
+  const double honesty = static_cast<double>(claimed / squared);
+  judge(holds("the mean squared standard error against the mean squared error, " + which,
+              honesty >= 0.6 && honesty <= 1.6, fmt::format("{:.3g}", honesty), "1",
+              honesty > 1.6 ? std::vector{variance_halved} : std::vector<Diagnosis>{}));
+}
+
+Rows record(const Case& of, std::int64_t n) {
+  return probe("Lab 4.6 record", params(of, n), {.columns = 6});
+}
+
+struct Box {
+  std::vector<double> lower, upper;
+  double points;
+
+  double volume() const {
+    double product = 1;
+    for (std::size_t k = 0; k < lower.size(); ++k)
+      product *= upper[k] - lower[k];
+    return product;
+  }
+  bool within_cube() const {
+    for (std::size_t k = 0; k < lower.size(); ++k) {
+      if (!(lower[k] >= 0 && upper[k] <= 1 && lower[k] < upper[k])) return false;
+    }
+    return true;
+  }
+  bool overlaps(const Box& other) const {
+    for (std::size_t k = 0; k < lower.size(); ++k) {
+      if (lower[k] >= other.upper[k] || other.lower[k] >= upper[k]) return false;
+    }
+    return true;
+  }
+};
+
+std::vector<Box> strata(const Case& of, std::int64_t n) {
+  const auto d = static_cast<std::size_t>(of.d);
+  const Rows rows = probe("Lab 4.6 strata", params(of, n),
+                          {.rows = static_cast<std::size_t>(n), .columns = 2 * d + 1});
+  std::vector<Box> boxes;
+  for (std::size_t row = 0; row < rows.count(); ++row) {
+    Box box{{}, {}, rows.at(row, 2 * d)};
+    bool empty = true;
+    for (std::size_t k = 0; k < d; ++k) {
+      box.lower.push_back(rows.at(row, k));
+      box.upper.push_back(rows.at(row, d + k));
+      empty = empty && box.lower[k] == 0 && box.upper[k] == 0;
+    }
+    if (!empty) boxes.push_back(box);
+  }
+  return boxes;
+}
+
+void judge_boxes(const Case& of, std::int64_t n) {
+  const std::vector<Box> boxes = strata(of, n);
+  const std::string which = fmt::format("{}, n = {}", of.name, n);
+  double volume = 0, points = 0, fewest = 1e9;
+  bool proper = true, overlap = false;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    volume += boxes[i].volume();
+    points += boxes[i].points;
+    fewest = std::min(fewest, boxes[i].points);
+    proper = proper && boxes[i].within_cube();
+    for (std::size_t j = 0; j < i && !overlap; ++j)
+      overlap = boxes[i].overlaps(boxes[j]);
+  }
+  judge(holds("the strata are boxes of the cube and none overlaps another, " + which,
+              proper && !overlap, "not so", "so", {does_not_tile}));
+  judge(equals("the volume of all strata, " + which, volume, 1, 1e-9, {}));
+  judge(holds("the fewest points of a stratum, " + which, fewest >= 2, fmt::format("{:g}", fewest),
+              "2 or more", {starved}));
+  const auto whole = static_cast<double>(n);
+  judge(holds("the points in the estimate, " + which, points <= whole, fmt::format("{:g}", points),
+              fmt::format("n = {} at most", n), {too_many}));
+  judge(holds("the points in the estimate, " + which, points >= whole / 4,
+              fmt::format("{:g}", points), fmt::format("n/4 = {} at least", n / 4), {too_few}));
+}
+
+}  // namespace
+
+// 2000 estimates of n = 1024: a bias is caught at .0049 (.16 %) for the disc, .0016 (.3 %) for the
+// bell in 2D, .01 for the chessboard, whose halves hold 1 and 0.
+TEST_CASE("Lab 4.6: the estimate is unbiased, better than plain points, and its error bar honest",
+          "[lab04][ex6]") {
+  judge_case(disc(), 1024, 0.5);
+  judge_case(bell(2), 1024, 0.3);
+  judge_case(bell(4), 1024, 0.6);
+  judge_case(half(), 1024, 1);
+  // The peak's plain error is 4.6 times its average's square root; strata find it.
+  judge_case(peak(), 4096, 0.3);
+}
+
+TEST_CASE("Lab 4.6: f is evaluated n times at most, and in the cube", "[lab04][ex6]") {
+  for (const std::int64_t n : {16, 17, 100, 1000, 4096, 65'536}) {
+    for (const Case& of : {disc(), bell(1), bell(10)}) {
+      const Rows rows = record(of, n);
+      const std::string which = fmt::format("{}, n = {}", of.name, n);
+      judge(holds("evaluations of f, " + which, rows.at(0, 2) <= static_cast<double>(n),
+                  fmt::format("{:g}", rows.at(0, 2)), "n at most", {too_many}));
+      judge(holds("evaluations outside of the cube, " + which, rows.at(0, 3) == 0,
+                  fmt::format("{:g}", rows.at(0, 3)), "none", {outside_cube}));
+    }
+  }
+}
+
+TEST_CASE("Lab 4.6: the strata fill the cube, each with points enough for a variance",
+          "[lab04][ex6]") {
+  for (const std::int64_t n : {16, 100, 1024}) {
+    judge_boxes(disc(), n);
+    judge_boxes(bell(3), n);
+  }
+  judge_boxes(half(), 4096);
+}
+
+// Corner: f varies only on 1/16 of the square. An even spread leaves 6 % of the points there; the
+// wanted half is not starved even where shares are kept between 1/4 and 3/4 (.3 then).
+TEST_CASE("Lab 4.6: points gather where f varies", "[lab04][ex6]") {
+  const Case corner{"waves in a corner", CubeIntegrand::corner, 2, 1.0 / 64, 0};
+  const double share = record(corner, 16'384).at(0, 4);
+  judge(holds("the share of the points in the corner where f varies", share >= 0.13,
+              fmt::format("{:.3g}", share), ".13 at least; 1/16 is blind",
+              {share < 0.05 ? backwards : not_adaptive}));
+}
+
+TEST_CASE("Lab 4.6: boxes are halved along the axis that matters", "[lab04][ex6]") {
+  const Case one_axis{"exp(5 x_1)", CubeIntegrand::one_axis, 3, 0, 0};
+  // The mean over the cube of log2 of a side is minus how often it was halved.
+  double halvings[3] = {0, 0, 0};
+  for (const Box& box : strata(one_axis, 16'384)) {
+    for (std::size_t k = 0; k < 3; ++k)
+      halvings[k] -= box.volume() * std::log2(box.upper[k] - box.lower[k]);
+  }
+  const double others = std::max(halvings[0], halvings[2]);
+  judge(holds("how often axis 1 was halved", halvings[1] >= 1.3 * others && halvings[1] >= 2,
+              fmt::format("{:.3g} times, the others {:.3g}", halvings[1], others),
+              "1.3 times as often as the others at least", {wrong_axis}));
+}
+
+TEST_CASE("Lab 4.6: a constant has no error", "[lab04][ex6]") {
+  const Case constant{"3", CubeIntegrand::constant, 2, 3, 0};
+  for (const std::int64_t n : {16, 1000, 5000}) {
+    const Rows rows = record(constant, n);
+    judge(equals(fmt::format("the average of 3, n = {}", n), rows.at(0, 0), 3, 1e-12));
+    judge(equals(fmt::format("its standard error, n = {}", n), rows.at(0, 1), 0, 1e-9));
+  }
+}

@@ -1,0 +1,124 @@
+// Probes of lab 04's exercises 4.1 to 4.5. They call the student's functions and return raw values;
+// what the values should be stands in checks_*.cpp.
+
+#include "04_stratification/integrands.h"
+#include "grader/worker/probe.h"
+#include "stratification.h"
+
+#include <array>
+#include <limits>
+#include <vector>
+
+using namespace lab04_tests;
+using carlo::grader::Params;
+using carlo::grader::Rows;
+using carlo::grader::RowWriter;
+
+// All repetitions share one generator: an estimate that restarts it repeats itself.
+PROBE("Lab 4.1 estimates") {
+  carlo::Rng rng(params.seed);
+  const auto k = static_cast<int>(params.whole("k"));
+  const lab04::Function f = [k](double x) { return power(x, k); };
+  RowWriter rows;
+  for (std::int64_t i = 0; i < params.whole("repetitions"); ++i)
+    rows.add({lab04::stratified_average(f, params.n, rng)});
+  return rows.take();
+}
+
+// The estimate of x^2 and how often f was asked; then the n places, filled up or cut.
+PROBE("Lab 4.1 record") {
+  carlo::Rng rng(params.seed);
+  std::vector<double> places;
+  const double value = lab04::stratified_average(
+      [&](double x) {
+        places.push_back(x);
+        return x * x;
+      },
+      params.n, rng);
+  const auto asked = static_cast<double>(places.size());
+  places.resize(static_cast<std::size_t>(params.n), std::numeric_limits<double>::quiet_NaN());
+  places.insert(places.begin(), {value, asked});
+  return {1, std::move(places)};
+}
+
+// Stratum, share and the place given: at both ends of the range and of the strata, and at random.
+PROBE("Lab 4.2 places") {
+  carlo::Rng rng(params.seed);
+  const auto n = static_cast<std::int32_t>(params.n);
+  RowWriter rows;
+  const auto place = [&](std::int32_t i, float u) {
+    rows.add({static_cast<double>(i), static_cast<double>(u),
+              static_cast<double>(lab04::place_in_stratum(i, n, u))});
+  };
+  for (const std::int32_t i : {0, n / 3, n / 2, n - 1}) {
+    for (const float u : {0.0f, 0x1p-24f, 0.5f, 1 - 0x1p-24f})
+      place(i, u);
+  }
+  for (std::int64_t k = 16; k < params.whole("places"); ++k) {
+    const auto i = static_cast<std::int32_t>(rng.uniform() * static_cast<double>(n));
+    // A third each: anywhere in the stratum, at its lower end, at its upper end.
+    const float u = rng.uniform_float();
+    place(i, k % 3 == 0 ? u : k % 3 == 1 ? 0.0f : 1 - 0x1p-24f);
+  }
+  return rows.take();
+}
+
+// One value: how many points came. Then the points, filled up with NaN or cut.
+PROBE("Lab 4.3 points") {
+  carlo::Rng rng(params.seed);
+  const auto points = lab04::jittered(params.whole("columns"), params.whole("rows"), rng);
+  const auto wanted = static_cast<std::size_t>(params.whole("columns") * params.whole("rows"));
+  std::vector<double> values = {static_cast<double>(points.size()), 0};
+  for (std::size_t i = 0; i < wanted; ++i) {
+    const bool there = i < points.size();
+    values.push_back(there ? points[i].x : std::numeric_limits<double>::quiet_NaN());
+    values.push_back(there ? points[i].y : std::numeric_limits<double>::quiet_NaN());
+  }
+  return {2, std::move(values)};
+}
+
+// A row a hypercube: its number of coordinates, then the coordinates, filled up with NaN or cut.
+PROBE("Lab 4.4 hypercubes") {
+  carlo::Rng rng(params.seed);
+  const std::int64_t d = params.whole("dimensions");
+  const auto wanted = static_cast<std::size_t>(params.n * d);
+  Rows rows{wanted + 1, {}};
+  for (std::int64_t i = 0; i < params.whole("repetitions"); ++i) {
+    std::vector<double> points = lab04::latin_hypercube(params.n, d, rng);
+    rows.values.push_back(static_cast<double>(points.size()));
+    points.resize(wanted, std::numeric_limits<double>::quiet_NaN());
+    rows.values.insert(rows.values.end(), points.begin(), points.end());
+  }
+  return rows;
+}
+
+PROBE("Lab 4.5 estimates") {
+  carlo::Rng rng(params.seed);
+  RowWriter rows;
+  const lab04::Function2d f = [](double x, double y) { return x * y; };
+  for (std::int64_t i = 0; i < params.whole("repetitions"); ++i) {
+    const auto e = lab04::stratified_estimate(f, params.whole("columns"), params.whole("rows"),
+                                              params.whole("per_cell"), rng);
+    rows.add({e.value, e.standard_error, e.plain_standard_error});
+  }
+  return rows.take();
+}
+
+// The three results; how often f was asked; then every place with f's value, filled up or cut.
+PROBE("Lab 4.5 record") {
+  carlo::Rng rng(params.seed);
+  std::vector<double> record;
+  const double offset = params["offset"];
+  const lab04::Function2d f = [&](double x, double y) {
+    const double value = offset + x * x + 2 * y;
+    record.insert(record.end(), {x, y, value});
+    return value;
+  };
+  const std::int64_t columns = params.whole("columns"), rows = params.whole("rows");
+  const auto e = lab04::stratified_estimate(f, columns, rows, params.whole("per_cell"), rng);
+  const auto asked = static_cast<double>(record.size()) / 3;
+  record.resize(static_cast<std::size_t>(3 * columns * rows * params.whole("per_cell")),
+                std::numeric_limits<double>::quiet_NaN());
+  record.insert(record.begin(), {e.value, e.standard_error, e.plain_standard_error, asked, 0, 0});
+  return {3, std::move(record)};
+}
