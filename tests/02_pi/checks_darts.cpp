@@ -1,0 +1,190 @@
+// Checks of exercises 2.1 and 2.2. A mean of m values catches a shift of 8.74 sd / sqrt(m) with
+// power .999 (compare.h); the size is stated at each test.
+
+#include "02_pi/theory.h"
+#include "grader/judge/judge.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+using namespace carlo::grader;
+using namespace lab02_tests;
+
+namespace {
+
+const Diagnosis same_number{"one-number-for-x-and-y",
+                            "x and y come from the same random number: the darts lie on the "
+                            "diagonal."};
+const Diagnosis triangle{"square-root-or-squares-missing",
+                         "half of the darts hit: the test looks like x + y < 1, not like "
+                         "x^2 + y^2 < 1."};
+const Diagnosis float_counter{"float-counter",
+                              "the hits stop at 16777216 = 2^24: a float cannot count further. "
+                              "Count in whole numbers."};
+const Diagnosis not_scaled{"share-not-scaled-to-pi",
+                           "this is the share of hits, π/4, or an error of it: the factor 4 is "
+                           "missing."};
+const Diagnosis error_not_scaled{"standard-error-not-scaled",
+                                 "the standard error is that of the share of hits; π is 4 times "
+                                 "the share, and so is its error."};
+const Diagnosis error_of_one{"standard-error-of-one-dart",
+                             "the standard deviation of one dart is given; that of the mean is "
+                             "smaller by sqrt(N)."};
+const Diagnosis variance_given{"variance-in-place-of-standard-error",
+                               "this is the variance: its square root is the standard error."};
+const Diagnosis by_n{"variance-divided-by-n",
+                     "the variance is divided by N; the unbiased estimate takes N - 1."};
+const Diagnosis normal_interval{"interval-of-the-measured-variance",
+                                "this is the estimate ± z standard errors, whose width comes from "
+                                "the measured share: with no hit, or no miss, it is 0."};
+const Diagnosis interval_not_scaled{"interval-not-scaled-to-pi",
+                                    "these are limits for the share of hits; π is 4 times that."};
+const Diagnosis not_shrunk{"interval-not-divided",
+                           "the division by 1 + z^2/N is missing: the coefficient of p^2 in the "
+                           "quadratic equation is not 1."};
+
+struct Interval {
+  double lower, upper;
+};
+
+struct Case {
+  double thrown, hits;
+};
+
+void judge_estimate(Case darts) {
+  const Rows rows =
+      probe("Lab 2.1 estimate", {.numbers = {{"thrown", darts.thrown}, {"hits", darts.hits}}},
+            {.columns = 2, .finite = false});
+  const std::string of = fmt::format("{:g} hits of {:g}", darts.hits, darts.thrown);
+  const double share = darts.hits / darts.thrown;
+  const double variance = share * (1 - share);
+  const double n1 = darts.thrown - 1;
+  const double error = darts.thrown < 2 ? 0 : 4 * std::sqrt(variance / n1);
+  Suspects suspects;
+  if (error > 0) {
+    suspects = {{error / 4, error_not_scaled},
+                {4 * std::sqrt(variance), error_of_one},
+                {4 * std::sqrt(variance * darts.thrown / n1), error_of_one},
+                {error * error, variance_given},
+                {4 * std::sqrt(variance / darts.thrown), by_n}};
+  }
+  judge(equals("the estimate from " + of, rows.at(0, 0), 4 * share, 1e-12, {{share, not_scaled}}));
+  judge(equals("the standard error from " + of, rows.at(0, 1), error, 1e-12, suspects));
+}
+
+/// The estimate ± z standard errors, for π.
+Interval normal_limits(Case darts, double z) {
+  const double share = darts.hits / darts.thrown;
+  const double half = z * std::sqrt(share * (1 - share) / darts.thrown);
+  return {4 * (share - half), 4 * (share + half)};
+}
+
+void judge_interval(Case darts, double z) {
+  const Rows rows = probe("Lab 2.2 interval",
+                          {.numbers = {{"thrown", darts.thrown}, {"hits", darts.hits}, {"z", z}}},
+                          {.columns = 2, .finite = false});
+  const ScoreLimits share = score_limits(darts.thrown, darts.hits, z);
+  const Interval normal = normal_limits(darts, z);
+  const double undivided = 4 * (1 + z * z / darts.thrown);
+  const std::string of = fmt::format("{:g} hits of {:g}, z = {:g}", darts.hits, darts.thrown, z);
+  judge(equals("the lower limit from " + of, rows.at(0, 0), 4 * share.lower, 1e-9,
+               {{normal.lower, normal_interval},
+                {std::max(0.0, normal.lower), normal_interval},
+                {share.lower, interval_not_scaled},
+                {undivided * share.lower, not_shrunk}}));
+  judge(equals("the upper limit from " + of, rows.at(0, 1), 4 * share.upper, 1e-9,
+               {{normal.upper, normal_interval},
+                {std::min(4.0, normal.upper), normal_interval},
+                {share.upper, interval_not_scaled},
+                {undivided * share.upper, not_shrunk}}));
+}
+
+}  // namespace
+
+TEST_CASE("Lab 2.1: every dart takes two numbers, x and y, and is judged by them", "[lab02][ex1]") {
+  for (const std::int64_t n : {0, 1, 2, 1000, 100'000}) {
+    const Rows rows = probe("Lab 2.1 record", {.n = n}, {.columns = 4});
+    const auto count = static_cast<double>(n);
+    judge(equals("the darts thrown", rows.at(0, 0), count, 0));
+    judge(equals(fmt::format("the hits among {} darts", n), rows.at(0, 1), rows.at(0, 2), 0));
+    // A uniform double takes two of the generator's 32-bit words.
+    judge(equals("the numbers drawn (calls of rng.uniform())", rows.at(0, 3) / 2, 2 * count, 0));
+  }
+}
+
+// 320 000 darts: a share that is off by .0063 is caught; the mistakes below are off by .078 and
+// more. 20 000 counts show a variance that is off by 9 %.
+TEST_CASE("Lab 2.1: the share of hits is π/4 with the variance of independent darts",
+          "[lab02][ex1]") {
+  const Rows rows =
+      probe("Lab 2.1 repeated", {.n = 16, .numbers = {{"repetitions", 20'000}}}, {.rows = 20'000});
+  const Theory theory = hits_theory(16);
+  judge(mean_is("the hits among 16 darts", rows.values, theory,
+                {{16 / std::sqrt(2.0), same_number}, {8, triangle}}));
+  judge(variance_is("the variance of the hits", rows.values, theory));
+}
+
+// 24 million darts have 18.85 million hits, 2 million above the last number that a float can be
+// counted up to.
+TEST_CASE("Lab 2.1: many darts are counted exactly", "[lab02][ex1]") {
+  const Rows rows = probe("Lab 2.1 many", {.n = 24'000'000}, {.columns = 3});
+  judge(equals("the darts thrown", rows.at(0, 0), 24e6, 0, {{16777216, float_counter}}));
+  judge(equals("the hits among 24 million darts", rows.at(0, 1), rows.at(0, 2), 0,
+               {{16777216, float_counter}}));
+}
+
+TEST_CASE("Lab 2.1: the estimate of π and its standard error", "[lab02][ex1]") {
+  for (const Case darts : {Case{1000, 785}, Case{10, 7}, Case{2, 1}, Case{3e9, 2356194490}})
+    judge_estimate(darts);
+}
+
+TEST_CASE("Lab 2.1: one dart has no standard error, and equal scores have none either",
+          "[lab02][ex1]") {
+  for (const Case darts : {Case{1, 1}, Case{1, 0}, Case{50, 50}, Case{50, 0}})
+    judge_estimate(darts);
+}
+
+TEST_CASE("Lab 2.2: the limits lie z of their own standard deviations from the share of hits",
+          "[lab02][ex2]") {
+  for (const double z : {1.0, 1.959963984540054, 5.0}) {
+    judge_interval({1000, 785}, z);
+    judge_interval({10, 7}, z);
+    judge_interval({4e9, 3141592654}, z);
+  }
+}
+
+TEST_CASE("Lab 2.2: without a hit, or without a miss, the interval has a width", "[lab02][ex2]") {
+  for (const Case darts : {Case{1, 0}, Case{1, 1}, Case{10, 0}, Case{10, 10}, Case{1e6, 0}})
+    judge_interval(darts, 1.959963984540054);
+}
+
+// 10 000 intervals each: with power .999 a coverage of .95 that is off by .019 is caught. The
+// expected coverage is the exact one, a sum over all counts of hits: it is .95 only on average.
+TEST_CASE("Lab 2.2: 95 % intervals hold the true value in the share of cases that theory says",
+          "[lab02][ex2]") {
+  constexpr double z = 1.959963984540054;
+  struct Setting {
+    int n;
+    double p;
+  };
+  for (const Setting s :
+       {Setting{10, quarter_disc}, Setting{1000, quarter_disc}, Setting{50, .02}}) {
+    const Rows rows = probe("Lab 2.2 intervals",
+                            {.n = s.n, .numbers = {{"repetitions", 10'000}, {"p", s.p}, {"z", z}}},
+                            {.rows = 10'000, .columns = 2});
+    std::vector<double> covered;
+    for (std::size_t i = 0; i < rows.count(); ++i)
+      covered.push_back(rows.at(i, 0) <= 4 * s.p && 4 * s.p <= rows.at(i, 1) ? 1 : 0);
+    const double exact = coverage(s.n, s.p, [&](int k) {
+      const ScoreLimits limits = score_limits(s.n, k, z);
+      return limits.lower <= s.p && s.p <= limits.upper;
+    });
+    const double normal = coverage(s.n, s.p, [&](int k) {
+      const Interval limits = normal_limits({static_cast<double>(s.n), static_cast<double>(k)}, z);
+      return limits.lower <= 4 * s.p && 4 * s.p <= limits.upper;
+    });
+    judge(mean_is(fmt::format("the share of intervals that hold {:.4g}, N = {}", 4 * s.p, s.n),
+                  covered, {exact, std::sqrt(exact * (1 - exact))}, {{normal, normal_interval}}));
+  }
+}

@@ -1,0 +1,180 @@
+// Checks of exercise 2.6. All are exact: what a parallel sum gives must not depend on luck.
+
+#include "grader/judge/judge.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+using namespace carlo::grader;
+
+namespace {
+
+constexpr double chunk = 1 << 14;  // chunk_samples of the contract
+
+const Diagnosis order{"added-up-as-they-finish",
+                      "the sums differ in their last bits: floating-point addition depends on the "
+                      "order. Keep each chunk's result and add them up in the order of the "
+                      "chunks."};
+const Diagnosis wrong_streams{"generators-not-of-the-chunks",
+                              "a chunk's random numbers must come from carlo::Rng(seed, chunk), "
+                              "whoever works on it."};
+const Diagnosis same_stream{"one-stream-for-all-chunks",
+                            "every chunk gets the same random numbers: the samples repeat."};
+const Diagnosis wrong_sizes{"samples-not-n",
+                            "the chunks hold more or fewer than n samples in all: look at the last "
+                            "one."};
+const Diagnosis too_few{
+    "threads-not-at-the-same-time",
+    "fewer samplers than threads run at the same time: is each thread joined before "
+    "the next one starts, or one lock held while sampling?"};
+const Diagnosis too_many{"too-many-threads", "more samplers run at once than `threads` allows."};
+const Diagnosis fixed_shares{"fixed-shares",
+                             "a thread that is free does not take over chunks that nobody has "
+                             "begun: one slow chunk holds up those dealt to the same thread."};
+const Diagnosis swallowed{"exception-lost",
+                          "the sampler threw, and the caller never learnt of it: an incomplete sum "
+                          "was returned."};
+const Diagnosis other_exception{"exception-replaced",
+                                "an exception arrived, but not the one that the sampler threw: "
+                                "std::exception_ptr keeps it as it is."};
+const Diagnosis left_running{"threads-left-running",
+                             "a sampler still runs after the function has ended."};
+const Diagnosis goes_on{"works-on-after-a-failure",
+                        "further chunks are begun although one has failed already."};
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+void judge_sums(double n, double threads) {
+  const Rows rows =
+      probe("Lab 2.6 sums", {.n = static_cast<std::int64_t>(n), .numbers = {{"threads", threads}}},
+            {.columns = 6});
+  const std::string of = fmt::format(" of {:g} samples, {:g} threads", n, threads);
+  judge(holds("the count" + of, rows.at(0, 0) == rows.at(0, 3),
+              fmt::format("{:.0f}", rows.at(0, 0)), fmt::format("{:.0f}", rows.at(0, 3)),
+              {wrong_sizes}));
+  for (const std::size_t i : {1U, 2U}) {
+    const double measured = rows.at(0, i);
+    const double expected = rows.at(0, i + 3);
+    const bool close = std::abs(measured - expected) <= 1e-9 * expected;
+    judge(holds((i == 1 ? "the sum" : "the sum of squares") + of, same_bits(measured, expected),
+                fmt::format("{:.17g}", measured), fmt::format("{:.17g}, to the last bit", expected),
+                {close ? order : wrong_streams}));
+  }
+}
+
+struct Handed {
+  double samples = 0;
+  double strays = 0;
+  std::size_t right = 0, wrong = 0;
+  bool only_first = false;  ///< all chunks got chunk 0's generator
+};
+
+Handed handed_out(const Rows& rows, double n) {
+  Handed handed;
+  const std::size_t chunks = rows.count() - 1;
+  for (std::size_t i = 0; i < chunks; ++i) {
+    const double size = std::min(chunk, n - chunk * static_cast<double>(i));
+    const bool right = rows.at(i, 0) == 1 && rows.at(i, 1) == size;
+    ++(right ? handed.right : handed.wrong);
+    handed.samples += rows.at(i, 1);
+  }
+  handed.strays = rows.at(chunks, 0);
+  handed.samples += rows.at(chunks, 1);
+  handed.only_first = chunks > 1 && rows.at(0, 0) == static_cast<double>(chunks);
+  return handed;
+}
+
+void judge_chunks(double n, double threads) {
+  const auto chunks = static_cast<std::size_t>(std::ceil(n / chunk));
+  const Rows rows = probe("Lab 2.6 chunks",
+                          {.n = static_cast<std::int64_t>(n), .numbers = {{"threads", threads}}},
+                          {.rows = chunks + 1, .columns = 2});
+  const Handed handed = handed_out(rows, n);
+  judge(holds(fmt::format("the samples handed out for n = {:g}, {:g} threads", n, threads),
+              handed.samples == n, fmt::format("{:g}", handed.samples), fmt::format("{:g}", n),
+              {wrong_sizes}));
+  judge(
+      holds("each chunk's generator, once, with the chunk's samples",
+            handed.wrong == 0 && handed.strays == 0,
+            fmt::format("{} chunks as they should be, {} not, {:g} generators of no chunk",
+                        handed.right, handed.wrong, handed.strays),
+            fmt::format("all {} chunks as they should be", chunks),
+            {handed.only_first ? same_stream : (handed.strays > 0 ? wrong_streams : wrong_sizes)}));
+}
+
+void judge_failure(double threads, double chunks, double failing) {
+  const Rows rows = probe("Lab 2.6 failure",
+                          {.n = static_cast<std::int64_t>(chunks * chunk),
+                           .numbers = {{"threads", threads}, {"chunk", failing}}},
+                          {.columns = 3});
+  const double outcome = rows.at(0, 0);
+  const std::string of = fmt::format(", {:g} threads, chunk {:g} throws", threads, failing);
+  judge(holds("the exception that reaches the caller" + of, outcome == 2,
+              outcome == 0 ? "none" : (outcome == 1 ? "another one" : "the sampler's"),
+              "the sampler's", {outcome == 0 ? swallowed : other_exception}));
+  judge(holds("samplers still running afterwards" + of, rows.at(0, 1) == 0,
+              fmt::format("{:g}", rows.at(0, 1)), "none", {left_running}));
+  // While the news spreads another thread may begin a chunk or two; not a hundred.
+  const double allowed = threads == 1 ? failing + 1 : failing + 1 + 100 * threads;
+  judge(holds("calls of the sampler" + of, rows.at(0, 2) <= allowed,
+              fmt::format("{:g}", rows.at(0, 2)), fmt::format("at most {:g}", allowed), {goes_on}));
+}
+
+}  // namespace
+
+TEST_CASE("Lab 2.6: the sums have the same bits for any number of threads", "[lab02][ex6]") {
+  for (const double threads : {1.0, 2.0, 3.0, 8.0})
+    judge_sums(20 * chunk + 123, threads);
+}
+
+TEST_CASE("Lab 2.6: no samples, one sample, one chunk and more threads than chunks",
+          "[lab02][ex6]") {
+  for (const double n : {0.0, 1.0, chunk - 1, chunk, chunk + 1}) {
+    judge_sums(n, 1);
+    judge_sums(n, 5);
+  }
+}
+
+TEST_CASE("Lab 2.6: every chunk is sampled once, with its own generator", "[lab02][ex6]") {
+  judge_chunks(30 * chunk + 1, 1);
+  judge_chunks(30 * chunk + 1, 4);
+  judge_chunks(30 * chunk, 4);
+}
+
+// The samplers wait for each other: with three threads, three are inside at once.
+TEST_CASE("Lab 2.6: as many samplers run at once as there are threads, and no more",
+          "[lab02][ex6]") {
+  const Rows rows =
+      probe("Lab 2.6 together",
+            {.n = static_cast<std::int64_t>(12 * chunk), .numbers = {{"threads", 3}}}, {});
+  const double most = rows.at(0, 0);
+  judge(holds("the most samplers at once, of 3 threads", most == 3, fmt::format("{:g}", most), "3",
+              {most < 3 ? too_few : too_many}));
+}
+
+// With two threads: the first chunk ends only after all others, and its sum swallows whatever is
+// added to it, so that 1e18 is left where chunk 0 comes first.
+TEST_CASE("Lab 2.6: a slow chunk holds up nobody, and is still added first", "[lab02][ex6]") {
+  const Rows rows =
+      probe("Lab 2.6 slow chunk", {.n = static_cast<std::int64_t>(8 * chunk)}, {.columns = 2});
+  judge(holds("while the first chunk waits", rows.at(0, 0) == 1,
+              rows.at(0, 0) == 1 ? "the other thread does all others" : "other chunks wait too",
+              "the other thread does all others", {fixed_shares}));
+  judge(holds("the sum, with the largest first", rows.at(0, 1) == 1e18,
+              fmt::format("{:.17g}", rows.at(0, 1)), "1e18", {order}));
+}
+
+TEST_CASE("Lab 2.6: an exception of the sampler reaches the caller", "[lab02][ex6]") {
+  judge_failure(1, 20, 0);
+  judge_failure(1, 20, 7);
+  judge_failure(4, 20, 0);
+  judge_failure(4, 20, 19);
+}
+
+TEST_CASE("Lab 2.6: after an exception no further chunk is begun", "[lab02][ex6]") {
+  judge_failure(2, 200'000, 3);
+}

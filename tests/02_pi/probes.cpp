@@ -1,0 +1,124 @@
+// Probes of exercises 2.1 to 2.4. They call the student's functions and return raw values; what
+// the values should be stands in checks_*.cpp.
+
+#include "02_pi/reference.h"
+#include "grader/worker/probe.h"
+#include "pi.h"
+
+using namespace lab02_tests;
+using carlo::grader::Params;
+using carlo::grader::Rows;
+using carlo::grader::RowWriter;
+
+namespace {
+
+lab02::Darts darts_of(const Params& params) {
+  return {params.whole("thrown"), params.whole("hits")};
+}
+
+Integrand integrand_of(const Params& params) {
+  return params.whole("integrand") == 0 ? Integrand::circle : Integrand::arctangent;
+}
+
+lab02::Sums sums_of(const Params& params, carlo::Rng& rng) {
+  return integrand_of(params) == Integrand::circle ? lab02::sum_circle(params.n, rng)
+                                                   : lab02::sum_arctangent(params.n, rng);
+}
+
+}  // namespace
+
+// All repetitions share one generator: a function that restarts it repeats itself.
+PROBE("Lab 2.1 repeated") {
+  carlo::Rng rng(params.seed);
+  RowWriter rows;
+  for (std::int64_t i = 0; i < params.whole("repetitions"); ++i) {
+    rows.add({static_cast<double>(lab02::throw_darts(params.n, rng).hits)});
+  }
+  return rows.take();
+}
+
+PROBE("Lab 2.1 record") {
+  carlo::Rng rng(params.seed);
+  carlo::Rng reference = rng;
+  const carlo::Rng before = rng;
+  const lab02::Darts darts = lab02::throw_darts(params.n, rng);
+  return {4,
+          {static_cast<double>(darts.thrown), static_cast<double>(darts.hits),
+           static_cast<double>(hits_of(params.n, reference)),
+           words_drawn(before, rng, 8 * params.n + 64)}};
+}
+
+PROBE("Lab 2.1 many") {
+  carlo::Rng rng(params.seed);
+  carlo::Rng reference = rng;
+  const lab02::Darts darts = lab02::throw_darts(params.n, rng);
+  return {3,
+          {static_cast<double>(darts.thrown), static_cast<double>(darts.hits),
+           static_cast<double>(hits_of(params.n, reference))}};
+}
+
+PROBE("Lab 2.1 estimate") {
+  const lab02::Estimate estimate = lab02::pi_estimate(darts_of(params));
+  return {2, {estimate.value, estimate.standard_error}};
+}
+
+PROBE("Lab 2.2 interval") {
+  const lab02::Interval interval = lab02::pi_interval(darts_of(params), params["z"]);
+  return {2, {interval.lower, interval.upper}};
+}
+
+// The probability of a hit is a parameter: Lab 2.2 can be judged before Lab 2.1 is done, and for
+// rare hits.
+PROBE("Lab 2.2 intervals") {
+  carlo::Rng rng(params.seed);
+  RowWriter rows;
+  for (std::int64_t i = 0; i < params.whole("repetitions"); ++i) {
+    lab02::Darts darts{params.n, 0};
+    for (std::int64_t j = 0; j < params.n; ++j)
+      darts.hits += rng.uniform() < params["p"] ? 1 : 0;
+    const lab02::Interval interval = lab02::pi_interval(darts, params["z"]);
+    rows.add({interval.lower, interval.upper});
+  }
+  return rows.take();
+}
+
+PROBE("Lab 2.3 record") {
+  carlo::Rng rng(params.seed);
+  carlo::Rng reference = rng;
+  const carlo::Rng before = rng;
+  const lab02::Sums sums = sums_of(params, rng);
+  long double sum = 0, squares = 0;
+  for (std::int64_t i = 0; i < params.n; ++i) {
+    const double y = evaluate(integrand_of(params), reference.uniform());
+    sum += y;
+    squares += y * y;
+  }
+  return {6,
+          {static_cast<double>(sums.count), sums.sum, sums.squares, static_cast<double>(sum),
+           static_cast<double>(squares), words_drawn(before, rng, 8 * params.n + 64)}};
+}
+
+PROBE("Lab 2.3 repeated") {
+  carlo::Rng rng(params.seed);
+  RowWriter rows;
+  for (std::int64_t i = 0; i < params.whole("repetitions"); ++i) {
+    rows.add({sums_of(params, rng).sum / static_cast<double>(params.n)});
+  }
+  return rows.take();
+}
+
+PROBE("Lab 2.3 mean") {
+  const lab02::Estimate estimate =
+      lab02::mean_of({params.whole("count"), params["sum"], params["squares"]});
+  return {2, {estimate.value, estimate.standard_error}};
+}
+
+PROBE("Lab 2.4 deviations") {
+  return {3, {lab02::darts_deviation(), lab02::circle_deviation(), lab02::arctangent_deviation()}};
+}
+
+PROBE("Lab 2.4 samples") {
+  return {1,
+          {static_cast<double>(
+              lab02::samples_needed(params["deviation"], params["half_width"], params["z"]))}};
+}

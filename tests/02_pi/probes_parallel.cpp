@@ -1,0 +1,208 @@
+// Probes of exercise 2.6: samplers that watch who calls them, and when.
+
+#include "course/not_implemented.h"
+#include "grader/worker/probe.h"
+#include "pi.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <stdexcept>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+using carlo::grader::Params;
+using carlo::grader::Rows;
+using carlo::grader::RowWriter;
+using lab02::chunk_samples;
+using lab02::Sums;
+
+namespace {
+
+/// How long a sampler waits for what must happen. A right solution needs far less, also on a busy
+/// machine; a wrong one waits in vain.
+constexpr std::chrono::seconds patience{2};
+
+double number(std::int64_t count) {
+  return static_cast<double>(count);
+}
+
+/// Sums whose rounding depends on the order in which they are added.
+Sums sample(std::int64_t n, carlo::Rng& rng) {
+  Sums sums{n, 0, 0};
+  for (std::int64_t i = 0; i < n; ++i) {
+    const double y = 1 / (1e-3 + rng.uniform());
+    sums.sum += y;
+    sums.squares += y * y;
+  }
+  return sums;
+}
+
+std::int64_t chunks_of(std::int64_t n) {
+  return (n + chunk_samples - 1) / chunk_samples;
+}
+
+/// What the contract's order of work gives, done here one chunk after the other.
+Sums reference(std::int64_t n, std::uint64_t seed) {
+  Sums total;
+  for (std::int64_t i = 0; i < chunks_of(n); ++i) {
+    carlo::Rng rng(seed, static_cast<std::uint64_t>(i));
+    const Sums part = sample(std::min(chunk_samples, n - i * chunk_samples), rng);
+    total.count += part.count;
+    total.sum += part.sum;
+    total.squares += part.squares;
+  }
+  return total;
+}
+
+/// The chunk whose generator this is, untouched so far; -1 for none of the first `chunks`.
+std::int64_t chunk_of(carlo::Rng rng, std::uint64_t seed, std::int64_t chunks) {
+  const std::uint64_t word = rng.next_u64();
+  for (std::int64_t i = 0; i < chunks; ++i) {
+    if (carlo::Rng(seed, static_cast<std::uint64_t>(i)).next_u64() == word) return i;
+  }
+  return -1;
+}
+
+/// Counts who is inside at the same time, and lets threads wait for each other.
+class Watch {
+ public:
+  void enter() {
+    const std::lock_guard lock(mutex_);
+    ++inside_;
+    ++calls_;
+    most_ = std::max(most_, inside_);
+    changed_.notify_all();
+  }
+  void leave() {
+    const std::lock_guard lock(mutex_);
+    --inside_;
+    ++left_;
+    changed_.notify_all();
+  }
+  /// Until `most` were inside at once, or `left` have left; false when patience ends first.
+  bool wait_for_most(std::int64_t most) {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, patience, [&] { return most_ >= most; });
+  }
+  bool wait_for_left(std::int64_t left) {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, patience, [&] { return left_ >= left; });
+  }
+
+  double inside() { return locked(inside_); }
+  double calls() { return locked(calls_); }
+  double most() { return locked(most_); }
+
+ private:
+  double locked(const std::int64_t& value) {
+    const std::lock_guard lock(mutex_);
+    return number(value);
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::int64_t inside_ = 0, calls_ = 0, left_ = 0, most_ = 0;
+};
+
+/// enter() now, leave() at the end of the scope, whatever ends it.
+class Inside {
+ public:
+  explicit Inside(Watch& watch) : watch_(watch) { watch_.enter(); }
+  ~Inside() { watch_.leave(); }
+  Inside(const Inside&) = delete;
+  Inside& operator=(const Inside&) = delete;
+
+ private:
+  Watch& watch_;
+};
+
+}  // namespace
+
+PROBE("Lab 2.6 sums") {
+  const Sums expected = reference(params.n, params.seed);
+  const Sums sums = lab02::sum_in_parallel(sample, params.n, params.seed,
+                                           static_cast<int>(params.whole("threads")));
+  return {6,
+          {number(sums.count), sums.sum, sums.squares, number(expected.count), expected.sum,
+           expected.squares}};
+}
+
+// A row a chunk: how often its generator was handed out, with how many samples in all. The last
+// row is for generators that belong to no chunk.
+PROBE("Lab 2.6 chunks") {
+  const std::int64_t chunks = chunks_of(params.n);
+  std::mutex mutex;
+  std::vector<Sums> seen(static_cast<std::size_t>(chunks + 1));
+  const auto watching = [&](std::int64_t n, carlo::Rng& rng) {
+    const std::int64_t chunk = chunk_of(rng, params.seed, chunks);
+    const std::lock_guard lock(mutex);
+    Sums& entry = seen[static_cast<std::size_t>(chunk < 0 ? chunks : chunk)];
+    ++entry.count;
+    entry.sum += number(n);
+    return Sums{n, 0, 0};
+  };
+  (void)lab02::sum_in_parallel(watching, params.n, params.seed,
+                               static_cast<int>(params.whole("threads")));
+  RowWriter rows;
+  for (const Sums& entry : seen)
+    rows.add({number(entry.count), entry.sum});
+  return rows.take();
+}
+
+// The first chunk is not done before all others are, which takes a free thread; its sum is so
+// large that the others vanish unless they were added up before it.
+PROBE("Lab 2.6 slow chunk") {
+  Watch watch;
+  std::atomic<bool> others_done = false;
+  const std::int64_t chunks = chunks_of(params.n);
+  const auto sampler = [&](std::int64_t n, carlo::Rng& rng) {
+    const Inside inside(watch);
+    const bool first = chunk_of(rng, params.seed, 1) == 0;
+    if (first) others_done = watch.wait_for_left(chunks - 1);
+    return Sums{n, first ? 1e18 : 50, 0};
+  };
+  const Sums sums = lab02::sum_in_parallel(sampler, params.n, params.seed, 2);
+  return {2, {others_done ? 1.0 : 0.0, sums.sum}};
+}
+
+PROBE("Lab 2.6 together") {
+  Watch watch;
+  const auto threads = params.whole("threads");
+  const auto sampler = [&](std::int64_t n, carlo::Rng&) {
+    const Inside inside(watch);
+    if (watch.calls() <= number(threads)) (void)watch.wait_for_most(threads);
+    return Sums{n, 0, 0};
+  };
+  (void)lab02::sum_in_parallel(sampler, params.n, params.seed, static_cast<int>(threads));
+  return {1, {watch.most()}};
+}
+
+// {what came of the exception: 0 nothing, 1 another one, 2 the one thrown; samplers still running;
+// calls of the sampler}
+PROBE("Lab 2.6 failure") {
+  Watch watch;
+  const std::int64_t failing = params.whole("chunk");
+  const auto sampler = [&](std::int64_t n, carlo::Rng& rng) {
+    const Inside inside(watch);
+    const std::int64_t chunk = chunk_of(rng, params.seed, failing + 2);
+    if (chunk == failing) throw std::domain_error("a sample went wrong");
+    if (chunk == failing + 1) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    return Sums{n, 0, 0};
+  };
+  double outcome = 0;
+  try {
+    (void)lab02::sum_in_parallel(sampler, params.n, params.seed,
+                                 static_cast<int>(params.whole("threads")));
+  } catch (const carlo::NotImplemented&) {
+    throw;
+  } catch (const std::domain_error& error) {
+    outcome = std::string_view(error.what()) == "a sample went wrong" ? 2 : 1;
+  } catch (...) {
+    outcome = 1;
+  }
+  return {3, {outcome, watch.inside(), watch.calls()}};
+}
