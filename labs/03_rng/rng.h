@@ -98,9 +98,8 @@ class Pcg32 {
 /// does not decrease as the word grows.
 float unit_float(std::uint32_t word);
 
-/// Lab 3.5. A float in [a, b), never b: a + (b - a) unit_float(word), off by at most one rounding
-/// to float (half the gap between floats at the larger of |a| and |b|) where that is not b, and by
-/// one gap where it is. a < b, any finite floats.
+/// Lab 3.5. A float in [a, b), never b and never below a: a + (b - a) unit_float(word), to within
+/// two gaps between floats at the larger of |a| and |b|. a < b, any finite floats.
 float float_between(std::uint32_t word, float a, float b);
 
 /// A source of uniform 32-bit words.

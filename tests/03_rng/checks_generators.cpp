@@ -1,0 +1,211 @@
+// Checks of exercises 3.1, 3.2 and 3.4: sequences that are known to the last bit.
+
+#include "03_rng/sequences.h"
+#include "03_rng/words.h"
+
+#include <array>
+#include <cmath>
+
+using namespace carlo::grader;
+using namespace lab03_tests;
+
+namespace {
+
+const Diagnosis state_before{"returns-state-before-step",
+                             "every number comes one call late: the state before the step is "
+                             "returned."};
+const Diagnosis wrong_modulus{"wrong-modulus",
+                              "the numbers are those of another modulus: 2^31, or 2^32 - 1. "
+                              "Unsigned 32-bit arithmetic is modulo 2^32 by itself."};
+const Diagnosis one_step_off{"jump-off-by-one", "the jump is one step too long or too short."};
+const Diagnosis step_by_step{"jumps-step-by-step",
+                             "the time grows with n: the steps are made one by one."};
+const Diagnosis summand_late{"jump-summand-after-factor",
+                             "the summand of the doubled map takes the old factor; it is updated "
+                             "after the factor here."};
+
+constexpr std::uint32_t a = 1664525, b = 1013904223;
+
+/// x -> (a x + b) mod c, from x0; the numbers after the first step or, `late`, from x0 on.
+std::vector<double> lcg(std::uint64_t x, std::int64_t n, std::uint64_t c = std::uint64_t{1} << 32,
+                        bool late = false) {
+  return generate(n, [&] {
+    const std::uint64_t old = x;
+    x = (a * x + b) % c;
+    return static_cast<double>(late ? old : x);
+  });
+}
+
+/// The number after n steps, by doubling; with the slip, the new factor goes into the new summand.
+std::uint32_t after(std::uint32_t x0, std::uint64_t n, bool summand_after_factor = false) {
+  std::uint32_t x = x0, factor = a, summand = b;
+  for (std::uint64_t left = n; left != 0; left /= 2) {
+    if (left % 2 == 1) x = factor * x + summand;
+    const std::uint32_t squared = factor * factor;
+    summand = (summand_after_factor ? squared : factor) * summand + summand;
+    factor = squared;
+  }
+  return x;
+}
+
+Rows jumped(const std::string& name, std::uint32_t x0, std::uint64_t steps, std::size_t n) {
+  Params params{.n = static_cast<std::int64_t>(n), .numbers = {{"x0", x0}}};
+  set_wide_word(params, "steps", steps);
+  return probe(name, params, {.rows = n, .finite = false});
+}
+
+void judge_jump(const std::string& name, std::uint32_t x0, std::uint64_t steps) {
+  const std::uint32_t start = after(x0, steps);
+  const Rows rows = jumped(name, x0, steps, 1);
+  const auto number = [](std::uint32_t x) { return static_cast<double>(a * x + b); };
+  Suspects suspects;
+  if (steps > 1) {
+    suspects = {{number(after(x0, steps - 1)), one_step_off},
+                {number(after(x0, steps + 1)), one_step_off},
+                {number(after(x0, steps, true)), summand_late}};
+  }
+  Verdict verdict = equals(fmt::format("the number after a jump of {} steps", steps), rows.at(0, 0),
+                           number(start), 0, suspects);
+  if (std::isnan(rows.at(0, 0))) verdict.diagnoses.push_back(step_by_step);
+  judge(verdict);
+}
+
+/// PCG32 as its authors' C code writes it, with a few ways to get it wrong.
+struct Pcg {
+  enum class Slip {
+    none,
+    rotate_left,
+    output_after_step,
+    no_rotation,
+    plain_seed,
+    plain_increment
+  };
+  Slip slip = Slip::none;
+  std::uint64_t state = 0, increment = 1;
+
+  Pcg(std::uint64_t seed, std::uint64_t stream, Slip slip_ = Slip::none) : slip(slip_) {
+    increment = slip == Slip::plain_increment ? stream : (stream << 1) | 1;
+    if (slip == Slip::plain_seed) {
+      state = seed;
+      return;
+    }
+    next();
+    state += seed;
+    next();
+  }
+
+  std::uint32_t next() {
+    const std::uint64_t old = state;
+    state = old * 6364136223846793005ULL + increment;
+    const std::uint64_t from = slip == Slip::output_after_step ? state : old;
+    const auto mixed = static_cast<std::uint32_t>(((from >> 18) ^ from) >> 27);
+    const auto turns = static_cast<std::uint32_t>(from >> 59);
+    if (slip == Slip::no_rotation) return mixed;
+    if (slip == Slip::rotate_left) return (mixed << turns) | (mixed >> ((32 - turns) & 31));
+    return (mixed >> turns) | (mixed << ((32 - turns) & 31));
+  }
+};
+
+std::vector<double> pcg(std::uint64_t seed, std::uint64_t stream, std::int64_t n,
+                        Pcg::Slip slip = Pcg::Slip::none) {
+  Pcg generator(seed, stream, slip);
+  return generate(n, [&] { return static_cast<double>(generator.next()); });
+}
+
+std::vector<Alternative> pcg_slips(std::uint64_t seed, std::uint64_t stream, std::int64_t n) {
+  using Slip = Pcg::Slip;
+  const auto with = [&](Slip slip) { return pcg(seed, stream, n, slip); };
+  return {
+      {with(Slip::rotate_left), {"rotates-left", "the 32 bits are rotated to the left."}},
+      {with(Slip::output_after_step),
+       {"output-from-new-state", "the output is made from the state after the step."}},
+      {with(Slip::no_rotation), {"rotation-missing", "the 32 bits are not rotated."}},
+      {with(Slip::plain_seed),
+       {"seed-taken-as-state", "the seed is taken as the state; two steps belong around it."}},
+      {with(Slip::plain_increment),
+       {"increment-not-odd", "the increment is the stream itself; 2 stream + 1 is always odd."}}};
+}
+
+Rows pcg_rows(std::uint64_t seed, std::uint64_t stream, std::int64_t n) {
+  Params params{.n = n};
+  set_wide_word(params, "seed", seed);
+  set_wide_word(params, "stream", stream);
+  return probe("Lab 3.4 numbers", params, {.rows = static_cast<std::size_t>(n)});
+}
+
+}  // namespace
+
+// Press, Teukolsky, Vetterling, Flannery, "Numerical Recipes in C", 2nd edition, section 7.1.
+TEST_CASE("Lab 3.1: the sequence printed in Numerical Recipes comes out", "[lab03][ex1]") {
+  const std::vector<double> expected = {0x3C6EF35F, 0x47502932, 0xD1CCF6E9, 0xAAF95334, 0x6252E503,
+                                        0x9F2EC686, 0x57FE6C2D, 0xA3D95FA8, 0x81FDBEE7, 0x94F0AF1A};
+  const Rows rows = probe("Lab 3.1 numbers", {.n = 10, .numbers = {{"x0", 0}}}, {.rows = 10});
+  judge(sequence_is("the numbers from x_0 = 0", rows.values, expected,
+                    {{lcg(0, 10, std::uint64_t{1} << 32, true), state_before},
+                     {lcg(0, 10, std::uint64_t{1} << 31), wrong_modulus},
+                     {lcg(0, 10, 0xFFFFFFFF), wrong_modulus}}));
+}
+
+TEST_CASE("Lab 3.1: x_{n+1} = (a x_n + b) mod 2^32 from any seed", "[lab03][ex1]") {
+  for (const double x0 : {1.0, 2147483648.0, 4294967295.0, 123456789.0}) {
+    const auto seed = static_cast<std::uint64_t>(x0);
+    const Rows rows =
+        probe("Lab 3.1 numbers", {.n = 10'000, .numbers = {{"x0", x0}}}, {.rows = 10'000});
+    judge(sequence_is(fmt::format("the numbers from x_0 = {}", seed), rows.values,
+                      lcg(seed, 10'000),
+                      {{lcg(seed, 10'000, std::uint64_t{1} << 32, true), state_before},
+                       {lcg(seed, 10'000, std::uint64_t{1} << 31), wrong_modulus},
+                       {lcg(seed, 10'000, 0xFFFFFFFF), wrong_modulus}}));
+  }
+}
+
+// 2^28 steps one by one take a quarter of a second; jumps take microseconds. The limit is far from both.
+TEST_CASE("Lab 3.2: a jump takes O(log n) steps", "[lab03][ex2]") {
+  const Rows rows = probe("Lab 3.2 cost", {}, {});
+  judge(holds("the time of jumps over 2^28 numbers", rows.at(0, 0) <= 0.05,
+              fmt::format("{:.3g} s", rows.at(0, 0)), "less than 0.05 s", {step_by_step}));
+}
+
+TEST_CASE("Lab 3.2: a jump of n steps ends where n calls of next() end", "[lab03][ex2]") {
+  for (const std::uint64_t steps : {0, 1, 2, 3, 4, 5, 7, 8, 100, 65536, 1'000'003})
+    judge_jump("Lab 3.2 jump", 42, steps);
+  judge_jump("Lab 3.2 jump", 4294967295, 12345);
+}
+
+TEST_CASE("Lab 3.2: the sequence goes on after a jump", "[lab03][ex2]") {
+  const Rows rows = jumped("Lab 3.2 jump", 7, 1000, 100);
+  judge(sequence_is(
+      "the numbers after a jump of 1000 steps", rows.values, lcg(after(7, 1000), 100),
+      {{lcg(after(7, 999), 100), one_step_off}, {lcg(after(7, 1001), 100), one_step_off}}));
+}
+
+// The period is 2^32: a whole one changes nothing, and one step less is a step back.
+TEST_CASE("Lab 3.2: jumps may be longer than the period", "[lab03][ex2]") {
+  for (const std::uint64_t steps :
+       {std::uint64_t{0xFFFFFFFF}, std::uint64_t{1} << 32, (std::uint64_t{1} << 32) + 5,
+        (std::uint64_t{1} << 63) + 11, ~std::uint64_t{0}})
+    judge_jump("Lab 3.2 long jump", 42, steps);
+}
+
+// The demonstration program of the reference implementation, www.pcg-random.org, prints these for
+// seed 42 and stream 54.
+TEST_CASE("Lab 3.4: the numbers of PCG's demonstration program come out", "[lab03][ex4]") {
+  const std::vector<double> expected = {0xa15c02b7, 0x7b47f409, 0xba1d3330,
+                                        0x83d2f293, 0xbfa4784b, 0xcbed606e};
+  judge(sequence_is("the numbers of seed 42, stream 54", pcg_rows(42, 54, 6).values, expected,
+                    pcg_slips(42, 54, 6)));
+}
+
+TEST_CASE("Lab 3.4: any seed and any stream, for thousands of numbers", "[lab03][ex4]") {
+  const std::array<std::array<std::uint64_t, 2>, 5> cases = {
+      {{0, 0},
+       {1, 1},
+       {~std::uint64_t{0}, 3},
+       {0x0123456789ABCDEF, 0xFEDCBA987654321},
+       {5, ~std::uint64_t{0}}}};
+  for (const auto& [seed, stream] : cases) {
+    judge(sequence_is(fmt::format("the numbers of seed {}, stream {}", seed, stream),
+                      pcg_rows(seed, stream, 5000).values, pcg(seed, stream, 5000),
+                      pcg_slips(seed, stream, 5000)));
+  }
+}

@@ -1,0 +1,224 @@
+// Checks of exercises 3.7 and 3.8: the chi-square test and the spectral test.
+
+#include "grader/judge/judge.h"
+#include "stats/distributions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+using namespace carlo::grader;
+
+namespace {
+
+const Diagnosis freedom_of_cells{
+    "degrees-of-freedom",
+    "p belongs to as many degrees of freedom as there are counts; their "
+    "sum is given, so one fewer is free."};
+const Diagnosis by_counts{"divides-by-the-counts",
+                          "the squares are divided by what was counted, not by what was expected."};
+const Diagnosis not_divided{"squares-not-divided",
+                            "the squares are not put in proportion to what was expected."};
+const Diagnosis tails_swapped{"tails-swapped", "the two tails are mixed up."};
+const Diagnosis tail_by_difference{"tail-by-difference",
+                                   "a tail is computed as 1 - the other one: what is smaller than "
+                                   "1e-16 is lost."};
+const Diagnosis wrong_field{"wrong-bits", "the field is cut out of the wrong place of the word."};
+const Diagnosis whole_expectation{"expectation-rounded",
+                                  "N / 2^bits is rounded to a whole number; it need not be one."};
+
+using Counts = std::vector<double>;
+
+double statistic_of(const Counts& counts, const Counts& expected) {
+  double sum = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    sum += (counts[i] - expected[i]) * (counts[i] - expected[i]) / expected[i];
+  return sum;
+}
+
+Verdict p_is(const std::string& what, double measured, double expected, double freedom_too_many,
+             double other_tail) {
+  // Far out a tail changes by freedom^(1/2) relative to the statistic's rounding.
+  Verdict verdict = equals(what, measured, expected, 1e-9 * expected,
+                           {{freedom_too_many, freedom_of_cells}, {other_tail, tails_swapped}});
+  const bool lost = expected < 1e-15 && std::abs(measured - expected) < 1e-15;
+  if (!verdict.passed && lost) verdict.diagnoses.push_back(tail_by_difference);
+  return verdict;
+}
+
+/// Judges {statistic, lower, upper} against the truth about these counts.
+void judge_result(const std::string& what, const double* result, const Counts& counts,
+                  const Counts& expected, const Suspects& more = {}) {
+  const double x = statistic_of(counts, expected);
+  Suspects suspects = more;
+  double plain = 0, neyman = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const double square = (counts[i] - expected[i]) * (counts[i] - expected[i]);
+    plain += square;
+    if (counts[i] > 0) neyman += square / counts[i];
+  }
+  suspects.push_back({neyman, by_counts});
+  suspects.push_back({plain, not_divided});
+  judge(equals("the statistic of " + what, result[0], x, 1e-11 * std::max(x, 1e-3), suspects));
+  const auto freedom = static_cast<double>(counts.size() - 1);
+  const double lower = carlo::chi_square_lower(x, freedom);
+  const double upper = carlo::chi_square_upper(x, freedom);
+  judge(p_is("the lower tail of " + what, result[1], lower, carlo::chi_square_lower(x, freedom + 1),
+             upper));
+  judge(p_is("the upper tail of " + what, result[2], upper, carlo::chi_square_upper(x, freedom + 1),
+             lower));
+}
+
+void judge_counts(const std::string& what, const Counts& counts, const Counts& expected) {
+  Params params{.n = static_cast<std::int64_t>(counts.size())};
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    params.numbers["count" + std::to_string(i)] = counts[i];
+    params.numbers["expected" + std::to_string(i)] = expected[i];
+  }
+  const Rows rows = probe("Lab 3.7 counts", params, {.columns = 3});
+  judge_result(what, rows.values.data(), counts, expected);
+}
+
+Counts field_counts(const Rows& rows, int lowest, int bits) {
+  Counts counts(std::size_t{1} << bits);
+  for (std::size_t i = 3; i < rows.values.size(); ++i) {
+    const auto word = static_cast<std::uint32_t>(rows.values[i]);
+    ++counts[(word >> lowest) % counts.size()];
+  }
+  return counts;
+}
+
+/// The shortest s^2 + t^2, found by trying every t that can matter: the shortest vector of a
+/// lattice of determinant c is not longer than (4/3)^(1/4) sqrt(c).
+double shortest_squared(std::uint64_t a, std::uint64_t c) {
+  const double bound = std::sqrt(4.0 / 3) * static_cast<double>(c);
+  double best = static_cast<double>(c) * static_cast<double>(c);
+  for (std::uint64_t t = 1; static_cast<double>(t) * static_cast<double>(t) <= bound; ++t) {
+    const std::uint64_t rest = (a % c) * (t % c) % c;  // a t < 2^64
+    const auto s = static_cast<double>(std::min(rest, c - rest));
+    best = std::min(best, s * s + static_cast<double>(t) * static_cast<double>(t));
+  }
+  return best;
+}
+
+/// The length that one step of the reduction leaves.
+double after_one_step(std::uint64_t a) {
+  return static_cast<double>(a) * static_cast<double>(a) + 1;
+}
+
+void judge_spectral(std::uint64_t a, std::uint64_t c) {
+  const Rows rows =
+      probe("Lab 3.8 length",
+            {.numbers = {{"a", static_cast<double>(a)}, {"c", static_cast<double>(c)}}}, {});
+  const double exact = shortest_squared(a, c);
+  Suspects suspects;
+  if (exact > 1) {
+    suspects = {{std::floor(std::sqrt(exact)),
+                 {"length-not-squared", "nu_2 is returned; asked for is its square."}}};
+    if (after_one_step(a) > exact) {
+      suspects.push_back({after_one_step(a),
+                          {"reduction-stops-early",
+                           "the length is that of (-a, 1): the reduction "
+                           "stops before it has begun."}});
+    }
+  }
+  Verdict verdict =
+      equals(fmt::format("nu_2^2 for a = {}, c = {}", a, c), rows.at(0, 0), exact, 0, suspects);
+  const double larger = rows.at(0, 0);
+  if (!verdict.passed && verdict.diagnoses.empty() && larger > exact && larger < 4 * exact) {
+    verdict.diagnoses.push_back(
+        {"quotient-not-nearest",
+         "a vector comes out that is nearly the shortest: is the multiple rounded to the nearest "
+         "whole number, also when it is negative?"});
+  }
+  if (!verdict.passed && verdict.diagnoses.empty() && larger < exact) {
+    verdict.diagnoses.push_back({"squares-overflow",
+                                 "the length is too short to be true: squares of "
+                                 "numbers up to 2^32 need a Wide."});
+  }
+  judge(verdict);
+}
+
+}  // namespace
+
+// The second list: Knuth, The Art of Computer Programming 2, section 3.3.1, two dice thrown 144
+// times; its chi-square is 7 7/48.
+TEST_CASE("Lab 3.7: the statistic and both tails of given counts", "[lab03][ex7]") {
+  judge_counts("18 22 20 25 15", {18, 22, 20, 25, 15}, {20, 20, 20, 20, 20});
+  judge_counts("Knuth's dice", {2, 4, 10, 12, 22, 29, 21, 15, 14, 9, 6},
+               {4, 8, 12, 16, 20, 24, 20, 16, 12, 8, 4});
+  judge_counts("a coin", {480, 520}, {500, 500});
+  judge_counts("expectations that are not whole", {3, 1, 4, 1, 5}, {2.8, 2.8, 2.8, 2.8, 2.8});
+}
+
+TEST_CASE("Lab 3.7: tails far out keep their digits", "[lab03][ex7]") {
+  const Counts even(256, 4096);
+  Counts close = even, wild = even;
+  close[0] += 1;
+  close[1] -= 1;
+  for (std::size_t i = 0; i < 256; ++i)
+    wild[i] += i % 2 == 0 ? 200 : -200;
+  judge_counts("256 counts that are all but equal", close, even);
+  judge_counts("256 counts off by 200", wild, even);
+  const Params params{.n = 65'536, .numbers = {{"bits", 8}}};
+  const Rows rows = probe("Lab 3.7 counting words", params, {.columns = 3});
+  judge_result("words that count up", rows.values.data(), Counts(256, 256), Counts(256, 256));
+}
+
+TEST_CASE("Lab 3.7: equidistribution looks at the bits it is told to", "[lab03][ex7]") {
+  constexpr std::int64_t n = 30'000;
+  for (const auto& [lowest, bits] :
+       {std::pair{22, 10}, {0, 8}, {0, 1}, {31, 1}, {16, 16}, {0, 16}, {5, 3}, {13, 7}}) {
+    const Rows rows = probe(
+        "Lab 3.7 words", {.n = n, .numbers = {{"lowest", double(lowest)}, {"bits", double(bits)}}},
+        {.rows = n / 3 + 1, .columns = 3});
+    const auto cells = std::size_t{1} << bits;
+    const double each = static_cast<double>(n) / static_cast<double>(cells);
+    const Counts expected(cells, each);
+    const Counts rounded(cells, std::floor(each));
+    const auto other = [&](int place) {
+      return statistic_of(field_counts(rows, place, bits), expected);
+    };
+    Suspects suspects{{other(32 - lowest - bits), wrong_field}};
+    if (lowest > 0) suspects.push_back({other(0), wrong_field});
+    const Counts counts = field_counts(rows, lowest, bits);
+    if (each >= 1 && each != std::floor(each)) {
+      suspects.push_back({statistic_of(counts, rounded), whole_expectation});
+    }
+    judge_result(fmt::format("{} bits from bit {}", bits, lowest), rows.values.data(), counts,
+                 expected, suspects);
+  }
+}
+
+// nu_2 = 70277.4 for the lecture's constants.
+TEST_CASE("Lab 3.8: the constants of the lecture, of RANDU, of MINSTD", "[lab03][ex8]") {
+  judge_spectral(1664525, std::uint64_t{1} << 32);
+  judge_spectral(65539, std::uint64_t{1} << 31);
+  judge_spectral(16807, 2147483647);
+  judge_spectral(69069, std::uint64_t{1} << 32);
+  judge_spectral(48271, 2147483647);
+}
+
+TEST_CASE("Lab 3.8: small generators and extreme ones", "[lab03][ex8]") {
+  const std::uint64_t most = std::uint64_t{1} << 32;
+  for (std::uint64_t a = 1; a < 12; ++a)
+    judge_spectral(a, 12);
+  judge_spectral(1, 2);
+  judge_spectral(1, most);
+  judge_spectral(2, most);
+  judge_spectral(most - 1, most);
+  judge_spectral(most / 2, most);
+  judge_spectral(most / 2 + 1, most);
+  judge_spectral(3 * (most / 4), most);
+  judge_spectral(65535, most);
+  judge_spectral(4294967290, 4294967291);
+}
+
+TEST_CASE("Lab 3.8: multipliers of all kinds", "[lab03][ex8]") {
+  std::uint64_t a = 12345;
+  for (int i = 0; i < 40; ++i) {
+    a = a * 6364136223846793005 + 1442695040888963407;
+    const std::uint64_t c = (std::uint64_t{1} << 32) - (i % 2 == 0 ? 0 : (a >> 40) % 1000);
+    judge_spectral((a >> 33) + 1, c);
+  }
+}

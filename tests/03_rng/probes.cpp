@@ -1,0 +1,115 @@
+// Probes of lab 03's generators: 3.1 to 3.4. They call the student's functions and return raw
+// values; what the values should be stands in checks_*.cpp.
+
+#include "03_rng/words.h"
+#include "grader/worker/probe.h"
+#include "random/rng.h"
+#include "rng.h"
+
+#include <ctime>
+#include <limits>
+
+using namespace lab03_tests;
+using carlo::grader::Params;
+using carlo::grader::Rows;
+using carlo::grader::RowWriter;
+
+namespace {
+
+/// n numbers of a generator, one by one.
+template <class Generator>
+Rows numbers(Generator& generator, std::int64_t n) {
+  RowWriter rows;
+  for (std::int64_t i = 0; i < n; ++i)
+    rows.add({static_cast<double>(generator.next())});
+  return rows.take();
+}
+
+double processor_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// The time that jumps of 2^28 steps in all take, 2^24 at a time.
+double jump_seconds() {
+  lab03::Lcg generator(1);
+  const double start = processor_seconds();
+  for (int i = 0; i < 16; ++i)
+    generator.discard(std::uint64_t{1} << 24);
+  // The state has to be known at the end, so the steps cannot be left out.
+  volatile std::uint32_t last = generator.next();
+  (void)last;
+  return processor_seconds() - start;
+}
+
+}  // namespace
+
+PROBE("Lab 3.1 numbers") {
+  lab03::Lcg generator(static_cast<std::uint32_t>(params.whole("x0")));
+  return numbers(generator, params.n);
+}
+
+PROBE("Lab 3.2 jump") {
+  lab03::Lcg generator(static_cast<std::uint32_t>(params.whole("x0")));
+  generator.discard(wide_word(params, "steps"));
+  return numbers(generator, params.n);
+}
+
+PROBE("Lab 3.2 cost") {
+  return {1, {jump_seconds()}};
+}
+
+// Jumps too long to be made step by step: NaN from a generator that would try.
+PROBE("Lab 3.2 long jump") {
+  if (jump_seconds() > 0.05) return {1, {std::numeric_limits<double>::quiet_NaN()}};
+  lab03::Lcg generator(static_cast<std::uint32_t>(params.whole("x0")));
+  generator.discard(wide_word(params, "steps"));
+  return numbers(generator, 1);
+}
+
+// A row for each of n seeds that follow each other: its first k words, twice.
+PROBE("Lab 3.3 first words") {
+  const auto k = static_cast<std::size_t>(params.whole("k"));
+  const std::uint64_t seed = wide_word(params, "first");
+  Rows rows;
+  for (std::int64_t i = 0; i < params.n; ++i) {
+    for (int again = 0; again < 2; ++again) {
+      const auto words =
+          lab03::first_words(seed + static_cast<std::uint64_t>(i), static_cast<int>(k));
+      if (words.size() != k) return {1, {static_cast<double>(words.size())}};
+      rows.values.insert(rows.values.end(), words.begin(), words.end());
+    }
+  }
+  rows.columns = 2 * k;
+  return rows;
+}
+
+// The k words that it starts from, and the next n.
+PROBE("Lab 3.3 recurrence") {
+  const lab03::Lags lags{static_cast<int>(params.whole("j")), static_cast<int>(params.whole("k"))};
+  carlo::Rng rng(params.seed);
+  std::vector<std::uint32_t> first(static_cast<std::size_t>(lags.k));
+  for (std::uint32_t& word : first)
+    word = rng.next_u32();
+  lab03::LaggedFibonacci generator(lags, static_cast<lab03::Combine>(params.whole("combine")),
+                                   first);
+  Rows rows{1, {first.begin(), first.end()}};
+  const Rows next = numbers(generator, params.n);
+  rows.values.insert(rows.values.end(), next.values.begin(), next.values.end());
+  return rows;
+}
+
+// Started with 31 given words ("word0" ...); the first `skip` numbers are left out.
+PROBE("Lab 3.3 known answer") {
+  std::vector<std::uint32_t> first;
+  for (int i = 0; i < 31; ++i)
+    first.push_back(static_cast<std::uint32_t>(params.whole("word" + std::to_string(i))));
+  lab03::LaggedFibonacci generator({3, 31}, lab03::Combine::add, first);
+  for (std::int64_t i = 0; i < params.whole("skip"); ++i)
+    generator.next();
+  return numbers(generator, params.n);
+}
+
+PROBE("Lab 3.4 numbers") {
+  lab03::Pcg32 generator(wide_word(params, "seed"), wide_word(params, "stream"));
+  return numbers(generator, params.n);
+}

@@ -1,0 +1,108 @@
+// Probes of lab 03's exercises that use random words: 3.5 to 3.8.
+
+#include "03_rng/words.h"
+#include "grader/worker/probe.h"
+#include "random/rng.h"
+#include "rng.h"
+
+#include <limits>
+
+using namespace lab03_tests;
+using carlo::grader::Params;
+using carlo::grader::Rows;
+using carlo::grader::RowWriter;
+
+namespace {
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+/// What a source throws that was asked for far too many words.
+struct Exhausted {};
+
+std::vector<std::uint32_t> random_words(std::uint64_t seed, std::int64_t n) {
+  carlo::Rng rng(seed);
+  std::vector<std::uint32_t> words(static_cast<std::size_t>(n));
+  for (std::uint32_t& word : words)
+    word = rng.next_u32();
+  return words;
+}
+
+}  // namespace
+
+PROBE("Lab 3.5 unit") {
+  Rows rows{1, {}};
+  for (const std::uint32_t word : words_to_convert(params.n))
+    rows.values.push_back(lab03::unit_float(word));
+  return rows;
+}
+
+PROBE("Lab 3.5 between") {
+  Rows rows{1, {}};
+  const auto a = static_cast<float>(params["a"]);
+  const auto b = static_cast<float>(params["b"]);
+  for (const std::uint32_t word : words_to_convert(params.n))
+    rows.values.push_back(lab03::float_between(word, a, b));
+  return rows;
+}
+
+// Columns: the value, and the words drawn for it; NaN once the source has run dry.
+PROBE("Lab 3.6 integers") {
+  carlo::Rng rng(params.seed);
+  const auto u = static_cast<std::int32_t>(params.whole("u"));
+  const auto v = static_cast<std::int32_t>(params.whole("v"));
+  std::int64_t drawn = 0;
+  const lab03::Words source = [&] {
+    if (++drawn > 64 * params.n + 1000) throw Exhausted();
+    return rng.next_u32();
+  };
+  Rows rows{2, {}};
+  for (std::int64_t i = 0; i < params.n; ++i) {
+    const std::int64_t before = drawn;
+    try {
+      const double value = lab03::integer_between(u, v, source);
+      rows.values.push_back(value);
+      rows.values.push_back(static_cast<double>(drawn - before));
+    } catch (const Exhausted&) {
+      rows.values.push_back(missing);
+      rows.values.push_back(missing);
+    }
+  }
+  return rows;
+}
+
+// n cells whose counts and expectations stand in "count0", "expected0", ...
+PROBE("Lab 3.7 counts") {
+  std::vector<std::int64_t> counts;
+  std::vector<double> expected;
+  for (std::int64_t i = 0; i < params.n; ++i) {
+    counts.push_back(params.whole("count" + std::to_string(i)));
+    expected.push_back(params["expected" + std::to_string(i)]);
+  }
+  const lab03::TestResult result = lab03::chi_square(counts, expected);
+  return {3, {result.statistic, result.p_lower, result.p_upper}};
+}
+
+// The result of the test in the first row, then the words that were tested, three a row.
+PROBE("Lab 3.7 words") {
+  const std::vector<std::uint32_t> words = random_words(params.seed, params.n);
+  const auto result = lab03::equidistribution(words, static_cast<int>(params.whole("lowest")),
+                                              static_cast<int>(params.whole("bits")));
+  Rows rows{3, {result.statistic, result.p_lower, result.p_upper}};
+  rows.values.insert(rows.values.end(), words.begin(), words.end());
+  return rows;
+}
+
+// The words 0, 1, 2, ... n - 1: every field of low bits comes equally often.
+PROBE("Lab 3.7 counting words") {
+  std::vector<std::uint32_t> words(static_cast<std::size_t>(params.n));
+  for (std::size_t i = 0; i < words.size(); ++i)
+    words[i] = static_cast<std::uint32_t>(i);
+  const auto result = lab03::equidistribution(words, 0, static_cast<int>(params.whole("bits")));
+  return {3, {result.statistic, result.p_lower, result.p_upper}};
+}
+
+PROBE("Lab 3.8 length") {
+  return {1,
+          {static_cast<double>(lab03::spectral_2d(static_cast<std::uint64_t>(params.whole("a")),
+                                                  static_cast<std::uint64_t>(params.whole("c"))))}};
+}

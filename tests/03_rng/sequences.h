@@ -1,0 +1,40 @@
+#pragma once
+
+#include "grader/judge/judge.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace lab03_tests {
+
+/// A sequence that a typical mistake would give.
+struct Alternative {
+  std::vector<double> sequence;
+  carlo::grader::Diagnosis diagnosis;
+};
+
+/// Every number equals the expected one; where not, names the mistakes that give just these
+/// numbers.
+inline carlo::grader::Verdict sequence_is(const std::string& what,
+                                          const std::vector<double>& measured,
+                                          const std::vector<double>& expected,
+                                          const std::vector<Alternative>& alternatives = {}) {
+  carlo::grader::Verdict verdict = carlo::grader::all_equal(what, measured, expected, 0);
+  if (verdict.passed) return verdict;
+  for (const Alternative& other : alternatives) {
+    if (measured == other.sequence) verdict.diagnoses.push_back(other.diagnosis);
+  }
+  return verdict;
+}
+
+/// n values of a function of no arguments.
+inline std::vector<double> generate(std::int64_t n, const std::function<double()>& next) {
+  std::vector<double> values;
+  for (std::int64_t i = 0; i < n; ++i)
+    values.push_back(next());
+  return values;
+}
+
+}  // namespace lab03_tests
