@@ -3,8 +3,14 @@
 #include "report/notebook.h"
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace carlo {
 
@@ -19,6 +25,10 @@ struct LabApp {
   std::int64_t quick_n = 1 << 14;  ///< and in a quick run
   std::vector<Experiment> experiments;
   std::vector<std::string> what_you_should_see;  ///< the last section, a paragraph each
+  /// Adds options of this lab alone to the common ones.
+  std::function<void(CLI::App& app)> add_options = nullptr;
+  /// Called once the command line has been read; an exit code takes the place of the experiments.
+  std::function<std::optional<int>(const LabOptions& options)> instead = nullptr;
 };
 
 /// main() of a lab: takes --n, --seed, --quick, --json, --page and --no-page, runs the experiments

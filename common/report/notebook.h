@@ -41,6 +41,9 @@ class Notebook {
   void say(std::string_view paragraph);
   void table(const std::string& key, const Table& table, std::string_view caption);
   void charts(const std::vector<Chart>& row) { page_.charts(row); }
+  /// Trusted HTML and JavaScript for the page (page.h); nothing on the console.
+  void raw_html(std::string_view html) { page_.raw_html(html); }
+  void script(std::string_view code) { page_.script(code); }
 
   /// Does `work`, which calls exercises. Where one of them has not been done, says so (once a
   /// section) and returns false.
