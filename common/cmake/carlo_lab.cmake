@@ -31,6 +31,9 @@ function(carlo_lab_program target part implementation)
   target_link_libraries(${target} PRIVATE ${part} ${implementation} carlo::build)
 endfunction()
 
+# Well over a hundred small programs: one build type is enough for them.
+option(CARLO_MISTAKES "Build the labs' typical mistakes and test that each is caught" ON)
+
 # The workers of the typical mistakes: tests/FOLDER/mistakes/*.patch, each applied to the solution.
 # A patch that no longer applies fails the build.
 function(carlo_lab_mistakes lab folder name)
@@ -98,7 +101,7 @@ function(add_lab folder name)
       string(REPLACE "_code" "_worker" worker "${code}")
       carlo_lab_program(${worker} ${lab}_probes ${code})
     endforeach()
-    if(EXISTS "${solution}")
+    if(EXISTS "${solution}" AND CARLO_MISTAKES)
       carlo_lab_mistakes(${lab} ${folder} ${name} ${uses})
     endif()
   endif()
