@@ -1,0 +1,36 @@
+#pragma once
+
+#include "point_sets.h"
+#include "report/measure.h"
+#include "report/notebook.h"
+
+namespace lab04 {
+
+using carlo::Curve, carlo::Measurement, carlo::Notebook, carlo::Summary, carlo::Trial;
+using carlo::error_charts, carlo::ladder, carlo::measurement_table, carlo::repeat,
+    carlo::slope_cell;
+
+// One experiment each: it runs the exercises it needs, and writes what it finds.
+
+/// Labs 4.3 and 4.4: what the point sets look like, and which strata they leave empty.
+void point_sets_experiment(Notebook& notebook);
+/// Lab 4.1: strata on the line, for a smooth function and one that jumps.
+void line_experiment(Notebook& notebook);
+/// Lab 4.2: strata in float.
+void float_experiment(Notebook& notebook);
+/// Labs 4.3 and 4.4: slopes of five point sets, smooth and with an edge; pi with strata.
+void slopes_experiment(Notebook& notebook);
+/// Lab 4.5: the variance before and after, and whether the error bars tell the truth.
+void variance_experiment(Notebook& notebook);
+/// Lab 4.6: strata that adapt.
+void recursive_experiment(Notebook& notebook);
+
+/// Methods with the slope that theory gives them, as a table.
+struct Expected {
+  Curve curve;
+  const char* slope;
+};
+carlo::Table slope_table(const std::vector<Expected>& curves);
+std::vector<Curve> curves_of(const std::vector<Expected>& expected);
+
+}  // namespace lab04
