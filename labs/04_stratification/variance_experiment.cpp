@@ -1,4 +1,5 @@
 #include "experiments.h"
+#include "report/format.h"
 
 #include <fmt/core.h>
 
@@ -61,13 +62,12 @@ void variance_experiment(Notebook& notebook) {
         const Found f = measure(g, side, repetitions, rng);
         const double gain = f.plain / f.claimed;
         series.points.push_back({static_cast<double>(side * side), gain});
-        table.add_row({g.name, side * side,
-                       carlo::interval_cell(f.one.value, 1.96 * f.one.standard_error),
-                       std::sqrt(f.plain), std::sqrt(f.claimed),
-                       carlo::Cell(fmt::format(gain < 100 ? "{:.3g}×" : "{:.0f}×", gain), gain),
-                       std::sqrt(f.squared_error),
-                       carlo::Cell(fmt::format("{:.1f} %", 100 * f.covered), f.covered),
-                       carlo::seconds_cell(f.seconds)});
+        table.add_row(
+            {g.name, side * side, carlo::interval_cell(f.one.value, 1.96 * f.one.standard_error),
+             std::sqrt(f.plain), std::sqrt(f.claimed),
+             carlo::Cell(carlo::number_text(gain, 3) + "×", gain), std::sqrt(f.squared_error),
+             carlo::Cell(fmt::format("{:.1f} %", 100 * f.covered), f.covered),
+             carlo::seconds_cell(f.seconds)});
       }
       chart.series.push_back(std::move(series));
     }
