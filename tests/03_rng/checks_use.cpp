@@ -61,7 +61,10 @@ void judge_between(float a, float b) {
     const double exact = wide_a + width * (static_cast<double>(word >> 8) * 0x1p-24);
     worst = std::max(worst, std::abs(rows.values[i++] - exact));
   }
-  judge(equals("the largest distance from a + (b - a) u in " + range, worst, 0, slack));
+  Verdict verdict = equals("the largest distance from a + (b - a) u in " + range, worst, 0, slack);
+  const bool huge = width > std::numeric_limits<float>::max();
+  if (!verdict.passed && huge) verdict.diagnoses.push_back(overflow);
+  judge(verdict);
 }
 
 const Diagnosis out_of_range{"integer-out-of-range", "numbers outside [u..v] come out."};

@@ -43,4 +43,8 @@ function(add_lab_tests folder name)
       set_tests_properties(${lab}.mistake.${mistake} PROPERTIES TIMEOUT 120)
     endif()
   endforeach()
+  # Tests of what a lab gives its students.
+  if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/CMakeLists.txt")
+    add_subdirectory(${folder})
+  endif()
 endfunction()
