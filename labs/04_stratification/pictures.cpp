@@ -15,8 +15,8 @@ constexpr double side = 400;
 
 constexpr std::string_view style = R"(<style>
 .tiles { display: grid; gap: 1.5rem; margin: 1.5rem 0;
-         grid-template-columns: repeat(auto-fill, minmax(min(100%, 17rem), 1fr)); }
-.tiles figcaption { min-height: 4.5em; }
+         grid-template-columns: repeat(auto-fit, minmax(min(100%, 12.25rem), 1fr)); }
+.tiles figcaption { min-height: 3em; }
 .tiles svg { display: block; width: 100%; height: auto; }
 .tiles .frame { fill: none; stroke: var(--soft); stroke-width: 1.5; }
 .tiles .cells { fill: none; stroke: var(--rule); stroke-width: 1; }

@@ -48,9 +48,8 @@ void point_sets_experiment(Notebook& notebook) {
       table.add_row(
           {set.name, empty.cells, empty.columns, carlo::seconds_cell(timed.seconds / 4096)});
       pictures.push_back(point_picture(
-          set.name,
-          fmt::format("{} of 64 cells and {} of 64 columns are empty", empty.cells, empty.columns),
-          points, lines));
+          set.name, fmt::format("empty: {} cells, {} columns", empty.cells, empty.columns), points,
+          lines));
     });
   }
   notebook.say(

@@ -1,5 +1,6 @@
 #include "experiments.h"
 #include "pictures.h"
+#include "report/format.h"
 
 #include <fmt/core.h>
 
@@ -39,9 +40,9 @@ std::string picture(Notebook& notebook, const Integrand& g, std::int64_t n, Back
   carlo::Rng rng = notebook.rng();
   std::vector<Stratum> strata;
   recursive_stratification(on_cube(g), 2, n, rng, &strata);
-  return strata_picture(fmt::format("{}, n = {}", g.name, n),
-                        fmt::format("{} strata; the darker, the denser the points", strata.size()),
-                        strata, under);
+  return strata_picture(fmt::format("{}, n = {}", g.name, carlo::count_text(n)),
+                        fmt::format("{} strata; darker: denser points", strata.size()), strata,
+                        under);
 }
 
 void compare(Notebook& notebook, const std::string& key, const Integrand& g) {
