@@ -52,10 +52,27 @@ void Notebook::say(std::string_view paragraph) {
 
 void Notebook::table(const std::string& key, const Table& table, std::string_view caption) {
   if (table.rows().empty()) return;
+  print_table(key, table, caption);
+  page_.table(table, caption);
+}
+
+void Notebook::table(const std::string& key, const Table& table, std::string_view caption,
+                     std::string_view html) {
+  print_table(key, table, caption);
+  page_.raw_html(html);
+}
+
+void Notebook::data(const std::string& key, const Table& table, std::string_view caption) {
+  page_.raw_html(fmt::format("<details><summary>{}</summary>", html_escaped(caption)));
+  page_.table(table);
+  page_.raw_html("</details>");
+  results_[key] = table.json();
+}
+
+void Notebook::print_table(const std::string& key, const Table& table, std::string_view caption) {
   bar_.clear();
   fmt::print("{}:\n{}\n", caption, table.text());
   (void)std::fflush(stdout);
-  page_.table(table, caption);
   results_[key] = table.json();
 }
 

@@ -40,6 +40,11 @@ class Notebook {
   void begin(std::string_view title);
   void say(std::string_view paragraph);
   void table(const std::string& key, const Table& table, std::string_view caption);
+  /// The same, but the page gets `html` (trusted) in the table's place.
+  void table(const std::string& key, const Table& table, std::string_view caption,
+             std::string_view html);
+  /// Numbers that would only be in the way: folded away on the page, in the JSON file as any table.
+  void data(const std::string& key, const Table& table, std::string_view caption);
   void charts(const std::vector<Chart>& row) { page_.charts(row); }
   /// Trusted HTML and JavaScript for the page (page.h); nothing on the console.
   void raw_html(std::string_view html) { page_.raw_html(html); }
@@ -69,6 +74,7 @@ class Notebook {
 
  private:
   void leave_out(const std::string& reason);
+  void print_table(const std::string& key, const Table& table, std::string_view caption);
 
   LabOptions options_;
   Page& page_;

@@ -63,7 +63,7 @@ Outcome birthdays(const Sample& sample, std::size_t dimensions, int bits, std::s
   const auto many = static_cast<double>(rounds);
   const bool good = 8 * many * mean <= std::pow(days, 0.25) ||
                     4 * static_cast<double>(n) <= std::pow(days, 5.0 / 12) / std::cbrt(many);
-  if (!good || n < 512) return std::nullopt;
+  if (!good || n < 1024) return std::nullopt;
   std::int64_t equal = 0;
   for (std::size_t round = 0; round < rounds; ++round) {
     auto days_of_birth =

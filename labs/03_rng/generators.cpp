@@ -23,12 +23,15 @@ namespace {
 
 using Randu = std::linear_congruential_engine<std::uint32_t, 65539, 0, 2147483648u>;
 
-/// A stream from a state that is copied into it and a function of the state that gives one word.
+/// A stream from a state and a function of the state that gives one word. It runs on a copy of the
+/// state, which no word of `out` can overlay, so that it stays in registers.
 template <class State, class Next>
 Fill stream(State state, Next next) {
   return [state = std::move(state), next](std::span<std::uint32_t> out) mutable {
+    State local = state;
     for (std::uint32_t& word : out)
-      word = next(state);
+      word = next(local);
+    state = local;
   };
 }
 

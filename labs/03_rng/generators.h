@@ -31,6 +31,8 @@ class Xoshiro128 {
     return result;
   }
 
+  const std::array<std::uint32_t, 4>& state() const { return s_; }
+
  private:
   static std::uint32_t rotated(std::uint32_t x, int by) { return (x << by) | (x >> (32 - by)); }
 

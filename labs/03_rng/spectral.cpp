@@ -79,8 +79,8 @@ double DualVector::length() const {
   return std::sqrt(static_cast<double>(squared));
 }
 
-std::int64_t DualVector::planes() const {
-  std::int64_t sum = 0;
+std::int64_t DualVector::planes(bool shifted) const {
+  std::int64_t sum = shifted ? 0 : -1;
   for (const std::int64_t x : s)
     sum += std::abs(x);
   return sum;

@@ -13,9 +13,9 @@ struct DualVector {
 
   /// The length, nu.
   double length() const;
-  /// How many of the planes meet the unit cube at most: |s_0| + |s_1| + ... - 1, plus 1 where they
-  /// do not go through the corners.
-  std::int64_t planes() const;
+  /// How many of the planes s . x = whole number + shift meet the inside of the unit cube: of a
+  /// generator without a summand (shift 0) exactly, of others at most.
+  std::int64_t planes(bool shifted) const;
 };
 
 /// Exact in integers, by trying all vectors that Hermite's bound leaves, in 2, 3 or 4 dimensions.

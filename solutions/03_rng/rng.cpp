@@ -151,8 +151,10 @@ std::uint64_t spectral_2d(std::uint64_t a, std::uint64_t c) {
 // Given -------------------------------------------------------------------------------------------
 
 void Lcg::fill(std::span<std::uint32_t> out) {
+  Lcg local = *this;  // a state that no word of `out` can overlay stays in a register
   for (std::uint32_t& word : out)
-    word = next();
+    word = local.next();
+  *this = local;
 }
 
 void LaggedFibonacci::fill(std::span<std::uint32_t> out) {
@@ -161,8 +163,10 @@ void LaggedFibonacci::fill(std::span<std::uint32_t> out) {
 }
 
 void Pcg32::fill(std::span<std::uint32_t> out) {
+  Pcg32 local = *this;  // a state that no word of `out` can overlay stays in a register
   for (std::uint32_t& word : out)
-    word = next();
+    word = local.next();
+  *this = local;
 }
 
 }  // namespace lab03

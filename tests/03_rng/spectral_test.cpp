@@ -33,7 +33,7 @@ TEST_CASE("the lecture's LCG, RANDU and MINSTD have their known spectral figures
   const auto length = [](std::uint64_t a, std::uint64_t c, int d) {
     const DualVector v = shortest_dual_vector(a, c, d);
     check_is_dual(v, a, c);
-    return std::floor(v.length());
+    return std::lround(v.length());
   };
   CHECK(length(1664525, most, 2) == 70277);
   CHECK(length(1664525, most, 3) == 1524);
@@ -42,6 +42,8 @@ TEST_CASE("the lecture's LCG, RANDU and MINSTD have their known spectral figures
   const DualVector randu = shortest_dual_vector(65539, std::uint64_t{1} << 31, 3);
   check_is_dual(randu, 65539, std::uint64_t{1} << 31);
   CHECK(randu.squared == 118);  // (9, -6, 1)
+  CHECK(randu.planes(false) == 15);
+  CHECK(shortest_dual_vector(1664525, most, 3).planes(true) == 2280);
 }
 
 TEST_CASE("in two dimensions trying all vectors and Gauss's reduction agree") {

@@ -1,0 +1,159 @@
+#include "planes_page.h"
+
+#include "report/page.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace lab03 {
+namespace {
+
+constexpr const char* style = R"(<style>
+.cube canvas { display: block; width: 100%; height: clamp(18rem, 80vw, 34rem); touch-action: none;
+               cursor: grab; border-radius: 8px; }
+.cube canvas:active { cursor: grabbing; }
+.cube .choice { display: flex; flex-wrap: wrap; gap: 0.5rem; margin: 0.8rem 0; }
+.cube button { padding: 0.45rem 0.9rem; border: 1px solid var(--rule); border-radius: 8px;
+               background: var(--paper); color: inherit; font: inherit; font-size: 0.92rem;
+               cursor: pointer; }
+.cube button[aria-pressed="true"] { border-color: var(--accent); color: var(--accent);
+                                    font-weight: 600; }
+.cube button:hover { border-color: var(--accent); }
+.cube p { min-height: 3.3em; margin: 0; color: var(--soft); font-size: 0.92rem; }
+</style>)";
+
+constexpr const char* script = R"js((() => {
+  const canvas = document.getElementById("cube");
+  const note = document.getElementById("cube-note");
+  const buttons = [...document.querySelectorAll("[data-cloud]")];
+  const along = document.getElementById("cube-along");
+  let cloud = clouds[0], turn;
+
+  const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                           a[0] * b[1] - a[1] * b[0]];
+  const unit = (a) => { const l = Math.hypot(...a); return a.map((x) => x / l); };
+  const product = (a, b) => a.map((row) => [0, 1, 2].map((j) =>
+    row[0] * b[0][j] + row[1] * b[1][j] + row[2] * b[2][j]));
+  const rotation = (axis, angle) => {
+    const c = Math.cos(angle), s = Math.sin(angle);
+    return axis === "y" ? [[c, 0, s], [0, 1, 0], [-s, 0, c]] : [[1, 0, 0], [0, c, -s], [0, s, c]];
+  };
+
+  // Rows: the screen's right, up and towards the reader.
+  const start = () => { turn = product(rotation("x", 0.45), rotation("y", -0.6)); };
+  const lookAlong = () => {
+    const x = unit(cloud.normal);
+    const other = Math.abs(x[1]) < 0.8 ? [0, 1, 0] : [1, 0, 0];
+    const z = unit(cross(x, other));
+    turn = [x, cross(z, x), z];
+  };
+
+  const draw = () => {
+    const ratio = window.devicePixelRatio || 1;
+    const { width, height } = canvas.getBoundingClientRect();
+    canvas.width = width * ratio;
+    canvas.height = height * ratio;
+    const g = canvas.getContext("2d");
+    g.scale(ratio, ratio);
+    const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+    const size = Math.min(width, height) / 1.8;
+    const place = (p) => {
+      const q = p.map((x) => x - 0.5);
+      const [x, y, z] = turn.map((r) => r[0] * q[0] + r[1] * q[1] + r[2] * q[2]);
+      return [width / 2 + size * x, height / 2 - size * y, z];
+    };
+    g.strokeStyle = colour("--soft");
+    g.lineWidth = 1;
+    g.beginPath();
+    for (let i = 0; i < 8; ++i) {
+      for (const bit of [1, 2, 4]) {
+        if (i & bit) continue;
+        const corner = (k) => place([k & 1, (k >> 1) & 1, (k >> 2) & 1]);
+        const [a, b] = [corner(i), corner(i | bit)];
+        g.moveTo(a[0], a[1]);
+        g.lineTo(b[0], b[1]);
+      }
+    }
+    g.stroke();
+    g.fillStyle = colour("--series-1");
+    for (let i = 0; i < cloud.points.length; i += 3) {
+      const [x, y, z] = place([cloud.points[i] / 4096, cloud.points[i + 1] / 4096,
+                               cloud.points[i + 2] / 4096]);
+      g.globalAlpha = 0.6 + 0.4 * z;
+      g.fillRect(x - 1, y - 1, 2, 2);
+    }
+    g.globalAlpha = 1;
+  };
+
+  const choose = (index) => {
+    cloud = clouds[index];
+    buttons.forEach((b, i) => b.setAttribute("aria-pressed", i === index));
+    note.textContent = cloud.note;
+    along.hidden = !cloud.normal.some((x) => x !== 0);
+    draw();
+  };
+  const by = (dx, dy) => {
+    turn = product(product(rotation("x", dy), rotation("y", dx)), turn);
+    draw();
+  };
+
+  buttons.forEach((b, i) => b.addEventListener("click", () => choose(i)));
+  along.addEventListener("click", () => { lookAlong(); draw(); });
+  document.getElementById("cube-back").addEventListener("click", () => { start(); draw(); });
+  canvas.addEventListener("pointerdown", (e) => canvas.setPointerCapture(e.pointerId));
+  canvas.addEventListener("pointermove", (e) => {
+    if (canvas.hasPointerCapture(e.pointerId)) by(e.movementX / 150, e.movementY / 150);
+  });
+  canvas.addEventListener("keydown", (e) => {
+    const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[e.key];
+    if (!step) return;
+    e.preventDefault();
+    by(step[0] * 0.05, step[1] * 0.05);
+  });
+  new ResizeObserver(draw).observe(canvas);
+  window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);
+start();
+choose(0);
+})();)js";
+
+}  // namespace
+
+std::string planes_html(const std::vector<Cloud>& clouds) {
+  std::string html = fmt::format(
+      "{}<figure class=\"cube\"><figcaption>Triples of numbers as points of "
+      "a cube</figcaption><div class=\"choice\">",
+      style);
+  for (const Cloud& cloud : clouds) {
+    html += fmt::format("<button type=\"button\" data-cloud aria-pressed=\"false\">{}</button>",
+                        carlo::html_escaped(cloud.name));
+  }
+  return html +
+         "</div><canvas id=\"cube\" tabindex=\"0\" role=\"img\" aria-label=\"Points in a cube. "
+         "Arrow "
+         "keys turn it.\"></canvas><div class=\"choice\"><button type=\"button\" "
+         "id=\"cube-along\">Look "
+         "along the planes</button><button type=\"button\" id=\"cube-back\">Turn "
+         "back</button></div>"
+         "<p id=\"cube-note\" aria-live=\"polite\"></p></figure>";
+}
+
+std::string planes_script(const std::vector<Cloud>& clouds) {
+  auto list = nlohmann::json::array();
+  for (const Cloud& cloud : clouds) {
+    auto points = nlohmann::json::array();
+    for (const auto& point : cloud.points) {
+      for (const double x : point)
+        points.push_back(static_cast<int>(std::floor(x * 4096)));
+    }
+    list.push_back({{"name", cloud.name},
+                    {"note", cloud.note + " Drag, or use the arrow keys, to turn it."},
+                    {"points", points},
+                    {"normal", cloud.normal}});
+  }
+  return fmt::format("(() => {{\n\"use strict\";\nconst clouds = {};\n{}\n}})();", list.dump(),
+                     script);
+}
+
+}  // namespace lab03
