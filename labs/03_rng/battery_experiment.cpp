@@ -87,7 +87,7 @@ std::string short_text(const Finding& finding) {
   if (!finding.judged) return "";
   if (!finding.rejected) return "·";
   return fmt::format("{}{}", finding.log2_n,
-                     finding.result.p_lower < finding.result.p_upper ? "−" : "+");
+                     finding.result.p_lower < finding.result.p_upper ? "-" : "+");
 }
 
 /// The cell's words and its colour: the smaller the sample that was enough, the stronger.
@@ -109,7 +109,8 @@ std::string cell_html(const Finding& finding) {
 }
 
 constexpr const char* heat_style = R"(<style>
-.heat th, .heat td { padding: 0.3rem 0.5rem; text-align: center; white-space: normal; }
+.heat th, .heat td { padding: 0.3rem 0.5rem; text-align: center; }
+.heat thead th { white-space: normal; }
 .heat thead th { min-width: 5.2rem; vertical-align: bottom; }
 .heat tbody th { position: sticky; left: 0; background: var(--paper); text-align: left;
                  white-space: nowrap; z-index: 1; }
@@ -179,14 +180,17 @@ carlo::Table tails_table(const std::vector<RandomnessTest>& tests, const std::ve
   return table;
 }
 
+/// What the console's table means; the page's table says it itself.
 std::string legend(const std::vector<RandomnessTest>& tests) {
-  std::string text = "On the console: ";
+  std::string text =
+      "log2 of the numbers until the first rejection, - too even, + too uneven; a dot: passed;\n"
+      "nothing: the test does not apply";
   char letter = 'a';
-  for (const RandomnessTest& test : tests)
-    text += fmt::format("{}{} {}", letter == 'a' ? "" : ", ", letter, test.name), ++letter;
-  return text +
-         ". The number is log2 of the sample at the first rejection, − for too even and + for too "
-         "uneven; a dot means not rejected, nothing means that the test does not apply.";
+  for (const RandomnessTest& test : tests) {
+    text += fmt::format("{}{} {}", (letter - 'a') % 3 == 0 ? "\n" : ", ", letter, test.name);
+    ++letter;
+  }
+  return text;
 }
 
 std::vector<Row> judge_all(Notebook& notebook, const std::vector<RandomnessTest>& tests) {
@@ -222,7 +226,6 @@ void battery_experiment(Notebook& notebook) {
       "so "
       "far off, to either side, once in 10^10 tries.");
   if (rows.empty() || tests.empty()) return;
-  notebook.say(legend(tests));
   notebook.table("battery", short_table(tests, rows),
                  "log2 of the numbers until the first rejection", heat_map(tests, rows));
   notebook.data("battery_tails", tails_table(tests, rows), "Both tails of every test");
