@@ -115,7 +115,8 @@ constexpr const char* heat_style = R"(<style>
 .heat tbody th { position: sticky; left: 0; background: var(--paper); text-align: left;
                  white-space: nowrap; z-index: 1; }
 .heat small { display: block; color: var(--ink); font-size: 0.74rem; line-height: 1.2; }
-.heat .fail { background: color-mix(in srgb, var(--series-2) var(--strength), var(--paper)); }
+.heat .fail { background: var(--panel);
+              background: color-mix(in srgb, var(--series-2) var(--strength), var(--paper)); }
 .heat .pass, .heat .none { color: var(--soft); }
 .heat .pass small { color: var(--soft); }
 .heat .none { font-size: 0.74rem; }
@@ -226,8 +227,7 @@ void battery_experiment(Notebook& notebook) {
       "so "
       "far off, to either side, once in 10^10 tries.");
   if (rows.empty() || tests.empty()) return;
-  notebook.table("battery", short_table(tests, rows),
-                 "log2 of the numbers until the first rejection", heat_map(tests, rows));
+  notebook.table("battery", short_table(tests, rows), legend(tests), heat_map(tests, rows));
   notebook.data("battery_tails", tails_table(tests, rows), "Both tails of every test");
 }
 

@@ -168,7 +168,7 @@ TEST_CASE("Lab 3.2: a jump takes O(log n) steps", "[lab03][ex2]") {
 }
 
 TEST_CASE("Lab 3.2: a jump of n steps ends where n calls of next() end", "[lab03][ex2]") {
-  for (const std::uint64_t steps : {0, 1, 2, 3, 4, 5, 7, 8, 100, 65536, 1'000'003})
+  for (const std::uint64_t steps : {0u, 1u, 2u, 3u, 4u, 5u, 7u, 8u, 100u, 65536u, 1'000'003u})
     judge_jump("Lab 3.2 jump", 42, steps);
   judge_jump("Lab 3.2 jump", 4294967295, 12345);
 }

@@ -128,7 +128,7 @@ TEST_CASE("Lab 3.3: the numbers of random() in the GNU C library come out", "[la
 
 // With one word or two, a hash alone leaves all even for a half or a quarter of the seeds.
 TEST_CASE("Lab 3.3: at least one first word is odd, whatever the seed", "[lab03][ex3]") {
-  for (const std::size_t k : {1, 2, 10, 63}) {
+  for (const std::size_t k : {1u, 2u, 10u, 63u}) {
     const Rows rows = seeded(0, 500, k);
     double without = 0;
     for (std::size_t i = 0; i < rows.count(); ++i) {

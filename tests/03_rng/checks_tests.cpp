@@ -167,8 +167,9 @@ TEST_CASE("Lab 3.7: tails far out keep their digits", "[lab03][ex7]") {
 
 TEST_CASE("Lab 3.7: equidistribution looks at the bits it is told to", "[lab03][ex7]") {
   constexpr std::int64_t n = 30'000;
-  for (const auto& [lowest, bits] :
+  for (const auto& field :
        {std::pair{22, 10}, {0, 8}, {0, 1}, {31, 1}, {16, 16}, {0, 16}, {5, 3}, {13, 7}}) {
+    const int lowest = field.first, bits = field.second;
     const Rows rows = probe(
         "Lab 3.7 words", {.n = n, .numbers = {{"lowest", double(lowest)}, {"bits", double(bits)}}},
         {.rows = n / 3 + 1, .columns = 3});
