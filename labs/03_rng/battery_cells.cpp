@@ -162,6 +162,7 @@ Outcome runs_test(const Sample& sample) {
     ++i;
     if (i + 16 >= sample.words.size()) break;
   }
+  // A good generator has n / e of them. Far fewer: a binomial with 0.3 < 1 / e bounds the chance.
   if (runs < 256) return binomial_result(runs, static_cast<std::int64_t>(sample.words.size()), 0.3);
   std::vector<double> probabilities;
   double factorial = 1;
