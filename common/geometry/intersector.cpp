@@ -113,7 +113,7 @@ struct Intersector::Impl {
   explicit Impl(const Scene& s) : scene(s) {
     // No "threads=1" here: it would limit the whole program's TBB.
     device = rtcNewDevice(nullptr);
-    if (device == nullptr) throw Error("error: Embree did not start");
+    if (device == nullptr) throw Error("Embree did not start");
     embree = rtcNewScene(device);
     rtcSetSceneFlags(embree, RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(embree, RTC_BUILD_QUALITY_HIGH);
@@ -126,7 +126,7 @@ struct Intersector::Impl {
     for (std::size_t i = 0; i < meshes.size(); ++i)
       add_mesh(i);
     rtcCommitScene(embree);
-    if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw Error("error: Embree is out of memory");
+    if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw Error("Embree is out of memory");
   }
 
   ~Impl() {
@@ -160,7 +160,7 @@ struct Intersector::Impl {
   T* new_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t count) {
     auto* data =
         static_cast<T*>(rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), count));
-    if (data == nullptr) throw Error("error: Embree is out of memory");
+    if (data == nullptr) throw Error("Embree is out of memory");
     return data;
   }
 

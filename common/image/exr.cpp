@@ -82,6 +82,9 @@ void write_exr(const std::filesystem::path& path, const ExrFile& file) {
 ExrFile read_exr(const std::filesystem::path& path) {
   auto in = OIIO::ImageInput::open(path.string());
   if (!in) throw Error("cannot read {}: {}", path.string(), OIIO::geterror());
+  if (std::string(in->format_name()) != "openexr") {
+    throw Error("cannot read {}: it is {}, expected OpenEXR", path.string(), in->format_name());
+  }
   const OIIO::ImageSpec spec = in->spec();
   const auto colour = find_channels(spec.channelnames, colour_channels);
   if (!colour) throw Error("cannot read {}: it has no channels R, G, B", path.string());

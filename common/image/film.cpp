@@ -16,12 +16,12 @@ constexpr std::int64_t max_pixels = std::int64_t{1} << 25;
 Film::Film(int width, int height, std::uint32_t block, double scale)
     : width_(width), height_(height), block_(block) {
   if (width < 1 || height < 1 || std::int64_t{width} * height > max_pixels) {
-    throw Error("error: a film has 1 to {} pixels, got {} x {}", max_pixels, width, height);
+    throw Error("a film has 1 to {} pixels, got {} x {}", max_pixels, width, height);
   }
   if (!(scale > 0) || !std::isfinite(scale)) scale = 1;
   const int exponent = std::ilogb(scale) + 1;
-  sum_grid_ = std::ldexp(1.0, exponent - 60);
-  square_grid_ = std::ldexp(1.0, 2 * exponent - 80);
+  sum_grid_ = std::ldexp(1.0, exponent - 90);
+  square_grid_ = std::ldexp(1.0, 2 * exponent - 84);
   pixels_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
 }
 
@@ -37,7 +37,7 @@ void Film::add_block(int x, int y, const std::array<double, 3>& mean) {
 void Film::merge(const Film& other) {
   if (other.width_ != width_ || other.height_ != height_ || other.block_ != block_ ||
       other.sum_grid_ != sum_grid_) {
-    throw Error("error: films of different size, block or scale cannot be merged");
+    throw Error("films of different size, block or scale cannot be merged");
   }
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -96,17 +96,19 @@ std::uint64_t Film::samples() const {
 
 MeanRadiance mean_radiance(const Film& film) {
   MeanRadiance result;
-  const double count = static_cast<double>(film.width()) * film.height();
   for (std::size_t c = 0; c < 3; ++c) {
+    double count = 0;
     CompensatedSum mean, variance;
     for (int y = 0; y < film.height(); ++y) {
       for (int x = 0; x < film.width(); ++x) {
+        if (film.blocks(x, y) == 0) continue;  // an interrupted render
+        ++count;
         mean.add(film.mean(x, y, c));
         variance.add(film.variance(x, y, c));
       }
     }
-    result.value[c] = mean.value() / count;
-    result.standard_error[c] = std::sqrt(variance.value()) / count;
+    result.value[c] = mean.value() / std::fmax(count, 1);
+    result.standard_error[c] = std::sqrt(variance.value()) / std::fmax(count, 1);
   }
   return result;
 }

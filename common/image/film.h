@@ -24,7 +24,8 @@ struct PixelSums {
 /// correlated. Films that share size, block and scale may be merged in any order.
 class Film {
  public:
-  /// `scale` is a radiance of the order of the brightest light: means are kept to 2^-60 of it.
+  /// `scale` is a radiance of the order of the brightest light: means are kept to 2^-90 of it,
+  /// standard errors to 2^-42, and block means may reach 2^14 times it.
   /// Throws Error if the film is empty or over 2^25 pixels.
   Film(int width, int height, std::uint32_t block, double scale);
 
@@ -64,7 +65,7 @@ class Film {
   std::vector<PixelSums> pixels_;
 };
 
-/// The mean over all pixels and its standard error, per channel, from a film.
+/// The mean over all pixels that have samples and its standard error, per channel.
 struct MeanRadiance {
   std::array<double, 3> value{};
   std::array<double, 3> standard_error{};

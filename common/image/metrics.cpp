@@ -11,8 +11,8 @@ namespace {
 
 void require_same_size(const Image& a, const Image& b) {
   if (a.width == b.width && a.height == b.height) return;
-  throw Error("error: the images differ in size: {} x {} against {} x {}", a.width, a.height,
-              b.width, b.height);
+  throw Error("the images differ in size: {} x {} against {} x {}", a.width, a.height, b.width,
+              b.height);
 }
 
 /// z of the difference of means over the rectangle [x0, x1) x [y0, y1).

@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace carlo {
@@ -36,12 +37,17 @@ void write_png(const std::filesystem::path& path, const Image& image, float stop
     for (int c = 0; c < 3; ++c)
       bytes.push_back(encode(gain * pixel[c]));
   }
-  AtomicFile file(path);
-  if (stbi_write_png(file.path().c_str(), image.width, image.height, 3, bytes.data(),
-                     3 * image.width) == 0) {
-    throw Error("cannot write {}: is the disk full?", path.string());
+  // In memory first: stb's own file output does not notice a full disk.
+  std::string png;
+  const auto append = [](void* context, void* data, int size) {
+    static_cast<std::string*>(context)->append(static_cast<const char*>(data),
+                                               static_cast<std::size_t>(size));
+  };
+  if (stbi_write_png_to_func(append, &png, image.width, image.height, 3, bytes.data(),
+                             3 * image.width) == 0) {
+    throw Error("cannot write {}: out of memory", path.string());
   }
-  file.commit();
+  write_file(path, png);
 }
 
 }  // namespace carlo

@@ -13,7 +13,8 @@ class CompensatedSum {
     error_ += std::abs(sum_) >= std::abs(x) ? (sum_ - t) + x : (x - t) + sum_;
     sum_ = t;
   }
-  double value() const { return sum_ + error_; }
+  /// An infinite term makes the sum infinite (and not NaN, as the correction would).
+  double value() const { return std::isinf(sum_) ? sum_ : sum_ + error_; }
 
  private:
   double sum_ = 0;

@@ -8,10 +8,10 @@ namespace carlo {
 /// not depend on their order nor on how they were split up among threads or machines.
 class ExactSum {
  public:
-  /// Adds `x` rounded to a multiple of `grid`, a power of two. |x| up to 2^100 grids; larger terms
+  /// Adds `x` rounded to a multiple of `grid`, a power of two. |x| up to 2^112 grids; larger terms
   /// are cut off there.
   void add(double x, double grid) {
-    constexpr double limit = 0x1p100;
+    constexpr double limit = 0x1p112;
     units_ += static_cast<Int128>(std::fmin(limit, std::fmax(-limit, std::nearbyint(x / grid))));
   }
   void add(const ExactSum& other) { units_ += other.units_; }

@@ -86,6 +86,7 @@ class Job {
     std::array<std::array<double, 3>, tile_size * tile_size> means;
     Counts counts;
     integrator_.render(tile, means, counts);
+    if (interrupt_seen != 0) return;  // it may have been cut short
     std::size_t i = 0;
     for (int y = tile.y0; y < tile.y1; ++y) {
       for (int x = tile.x0; x < tile.x1; ++x)
@@ -115,6 +116,10 @@ class Job {
 };
 
 }  // namespace
+
+bool render_interrupted() {
+  return interrupt_seen != 0;
+}
 
 std::uint32_t block_size(std::uint32_t spp) {
   const std::uint32_t divisor = spp & (~spp + 1);

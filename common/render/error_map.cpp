@@ -38,6 +38,10 @@ Image error_map(const Film& film) {
         mean += film.mean(x, y, c);
         variance += film.variance(x, y, c);
       }
+      if (!std::isfinite(variance)) {
+        map.at(x, y) = Rgb(0.2f);
+        continue;
+      }
       const double relative = mean > 0 ? std::sqrt(3 * variance) / mean : 0;
       map.at(x, y) = relative > 0 ? colour((std::log10(relative) + 3) / 3) : colour(0);
     }

@@ -20,11 +20,13 @@ struct Tile {
 struct Counts {
   std::uint64_t paths = 0;
   std::uint64_t rays = 0;  ///< of all kinds, shadow rays among them
+  std::uint64_t cut = 0;   ///< paths that were ended for their length alone
   std::uint64_t bad = 0;   ///< samples that were NaN, infinite or negative; they count as black
 
   Counts& operator+=(const Counts& other) {
     paths += other.paths;
     rays += other.rays;
+    cut += other.cut;
     bad += other.bad;
     return *this;
   }
@@ -51,6 +53,10 @@ class BlockSum {
  private:
   std::array<double, 3> sum_{};
 };
+
+/// Whether Ctrl-C asked the running render to end. A path that may be very long looks now and then;
+/// what it returns then is thrown away.
+bool render_interrupted();
 
 /// Estimates the radiance of pixels. What a sample is worth depends on (seed, pixel, sample index)
 /// alone, so the driver may ask for tiles in any order and from any thread.

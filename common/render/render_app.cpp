@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Arguments {
-  std::string scene, output, reference, size, sampler;
+  std::string scene, default_scene, output, reference, size, sampler;
   std::vector<std::string> definitions;
   std::optional<std::uint32_t> spp;
   std::optional<double> seconds;
@@ -39,7 +39,8 @@ struct Arguments {
 };
 
 void add_options(CLI::App& app, Arguments& a) {
-  app.add_option("scene", a.scene, "scene file (Mitsuba 0.6-style XML)")->required();
+  app.add_option("scene", a.scene, "scene file, Mitsuba 0.6-style XML (default: the Cornell box)");
+  app.add_option("--default-scene", a.default_scene)->group("");  // for the script ./carlo
   auto* spp = app.add_option("--spp", a.spp, "samples a pixel (default: the scene's)")
                   ->check(CLI::Range(1u, 1u << 28));
   app.add_option("--seconds", a.seconds, "render for about this long instead")
@@ -63,7 +64,7 @@ int parse_whole(std::string_view text, const std::string& all) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) {
-    throw Error("error: --size is WIDTHxHEIGHT, for example 256x256, got '{}'", all);
+    throw Error("--size is WIDTHxHEIGHT, for example 256x256, got '{}'", all);
   }
   return value;
 }
@@ -73,10 +74,10 @@ std::map<std::string, std::string> parse_definitions(const std::vector<std::stri
   for (const std::string& d : definitions) {
     const auto equals = d.find('=');
     if (equals == 0 || equals == std::string::npos) {
-      throw Error("error: -D takes NAME=VALUE, got '{}'", d);
+      throw Error("-D takes NAME=VALUE, got '{}'", d);
     }
     if (!map.emplace(d.substr(0, equals), d.substr(equals + 1)).second) {
-      throw Error("error: -D {} was given twice", d.substr(0, equals));
+      throw Error("-D {} was given twice", d.substr(0, equals));
     }
   }
   return map;
@@ -106,6 +107,7 @@ fs::path output_stem(const Arguments& a) {
     return fs::path("out") / fs::path(a.scene).stem();
   }
   const fs::path given(a.output);
+  if (!given.has_filename() || fs::is_directory(given)) return given / fs::path(a.scene).stem();
   const bool suffixed = given.extension() == ".exr" || given.extension() == ".png";
   return suffixed ? fs::path(given).replace_extension() : given;
 }
@@ -166,25 +168,55 @@ int run(const Arguments& a, const IntegratorFactory& factory) {
 
 }  // namespace
 
+namespace {
+
+/// The squared length of the scene's diagonal.
+double extent2(const Scene& scene) {
+  Vec3 lower = scene.camera.origin, upper = lower;
+  const auto include = [&](Vec3 p, float margin = 0) {
+    lower = glm::min(lower, p - Vec3(margin));
+    upper = glm::max(upper, p + Vec3(margin));
+  };
+  for (const Shape& shape : scene.shapes) {
+    if (const auto* s = std::get_if<Sphere>(&shape.geometry)) include(s->center, s->radius);
+    if (const auto* s = std::get_if<Disk>(&shape.geometry)) include(s->center, s->radius);
+    if (const auto* s = std::get_if<Parallelogram>(&shape.geometry)) {
+      include(s->origin);
+      include(s->origin + s->u + s->v);
+    }
+    if (const auto* s = std::get_if<Mesh>(&shape.geometry)) {
+      for (const Vec3 p : s->positions)
+        include(p);
+    }
+  }
+  for (const PointLight& light : scene.points)
+    include(light.position);
+  const glm::dvec3 diagonal = glm::dvec3(upper) - glm::dvec3(lower);
+  return glm::dot(diagonal, diagonal);
+}
+
+}  // namespace
+
 double radiance_scale(const Scene& scene) {
   const auto brightest = [](Rgb c) { return static_cast<double>(std::max({c.r, c.g, c.b})); };
   double scale = brightest(scene.environment);
   for (const Shape& shape : scene.shapes)
     scale = std::max(scale, brightest(shape.radiance));
-  // What a point light brings depends on distances; its intensity is as good a unit as any.
-  for (const PointLight& light : scene.points)
-    scale = std::max(scale, brightest(light.intensity));
+  const double distance2 = extent2(scene);
+  for (const PointLight& light : scene.points) {
+    // At a thirtieth of the scene's diagonal.
+    scale = std::max(scale, 1e3 * brightest(light.intensity) / std::max(distance2, 1e-30));
+  }
   return scale;
 }
 
 void resize(Scene& scene, int width, int height) {
   if (width < 1 || height < 1) {
-    throw Error("error: the film must be at least 1x1, got {}x{}", width, height);
+    throw Error("the film must be at least 1x1, got {}x{}", width, height);
   }
   scene.width = width;
   scene.height = height;
-  scene.camera.tan_half_y =
-      scene.camera.tan_half_x * static_cast<float>(height) / static_cast<float>(width);
+  scene.camera.fit_film(width, height);
 }
 
 int render_app(int argc, char** argv, const IntegratorFactory& factory) {
@@ -193,6 +225,8 @@ int render_app(int argc, char** argv, const IntegratorFactory& factory) {
                "./carlo render");
   add_options(app, arguments);
   if (const auto code = parse_arguments(app, argc, argv)) return *code;
+  if (arguments.scene.empty()) arguments.scene = arguments.default_scene;
+  if (arguments.scene.empty()) throw Error("which scene? (see ./carlo render --help)");
   return run(arguments, factory);
 }
 

@@ -20,7 +20,7 @@ int render_app(int argc, char** argv, const IntegratorFactory& factory);
 /// A radiance of the order of the brightest light of the scene (film.h).
 double radiance_scale(const Scene& scene);
 
-/// Changes the film's size; the horizontal field of view and square pixels are kept.
+/// Changes the film's size as if the scene file had it: the field of view keeps its axis.
 void resize(Scene& scene, int width, int height);
 
 }  // namespace carlo

@@ -24,17 +24,36 @@ std::string sampler_name(SamplerKind kind) {
   return "";
 }
 
-double relative_error(const Film& film) {
+/// The root mean square over pixels and channels of their standard errors, over the mean radiance.
+double relative_error(const Film& film, const MeanRadiance& mean) {
   CompensatedSum sum;
+  double count = 0;
   for (int y = 0; y < film.height(); ++y) {
     for (int x = 0; x < film.width(); ++x) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        const double mean = film.mean(x, y, c);
-        sum.add(film.variance(x, y, c) / (mean * mean + 0.01));
-      }
+      if (film.blocks(x, y) == 0) continue;
+      for (std::size_t c = 0; c < 3; ++c)
+        sum.add(film.variance(x, y, c));
+      count += 3;
     }
   }
-  return std::sqrt(sum.value() / (3.0 * film.width() * film.height()));
+  const double average = (mean.value[0] + mean.value[1] + mean.value[2]) / 3;
+  return average > 0 ? std::sqrt(sum.value() / count) / average : 0;
+}
+
+double finished(const Film& film) {
+  double count = 0;
+  for (int y = 0; y < film.height(); ++y) {
+    for (int x = 0; x < film.width(); ++x)
+      count += film.blocks(x, y) > 0 ? 1 : 0;
+  }
+  return count / (1.0 * film.width() * film.height());
+}
+
+std::string error_text(const RenderReport& r) {
+  if (!std::isfinite(r.relative_error)) return "not known: it takes two samples a pixel at least";
+  return fmt::format("R {:.2g}, G {:.2g}, B {:.2g}; of a pixel: {:.2g} % of the mean (rms)",
+                     r.mean.standard_error[0], r.mean.standard_error[1], r.mean.standard_error[2],
+                     100 * r.relative_error);
 }
 
 std::string millions(double per_second) {
@@ -66,7 +85,8 @@ RenderReport make_report(const Scene& scene, const RenderResult& result) {
   report.interrupted = result.interrupted;
   report.counts = result.counts;
   report.mean = mean_radiance(result.film);
-  report.relative_error = relative_error(result.film);
+  report.relative_error = relative_error(result.film, report.mean);
+  report.finished = finished(result.film);
   return report;
 }
 
@@ -91,18 +111,20 @@ std::string to_text(const RenderReport& r) {
   line("scene", r.scene);
   line("needs", r.needs);
   line("kernel", fmt::format("{}, {} sampler, seed {}", r.kernel, r.sampler, r.seed));
-  line("image", fmt::format("{} x {}, {:.6g} samples a pixel{}", r.width, r.height, r.spp,
-                            r.interrupted ? " (interrupted)" : ""));
+  line("image", fmt::format("{} x {}, {:.6g} sample{} a pixel", r.width, r.height, r.spp,
+                            r.spp == 1 ? "" : "s"));
+  if (r.interrupted) {
+    line("INTERRUPTED", fmt::format("{:.0f} % of the pixels have samples, the others are black; "
+                                    "means are over the former",
+                                    100 * r.finished));
+  }
   line("time", fmt::format("{} on {} thread{}: {} paths/s, {} rays/s", format_seconds(r.seconds),
                            r.threads, r.threads == 1 ? "" : "s",
                            millions(static_cast<double>(r.counts.paths) / r.seconds),
                            millions(static_cast<double>(r.counts.rays) / r.seconds)));
   line("mean radiance", fmt::format("R {:.6g}, G {:.6g}, B {:.6g}", r.mean.value[0],
                                     r.mean.value[1], r.mean.value[2]));
-  line("standard error",
-       fmt::format("R {:.2g}, G {:.2g}, B {:.2g}; a pixel: {:.2g} % (rms, relative)",
-                   r.mean.standard_error[0], r.mean.standard_error[1], r.mean.standard_error[2],
-                   100 * r.relative_error));
+  line("standard error", error_text(r));
   if (r.reference) {
     line("reference", r.reference->path);
     line("error",
@@ -111,6 +133,10 @@ std::string to_text(const RenderReport& r) {
     line("bias z", fmt::format("R {:.2f}, G {:.2f}, B {:.2f}", r.reference->bias_z[0],
                                r.reference->bias_z[1], r.reference->bias_z[2]));
     line("efficiency", fmt::format("{:.4g} = 1 / (MSE x s)", r.reference->efficiency));
+  }
+  if (r.counts.cut > 0) {
+    line("WARNING",
+         fmt::format("{} paths were cut for their length: the image is too dark", r.counts.cut));
   }
   if (r.counts.bad > 0) {
     line("WARNING",
@@ -136,6 +162,8 @@ std::string to_json(const RenderReport& r) {
                                  {"paths", r.counts.paths},
                                  {"rays", r.counts.rays},
                                  {"bad_samples", r.counts.bad},
+                                 {"cut_paths", r.counts.cut},
+                                 {"finished_pixels", r.finished},
                                  {"mean", numbers(r.mean.value)},
                                  {"standard_error", numbers(r.mean.standard_error)},
                                  {"relative_pixel_error", number(r.relative_error)}};

@@ -31,7 +31,8 @@ struct RenderReport {
   bool interrupted = false;
   Counts counts;
   MeanRadiance mean;
-  double relative_error = 0;  ///< of a pixel: root mean over pixels of variance / (mean^2 + 0.01)
+  double relative_error = 0;  ///< rms standard error of a pixel over the mean radiance
+  double finished = 1;  ///< fraction of the pixels that have samples; the means are over these
   std::optional<ReferenceReport> reference;
 };
 

@@ -56,7 +56,9 @@ Phong parse_phong(Properties& bsdf) {
     fail(bsdf.at("specularReflectance"),
          "diffuseReflectance + specularReflectance must be <= 1 (energy is not created), got {} in "
          "{}",
-         sum, std::array{"red", "green", "blue"}.at(static_cast<std::size_t>(i)));
+         sum,
+         std::array{"the red channel", "the green channel", "the blue channel"}.at(
+             static_cast<std::size_t>(i)));
   }
   return phong;
 }

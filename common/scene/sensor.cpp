@@ -54,12 +54,11 @@ void parse_sampler(const XmlElement& element, Scene& scene) {
   }
 }
 
-// Whether fov is the angle across the image's width (else its height).
-bool across_width(const std::string& axis, const Scene& scene, Position at) {
-  if (axis == "x") return true;
-  if (axis == "y") return false;
-  if (axis == "smaller") return scene.width <= scene.height;
-  if (axis == "larger") return scene.width >= scene.height;
+FovAxis parse_axis(const std::string& axis, Position at) {
+  if (axis == "x") return FovAxis::x;
+  if (axis == "y") return FovAxis::y;
+  if (axis == "smaller") return FovAxis::smaller;
+  if (axis == "larger") return FovAxis::larger;
   fail(at, "fovAxis {} is not supported{}", in_quotes(axis),
        suggest(axis, {"x", "y", "smaller", "larger"}));
 }
@@ -73,10 +72,9 @@ void set_field_of_view(Properties& sensor, Scene& scene) {
     fail(sensor.at("fov"), "fov must be within (0, 180) degrees, got {}", *fov);
   }
   const std::string axis = sensor.string("fovAxis").value_or("x");
-  const float aspect = static_cast<float>(scene.width) / static_cast<float>(scene.height);
-  const bool wide = across_width(axis, scene, sensor.at("fovAxis"));
-  scene.camera.tan_half_x = wide ? tan_half : tan_half * aspect;
-  scene.camera.tan_half_y = wide ? tan_half / aspect : tan_half;
+  scene.camera.fov_axis = parse_axis(axis, sensor.at("fovAxis"));
+  scene.camera.tan_half_fov = tan_half;
+  scene.camera.fit_film(scene.width, scene.height);
 }
 
 // Mitsuba's camera looks along +z; its +x points to the left of the image.

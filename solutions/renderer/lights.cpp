@@ -21,8 +21,16 @@ using carlo::Sphere;
 using Vec3d = glm::dvec3;
 
 struct AreaPoint {
-  Vec3 p, n;
+  Vec3 p, n, error;
 };
+
+/// A rectangle seen under less than this many steradians is sampled by area: its solid angle is a
+/// difference of angles, which keeps only 1e-15 absolute.
+constexpr double least_solid_angle = 1e-7;
+
+Vec3 flat_error(const Parallelogram& s) {
+  return carlo::rounding_bound(12) * (glm::abs(s.origin) + glm::abs(s.u) + glm::abs(s.v));
+}
 
 bool is_rectangle(const Parallelogram& s) {
   return std::abs(glm::dot(s.u, s.v)) <= 1e-5f * glm::length(s.u) * glm::length(s.v);
@@ -76,19 +84,21 @@ std::size_t pick(std::span<const double> sums, float& u) {
 }
 
 AreaPoint sample_area(const Parallelogram& s, Vec2 u) {
-  return {s.origin + u.x * s.u + u.y * s.v, glm::normalize(glm::cross(s.u, s.v))};
+  return {s.origin + u.x * s.u + u.y * s.v, glm::normalize(glm::cross(s.u, s.v)), flat_error(s)};
 }
 
 AreaPoint sample_area(const Sphere& s, Vec2 u) {
   const float z = 1 - 2 * u.x;
   const Vec3 n = spherical(z, carlo::safe_sqrt(1 - z * z), u.y);
-  return {s.center + s.radius * n, s.flipped ? -n : n};
+  return {s.center + s.radius * n, s.flipped ? -n : n,
+          carlo::rounding_bound(8) * (glm::abs(s.center) + Vec3(s.radius))};
 }
 
 AreaPoint sample_area(const Disk& s, Vec2 u) {
   const Frame frame(s.normal);
   const float r = s.radius * std::sqrt(u.x), phi = 2 * carlo::pi_f * u.y;
-  return {s.center + r * (std::cos(phi) * frame.s + std::sin(phi) * frame.t), s.normal};
+  return {s.center + r * (std::cos(phi) * frame.s + std::sin(phi) * frame.t), s.normal,
+          carlo::rounding_bound(12) * (glm::abs(s.center) + Vec3(s.radius))};
 }
 
 AreaPoint sample_area(const Mesh& mesh, std::span<const double> areas, Vec2 u) {
@@ -96,7 +106,17 @@ AreaPoint sample_area(const Mesh& mesh, std::span<const double> areas, Vec2 u) {
   const Vec3 a = mesh.positions[corner.x], ab = mesh.positions[corner.y] - a,
              ac = mesh.positions[corner.z] - a;
   const float root = std::sqrt(u.x);
-  return {a + root * (1 - u.y) * ab + root * u.y * ac, glm::normalize(glm::cross(ab, ac))};
+  return {a + root * (1 - u.y) * ab + root * u.y * ac, glm::normalize(glm::cross(ab, ac)),
+          carlo::rounding_bound(12) * (glm::abs(a) + glm::abs(ab) + glm::abs(ac))};
+}
+
+AreaPoint sample_area(const Shape& shape, std::span<const double> mesh_areas, Vec2 u) {
+  if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
+    return sample_area(*mesh, mesh_areas, u);
+  }
+  if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) return sample_area(*sphere, u);
+  if (const auto* disk = std::get_if<Disk>(&shape.geometry)) return sample_area(*disk, u);
+  return sample_area(std::get<Parallelogram>(shape.geometry), u);
 }
 
 /// 1 - cos of the half-angle of the cone in which a sphere is seen; `from` is outside.
@@ -113,7 +133,7 @@ bool outside(const Sphere& s, Vec3 from) {
 }
 
 /// The near point of the sphere in a direction of its cone.
-Vec3 sample_sphere_cone(const Sphere& s, Vec3 from, Vec2 u) {
+AreaPoint sample_sphere_cone(const Sphere& s, Vec3 from, Vec2 u) {
   const Vec3d to_center = Vec3d(s.center) - Vec3d(from);
   const Frame frame(Vec3(glm::normalize(to_center)));
   const Vec3d w(frame.to_world(sample_cone(u, cone_of(s, from))));
@@ -121,7 +141,8 @@ Vec3 sample_sphere_cone(const Sphere& s, Vec3 from, Vec2 u) {
   const Vec3d closest = along * w - to_center;
   const double half_chord = std::sqrt(std::max(0.0, r * r - glm::dot(closest, closest)));
   const Vec3d n = glm::normalize((along - half_chord) * w - to_center);
-  return Vec3(Vec3d(s.center) + r * n);
+  const Vec3 p(Vec3d(s.center) + r * n);
+  return {p, Vec3(n), carlo::rounding_bound(3) * glm::abs(p)};
 }
 
 /// Density per solid angle at `from` of a point of density 1/area.
@@ -134,6 +155,17 @@ float area_pdf(Vec3 from, Vec3 p, Vec3 n, double area) {
 }
 
 }  // namespace
+
+ShadowRay shadow_ray(Vec3 o, const LightSample& light) {
+  // Embree's distances are good to a few float roundings.
+  constexpr float end = 1 - 1e-6f;
+  const Vec3 target = light.n == Vec3(0)
+                          ? light.p
+                          : carlo::offset_origin(light.p, light.p_error, light.n, o - light.p);
+  const Vec3 d = target - o;
+  const float length = glm::length(d);
+  return {{o, d / length}, length * end};
+}
 
 Lights::Lights(const Scene& scene) : scene_(scene) {
   entry_of_shape_.resize(scene.shapes.size());
@@ -153,6 +185,7 @@ Lights::Lights(const Scene& scene) : scene_(scene) {
     power.push_back(carlo::pi * area * brightness(shape.radiance));
   }
   for (std::uint32_t i = 0; i < scene.points.size(); ++i) {
+    if (scene.points[i].intensity == Rgb(0)) continue;
     entries_.push_back({i, true, std::nullopt, 0, 0});
     power.push_back(4 * carlo::pi * brightness(scene.points[i].intensity));
   }
@@ -174,41 +207,36 @@ std::optional<LightSample> Lights::sample(Vec3 from, float u_light, Vec2 u) cons
   const float distance2 = glm::dot(d, d);
   if (!(distance2 > 0)) return std::nullopt;
   const auto probability = static_cast<float>(entry.probability);
-  return LightSample{light.position, light.intensity / (distance2 * probability), 0};
+  return LightSample{light.position, Vec3(0), Vec3(0), light.intensity / (distance2 * probability),
+                     0};
 }
 
 std::optional<LightSample> Lights::sample_shape(const Entry& entry, Vec3 from, Vec2 u) const {
   const Shape& shape = scene_.shapes[entry.shape];
-  const auto probability = static_cast<float>(entry.probability);
-  AreaPoint point{};
+  const auto result = [&](const AreaPoint& point, float density) -> std::optional<LightSample> {
+    if (!(density > 0) || !std::isfinite(density)) return std::nullopt;
+    const auto probability = static_cast<float>(entry.probability);
+    return LightSample{point.p, point.error, point.n, shape.radiance, probability * density};
+  };
   if (entry.rectangle) {
     if (!(glm::dot(entry.rectangle->z, from - entry.rectangle->origin) > 0)) return std::nullopt;
-    const SphericalRectangle rectangle(*entry.rectangle, from);
-    if (!(rectangle.solid_angle() > 0)) return std::nullopt;
-    const auto density = static_cast<float>(1 / rectangle.solid_angle());
-    return LightSample{rectangle.sample(u), shape.radiance, probability * density};
-  }
-  if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
-    // A sphere that emits outwards does not light its inside. One that emits inwards is sampled by
-    // area: from the outside its near half is in the way, and points on it may be rounded either
-    // way.
-    if (!sphere->flipped) {
-      if (!outside(*sphere, from)) return std::nullopt;
-      return LightSample{sample_sphere_cone(*sphere, from, u), shape.radiance,
-                         probability * cone_pdf(cone_of(*sphere, from))};
+    const SphericalRectangle seen(*entry.rectangle, from);
+    if (seen.solid_angle() >= least_solid_angle) {
+      const auto& quad = std::get<Parallelogram>(shape.geometry);
+      return result({seen.sample(u), entry.rectangle->z, flat_error(quad)},
+                    static_cast<float>(1 / seen.solid_angle()));
     }
-    point = sample_area(*sphere, u);
-  } else if (const auto* disk = std::get_if<Disk>(&shape.geometry)) {
-    point = sample_area(*disk, u);
-  } else if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
-    point = sample_area(*mesh, mesh_cdf_[entry.shape], u);
-  } else {
-    point = sample_area(std::get<Parallelogram>(shape.geometry), u);
   }
+  // A sphere that emits outwards does not light its inside. One that emits inwards is sampled by
+  // area: from the outside its near half is in the way, and points on it may be rounded either way.
+  const auto* sphere = std::get_if<Sphere>(&shape.geometry);
+  if (sphere != nullptr && !sphere->flipped) {
+    if (!outside(*sphere, from)) return std::nullopt;
+    return result(sample_sphere_cone(*sphere, from, u), cone_pdf(cone_of(*sphere, from)));
+  }
+  const AreaPoint point = sample_area(shape, mesh_cdf_[entry.shape], u);
   if (!(glm::dot(point.n, from - point.p) > 0)) return std::nullopt;
-  const float density = area_pdf(from, point.p, point.n, entry.area);
-  if (!(density > 0) || !std::isfinite(density)) return std::nullopt;
-  return LightSample{point.p, shape.radiance, probability * density};
+  return result(point, area_pdf(from, point.p, point.n, entry.area));
 }
 
 float Lights::pdf(Vec3 from, const carlo::Hit& hit) const {
@@ -219,8 +247,10 @@ float Lights::pdf(Vec3 from, const carlo::Hit& hit) const {
 float Lights::shape_pdf(const Entry& entry, Vec3 from, Vec3 p, Vec3 n) const {
   const Shape& shape = scene_.shapes[entry.shape];
   if (entry.rectangle) {
-    const SphericalRectangle rectangle(*entry.rectangle, from);
-    return rectangle.solid_angle() > 0 ? static_cast<float>(1 / rectangle.solid_angle()) : 0;
+    const SphericalRectangle seen(*entry.rectangle, from);
+    if (seen.solid_angle() >= least_solid_angle) {
+      return static_cast<float>(1 / seen.solid_angle());
+    }
   }
   if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
     if (!sphere->flipped) return cone_pdf(cone_of(*sphere, from));

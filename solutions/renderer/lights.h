@@ -18,10 +18,20 @@ using carlo::Vec3;
 /// A point of a light as seen from a surface point.
 struct LightSample {
   Vec3 p;        ///< on the light
+  Vec3 p_error;  ///< bound on the rounding error of each coordinate of p
+  Vec3 n;        ///< the light's normal there; 0 for a point light
   Rgb radiance;  ///< towards the surface point; for a point light intensity / distance^2
   float pdf;     ///< per solid angle at the surface point, light choice included; 0 for a point
                  ///< light, whose radiance is already divided by the probability of its choice
 };
+
+/// The ray from a point `o` that is free of its surface to a light point, and its length: it ends
+/// in front of the light by no more than rounding asks for.
+struct ShadowRay {
+  carlo::Ray ray;
+  float length;
+};
+ShadowRay shadow_ray(Vec3 o, const LightSample& light);
 
 /// Chooses among a scene's lights in proportion to their power, and samples the chosen one:
 /// rectangles and spheres by solid angle, other shapes by area.

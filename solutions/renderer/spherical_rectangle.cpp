@@ -23,15 +23,13 @@ RectangleFrame::RectangleFrame(const carlo::Parallelogram& rectangle)
       height(static_cast<double>(glm::length(rectangle.v))) {}
 
 SphericalRectangle::SphericalRectangle(const RectangleFrame& rectangle, Vec3 from)
-    : from_(from), x_(rectangle.x), y_(rectangle.y), z_(rectangle.z) {
+    : origin_(rectangle.origin), x_(rectangle.x), y_(rectangle.y) {
   const Vec3 d = rectangle.origin - from;
   x0_ = glm::dot(d, x_);
   y0_ = glm::dot(d, y_);
-  z0_ = glm::dot(d, z_);
-  if (z0_ > 0) {
-    z_ = -z_;
-    z0_ = -z0_;
-  }
+  z0_ = glm::dot(d, rectangle.z);
+  // The local z axis points away from the rectangle.
+  z0_ = -std::abs(z0_);
   x1_ = x0_ + rectangle.width;
   y1_ = y0_ + rectangle.height;
   // The z components of the normals of the four planes through `from` and an edge. The solid angle
@@ -63,8 +61,10 @@ Vec3 SphericalRectangle::sample(Vec2 u) const {
                h1 = y1_ / std::sqrt(square(d) + square(y1_));
   const double h = h0 + static_cast<double>(u.y) * (h1 - h0), h2 = square(h);
   const double yv = h2 < 1 - 1e-12 ? h * d / std::sqrt(1 - h2) : y1_;
-  return from_ + static_cast<float>(xu) * x_ + static_cast<float>(std::clamp(yv, y0_, y1_)) * y_ +
-         static_cast<float>(z0_) * z_;
+  // From the rectangle's own corner: the point keeps the accuracy of its plane, however far `from`
+  // is.
+  return origin_ + static_cast<float>(xu - x0_) * x_ +
+         static_cast<float>(std::clamp(yv, y0_, y1_) - y0_) * y_;
 }
 
 }  // namespace renderer

@@ -32,8 +32,8 @@ class SphericalRectangle {
   Vec3 sample(Vec2 u) const;
 
  private:
-  Vec3 from_, x_, y_, z_;          ///< local frame: x along u, y along v, z away from the rectangle
-  double x0_, x1_, y0_, y1_, z0_;  ///< the rectangle in that frame; z0 < 0
+  Vec3 origin_, x_, y_;            ///< the rectangle's corner and sides
+  double x0_, x1_, y0_, y1_, z0_;  ///< in a frame with its origin at the point; z0 < 0
   double b0_, b1_, k_, solid_angle_;
 };
 

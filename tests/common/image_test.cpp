@@ -130,11 +130,23 @@ TEST_CASE("What cannot be read or written is an error that leaves nothing behind
   write_file(scratch.path / "not.exr", "hello");
   CHECK_THROWS_AS(read_exr(scratch.path / "not.exr"), Error);
   CHECK_THROWS_AS(read_exr(scratch.path / "missing.exr"), Error);
+  // A PNG is no reference: its values are not linear.
+  write_png(scratch.path / "a.png", Image(2, 2));
+  CHECK_THROWS_AS(read_exr(scratch.path / "a.png"), Error);
   const Image image(2, 2);
   CHECK_THROWS_AS(write_exr(scratch.path / "no" / "such.exr", {image, {}, {}}), Error);
   CHECK_THROWS_AS(write_png(scratch.path / "no" / "such.png", image), Error);
   { const AtomicFile unfinished(scratch.path / "x.png"); }
-  CHECK(std::distance(fs::directory_iterator(scratch.path), {}) == 1);
+  CHECK(std::distance(fs::directory_iterator(scratch.path), {}) == 2);
+}
+
+TEST_CASE("Writing through a link keeps the link and replaces what it points to") {
+  const Scratch scratch;
+  write_file(scratch.path / "real", "old");
+  fs::create_symlink("real", scratch.path / "link");
+  write_file(scratch.path / "link", "new");
+  CHECK(fs::is_symlink(scratch.path / "link"));
+  CHECK(read_file(scratch.path / "real") == "new");
 }
 
 TEST_CASE("A PNG is written whole and has its signature") {

@@ -60,5 +60,26 @@ for suffix in png exr error.png json; do
 done
 grep -q 'standard error' "$scratch/stdout" || complain 'the report has no standard error'
 
+# The film's size on the command line means the same as in the file, whatever side fov spans.
+sed 's|<float name="fov" value="39.3077"/>|<float name="fov" value="30"/><string name="fovAxis" value="y"/>|' \
+  "$good" >"$scratch/y.xml"
+"$renderer" "$scratch/y.xml" --quiet --spp 2 -D width=32 -D height=16 -o "$scratch/file"
+"$renderer" --quiet --spp 2 --size 32x16 -o "$scratch/argument" "$scratch/y.xml"
+cmp -s "$scratch/file.png" "$scratch/argument.png" || complain '--size changes the field of view'
+
+# A folder as output takes the scene's name.
+mkdir "$scratch/folder"
+"$renderer" "$good" --quiet --size 8x8 --spp 1 -o "$scratch/folder/"
+[ -s "$scratch/folder/cornell_phong.png" ] || complain 'a folder as output'
+
+# A disk that takes no more (here: files of at most 1 KiB) is noticed, and what was there stays.
+cp -r "$scratch/folder" "$scratch/before"
+code=0
+(trap '' XFSZ && ulimit -f 1 &&
+  "$renderer" "$good" --quiet --size 64x64 --spp 2 -o "$scratch/folder/") 2>"$scratch/stderr" || code=$?
+[ "$code" = 1 ] || complain "exit code $code where no file can be written"
+[ "$(wc -l <"$scratch/stderr")" = 1 ] || complain "full disk: $(cat "$scratch/stderr")"
+diff -r "$scratch/folder" "$scratch/before" || complain 'a full disk changed older files'
+
 printf '%d broken scenes tried, %d failures\n' "$count" "$failures"
 [ "$failures" = 0 ]
