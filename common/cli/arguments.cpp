@@ -10,7 +10,7 @@ std::optional<int> parse_arguments(CLI::App& app, int argc, const char* const* a
   } catch (const CLI::Success& request) {
     return app.exit(request);
   } catch (const CLI::ParseError& error) {
-    throw Error("error: {} (see {} --help)", error.what(), app.get_name());
+    throw Error("{} (see {} --help)", error.what(), app.get_name());
   }
   return std::nullopt;
 }

@@ -13,6 +13,9 @@ namespace carlo {
 namespace fs = std::filesystem;
 
 AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
+  // A link stays one: what it points to is replaced.
+  std::error_code link;
+  if (fs::is_symlink(target_, link)) target_ = fs::weakly_canonical(target_);
   const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
   std::error_code ec;
   if (!fs::is_directory(folder, ec)) {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string_view>
 
 namespace carlo {
 
@@ -12,7 +13,10 @@ int run_main(const std::function<int()>& body) {
   try {
     return body();
   } catch (const Error& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    // Errors in files come as FILE:LINE:COLUMN: error: ..., the others get their word here.
+    const std::string_view text = error.what();
+    const bool said = text.find("error: ") != std::string_view::npos;
+    fmt::print(stderr, "{}{}\n", said ? "" : "error: ", text);
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "error: out of memory\n");
   } catch (const std::exception& error) {

@@ -86,6 +86,8 @@ void Notebook::leave_out(const std::string& reason) {
 
 void Notebook::set_experiment(int index, int count) {
   experiment_ = index;
+  // What an experiment draws does not depend on which exercises the ones before it found done.
+  next_stream_ = static_cast<std::uint64_t>(index) << 32;
   experiments_ = count;
 }
 

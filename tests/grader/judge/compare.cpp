@@ -43,7 +43,7 @@ void conclude(Verdict& verdict, const std::string& statistic, double p) {
   verdict.passed = p >= comparison_alpha();
   if (std::isnan(p)) {
     verdict.certainty = statistic + " is no number";
-  } else if (p < 1e-300) {
+  } else if (p < 1e-15) {
     verdict.certainty = statistic + ": chance does not do that";
   } else {
     verdict.certainty =

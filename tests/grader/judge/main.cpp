@@ -1,5 +1,6 @@
 // The judge of one lab: a Catch2 program of checks that starts workers and holds no student code.
 
+#include "cli/arguments.h"
 #include "cli/atomic_file.h"
 #include "cli/error.h"
 #include "cli/main_guard.h"
@@ -113,10 +114,10 @@ int check_consistency(const Options& options) {
 
 int main(int argc, char** argv) {
   return carlo::run_main([&] {
-    CLI::App app("The judge of one lab");
+    CLI::App app("The judge of one lab", "./carlo test");
     carlo::grader::Options options;
     carlo::grader::add_options(app, options);
-    CLI11_PARSE(app, argc, argv);
+    if (const auto code = carlo::parse_arguments(app, argc, argv)) return *code;
     options.seed_given = app.count("--seed") > 0;
     return options.stub.empty() ? carlo::grader::judge_lab(options)
                                 : carlo::grader::check_consistency(options);

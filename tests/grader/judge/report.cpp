@@ -24,15 +24,23 @@ std::size_t width(const std::string& text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
+/// What a student's program says must not steer the terminal nor start a line of the report:
+/// control characters, the C1 ones (in UTF-8: 0xC2 0x80 to 0x9F) among them, become spaces.
+std::string harmless(std::string text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0U;
+    if (c < 32 || c == 127) text[i] = ' ';
+    if (c == 0xC2 && next >= 0x80 && next < 0xA0) text[i] = text[i + 1] = ' ';
+  }
+  return text;
+}
+
 std::string indent(const std::string& text, const std::string& margin) {
   std::string out;
   std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    // What a student's program prints must not steer the terminal.
-    std::replace_if(
-        line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
-    out += margin + line + "\n";
-  }
+  for (std::string line; std::getline(lines, line);)
+    out += margin + harmless(line) + "\n";
   return out;
 }
 
@@ -45,7 +53,7 @@ std::string comparison(const Verdict& verdict) {
 
 std::string failed_test(const TestRecord& test) {
   std::string out = fmt::format("    {}\n", test.sentence);
-  if (!test.problem.empty()) out += fmt::format("      {}\n", test.problem);
+  if (!test.problem.empty()) out += fmt::format("      {}\n", harmless(test.problem));
   if (!test.printed.empty()) {
     out += "      your program printed:\n" + indent(test.printed, "        | ");
   }
@@ -106,8 +114,8 @@ std::string exercise_text(const ExerciseResult& result, std::size_t titles) {
   std::vector<Diagnosis> likely = diagnoses(result);
   if (likely.size() > shown_diagnoses) likely.resize(shown_diagnoses);
   for (const Diagnosis& diagnosis : likely) {
-    out += fmt::format("    {} {} [{}]\n", coloured(Colour::bold, "It looks like this:"),
-                       diagnosis.sentence, diagnosis.id);
+    out += fmt::format("    {} {}\n", coloured(Colour::bold, "It looks like this:"),
+                       diagnosis.sentence);
   }
   return out + fmt::format("    For help: {}\n", hint);
 }
@@ -157,8 +165,10 @@ std::string report_text(const LabResult& result) {
   for (const ExerciseResult& entry : result.exercises)
     out += exercise_text(entry, titles);
   const bool full = result.earned() == result.possible();
-  const std::string total = fmt::format("Lab {:02}: {} of {} points", result.lab.number,
-                                        result.earned(), result.possible());
+  const bool all = result.exercises.size() == result.lab.exercises.size();
+  const std::string total =
+      fmt::format("Lab {:02}{}: {} of {} points", result.lab.number,
+                  all ? "" : ", this exercise alone", result.earned(), result.possible());
   out += coloured(full ? Colour::green : Colour::bold, total) + "\n";
   if (!full) out += fmt::format("The same numbers again: --seed {}\n", result.seed);
   return out;

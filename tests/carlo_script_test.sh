@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# carlo_script_test.sh SOURCE: what the script ./carlo does with bad calls, before anything is built:
+# one line on stderr, exit code 1, and an end.
+set -euo pipefail
+carlo=$1/carlo
+failures=0
+
+expect_error() {
+  local pattern=$1 code=0 text
+  shift
+  text=$(timeout 20 "$carlo" "$@" 2>&1 >/dev/null) || code=$?
+  if [ "$code" != 1 ] || [ "$(wc -l <<<"$text")" != 1 ] || ! grep -Eq "$pattern" <<<"$text"; then
+    printf 'FAILED: ./carlo %s: exit code %s, "%s"\n' "$*" "$code" "$text"
+    failures=$((failures + 1))
+  fi
+}
+
+expect_error "no verb 'frob'" frob
+expect_error 'no lab 99' test 99
+expect_error 'a lab is a number' test x
+expect_error 'no lab 99' test 1 99
+expect_error 'needs a value' test --seed
+expect_error 'no lab 99' lab 99
+expect_error 'render, integrators' bench frob
+expect_error 'developer' setup --frob
+
+# Through a link, from elsewhere.
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+ln -s "$carlo" "$scratch/carlo"
+(cd "$scratch" && ./carlo --help) | grep -q 'usage: ./carlo VERB' || failures=$((failures + 1))
+carlo=$scratch/carlo
+expect_error 'no lab 99' lab 99
+[ "$(ls "$scratch")" = carlo ] || failures=$((failures + 1))
+
+printf '%d failures\n' "$failures"
+[ "$failures" = 0 ]
