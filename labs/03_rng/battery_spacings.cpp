@@ -85,7 +85,8 @@ Outcome birthdays(const Sample& sample, std::size_t dimensions, int bits, std::s
 // n points in k cells: n - (occupied cells) collisions. Their mean is n - k (1 - (1 - 1/k)^n), and
 // for n << k they are nearly Poisson.
 Outcome collision_test(const Sample& sample) {
-  const auto n = static_cast<double>(sample.words.size() / 2);
+  const std::size_t pairs = sample.words.size() / 2;
+  const auto n = static_cast<double>(pairs);
   const double cells = 0x1p30;
   const double mean = n + cells * std::expm1(n * std::log1p(-1 / cells));
   if (mean < 2 || n > cells / 256) return std::nullopt;
