@@ -1,0 +1,276 @@
+// Checks of exercises 5.1 to 5.3. The inverse CDFs are compared with their closed forms at 110
+// numbers u, exactly; chi-square tests of 200 000 samples in up to 100 cells against the cells'
+// exact integrals stand behind them: cells that are off by 4 % each (rms) have a noncentrality of
+// 320, which is caught with power .999 (99 degrees of freedom, alpha 1.6e-8: 190 suffice).
+
+#include "05_inversion_rejection/inputs.h"
+#include "05_inversion_rejection/match.h"
+#include "grader/judge/judge.h"
+
+#include <cmath>
+#include <limits>
+
+using namespace carlo::grader;
+using namespace lab05_tests;
+
+namespace {
+
+const Diagnosis infinite_at_0{"logarithm-of-u",
+                              "log(u) is minus infinity at u = 0, and the sample falls where u "
+                              "grows: take log(1 - u)."};
+const Diagnosis cancels{"one-minus-u-cancels",
+                        "for tiny u the difference 1 - u is 1 and the sample 0: log1p keeps the "
+                        "digits."};
+const Diagnosis times_rate{"multiplied-by-the-rate",
+                           "the larger the rate, the closer to 0 the samples: divide by it."};
+const Diagnosis mirrored{"ends-swapped", "the density is mirrored: f0 belongs to x = 0."};
+const Diagnosis divides_by_difference{
+    "divides-by-difference-of-ends",
+    "where f0 and f1 are equal or nearly so, dividing by f1 - f0 loses the digits or all."};
+const Diagnosis zero_by_zero{"zero-by-zero-at-u-0",
+                             "with f0 = 0 the sample at u = 0 is 0/0: treat u = 0 on its own."};
+const Diagnosis half_tent{"tent-not-stretched",
+                          "each half of [0, 1) has to be stretched to [0, 1) before it is used for "
+                          "its side of the tent."};
+const Diagnosis exponent_n{"power-one-too-low",
+                           "x^n integrates to x^(n + 1)/(n + 1): the root is the (n + 1)-th."};
+const Diagnosis not_normalised{"density-not-normalised", "the density does not integrate to 1."};
+const Diagnosis outside_support{"density-outside-the-support",
+                                "the density is not 0 outside the support."};
+
+/// One distribution: its closed forms.
+struct Case {
+  std::string name;
+  Family family;
+  double p, q;
+  double first, last;  ///< the support, or most of it
+  Formula inverse, cdf, pdf;
+};
+
+Case exponential(double rate) {
+  return {fmt::format("the exponential of rate {:g}", rate),
+          Family::exponential,
+          rate,
+          0,
+          0,
+          40 / rate,
+          [=](double u) { return -std::log1p(-u) / rate; },
+          [=](double x) { return -std::expm1(-rate * x); },
+          [=](double x) { return x < 0 ? 0 : rate * std::exp(-rate * x); }};
+}
+
+double line(double x, double f0, double f1) {
+  return 2 * ((1 - x) * f0 + x * f1) / (f0 + f1);
+}
+
+Case linear(double f0, double f1) {
+  const auto inverse = [=](double u) -> double {
+    if (u == 0) return 0;
+    const long double height = std::sqrt((1 - static_cast<long double>(u)) * f0 * f0 +
+                                         static_cast<long double>(u) * f1 * f1);
+    return static_cast<double>(u * (static_cast<long double>(f0) + f1) / (f0 + height));
+  };
+  return {fmt::format("the line from {:g} to {:.15g}", f0, f1),
+          Family::linear,
+          f0,
+          f1,
+          0,
+          1,
+          inverse,
+          [=](double x) { return x * (2 * f0 + (f1 - f0) * x) / (f0 + f1); },
+          [=](double x) { return x < 0 || x > 1 ? 0 : line(x, f0, f1); }};
+}
+
+Case tent(double r) {
+  return {fmt::format("the tent of radius {:g}", r),
+          Family::tent,
+          r,
+          0,
+          -r,
+          r,
+          [=](double u) {
+            return u < 0.5 ? r * (std::sqrt(2 * u) - 1) : r * (1 - std::sqrt(2 * (1 - u)));
+          },
+          [=](double x) {
+            const double t = 1 - std::abs(x) / r;
+            return x < 0 ? t * t / 2 : 1 - t * t / 2;
+          },
+          [=](double x) { return std::abs(x) > r ? 0 : (r - std::abs(x)) / (r * r); }};
+}
+
+Case power(double n) {
+  return {fmt::format("the power n = {:g}", n),
+          Family::power,
+          n,
+          0,
+          0,
+          1,
+          [=](double u) { return std::pow(u, 1 / (n + 1)); },
+          [=](double x) { return std::pow(x, n + 1); },
+          [=](double x) { return x < 0 || x > 1 ? 0 : (n + 1) * std::pow(x, n); }};
+}
+
+Params params_of(const Case& c) {
+  return {.numbers = {{"family", static_cast<double>(c.family)}, {"p", c.p}, {"q", c.q}}};
+}
+
+void judge_inverse(const Case& c, double relative, double absolute,
+                   const std::vector<Alternative>& alternatives) {
+  const std::vector<double> u = hard_numbers();
+  const Rows rows =
+      probe("Lab 5.1 to 5.3 inverse", params_of(c), {.rows = u.size(), .finite = false});
+  judge(equals_everywhere("the sample of " + c.name, u, rows.values, c.inverse, relative, absolute,
+                          alternatives));
+}
+
+/// At 400 places from outside the support to outside on the other side.
+void judge_density(const Case& c, std::vector<Alternative> alternatives) {
+  constexpr int steps = 400;
+  const double margin = (c.last - c.first) / 8;
+  Params params = params_of(c);
+  params.n = steps;
+  const double first = c.first - margin, last = c.last + margin;
+  params.numbers["first"] = first;
+  params.numbers["last"] = last;
+  const Rows rows = probe("Lab 5.1 to 5.3 density", params, {.rows = steps + 1, .finite = false});
+  std::vector<double> at, inside_at, inside;
+  for (int i = 0; i <= steps; ++i) {
+    at.push_back(first + (last - first) * (static_cast<double>(i) / steps));
+    if (!(at.back() > c.first && at.back() < c.last)) continue;
+    inside_at.push_back(at.back());
+    inside.push_back(rows.values[static_cast<std::size_t>(i)]);
+  }
+  Verdict verdict = equals_everywhere("the density of " + c.name, at, rows.values, c.pdf, 1e-11,
+                                      1e-14 * c.pdf(c.first + margin), alternatives);
+  if (!verdict.passed && looks_like(c.pdf, inside_at, inside)) {
+    verdict.diagnoses.push_back(outside_support);
+  }
+  judge(verdict);
+}
+
+void judge_samples(const Case& c, double first, double last) {
+  constexpr std::size_t n = 200'000, cells = 100;
+  Params params = params_of(c);
+  params.n = n;
+  const Rows rows = probe("Lab 5.1 to 5.3 samples", params, {.rows = n});
+  std::vector<double> counts = counted(rows.values, first, last, cells);
+  std::vector<double> mass = masses(c.cdf, first, last, cells);
+  if (c.family == Family::exponential) {  // the tail is one more cell
+    double tail = 0;
+    for (const double x : rows.values)
+      tail += x > last ? 1 : 0;
+    counts.push_back(tail);
+    mass.push_back(1 - c.cdf(last));
+  }
+  judge(counts_are("the samples of " + c.name + " against its integral over each cell", counts,
+                   mass, n));
+}
+
+}  // namespace
+
+TEST_CASE(
+    "Lab 5.1: samples are the inverse of the CDF, at 0, at tiny u and up to the last u below 1",
+    "[lab05][ex1]") {
+  for (const double rate : {1.0, 0.01, 250.0}) {
+    judge_inverse(exponential(rate), 1e-12, 0,
+                  {{[=](double u) { return -std::log(u) / rate; }, infinite_at_0},
+                   {[=](double u) { return -std::log(1 - u) / rate; }, cancels},
+                   {[=](double u) { return -std::log(1 - u) * rate; }, times_rate},
+                   {[=](double u) { return -std::log1p(-u) * rate; }, times_rate}});
+  }
+}
+
+TEST_CASE("Lab 5.1: the density is right, and 0 below x = 0", "[lab05][ex1]") {
+  for (const double rate : {1.0, 0.01, 250.0}) {
+    judge_density(exponential(rate),
+                  {{[=](double x) { return x < 0 ? 0 : std::exp(-rate * x); }, not_normalised}});
+  }
+}
+
+TEST_CASE("Lab 5.1: samples fill every cell by its integral", "[lab05][ex1]") {
+  judge_samples(exponential(2.5), 0, 2);
+}
+
+TEST_CASE("Lab 5.2: linear samples are the inverse of the CDF, whatever the ends", "[lab05][ex2]") {
+  for (const auto& [f0, f1] : {std::pair{1.0, 3.0},
+                               {3.0, 1.0},
+                               {0.0, 2.0},
+                               {2.0, 0.0},
+                               {0.7, 0.7},
+                               {1.0, 1 + 1e-13},
+                               {1e-9, 5e-9}}) {
+    const Case c = linear(f0, f1);
+    const auto naive = [f0 = f0, f1 = f1](double u) {
+      return (-f0 + std::sqrt((1 - u) * f0 * f0 + u * f1 * f1)) / (f1 - f0);
+    };
+    const auto nan_at_0 = [=](double u) {
+      return u == 0 && c.p == 0 ? std::numeric_limits<double>::quiet_NaN() : c.inverse(u);
+    };
+    const auto swapped = linear(f1, f0).inverse;
+    std::vector<Alternative> alternatives{{naive, divides_by_difference}, {nan_at_0, zero_by_zero}};
+    if (f0 != f1 && std::abs(f0 - f1) > 1e-12) alternatives.push_back({swapped, mirrored});
+    judge_inverse(c, 1e-11, 1e-15, alternatives);
+  }
+}
+
+TEST_CASE("Lab 5.2: the linear density is right, and 0 outside [0, 1]", "[lab05][ex2]") {
+  for (const auto& [f0, f1] : {std::pair{1.0, 3.0}, {2.0, 0.0}, {0.7, 0.7}}) {
+    const auto raw = [f0 = f0, f1 = f1](double x) {
+      return x < 0 || x > 1 ? 0 : (1 - x) * f0 + x * f1;
+    };
+    std::vector<Alternative> alternatives{{raw, not_normalised}};
+    if (f0 != f1) alternatives.push_back({linear(f1, f0).pdf, mirrored});
+    judge_density(linear(f0, f1), alternatives);
+  }
+}
+
+TEST_CASE("Lab 5.2: tent samples are the inverse of the CDF", "[lab05][ex2]") {
+  for (const double r : {1.0, 2.5, 1e-3}) {
+    const auto unstretched = [=](double u) {
+      return u < 0.5 ? r * (std::sqrt(u) - 1) : r * (1 - std::sqrt(1 - u));
+    };
+    judge_inverse(tent(r), 0, 1e-14 * r, {{unstretched, half_tent}});
+  }
+}
+
+TEST_CASE("Lab 5.2: the tent density is right, and 0 outside", "[lab05][ex2]") {
+  for (const double r : {1.0, 2.5, 1e-3}) {
+    const auto raw = [=](double x) { return std::abs(x) > r ? 0 : 1 - std::abs(x) / r; };
+    std::vector<Alternative> alternatives;
+    if (r != 1) alternatives.push_back({raw, not_normalised});
+    judge_density(tent(r), alternatives);
+  }
+}
+
+TEST_CASE("Lab 5.2: samples fill every cell by its integral", "[lab05][ex2]") {
+  judge_samples(linear(1, 3), 0, 1);
+  judge_samples(linear(2, 0), 0, 1);
+  judge_samples(tent(2.5), -2.5, 2.5);
+}
+
+TEST_CASE("Lab 5.3: power samples are the inverse of the CDF, to n = 1e7", "[lab05][ex3]") {
+  for (const double n : {0.0, 1.0, 2.5, 20.0, 1e7}) {
+    std::vector<Alternative> alternatives;
+    if (n > 0) {
+      const auto lower = [=](double u) { return std::pow(u, 1 / n); };
+      alternatives.push_back({lower, exponent_n});
+    }
+    judge_inverse(power(n), 1e-14, 0, alternatives);
+  }
+}
+
+TEST_CASE("Lab 5.3: the power density is right, and 0 outside [0, 1]", "[lab05][ex3]") {
+  for (const double n : {0.0, 1.0, 2.5, 20.0}) {
+    std::vector<Alternative> alternatives;
+    if (n > 0) {
+      const auto raw = [=](double x) { return x < 0 || x > 1 ? 0 : std::pow(x, n); };
+      alternatives.push_back({raw, not_normalised});
+    }
+    judge_density(power(n), alternatives);
+  }
+}
+
+TEST_CASE("Lab 5.3: samples fill every cell by its integral", "[lab05][ex3]") {
+  judge_samples(power(2.5), 0, 1);
+  judge_samples(power(20), 0, 1);
+}

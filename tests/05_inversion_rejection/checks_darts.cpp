@@ -1,0 +1,249 @@
+// Checks of exercises 5.7 and 5.8. For chi-square tests see checks_curves.cpp. The mean of 200 000
+// counts of darts catches a shift of 8.74 sd / sqrt(n) with power .999: at an acceptance of 1/5
+// (mean 5, sd 4.5) that is .09 darts, and leaving one dart out of the count is a shift of 1.
+
+#include "05_inversion_rejection/inputs.h"
+#include "05_inversion_rejection/match.h"
+#include "grader/judge/judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace carlo::grader;
+using namespace lab05_tests;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+const Diagnosis last_not_counted{"accepted-dart-not-counted",
+                                 "the dart that is accepted counts as well."};
+const Diagnosis only_y_redrawn{"x-kept-after-rejection",
+                               "a rejected dart is gone, its x too: keeping x and drawing y again "
+                               "accepts every x in the end, and f no longer matters."};
+const Diagnosis same_number{"one-number-for-x-and-y",
+                            "x and y come from one random number: the darts lie on a diagonal."};
+const Diagnosis y_first{"y-drawn-before-x", "the contract asks for x first, then y."};
+const Diagnosis bound_ignored{"bound-not-used",
+                              "y has to be uniform on [0, f_max), not on [0, 1)."};
+const Diagnosis not_shifted{"interval-not-shifted", "x has to be uniform on [a, b)."};
+const Diagnosis above_accepted{"accepts-above-f",
+                               "darts above f are kept and those below are thrown away."};
+const Diagnosis promise_unchecked{"broken-bound-unnoticed",
+                                  "f outside [0, f_max] flattens the density in silence: it has to "
+                                  "be an error."};
+const Diagnosis endless{"never-gives-up", "a function that is 0 everywhere must not hang."};
+const Diagnosis bound_missing{"acceptance-without-bound", "the rectangle's area is (b - a) f_max."};
+const Diagnosis width_missing{"acceptance-without-width", "the rectangle's area is (b - a) f_max."};
+const Diagnosis inverted{"acceptance-inverted",
+                         "this is the mean number of darts, the inverse of the share accepted."};
+const Diagnosis uniform_radius{
+    "uniform-radius",
+    "the distance itself is uniform: the points crowd at the centre, for "
+    "an outer ring is longer than an inner one."};
+const Diagnosis half_turn{"half-a-turn", "the angle runs over half a turn only."};
+const Diagnosis exchanged{"u-exchanged", "u_radius and u_angle are exchanged."};
+const Diagnosis quarter{"one-quadrant-only", "the darts cover one quarter of the square."};
+const Diagnosis square_kept{"corners-kept", "points of the square outside the disc are returned."};
+const Diagnosis by_circumference{"density-of-circumference",
+                                 "the area of the unit disc is pi, not 2 pi."};
+
+const char* name_of(Target target) {
+  constexpr const char* names[] = {"x^2 on [-1, 2) under 5", "sin x on [0, pi) under 1",
+                                   "a step at 1/2 under 3"};
+  return names[static_cast<int>(target)];
+}
+
+/// The darts of independent trials with success probability p.
+Theory geometric(double p) {
+  return {1 / p, std::sqrt(1 - p) / p, 6 + p * p / (1 - p)};
+}
+
+void judge_darts(const std::string& what, const std::vector<double>& darts, double p) {
+  judge(mean_is("the mean number of darts, " + what, darts, geometric(p),
+                {{1 / p - 1, last_not_counted}, {1, last_not_counted}}));
+  judge(variance_is("the variance of the number of darts, " + what, darts, geometric(p)));
+}
+
+}  // namespace
+
+TEST_CASE("Lab 5.7: samples fill every cell by f's integral, whatever the bound", "[lab05][ex7]") {
+  constexpr std::size_t n = 200'000, cells = 100;
+  for (int kind = 0; kind < static_cast<int>(Target::count); ++kind) {
+    const auto target = static_cast<Target>(kind);
+    const TargetCase c = target_case(target);
+    const Rows rows = probe("Lab 5.7 samples", {.n = n, .numbers = {{"target", kind}}},
+                            {.rows = n, .columns = 2});
+    const std::vector<double> x = column(rows, 0);
+    const auto count_in = [&](double first, double last) { return counted(x, first, last, cells); };
+    const auto is_like = [&](const Formula& cdf) {
+      return counts_are("", count_in(c.a, c.b), masses(cdf, c.a, c.b, cells), n).passed;
+    };
+    const auto cdf = [=](double at) { return target_cdf(target, at); };
+    Verdict verdict = counts_are(fmt::format("samples of {}", name_of(target)), count_in(c.a, c.b),
+                                 masses(cdf, c.a, c.b, cells), n);
+    if (!verdict.passed) {
+      const double area = (c.b - c.a) * c.bound;
+      if (is_like([&](double at) { return (at - c.a) / (c.b - c.a); })) {
+        verdict.diagnoses.push_back(only_y_redrawn);
+      }
+      if (is_like([&](double at) {
+            return ((at - c.a) * c.bound - c.integral * cdf(at)) / (area - c.integral);
+          })) {
+        verdict.diagnoses.push_back(above_accepted);
+      }
+      if (std::any_of(x.begin(), x.end(), [&](double at) { return !(at >= c.a && at < c.b); })) {
+        verdict.diagnoses.push_back(not_shifted);
+      }
+    }
+    judge(verdict);
+    judge_darts(name_of(target), column(rows, 1), c.integral / ((c.b - c.a) * c.bound));
+  }
+}
+
+TEST_CASE("Lab 5.7: a dart is two fresh numbers, x first, and one look at f", "[lab05][ex7]") {
+  constexpr std::size_t n = 500;
+  for (int kind = 0; kind < static_cast<int>(Target::count); ++kind) {
+    const TargetCase c = target_case(static_cast<Target>(kind));
+    const Rows rows = probe("Lab 5.7 record", {.n = n, .numbers = {{"target", kind}}},
+                            {.rows = n, .columns = 6, .finite = false});
+    std::vector<double> twice = column(rows, 1), expected_x;
+    bool from_second = true;
+    for (std::size_t i = 0; i < n; ++i) {
+      twice[i] *= 2;
+      expected_x.push_back(c.a + (c.b - c.a) * rows.at(i, 4));
+      from_second =
+          from_second && std::abs(c.a + (c.b - c.a) * rows.at(i, 5) - rows.at(i, 0)) <= 1e-12;
+    }
+    const std::vector<double> drawn = column(rows, 3), darts = column(rows, 1);
+    const bool one_each = std::equal(drawn.begin(), drawn.end(), darts.begin());
+    judge(all_equal("the numbers drawn, two a dart", drawn, twice, 0,
+                    one_each ? std::vector{same_number} : std::vector<Diagnosis>{}));
+    judge(all_equal("evaluations of f, one a dart", column(rows, 2), column(rows, 1), 0));
+    judge(all_equal("x of the accepted dart, from its first number", column(rows, 0), expected_x,
+                    1e-14, from_second ? std::vector{y_first} : std::vector<Diagnosis>{}));
+  }
+}
+
+TEST_CASE("Lab 5.7: f outside its promised range is an error, and so is a search in vain",
+          "[lab05][ex7]") {
+  constexpr const char* names[] = {"f = 1.5 under the bound 1", "f = -0.5", "f that is NaN"};
+  for (int kind = 0; kind < 3; ++kind) {
+    const Rows rows = probe("Lab 5.7 broken promise", {.numbers = {{"kind", kind}}}, {});
+    judge(holds(names[kind], rows.at(0, 0) == 1,
+                rows.at(0, 0) == 0 ? "accepted" : "an exception of another kind", "carlo::Error",
+                {promise_unchecked}));
+  }
+  const Rows rows = probe("Lab 5.7 in vain", {}, {.columns = 2});
+  judge(
+      holds("f = 0 everywhere", rows.at(0, 0) == 1, "no carlo::Error", "carlo::Error", {endless}));
+  judge(equals("the darts thrown in vain", rows.at(0, 1), 1e7, 0));
+}
+
+TEST_CASE("Lab 5.7: the acceptance rate is the share of the rectangle under f", "[lab05][ex7]") {
+  const auto rate = [](double integral, double a, double b, double bound) {
+    return probe("Lab 5.7 rate",
+                 {.numbers = {{"integral", integral}, {"a", a}, {"b", b}, {"bound", bound}}}, {})
+        .at(0, 0);
+  };
+  judge(equals("of x^2 on [-1, 2) under 5", rate(3, -1, 2, 5), 0.2, 1e-15,
+               {{1, bound_missing}, {0.6, width_missing}, {5, inverted}}));
+  judge(equals("of sin x on [0, pi) under 1", rate(2, 0, pi, 1), 2 / pi, 1e-15));
+}
+
+// 200 000 points; for the Kolmogorov-Smirnov tests a distribution function that is off by .015
+// anywhere is caught with power .999.
+TEST_CASE("Lab 5.8: darts leave points that are uniform on the disc", "[lab05][ex8]") {
+  constexpr std::size_t n = 200'000;
+  const Rows rows =
+      probe("Lab 5.8 rejection", {.n = n}, {.rows = n, .columns = 5, .finite = false});
+  std::vector<double> squares, angles, expected_x, expected_y;
+  double outside = 0, negative = 0;
+  bool swapped = true, diagonal = true;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = rows.at(i, 0), y = rows.at(i, 1);
+    squares.push_back(x * x + y * y);
+    angles.push_back(std::atan2(y, x));
+    outside += squares.back() <= 1 ? 0 : 1;
+    negative += x < 0 || y < 0 ? 1 : 0;
+    expected_x.push_back(2 * rows.at(i, 3) - 1);
+    expected_y.push_back(2 * rows.at(i, 4) - 1);
+    swapped = swapped && x == expected_y.back() && y == expected_x.back();
+    diagonal = diagonal && x == y;
+  }
+  judge(holds("points outside the disc", outside == 0, fmt::format("{:g} of {}", outside, n),
+              "none", {square_kept}));
+  Verdict turn = uniform_on("the angles", angles, -pi, pi);
+  if (!turn.passed && negative == 0) turn.diagnoses.push_back(quarter);
+  if (!turn.passed && diagonal) turn.diagnoses.push_back(same_number);
+  judge(turn);
+  judge(uniform_on("the squared distances", squares, 0, 1));
+  judge_darts("the disc", column(rows, 2), pi / 4);
+  std::vector<Diagnosis> diagnoses;
+  if (swapped) diagnoses.push_back(y_first);
+  if (negative == 0) diagnoses.push_back(quarter);
+  if (diagonal) diagnoses.push_back(same_number);
+  judge(all_equal("x, from the accepted dart's first number", column(rows, 0), expected_x, 1e-15,
+                  diagnoses));
+  judge(all_equal("y, from its second number", column(rows, 1), expected_y, 1e-15, diagnoses));
+}
+
+TEST_CASE("Lab 5.8: inversion puts the point where both numbers say", "[lab05][ex8]") {
+  const std::size_t count = hard_numbers().size() * 7;
+  const Rows rows =
+      probe("Lab 5.8 inversion at", {}, {.rows = count, .columns = 4, .finite = false});
+  struct Way {
+    std::function<double(double, double)> radius, angle;
+    Diagnosis diagnosis;
+  };
+  const auto root = [](double u, double) { return std::sqrt(u); };
+  const auto turn = [](double, double v) { return 2 * pi * v; };
+  const std::vector<Way> ways = {{root, turn, {}},
+                                 {[](double u, double) { return u; }, turn, uniform_radius},
+                                 {root, [](double, double v) { return pi * v; }, half_turn},
+                                 {[](double, double v) { return std::sqrt(v); },
+                                  [](double u, double) { return 2 * pi * u; }, exchanged}};
+  double wrong = 0;
+  std::vector<double> misfits(ways.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t w = 0; w < ways.size(); ++w) {
+      const double r = ways[w].radius(rows.at(i, 0), rows.at(i, 1));
+      const double a = ways[w].angle(rows.at(i, 0), rows.at(i, 1));
+      const double off =
+          std::hypot(rows.at(i, 2) - r * std::cos(a), rows.at(i, 3) - r * std::sin(a));
+      misfits[w] += off <= 1e-14 ? 0 : 1;
+    }
+  }
+  wrong = misfits[0];
+  std::vector<Diagnosis> diagnoses;
+  for (std::size_t w = 1; w < ways.size(); ++w) {
+    if (misfits[w] == 0) diagnoses.push_back(ways[w].diagnosis);
+  }
+  judge(holds("points that are not where u_radius and u_angle put them", wrong == 0,
+              fmt::format("{:g} of {}", wrong, count), "none", diagnoses));
+}
+
+TEST_CASE("Lab 5.8: inversion's points are uniform on the disc", "[lab05][ex8]") {
+  constexpr std::size_t n = 200'000;
+  const Rows rows = probe("Lab 5.8 inversion", {.n = n}, {.rows = n, .columns = 2});
+  std::vector<double> squares, angles;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = rows.at(i, 0), y = rows.at(i, 1);
+    squares.push_back(x * x + y * y);
+    angles.push_back(std::atan2(y, x));
+  }
+  judge(uniform_on("the squared distances", squares, 0, 1));
+  judge(uniform_on("the angles", angles, -pi, pi));
+}
+
+TEST_CASE("Lab 5.8: the density is 1 over the area, and 0 outside", "[lab05][ex8]") {
+  const auto density = [](double x, double y) {
+    return probe("Lab 5.8 density", {.numbers = {{"x", x}, {"y", y}}}, {}).at(0, 0);
+  };
+  const Suspects suspects{{1 / (2 * pi), by_circumference}};
+  judge(equals("at the centre", density(0, 0), 1 / pi, 1e-15, suspects));
+  judge(equals("at (0.6, -0.79)", density(0.6, -0.79), 1 / pi, 1e-15, suspects));
+  judge(equals("at (0.6, -0.81)", density(0.6, -0.81), 0, 0));
+  judge(equals("in the corner (-0.8, 0.8)", density(-0.8, 0.8), 0, 0));
+}

@@ -1,0 +1,172 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+// What the probes of lab 05 feed the exercises with, and the checks compare against.
+
+namespace lab05_tests {
+
+/// The distributions of Labs 5.1 to 5.3 and their two parameters: rate; ends f0, f1; radius; n.
+enum class Family { exponential = 0, linear = 1, tent = 2, power = 3 };
+
+const double last_below_one = std::nextafter(1.0, 0.0);
+
+/// Numbers u in increasing order: both ends of [0, 1), tiny ones, and 99 in between.
+inline std::vector<double> hard_numbers() {
+  std::vector<double> u = {0, 1e-300, 1e-100, 1e-30, 1e-18, 0x1p-53, 1e-12, 1e-6};
+  for (int i = 1; i < 100; ++i)
+    u.push_back(i / 100.0);
+  for (const double x : {1 - 1e-6, 1 - 1e-12, last_below_one})
+    u.push_back(x);
+  return u;
+}
+
+/// Tables of weights. Where edges are tested the sums are powers of two: the CDF is exact.
+enum class Weights {
+  eighths = 0,  ///< 1 2 3 2
+  gaps = 1,     ///< zeros at the beginning, in the middle and at the end
+  one = 2,      ///< a single bin
+  tiny = 3,     ///< so small that 1 / sum is infinite
+  rugged = 4,   ///< 300 weights over three orders of magnitude, every seventh 0
+  comb = 5,     ///< 2^17 bins, every second 0
+  tenths = 6,   ///< ten weights that double cannot hold, and two zeros at the end
+  count = 7
+};
+
+inline std::vector<double> weights_of(Weights kind) {
+  switch (kind) {
+    case Weights::eighths:
+      return {1, 2, 3, 2};
+    case Weights::gaps:
+      return {0, 0, 1, 0, 2, 0, 0, 1, 0};
+    case Weights::one:
+      return {0.3};
+    case Weights::tiny:
+      return {1e-310, 0, 3e-310};
+    case Weights::tenths: {
+      std::vector<double> weights(12, 0.1);
+      weights[10] = weights[11] = 0;
+      return weights;
+    }
+    case Weights::comb: {
+      std::vector<double> weights(std::size_t{1} << 17);
+      for (std::size_t i = 1; i < weights.size(); i += 2)
+        weights[i] = 1;
+      return weights;
+    }
+    case Weights::rugged:
+    case Weights::count:
+      break;
+  }
+  std::vector<double> weights(300);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const double wave = std::sin(0.37 * static_cast<double>(i));
+    weights[i] = i % 7 == 3 ? 0 : std::pow(10.0, 1.5 * wave);
+  }
+  return weights;
+}
+
+/// The running sums divided by the last.
+inline std::vector<double> exact_cdf(const std::vector<double>& weights) {
+  long double sum = 0;
+  std::vector<long double> sums;
+  for (const double weight : weights)
+    sums.push_back(sum += weight);
+  std::vector<double> cdf;
+  cdf.reserve(sums.size());
+  for (const long double s : sums)
+    cdf.push_back(static_cast<double>(s / sum));
+  return cdf;
+}
+
+/// Numbers to draw with: hard_numbers(), every edge of the CDF and the last double before it.
+inline std::vector<double> numbers_for(const std::vector<double>& weights) {
+  std::vector<double> u = hard_numbers();
+  for (const double edge : exact_cdf(weights)) {
+    if (edge > 0 && edge < 1) u.insert(u.end(), {std::nextafter(edge, 0.0), edge});
+  }
+  std::sort(u.begin(), u.end());
+  u.erase(std::unique(u.begin(), u.end()), u.end());
+  return u;
+}
+
+/// The 2D tables: a small one with an empty row, an empty column and an exact CDF, and a smooth
+/// one.
+struct Grid {
+  std::size_t width = 0, height = 0;
+  std::vector<double> weights;  ///< row by row
+
+  double at(std::size_t i, std::size_t j) const { return weights[j * width + i]; }
+};
+
+inline Grid small_grid() {
+  // Rows sum to 4, 0, 8, 4.
+  return {3, 4, {1, 0, 3, 0, 0, 0, 6, 0, 2, 2, 0, 2}};
+}
+
+inline Grid smooth_grid() {
+  Grid grid{16, 12, {}};
+  for (std::size_t j = 0; j < grid.height; ++j) {
+    for (std::size_t i = 0; i < grid.width; ++i) {
+      const double x = static_cast<double>(i), y = static_cast<double>(j);
+      grid.weights.push_back(1.2 + std::sin(0.5 * x) * std::cos(0.4 * y) + 0.05 * x);
+    }
+  }
+  return grid;
+}
+
+/// Functions that Lab 5.7 draws from. Each stays below its bound.
+enum class Target { square = 0, sine = 1, step = 2, count = 3 };
+
+struct TargetCase {
+  double a, b, bound;
+  double integral;  ///< of f over [a, b)
+};
+
+inline TargetCase target_case(Target target) {
+  switch (target) {
+    case Target::square:
+      return {-1, 2, 5, 3};
+    case Target::sine:
+      return {0, std::numbers::pi, 1, 2};
+    case Target::step:
+    case Target::count:
+      break;
+  }
+  return {0, 1, 3, 0.5};
+}
+
+inline double evaluate(Target target, double x) {
+  switch (target) {
+    case Target::square:
+      return x * x;
+    case Target::sine:
+      return std::sin(x);
+    case Target::step:
+    case Target::count:
+      break;
+  }
+  return x < 0.5 ? 0 : 1;
+}
+
+/// The share of f's integral that lies below x.
+inline double target_cdf(Target target, double x) {
+  switch (target) {
+    case Target::square:
+      return (x * x * x + 1) / 9;
+    case Target::sine:
+      return (1 - std::cos(x)) / 2;
+    case Target::step:
+    case Target::count:
+      break;
+  }
+  return x < 0.5 ? 0 : 2 * x - 1;
+}
+
+}  // namespace lab05_tests

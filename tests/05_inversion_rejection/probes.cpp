@@ -1,0 +1,243 @@
+// Probes of lab 05's exercises 5.1 to 5.6. They call the student's functions and return raw values;
+// what the values should be stands in checks_*.cpp.
+
+#include "05_inversion_rejection/inputs.h"
+#include "05_inversion_rejection/refusal.h"
+#include "grader/worker/probe.h"
+#include "inversion_rejection.h"
+
+using namespace lab05_tests;
+using carlo::grader::Params;
+using carlo::grader::Rows;
+using carlo::grader::RowWriter;
+
+namespace {
+
+double sample(const Params& params, double u) {
+  const double p = params["p"], q = params["q"];
+  switch (static_cast<Family>(params.whole("family"))) {
+    case Family::exponential:
+      return lab05::sample_exponential(u, p);
+    case Family::linear:
+      return lab05::sample_linear(u, p, q);
+    case Family::tent:
+      return lab05::sample_tent(u, p);
+    case Family::power:
+      break;
+  }
+  return lab05::sample_power(u, p);
+}
+
+double pdf(const Params& params, double x) {
+  const double p = params["p"], q = params["q"];
+  switch (static_cast<Family>(params.whole("family"))) {
+    case Family::exponential:
+      return lab05::exponential_pdf(x, p);
+    case Family::linear:
+      return lab05::linear_pdf(x, p, q);
+    case Family::tent:
+      return lab05::tent_pdf(x, p);
+    case Family::power:
+      break;
+  }
+  return lab05::power_pdf(x, p);
+}
+
+std::vector<double> weights(const Params& params) {
+  return weights_of(static_cast<Weights>(params.whole("weights")));
+}
+
+Grid grid(const Params& params) {
+  return params.whole("smooth") == 1 ? smooth_grid() : small_grid();
+}
+
+lab05::Tabulated2d table_of(const Grid& grid) {
+  return lab05::Tabulated2d(grid.weights, grid.width, grid.height);
+}
+
+double number(std::size_t index) {
+  return static_cast<double>(index);
+}
+
+}  // namespace
+
+PROBE("Lab 5.1 to 5.3 inverse") {
+  RowWriter rows;
+  for (const double u : hard_numbers())
+    rows.add({sample(params, u)});
+  return rows.take();
+}
+
+// At n + 1 places from `first` to `last`.
+PROBE("Lab 5.1 to 5.3 density") {
+  const double first = params["first"], last = params["last"];
+  RowWriter rows;
+  for (std::int64_t i = 0; i <= params.n; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(params.n);
+    rows.add({pdf(params, first + (last - first) * share)});
+  }
+  return rows.take();
+}
+
+PROBE("Lab 5.1 to 5.3 samples") {
+  carlo::Rng rng(params.seed);
+  RowWriter rows;
+  for (std::int64_t i = 0; i < params.n; ++i)
+    rows.add({sample(params, rng.uniform())});
+  return rows.take();
+}
+
+PROBE("Lab 5.4 picks") {
+  const std::vector<double> list = weights(params);
+  const lab05::Discrete discrete(list);
+  RowWriter rows;
+  for (const double u : numbers_for(list)) {
+    const auto [index, fraction] = discrete.sample(u);
+    rows.add({number(index), fraction});
+  }
+  return rows.take();
+}
+
+PROBE("Lab 5.4 probabilities") {
+  const lab05::Discrete discrete(weights(params));
+  RowWriter rows;
+  for (std::size_t i = 0; i < discrete.size(); ++i)
+    rows.add({discrete.probability(i)});
+  return rows.take();
+}
+
+PROBE("Lab 5.4 samples") {
+  carlo::Rng rng(params.seed);
+  const lab05::Discrete discrete(weights(params));
+  RowWriter rows;
+  for (std::int64_t i = 0; i < params.n; ++i) {
+    const auto [index, fraction] = discrete.sample(rng.uniform());
+    rows.add({number(index), fraction});
+  }
+  return rows.take();
+}
+
+// n equal weights of 0.1; u in the middle of every stride-th share, and the last u of all.
+PROBE("Lab 5.4 many weights") {
+  const std::vector<double> list(static_cast<std::size_t>(params.n), 0.1);
+  const lab05::Discrete discrete(list);
+  RowWriter rows;
+  for (std::int64_t i = 0; i < params.n; i += params.whole("stride")) {
+    const double u = (static_cast<double>(i) + 0.5) / static_cast<double>(params.n);
+    rows.add({static_cast<double>(i), number(discrete.sample(u).index),
+              discrete.probability(static_cast<std::size_t>(i))});
+  }
+  rows.add({static_cast<double>(params.n - 1), number(discrete.sample(last_below_one).index),
+            discrete.probability(list.size() - 1)});
+  return rows.take();
+}
+
+PROBE("Lab 5.4 refusal") {
+  const auto list = bad_weights(params.whole("kind"));
+  return {1, {refusal([&] { (void)lab05::Discrete(list); })}};
+}
+
+PROBE("Lab 5.5 inverse") {
+  const std::vector<double> list = weights(params);
+  const lab05::Tabulated1d table(list);
+  RowWriter rows;
+  for (const double u : numbers_for(list)) {
+    const double x = table.sample(u);
+    rows.add({x, table.pdf(x)});
+  }
+  return rows.take();
+}
+
+// In the middle of each bin; then at -0.5, at the last double below 0, at 1 and at 1.5.
+PROBE("Lab 5.5 density") {
+  const lab05::Tabulated1d table(weights(params));
+  RowWriter rows;
+  for (std::size_t i = 0; i < table.size(); ++i)
+    rows.add({table.pdf((number(i) + 0.5) / number(table.size()))});
+  for (const double outside : {-0.5, -5e-324, 1.0, 1.5})
+    rows.add({table.pdf(outside)});
+  return rows.take();
+}
+
+PROBE("Lab 5.5 samples") {
+  carlo::Rng rng(params.seed);
+  const lab05::Tabulated1d table(weights(params));
+  RowWriter rows;
+  for (std::int64_t i = 0; i < params.n; ++i)
+    rows.add({table.sample(rng.uniform())});
+  return rows.take();
+}
+
+PROBE("Lab 5.5 many bins") {
+  const std::vector<double> list(static_cast<std::size_t>(params.n), 0.1);
+  const lab05::Tabulated1d table(list);
+  RowWriter rows;
+  for (const double u : hard_numbers()) {
+    const double x = table.sample(u);
+    rows.add({x, table.pdf(x)});
+  }
+  return rows.take();
+}
+
+PROBE("Lab 5.6 inverse") {
+  const lab05::Tabulated2d table = table_of(grid(params));
+  RowWriter rows;
+  for (const double u_row : hard_numbers()) {
+    for (const double u_column : hard_numbers()) {
+      const lab05::Point p = table.sample(u_row, u_column);
+      rows.add({p.x, p.y, table.pdf(p)});
+    }
+  }
+  return rows.take();
+}
+
+// In the middle of each cell, row by row; then at four points outside the square.
+PROBE("Lab 5.6 density") {
+  const Grid g = grid(params);
+  const lab05::Tabulated2d table = table_of(g);
+  RowWriter rows;
+  for (std::size_t j = 0; j < g.height; ++j) {
+    for (std::size_t i = 0; i < g.width; ++i) {
+      const lab05::Point centre{(number(i) + 0.5) / number(g.width),
+                                (number(j) + 0.5) / number(g.height)};
+      rows.add({table.pdf(centre)});
+    }
+  }
+  for (const lab05::Point outside : {lab05::Point{-0.1, 0.1}, {1, 0.1}, {0.1, -0.1}, {0.1, 1}}) {
+    rows.add({table.pdf(outside)});
+  }
+  return rows.take();
+}
+
+PROBE("Lab 5.6 samples") {
+  carlo::Rng rng(params.seed);
+  const lab05::Tabulated2d table = table_of(grid(params));
+  RowWriter rows;
+  for (std::int64_t i = 0; i < params.n; ++i) {
+    const double u_row = rng.uniform();
+    const double u_column = rng.uniform();
+    const lab05::Point p = table.sample(u_row, u_column);
+    rows.add({p.x, p.y});
+  }
+  return rows.take();
+}
+
+// width x height equal weights of 0.1: the point is (u_column, u_row).
+PROBE("Lab 5.6 many cells") {
+  const auto width = static_cast<std::size_t>(params.whole("width"));
+  const auto height = static_cast<std::size_t>(params.whole("height"));
+  const std::vector<double> list(width * height, 0.1);
+  const lab05::Tabulated2d table(list, width, height);
+  RowWriter rows;
+  for (const double u : hard_numbers()) {
+    const lab05::Point p = table.sample(u, last_below_one - u);
+    rows.add({p.x, p.y, table.pdf(p)});
+  }
+  return rows.take();
+}
+
+PROBE("Lab 5.6 refusal") {
+  const auto kind = params.whole("kind");
+  const std::vector<double> list = bad_cells(kind);
+  return {1, {refusal([&] { (void)lab05::Tabulated2d(list, 2, 2); })}};
+}

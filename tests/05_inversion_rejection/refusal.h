@@ -1,0 +1,77 @@
+#pragma once
+
+#include "cli/error.h"
+#include "course/not_implemented.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace lab05_tests {
+
+/// 1: carlo::Error, as asked for; 0: nothing was thrown; 2: something else was.
+template <class Work>
+double refusal(const Work& work) {
+  try {
+    work();
+  } catch (const carlo::Error&) {
+    return 1;
+  } catch (const carlo::NotImplemented&) {
+    throw;
+  } catch (...) {
+    return 2;
+  }
+  return 0;
+}
+
+constexpr int bad_weight_kinds = 6;
+inline const char* bad_weights_name(int kind) {
+  constexpr const char* names[] = {"no weights",    "a negative weight",  "a weight that is NaN",
+                                   "all weights 0", "an infinite weight", "a sum that overflows"};
+  return names[kind];
+}
+
+inline std::vector<double> bad_weights(std::int64_t kind) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  switch (kind) {
+    case 0:
+      return {};
+    case 1:
+      return {1, -0.5, 1};
+    case 2:
+      return {1, nan, 1};
+    case 3:
+      return {0, 0, 0};
+    case 4:
+      return {1, infinity};
+    default:
+      return {1.5e308, 1.5e308};
+  }
+}
+
+constexpr int bad_cell_kinds = 5;
+inline const char* bad_cells_name(int kind) {
+  constexpr const char* names[] = {"three weights for 2 x 2 cells", "all weights 0",
+                                   "a negative weight in a row of sum 0", "a weight that is NaN",
+                                   "five weights for 2 x 2 cells"};
+  return names[kind];
+}
+
+inline std::vector<double> bad_cells(std::int64_t kind) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  switch (kind) {
+    case 0:
+      return {1, 1, 1};
+    case 1:
+      return {0, 0, 0, 0};
+    case 2:
+      return {1, -1, 1, 1};
+    case 3:
+      return {1, 1, nan, 1};
+    default:
+      return {1, 1, 1, 1, 1};
+  }
+}
+
+}  // namespace lab05_tests
