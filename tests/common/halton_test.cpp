@@ -67,7 +67,7 @@ TEST_CASE("the first two coordinates together are stratified", "[halton]") {
   }
 }
 
-TEST_CASE("shifted values stay in [0, 1)", "[halton]") {
+TEST_CASE("shifted values stay in the unit interval", "[halton]") {
   const double last = 1 - 0x1p-53;
   CHECK(rotated(0, 0) == 0);
   CHECK(rotated(last, 0) == last);
