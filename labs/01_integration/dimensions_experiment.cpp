@@ -78,11 +78,11 @@ carlo::Cell crossing_cell(const std::optional<carlo::PowerFit>& rule,
                           const std::optional<carlo::PowerFit>& dice, bool seconds) {
   if (!rule || !dice) return carlo::empty_cell();
   const double at = carlo::crossing(*rule, *dice);
-  if (dice->slope >= rule->slope) return {"never", std::nan("")};
   // A slope that the data cannot tell from the other gives no crossing worth printing.
-  if (rule->slope - dice->slope < rule->slope_half_width + dice->slope_half_width) {
+  if (std::fabs(rule->slope - dice->slope) < rule->slope_half_width + dice->slope_half_width) {
     return {"undecided", std::nan("")};
   }
+  if (dice->slope >= rule->slope) return {"never", std::nan("")};
   return {seconds ? carlo::duration_text(at) : carlo::number_text(at, 3), at};
 }
 

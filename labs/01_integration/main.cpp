@@ -18,7 +18,6 @@ int main(int argc, char** argv) {
           "Where the variance is infinite, Monte Carlo converges more slowly and its error bars "
           "are not to be trusted; a rare spike fools them until it has been met often.",
           "A variance by Welford's update does not care how large the mean is.",
-          "Error bars of Lab 1.7 hold the exact volume about 95 times in 100; for rare hits (the "
-          "ball in ten dimensions) somewhat less often."}};
+          "Error bars of Lab 1.7 hold the exact volume about 95 times in 100."}};
   return carlo::run_lab(lab, argc, argv);
 }
