@@ -3,12 +3,7 @@
 #include "cli/atomic_file.h"
 #include "cli/error.h"
 
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STB_IMAGE_WRITE_STATIC
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
 #include <stb/stb_image_write.h>
-#pragma GCC diagnostic pop
 
 #include <cmath>
 #include <cstdint>
