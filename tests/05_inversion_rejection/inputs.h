@@ -35,7 +35,7 @@ enum class Weights {
   tiny = 3,     ///< so small that 1 / sum is infinite
   rugged = 4,   ///< 300 weights over three orders of magnitude, every seventh 0
   comb = 5,     ///< 2^17 bins, every second 0
-  tenths = 6,   ///< ten weights that double cannot hold, and two zeros at the end
+  sixths = 6,   ///< six equal weights, whose shares add up to less than 1 in double, and two zeros
   count = 7
 };
 
@@ -49,11 +49,8 @@ inline std::vector<double> weights_of(Weights kind) {
       return {0.3};
     case Weights::tiny:
       return {1e-310, 0, 3e-310};
-    case Weights::tenths: {
-      std::vector<double> weights(12, 0.1);
-      weights[10] = weights[11] = 0;
-      return weights;
-    }
+    case Weights::sixths:
+      return {1, 1, 1, 1, 1, 1, 0, 0};
     case Weights::comb: {
       std::vector<double> weights(std::size_t{1} << 17);
       for (std::size_t i = 1; i < weights.size(); i += 2)
@@ -121,25 +118,26 @@ inline Grid smooth_grid() {
   return grid;
 }
 
-/// Functions that Lab 5.7 draws from. Each stays below its bound.
+/// Functions that Lab 5.7 draws from. Each stays below its bound, also on [0, b - a).
 enum class Target { square = 0, sine = 1, step = 2, count = 3 };
 
 struct TargetCase {
   double a, b, bound;
-  double integral;  ///< of f over [a, b)
+  double integral;   ///< of f over [a, b)
+  double below_one;  ///< the integral of min(f, 1)
 };
 
 inline TargetCase target_case(Target target) {
   switch (target) {
     case Target::square:
-      return {-1, 2, 5, 3};
+      return {-1, 2, 10, 3, 5.0 / 3};
     case Target::sine:
-      return {0, std::numbers::pi, 1, 2};
+      return {0, std::numbers::pi, 1, 2, 2};
     case Target::step:
     case Target::count:
       break;
   }
-  return {0, 1, 3, 0.5};
+  return {0, 1, 3, 0.5, 0.5};
 }
 
 inline double evaluate(Target target, double x) {

@@ -89,21 +89,27 @@ PROBE("Lab 5.1 to 5.3 samples") {
 
 PROBE("Lab 5.4 picks") {
   const std::vector<double> list = weights(params);
-  const lab05::Discrete discrete(list);
-  RowWriter rows;
-  for (const double u : numbers_for(list)) {
-    const auto [index, fraction] = discrete.sample(u);
-    rows.add({number(index), fraction});
-  }
-  return rows.take();
+  const std::vector<double> numbers = numbers_for(list);
+  return rows_or_nan(numbers.size(), 2, [&] {
+    const lab05::Discrete discrete(list);
+    RowWriter rows;
+    for (const double u : numbers) {
+      const auto [index, fraction] = discrete.sample(u);
+      rows.add({number(index), fraction});
+    }
+    return rows.take();
+  });
 }
 
 PROBE("Lab 5.4 probabilities") {
-  const lab05::Discrete discrete(weights(params));
-  RowWriter rows;
-  for (std::size_t i = 0; i < discrete.size(); ++i)
-    rows.add({discrete.probability(i)});
-  return rows.take();
+  const std::vector<double> list = weights(params);
+  return rows_or_nan(list.size(), 1, [&] {
+    const lab05::Discrete discrete(list);
+    RowWriter rows;
+    for (std::size_t i = 0; i < discrete.size(); ++i)
+      rows.add({discrete.probability(i)});
+    return rows.take();
+  });
 }
 
 PROBE("Lab 5.4 samples") {

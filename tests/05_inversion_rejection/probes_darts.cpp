@@ -54,13 +54,15 @@ PROBE("Lab 5.7 samples") {
   carlo::Rng rng(params.seed);
   const Target t = target(params);
   const TargetCase c = target_case(t);
-  RowWriter rows;
-  for (std::int64_t i = 0; i < params.n; ++i) {
-    const auto [x, darts] = lab05::sample_by_rejection([t](double at) { return evaluate(t, at); },
-                                                       c.a, c.b, c.bound, rng);
-    rows.add({x, static_cast<double>(darts)});
-  }
-  return rows.take();
+  const auto f = [t](double at) { return evaluate(t, at); };
+  return rows_or_nan(static_cast<std::size_t>(params.n), 2, [&] {
+    RowWriter rows;
+    for (std::int64_t i = 0; i < params.n; ++i) {
+      const auto [x, darts] = lab05::sample_by_rejection(f, c.a, c.b, c.bound, rng);
+      rows.add({x, static_cast<double>(darts)});
+    }
+    return rows.take();
+  });
 }
 
 // What a few calls draw, and the two numbers of the dart that each says it accepted.
@@ -68,20 +70,22 @@ PROBE("Lab 5.7 record") {
   carlo::Rng rng(params.seed);
   const Target t = target(params);
   const TargetCase c = target_case(t);
-  RowWriter rows;
-  for (std::int64_t i = 0; i < params.n; ++i) {
-    const carlo::Rng before = rng;
-    double evaluations = 0;
-    const auto watched = [&](double at) {
-      evaluations += 1;
-      return evaluate(t, at);
-    };
-    const auto [x, darts] = lab05::sample_by_rejection(watched, c.a, c.b, c.bound, rng);
-    const Dart accepted = dart(before, darts);
-    rows.add({x, static_cast<double>(darts), evaluations, numbers_drawn(before, rng, 100'000),
-              accepted.first, accepted.second});
-  }
-  return rows.take();
+  return rows_or_nan(static_cast<std::size_t>(params.n), 6, [&] {
+    RowWriter rows;
+    for (std::int64_t i = 0; i < params.n; ++i) {
+      const carlo::Rng before = rng;
+      double evaluations = 0;
+      const auto watched = [&](double at) {
+        evaluations += 1;
+        return evaluate(t, at);
+      };
+      const auto [x, darts] = lab05::sample_by_rejection(watched, c.a, c.b, c.bound, rng);
+      const Dart accepted = dart(before, darts);
+      rows.add({x, static_cast<double>(darts), evaluations, numbers_drawn(before, rng, 100'000),
+                accepted.first, accepted.second});
+    }
+    return rows.take();
+  });
 }
 
 // 0: f above its bound, 1: f negative, 2: f is NaN.

@@ -2,7 +2,9 @@
 
 #include "cli/error.h"
 #include "course/not_implemented.h"
+#include "grader/protocol/frame.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -22,6 +24,17 @@ double refusal(const Work& work) {
     return 2;
   }
   return 0;
+}
+
+/// The rows that `work` returns; where it is refused, rows of NaN, so that the check can go on.
+template <class Work>
+carlo::grader::Rows rows_or_nan(std::size_t rows, std::size_t columns, const Work& work) {
+  try {
+    return work();
+  } catch (const carlo::Error&) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    return {columns, std::vector<double>(rows * columns, nan)};
+  }
 }
 
 constexpr int bad_weight_kinds = 6;
