@@ -1,0 +1,25 @@
+#pragma once
+
+#include "report/measure.h"
+#include "report/notebook.h"
+
+namespace lab05 {
+
+using carlo::Notebook;
+
+// One experiment each: it runs the exercises it needs, and writes what it finds.
+
+/// Labs 5.1, 5.2, 5.3 and 5.5: histograms against densities, and inversion by hand.
+void densities_experiment(Notebook& notebook);
+/// Lab 5.7 beside 5.1 to 5.3: which darts are kept, how many it takes, what a sample costs.
+void rejection_experiment(Notebook& notebook);
+/// Labs 5.3 and 5.7: the error of a mean, by samples of both ways.
+void convergence_experiment(Notebook& notebook);
+/// Lab 5.4: from ten to ten million weights.
+void tables_experiment(Notebook& notebook);
+/// Lab 5.6: an image and the points drawn from it.
+void image_experiment(Notebook& notebook);
+/// Lab 5.8: points in a disc, both ways and a wrong one.
+void disc_experiment(Notebook& notebook);
+
+}  // namespace lab05
