@@ -26,9 +26,10 @@ struct Result {
   double seconds = 0;
 };
 
-Result run(Level level, const std::string& probe) {
+/// Short for workers that hang, long for those that end by themselves, however busy the machine is.
+Result run(Level level, const std::string& probe, bool hangs) {
   Limits limits;
-  limits.deadline = std::chrono::milliseconds(1500);
+  limits.deadline = std::chrono::milliseconds(hangs ? 1500 : 60000);
   Result result;
   const Clock::time_point start = Clock::now();
   try {
@@ -96,11 +97,11 @@ TEST_CASE("misbehaviour gives its verdict in time and leaves no process", "[work
       Case{"not implemented", Status::not_implemented, "not implemented"},
       Case{"survivor", Status::passed, ""});
   INFO(expected.probe << " at level " << to_string(level));
-  const Result result = run(level, expected.probe);
+  const Result result = run(level, expected.probe, expected.status == Status::timeout);
   INFO(result.message << " | " << result.printed);
   CHECK(result.status == expected.status);
   CHECK(has(result.message, expected.message));
-  CHECK(result.seconds < 10);  // the deadline, and time for a busy machine to clean up
+  CHECK(result.seconds < 60);  // the deadline, and time for a busy machine to clean up
   CHECK(no_child_left());
 }
 
