@@ -7,7 +7,7 @@ int main(int argc, char** argv) {
       .title = "Lab 04: stratification",
       .subtitle = "Points that keep their distance: the same number of them, and less error.",
       .n = 1 << 16,
-      .quick_n = 1 << 12,
+      .quick_n = 1 << 14,
       .experiments = {lab04::point_sets_experiment, lab04::line_experiment, lab04::float_experiment,
                       lab04::slopes_experiment, lab04::variance_experiment,
                       lab04::recursive_experiment},

@@ -94,10 +94,11 @@ StratifiedEstimate stratified_estimate(const Function2d& f, std::int64_t columns
   Moments means, within;  // over the cells: their means; the variances of these means
   double squares = 0;     // of all values about the means of their cells
   for (std::int64_t cell = 0; cell < columns * rows; ++cell) {
+    const std::int64_t column = cell % columns, row = cell / columns;
     Moments values;
     for (std::int64_t i = 0; i < per_cell; ++i) {
-      const double x = (static_cast<double>(cell % columns) + rng.uniform()) / wide;
-      const double y = (static_cast<double>(cell / columns) + rng.uniform()) / high;
+      const double x = (static_cast<double>(column) + rng.uniform()) / wide;
+      const double y = (static_cast<double>(row) + rng.uniform()) / high;
       values.add(f(x, y));
     }
     means.add(values.mean);

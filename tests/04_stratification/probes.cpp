@@ -10,7 +10,6 @@
 #include <vector>
 
 using namespace lab04_tests;
-using carlo::grader::Params;
 using carlo::grader::Rows;
 using carlo::grader::RowWriter;
 

@@ -9,7 +9,6 @@
 #include <vector>
 
 using namespace lab04_tests;
-using carlo::grader::Params;
 using carlo::grader::Rows;
 using carlo::grader::RowWriter;
 
