@@ -45,6 +45,11 @@ Rows jittered(const Grid& grid) {
                {.rows = grid.columns * grid.rows + 1, .columns = 2, .finite = false});
 }
 
+/// How many whole rows of cells (or columns) come before cell i.
+std::size_t lines_before(std::size_t i, std::size_t length) {
+  return i / length;
+}
+
 /// Where points lie within their cells, in [0, 1)^2 for those that lie in them.
 struct Within {
   std::vector<double> x, y;
@@ -56,7 +61,7 @@ Within within_cells(const Rows& rows, const Grid& grid) {
     within.x.push_back(rows.at(i + 1, 0) * static_cast<double>(grid.columns) -
                        static_cast<double>(i % grid.columns));
     within.y.push_back(rows.at(i + 1, 1) * static_cast<double>(grid.rows) -
-                       static_cast<double>(i / grid.columns));
+                       static_cast<double>(lines_before(i, grid.columns)));
   }
   return within;
 }
@@ -71,10 +76,12 @@ bool is_exchanged(const Rows& points, const Grid& grid) {
   bool other_order = true, other_sides = true;
   for (std::size_t i = 0; i + 1 < points.count(); ++i) {
     const double x = points.at(i + 1, 0), y = points.at(i + 1, 1);
-    other_order = other_order && in_cell(x * columns - static_cast<double>(i / grid.rows),
-                                         y * rows - static_cast<double>(i % grid.rows));
-    other_sides = other_sides && in_cell(x * rows - static_cast<double>(i % grid.columns),
-                                         y * columns - static_cast<double>(i / grid.columns));
+    other_order =
+        other_order && in_cell(x * columns - static_cast<double>(lines_before(i, grid.rows)),
+                               y * rows - static_cast<double>(i % grid.rows));
+    other_sides =
+        other_sides && in_cell(x * rows - static_cast<double>(i % grid.columns),
+                               y * columns - static_cast<double>(lines_before(i, grid.columns)));
   }
   return other_order || other_sides;
 }
