@@ -20,6 +20,7 @@ says which x belongs to it. The shaded area under the density is u.</span></figc
 .inverse { max-width: 44rem; margin: 1.5rem 0; }
 .inverse p { display: flex; flex-wrap: wrap; gap: 0.5rem 1.5rem; margin: 0.8rem 0; align-items: center; }
 .inverse select, .inverse input { font: inherit; vertical-align: middle; }
+.inverse input { width: min(16rem, 60vw); }
 .inverse output { min-width: 13rem; font-variant-numeric: tabular-nums; }
 .inverse svg { display: block; width: 100%; height: auto; }
 .inverse .axis { stroke: var(--soft); stroke-width: 1.5; fill: none; }
@@ -27,7 +28,7 @@ says which x belongs to it. The shaded area under the density is u.</span></figc
 .inverse .area { fill: var(--series-2); fill-opacity: 0.35; }
 .inverse .way { stroke: var(--series-2); stroke-width: 2.5; fill: none; stroke-dasharray: 6 5; }
 .inverse .end { fill: var(--series-2); }
-.inverse text { fill: var(--soft); font-size: 15px; }
+.inverse text { fill: var(--soft); font-size: 13px; }
 </style>
 )";
 

@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
           "close to 1: each is uniform on [0, 1] when sampler and density belong together.",
           "Rejection keeps the share of darts that theory says. Its cost grows like one over that "
           "share, while an inverse CDF costs the same whatever its shape; where most darts are "
-          "kept, a dart can be cheaper than a logarithm or a root.",
+          "kept, as in the disc, a dart can be cheaper than a root, a sine and a cosine.",
           "The same error at the same number of samples, whichever way they were made: only the "
           "seconds differ.",
           "Bisection that grows slowly with the logarithm of the table's size, until the table no "

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view style = R"(<style>
 .tiles { display: grid; gap: 1.5rem; margin: 1.5rem 0;
-         grid-template-columns: repeat(auto-fit, minmax(min(100%, 19rem), 1fr)); }
+         grid-template-columns: repeat(auto-fit, minmax(min(100%, var(--tile)), 1fr)); }
 .tiles svg { display: block; width: 100%; height: auto; margin: auto 0; }
 .tiles .axis { stroke: var(--soft); stroke-width: 1.5; fill: none; }
 .tiles text { fill: var(--soft); font-size: 15px; }
@@ -52,10 +52,10 @@ std::string plot(std::string_view title, std::string_view note, const View& view
   const std::string axis = fmt::format(
       "<path class=\"axis\" d=\"M0 0V260H440\"/>\n"
       "<text y=\"280\">{}</text><text x=\"440\" y=\"280\" text-anchor=\"end\">{}</text>"
-      "<text x=\"6\" y=\"13\">{}</text>\n",
+      "<text y=\"-6\">{}</text>\n",
       carlo::number_text(view.first, 3), carlo::number_text(view.last, 3),
       carlo::number_text(view.top, 3));
-  return figure(title, note, "-2 -14 444 300", drawing + axis);
+  return figure(title, note, "-4 -24 448 308", drawing + axis);
 }
 
 std::string graph(const Frame& frame, const Function& f) {
@@ -82,7 +82,10 @@ std::string dots(std::string_view kind, const std::vector<std::pair<double, doub
 }  // namespace
 
 std::string tiles(const std::vector<std::string>& pictures) {
-  std::string html = std::string(style) + "<div class=\"tiles\">\n";
+  // Four fit into one row of a wide screen, else three.
+  std::string html =
+      std::string(style) + fmt::format("<div class=\"tiles\" style=\"--tile: {}rem\">\n",
+                                       pictures.size() == 4 ? 14 : 19);
   for (const std::string& picture : pictures)
     html += picture;
   return html + "</div>\n";
@@ -134,8 +137,8 @@ std::string image_picture(std::string_view title, std::string_view note,
   const double brightest = *std::max_element(weights.begin(), weights.end());
   std::string drawing;
   for (std::size_t k = 0; k < weights.size(); ++k) {
-    // As a screen shows it: the square root is close to what displays expect.
-    const auto grey = static_cast<int>(std::lround(255 * std::sqrt(weights[k] / brightest)));
+    // The cube root lets the dim parts be seen beside the brightest.
+    const auto grey = static_cast<int>(std::lround(255 * std::cbrt(weights[k] / brightest)));
     drawing += fmt::format(
         "<path fill=\"#{0:02x}{0:02x}{0:02x}\" d=\"M{1:.1f} {2:.1f}h{3:.2f}v{3:.2f}h-{3:.2f}z\"/>",
         grey, static_cast<double>(k % width) * cell, static_cast<double>(k / width) * cell,
@@ -146,7 +149,7 @@ std::string image_picture(std::string_view title, std::string_view note,
   for (const Point& p : points)
     places.emplace_back(shown_width * p.x, height * p.y);
   return figure(title, note, fmt::format("0 0 640 {:.0f}", height),
-                drawing + "\n" + dots("dots", places));
+                "<g shape-rendering=\"crispEdges\">" + drawing + "</g>\n" + dots("dots", places));
 }
 
 }  // namespace lab05
