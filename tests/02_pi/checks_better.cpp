@@ -49,7 +49,8 @@ constexpr std::array<Method, 2> methods{
     {{"4 sqrt(1 - x^2)", 0, circle_moments}, {"4 / (1 + x^2)", 1, arctangent_moments}}};
 
 /// A sum of n values in double is right to 1e-12; in float it is not to 1e-8.
-Verdict sum_equals(const std::string& what, double measured, double expected, Suspects suspects) {
+Verdict sum_equals(const std::string& what, double measured, double expected,
+                   const Suspects& suspects) {
   Verdict verdict = equals(what, measured, expected, 1e-10 * expected, suspects);
   const bool near = std::abs(measured - expected) <= 1e-3 * expected;
   if (!verdict.passed && near) verdict.diagnoses.push_back(float_sum);

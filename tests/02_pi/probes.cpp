@@ -7,7 +7,6 @@
 
 using namespace lab02_tests;
 using carlo::grader::Params;
-using carlo::grader::Rows;
 using carlo::grader::RowWriter;
 
 namespace {

@@ -8,8 +8,6 @@
 #include <random>
 
 using namespace lab02_tests;
-using carlo::grader::Params;
-using carlo::grader::Rows;
 using carlo::grader::RowWriter;
 
 namespace {

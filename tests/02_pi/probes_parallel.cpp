@@ -14,8 +14,6 @@
 #include <thread>
 #include <vector>
 
-using carlo::grader::Params;
-using carlo::grader::Rows;
 using carlo::grader::RowWriter;
 using lab02::chunk_samples;
 using lab02::Sums;
