@@ -23,6 +23,7 @@ expect_error 'needs a value' test --seed
 expect_error 'no lab 99' lab 99
 expect_error 'render, integrators' bench frob
 expect_error 'developer' setup --frob
+expect_error 'developer' setup --developer frob
 
 # Through a link, from elsewhere.
 scratch=$(mktemp -d)
