@@ -257,6 +257,14 @@ TEST_CASE("Lab 1.7: errors are as large as the standard error says", "[lab01][ex
                     {{volume * volume, error_without_volume}, {1.0 / 400, error_of_one}}));
 }
 
+TEST_CASE("Lab 1.7: one point gives a value and the standard error 0", "[lab01][ex7]") {
+  const Rows rows = probe("Lab 1.7 record", domain_params(disc_area, 1),
+                          {.columns = 9, .of = disc_area.name() + ", n = 1"});
+  const double expected = rows.at(0, 6) * disc_area.volume();
+  judge(equals("the value", rows.at(0, 0), expected, 1e-12 * expected));
+  judge(equals("the standard error", rows.at(0, 1), 0, 0));
+}
+
 TEST_CASE("Lab 1.7: an empty domain gives 0, and the whole box the integral over it",
           "[lab01][ex7]") {
   const DomainCase nothing{2, Domain::nothing, DomainIntegrand::one, 0, 0};

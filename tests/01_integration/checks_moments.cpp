@@ -38,8 +38,10 @@ struct Exact {
 };
 
 Rows list(int pattern, std::int64_t n, double offset = 0) {
-  return probe("Lab 1.3 list", {.n = n, .numbers = {{"pattern", pattern}, {"offset", offset}}},
-               {.columns = 4, .of = fmt::format("a list of {} numbers around {:g}", n, offset)});
+  return probe(
+      "Lab 1.3 list", {.n = n, .numbers = {{"pattern", pattern}, {"offset", offset}}},
+      {.columns = 4,
+       .of = fmt::format("a list of {} {} around {:g}", n, n == 1 ? "number" : "numbers", offset)});
 }
 
 /// What the variance of `numbers` would be if both factors of Welford's product were the distance

@@ -101,7 +101,8 @@ double weighted(int k, Interval on, int n, double end, double middle, double joi
 
 /// What slips make of the number of evaluations.
 Suspects count_suspects(Rule rule, double n) {
-  Suspects list{{evaluations(rule, n) + 1, one_too_many}};
+  Suspects list;
+  if (n != 2) list.push_back({evaluations(rule, n) + 1, one_too_many});  // for 2: as joints_twice
   if (rule == simpson && n > 1) list.push_back({n + 1, no_midpoints});
   if (rule == trapezoid && n > 2) list.push_back({2 * n, joints_twice});
   if (rule == simpson && n > 2) list.push_back({3 * n, joints_twice});

@@ -19,7 +19,7 @@ inline carlo::grader::Verdict draws(double words, double expected) {
   std::vector<Diagnosis> diagnosis;
   if (words < 0) measured = "not to be told: rng was restarted or exchanged, or gave far too many";
   if (words == expected) {
-    measured = fmt::format("{:g} floats", words);
+    measured = fmt::format("{:g} of rng.uniform_float()", words);
     diagnosis = {floats};
   } else if (words > 2 * expected) {
     diagnosis = {surplus};
