@@ -110,8 +110,8 @@ void judge_darts(Profile profile) {
 
 }  // namespace
 
-// sd of one dart's contribution 13.0 and 3.7: with 400 000 darts a bias of .18 (2 % of 9) and .05
-// (2.7 % of 1.875) is caught.
+// sd of one dart's contribution 13.0 and 2.4: with 400 000 darts a bias of .18 (2 % of 9) and .033
+// (1.8 % of 1.875) is caught.
 TEST_CASE("Lab 6.5: the mean over all darts is f's integral where g > 0", "[lab06][ex5]") {
   for (const Profile profile : {Profile::parabola, Profile::step}) {
     constexpr std::size_t n = 400'000;
