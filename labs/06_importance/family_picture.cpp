@@ -36,12 +36,13 @@ const out = document.getElementById('family-out');
 const svg = document.getElementById('family-svg');
 const W = 440, H = 250, TOP = 6, K = 4;
 const px = x => (W * x).toFixed(1);
-const py = y => (H * (1 - Math.min(y / TOP, 1.04))).toFixed(1);
+const py = y => (H * (1 - y / TOP)).toFixed(1);
 const curve = (colour, f) => {
-  let d = '';
+  let d = '', down = false;
   for (let i = 0; i <= 220; ++i) {
-    const x = (i + 0.5) / 221;
-    d += (i ? 'L' : 'M') + px(x) + ' ' + py(f(x));
+    const x = (i + 0.5) / 221, y = f(x);
+    if (y <= 1.04 * TOP) d += (down ? 'L' : 'M') + px(x) + ' ' + py(y);
+    down = y <= 1.04 * TOP;
   }
   return `<path class="line" style="stroke: var(--series-${colour})" d="${d}"/>`;
 };

@@ -26,21 +26,29 @@ constexpr std::string_view style = R"(<style>
 
 constexpr double width = 440, height = 230;
 
-/// Places of a view in the drawing, y upwards; what is above the top is cut off just above it.
+/// Places of a view in the drawing, y upwards.
 struct Frame {
   View view;
   double x(double value) const { return width * (value - view.first) / (view.last - view.first); }
-  double y(double value) const { return height * (1 - std::clamp(value / view.top, -0.02, 1.04)); }
+  double y(double value) const { return height * (1 - value / view.top); }
+  bool shows(double value) const { return value >= -0.02 * view.top && value <= 1.04 * view.top; }
 };
 
 std::string path(const Frame& frame, const Line& line) {
   std::string d;
+  bool pen_down = false;
   for (const carlo::Point& p : line.points) {
-    if (!std::isfinite(p.y)) continue;
-    d += fmt::format("{}{:.1f} {:.1f}", d.empty() ? 'M' : 'L', frame.x(p.x), frame.y(p.y));
+    if (frame.shows(p.y))
+      d += fmt::format("{}{:.1f} {:.1f}", pen_down ? 'L' : 'M', frame.x(p.x), frame.y(p.y));
+    pen_down = frame.shows(p.y);
   }
   return fmt::format("<path class=\"line\" style=\"stroke: var(--series-{})\" d=\"{}\"/>\n",
                      line.colour, d);
+}
+
+/// The text at an end of the x axis.
+std::string end_text(const std::string& given, double value) {
+  return given.empty() ? carlo::number_text(value, 3) : carlo::html_escaped(given);
 }
 
 }  // namespace
@@ -81,7 +89,7 @@ std::string graph_picture(std::string_view title, std::string_view note, const V
       "<text y=\"{7:.0f}\">{8}</text><text x=\"{6:.0f}\" y=\"{7:.0f}\" text-anchor=\"end\">{9}"
       "</text><text y=\"-6\">{10}</text>\n</svg>\n</figure>\n",
       carlo::html_escaped(title), carlo::html_escaped(note), key, drawing, ticks, height, width,
-      height + 27, carlo::number_text(view.first, 3), carlo::number_text(view.last, 3),
+      height + 27, end_text(view.first_text, view.first), end_text(view.last_text, view.last),
       carlo::number_text(view.top, 3));
 }
 

@@ -15,9 +15,11 @@ namespace lab06 {
 /// `narrowest` rem wide.
 std::string tiles(const std::vector<std::string>& pictures, int narrowest);
 
-/// A stretch of the x axis, and the y axis from 0 to `top`.
+/// A stretch of the x axis, and the y axis from 0 to `top`. What stands at the two ends of the x
+/// axis may be given; else it is their numbers.
 struct View {
   double first = 0, last = 1, top = 1;
+  std::string first_text = {}, last_text = {};
 };
 
 /// A line of a graph, in one of the page's series colours 1, 2, ...
@@ -30,7 +32,8 @@ struct Line {
 /// The graph of a function over a view.
 Line line(std::string name, int colour, const View& view, const std::function<double(double)>& f);
 
-/// One tile: lines with a legend; `marks` are places on the x axis, such as samples.
+/// One tile: lines with a legend, interrupted where they leave the view; `marks` are places on the
+/// x axis, such as samples.
 std::string graph_picture(std::string_view title, std::string_view note, const View& view,
                           const std::vector<Line>& lines, const std::vector<double>& marks = {});
 

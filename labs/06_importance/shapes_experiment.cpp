@@ -33,16 +33,15 @@ carlo::Cell variance_cell(double n) {
   return std::isfinite(variance) ? carlo::Cell(variance) : carlo::Cell("infinite", variance);
 }
 
-std::string picture(const Member& member) {
+std::string picture(std::string_view title, std::string_view note, const Density& p) {
   const View view{0, 1, 6};
-  const Density p = power_density(member.n);
   std::vector<double> marks;
   for (int i = 0; i < 40; ++i)
     marks.push_back(p.sample((i + 0.5) / 40));
-  return graph_picture(member.title, fmt::format("p as x^{:g}", member.n), view,
-                       {line("f", 1, view, power_f), line("p", 2, view, p.pdf),
-                        line("f/p", 3, view, [&](double x) { return power_f(x) / p.pdf(x); })},
-                       marks);
+  const auto ratio = [&](double x) { return p.pdf(x) > 0 ? power_f(x) / p.pdf(x) : -1; };
+  return graph_picture(
+      title, note, view,
+      {line("f", 1, view, power_f), line("p", 2, view, p.pdf), line("f/p", 3, view, ratio)}, marks);
 }
 
 void member_table(Notebook& notebook) {
@@ -99,7 +98,9 @@ void shapes_experiment(Notebook& notebook) {
       "only where the points are: the strokes below the axis are forty of them.");
   std::vector<std::string> pictures;
   for (const Member& member : members())
-    pictures.push_back(picture(member));
+    pictures.push_back(
+        picture(member.title, fmt::format("p as x^{:g}", member.n), power_density(member.n)));
+  pictures.push_back(picture("does not cover f", "p uniform on [1/2, 1)", uniform_density(0.5, 1)));
   notebook.raw_html(tiles(pictures, 18));
   notebook.raw_html(family_html());
   notebook.script(family_script());

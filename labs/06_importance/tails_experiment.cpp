@@ -1,5 +1,6 @@
 #include "experiments.h"
 #include "importance.h"
+#include "pictures.h"
 #include "power_family.h"
 #include "report/format.h"
 
@@ -15,43 +16,52 @@ namespace lab06 {
 namespace {
 
 constexpr double thin = 14, share = 0.9;
+constexpr double first_shown = 64;  ///< of the running means
 
 /// What the cure is made of: nine draws in ten from the thin density, one from the uniform one.
 Density defended() {
   return mixture(power_density(thin), uniform_density(0, 1), share);
 }
 
-/// The mean of the first N contributions at some 200 places N, and before and after every jump.
-carlo::Series running_mean(const std::string& name, const std::vector<double>& values) {
-  carlo::Series series{name, {}};
-  double sum = 0, next = 64;
+/// The mean of the first N contributions against log N, with both ends of every jump.
+Line running_mean(const std::string& name, int colour, const std::vector<double>& values) {
+  Line result{name, colour, {}};
+  double sum = 0, next = first_shown;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto n = static_cast<double>(i + 1);
     const double before = sum / std::max(1.0, n - 1);
     sum += values[i];
-    const bool jump = n > 64 && std::abs(sum / n - before) > 0.01;
-    if (jump) series.points.push_back({n - 1, before});
-    if (jump || n >= next || i + 1 == values.size()) series.points.push_back({n, sum / n});
-    if (n >= next) next *= 1.05;
+    const bool jump = n > first_shown && std::abs(sum / n - before) > 0.003;
+    if (jump) result.points.push_back({std::log(n - 1), before});
+    if (jump || n >= next) result.points.push_back({std::log(n), sum / n});
+    if (n >= next) next *= 1.02;
   }
-  return series;
+  return result;
 }
 
-void running_chart(Notebook& notebook) {
+std::string running_picture(Notebook& notebook, std::string_view title, std::string_view note,
+                            const Density& p) {
   const std::int64_t n = notebook.options().n;
-  std::vector<carlo::Series> runs;
+  const View view{std::log(first_shown), std::log(static_cast<double>(n)), 1.6,
+                  fmt::format("N = {:g}", first_shown), carlo::count_text(n)};
+  std::vector<Line> runs;
   for (int run = 1; run <= 4; ++run) {
     carlo::Rng rng = notebook.rng();
-    runs.push_back(running_mean(fmt::format("x^14, run {}", run),
-                                contributions(power_f, power_density(thin), n, rng)));
+    runs.push_back(
+        running_mean(fmt::format("run {}", run), run, contributions(power_f, p, n, rng)));
   }
-  carlo::Rng rng = notebook.rng();
-  runs.push_back(running_mean("uniform", contributions(power_f, uniform_density(0, 1), n, rng)));
-  notebook.charts({{"The estimate while samples come in",
-                    "the integral is 1: runs creep below it until a single sample lifts them",
-                    {"samples N", carlo::Unit::count},
-                    {"mean of the first N", carlo::Unit::number, carlo::Scale::linear},
-                    runs}});
+  return graph_picture(title, note, view, runs);
+}
+
+void running_pictures(Notebook& notebook) {
+  std::vector<std::string> pictures;
+  pictures.push_back(running_picture(notebook, "p as x^14: too thin",
+                                     "the mean of the first N, logarithmic in N; the integral is 1",
+                                     power_density(thin)));
+  pictures.push_back(running_picture(notebook, "p uniform",
+                                     "the same scale: noise that settles, without jumps",
+                                     uniform_density(0, 1)));
+  notebook.raw_html(tiles(pictures, 24));
 }
 
 /// A density with what theory knows of it.
@@ -166,7 +176,7 @@ void tails_experiment(Notebook& notebook) {
       "With p as x^14 the region near 0 holds next to no samples, though f is not that small "
       "there; the few that land have huge f/p. The estimator is unbiased, yet almost every run is "
       "too low, and its standard error, estimated from the same samples, is too small with it.");
-  notebook.attempt([&] { running_chart(notebook); });
+  notebook.attempt([&] { running_pictures(notebook); });
   notebook.progress(1, 4);
   notebook.attempt([&] {
     const carlo::Table table = symptoms(notebook, suspects());
