@@ -32,7 +32,7 @@ Curve curve_of(Notebook& notebook, const Way& way) {
   Curve curve{way.name, {}};
   carlo::Rng rng = notebook.rng();
   for (const std::int64_t n : ladder(64, std::max<std::int64_t>(notebook.options().n / 16, 1024))) {
-    curve.runs.push_back(repeat(n, notebook.repetitions(400), Summary::median, [&] {
+    curve.runs.push_back(repeat(n, repetitions(notebook, n), Summary::median, [&] {
       double sum = 0;
       for (const double y : contributions(power_f, way.p, n, rng))
         sum += y;

@@ -3,11 +3,20 @@
 #include "report/measure.h"
 #include "report/notebook.h"
 
+#include <algorithm>
+#include <cstdint>
+
 namespace lab06 {
 
 using carlo::Curve, carlo::Measurement, carlo::Notebook, carlo::Summary, carlo::Trial;
 using carlo::error_charts, carlo::ladder, carlo::measurement_table, carlo::repeat,
     carlo::slope_cell;
+
+/// More repetitions where they are cheap, so that slopes are not lost in noise.
+inline int repetitions(const Notebook& notebook, std::int64_t n) {
+  const std::int64_t wanted = 2'000'000 / n;
+  return notebook.repetitions(static_cast<int>(std::clamp<std::int64_t>(wanted, 400, 4000)));
+}
 
 // One experiment each: it runs the exercises it needs, and writes what it finds.
 

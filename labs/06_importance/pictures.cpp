@@ -30,8 +30,11 @@ constexpr double width = 440, height = 230;
 struct Frame {
   View view;
   double x(double value) const { return width * (value - view.first) / (view.last - view.first); }
-  double y(double value) const { return height * (1 - value / view.top); }
-  bool shows(double value) const { return value >= -0.02 * view.top && value <= 1.04 * view.top; }
+  double y(double value) const { return height * (view.top - value) / (view.top - view.bottom); }
+  bool shows(double value) const {
+    const double down = y(value) / height;
+    return down >= -0.04 && down <= 1.02;
+  }
 };
 
 std::string path(const Frame& frame, const Line& line) {
@@ -44,6 +47,13 @@ std::string path(const Frame& frame, const Line& line) {
   }
   return fmt::format("<path class=\"line\" style=\"stroke: var(--series-{})\" d=\"{}\"/>\n",
                      line.colour, d);
+}
+
+/// The y axis begins at 0 where nothing else is said.
+std::string bottom_text(const View& view) {
+  if (view.bottom == 0) return "";
+  return fmt::format("<text x=\"6\" y=\"{:.0f}\">{}</text>", height - 7,
+                     carlo::number_text(view.bottom, 3));
 }
 
 /// The text at an end of the x axis.
@@ -87,10 +97,10 @@ std::string graph_picture(std::string_view title, std::string_view note, const V
       "<svg viewBox=\"-4 -24 448 284\" role=\"img\" aria-label=\"{0}: {1}\">\n{3}"
       "<path class=\"marks\" d=\"{4}\"/>\n<path class=\"axis\" d=\"M0 0V{5:.0f}H{6:.0f}\"/>\n"
       "<text y=\"{7:.0f}\">{8}</text><text x=\"{6:.0f}\" y=\"{7:.0f}\" text-anchor=\"end\">{9}"
-      "</text><text y=\"-6\">{10}</text>\n</svg>\n</figure>\n",
+      "</text><text y=\"-6\">{10}</text>{11}\n</svg>\n</figure>\n",
       carlo::html_escaped(title), carlo::html_escaped(note), key, drawing, ticks, height, width,
       height + 27, end_text(view.first_text, view.first), end_text(view.last_text, view.last),
-      carlo::number_text(view.top, 3));
+      carlo::number_text(view.top, 3), bottom_text(view));
 }
 
 }  // namespace lab06

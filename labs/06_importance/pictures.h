@@ -15,10 +15,10 @@ namespace lab06 {
 /// `narrowest` rem wide.
 std::string tiles(const std::vector<std::string>& pictures, int narrowest);
 
-/// A stretch of the x axis, and the y axis from 0 to `top`. What stands at the two ends of the x
-/// axis may be given; else it is their numbers.
+/// Stretches of the x axis and of the y axis. What stands at the two ends of the x axis may be
+/// given; else it is their numbers.
 struct View {
-  double first = 0, last = 1, top = 1;
+  double first = 0, last = 1, top = 1, bottom = 0;
   std::string first_text = {}, last_text = {};
 };
 

@@ -165,7 +165,7 @@ std::string weight_picture(std::string_view title, std::size_t lamp_index, std::
   const Lamp& lamp = plate_lamps.at(lamp_index);
   const double scale = plate_scales.at(plate);
   const double m = lamp.centre - 0.4 * lamp.half_width;
-  const double reach = std::max(1.3 * lamp.half_width, 4 * scale);
+  const double reach = 1.3 * lamp.half_width;
   const View view{lamp.centre - reach, lamp.centre + reach, 1};
   const Density lamps = lamp_technique(), lobe = lobe_technique(m, scale);
   const Function f = plate_integrand(m, scale);
@@ -177,7 +177,7 @@ std::string weight_picture(std::string_view title, std::size_t lamp_index, std::
                        view,
                        {line("f, scaled", 1, view, [&](double x) { return f(x) / top; }),
                         line("weight of a lamp sample, balance", 3, view, weight(balance_weight)),
-                        line("power", 4, view, weight(power_weight))});
+                        line("the same, power", 4, view, weight(power_weight))});
 }
 
 }  // namespace

@@ -70,8 +70,8 @@ void member_table(Notebook& notebook) {
 
 void variance_chart(Notebook& notebook) {
   carlo::Series theory{"closed form", {}}, measured{"measured", {}};
-  for (int i = 0; i <= 172; ++i) {
-    const double n = i / 20.0;
+  for (int i = 0; i <= 17; ++i) {
+    const double n = i / 2.0;
     theory.points.push_back({n, power_variance(n)});
   }
   const std::int64_t count = notebook.options().n / 4;

@@ -42,8 +42,12 @@ Line running_mean(const std::string& name, int colour, const std::vector<double>
 std::string running_picture(Notebook& notebook, std::string_view title, std::string_view note,
                             const Density& p) {
   const std::int64_t n = notebook.options().n;
-  const View view{std::log(first_shown), std::log(static_cast<double>(n)), 1.6,
-                  fmt::format("N = {:g}", first_shown), carlo::count_text(n)};
+  const View view{std::log(first_shown),
+                  std::log(static_cast<double>(n)),
+                  1.4,
+                  0.6,
+                  fmt::format("N = {:g}", first_shown),
+                  carlo::count_text(n)};
   std::vector<Line> runs;
   for (int run = 1; run <= 4; ++run) {
     carlo::Rng rng = notebook.rng();
@@ -121,7 +125,7 @@ Curve error_curve(Notebook& notebook, const std::string& name, const Density& p)
   Curve curve{name, {}};
   carlo::Rng rng = notebook.rng();
   for (const std::int64_t n : ladder(64, std::max<std::int64_t>(notebook.options().n / 16, 1024))) {
-    curve.runs.push_back(repeat(n, notebook.repetitions(400), Summary::median, [&] {
+    curve.runs.push_back(repeat(n, repetitions(notebook, n), Summary::median, [&] {
       return Trial{summarize(contributions(power_f, p, n, rng)).value, power_integral};
     }));
   }
@@ -174,8 +178,8 @@ void tails_experiment(Notebook& notebook) {
   notebook.begin("Too thin in the tails");
   notebook.say(
       "With p as x^14 the region near 0 holds next to no samples, though f is not that small "
-      "there; the few that land have huge f/p. The estimator is unbiased, yet almost every run is "
-      "too low, and its standard error, estimated from the same samples, is too small with it.");
+      "there; the few that land have huge f/p. The estimator is unbiased, yet most runs are too "
+      "low, and the standard error, estimated from the same samples, is too small with them.");
   notebook.attempt([&] { running_pictures(notebook); });
   notebook.progress(1, 4);
   notebook.attempt([&] {
