@@ -6,6 +6,7 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -30,12 +31,13 @@ double exact(double height) {
   using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
   const Function f = scattered(height);
   // The peak is `height` wide: pieces that grow by 3 from there.
-  double sum = 0, from = 0;
-  for (double to = height / 4; from < last; to *= 3) {
+  double sum = 0, from = 0, to = height / 4;
+  while (from < last) {
     const double a = from, b = std::min(to, last);
     sum += Rule::integrate(f, a, b, 5, 1e-13);
     if (-a > first) sum += Rule::integrate(f, std::max(-b, first), -a, 5, 1e-13);
     from = b;
+    to *= 3;
   }
   return sum;
 }

@@ -11,7 +11,6 @@
 
 using namespace lab06_tests;
 using carlo::grader::Params;
-using carlo::grader::Rows;
 using carlo::grader::RowWriter;
 
 namespace {
