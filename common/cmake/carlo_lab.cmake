@@ -5,6 +5,8 @@
 #   - the lab's experiments (labs/FOLDER/*.cpp but for NAME.cpp)  -> lab01, lab01_solution
 #   - the lab's probes (tests/FOLDER/probes*.cpp)  -> lab01_worker, lab01_worker_solution,
 #                                                     lab01_worker_mistake_<patch>
+# What is judged is compiled once more, with the library's own checks: an index outside of a vector
+# or a span ends the program. The experiments, which are timed, run without them.
 # The judge, lab01_judge, is compiled from tests/FOLDER/checks*.cpp and holds none of them.
 # Parts that a tree does not have (solutions/, tests/) are left out.
 
@@ -14,6 +16,12 @@ function(carlo_lab_implementation target folder source)
   target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}/labs/${folder}"
                              "${PROJECT_SOURCE_DIR}/common")
   target_link_libraries(${target} PUBLIC carlo::build carlo::course ${ARGN})
+endfunction()
+
+# The same for a worker.
+function(carlo_lab_judged_implementation target folder source)
+  carlo_lab_implementation(${target} ${folder} "${source}" ${ARGN})
+  target_compile_definitions(${target} PRIVATE _GLIBCXX_ASSERTIONS)
 endfunction()
 
 # Compiled once, linked with every implementation: PREFIX_PART from SOURCES.
@@ -55,7 +63,7 @@ function(carlo_lab_mistakes lab folder name)
       DEPENDS "${solution}" "${patch}"
       COMMENT "Putting mistake ${mistake} into lab ${folder}" VERBATIM)
     set(worker ${lab}_worker_mistake_${mistake})
-    carlo_lab_implementation(${worker}_code ${folder} "${patched}" ${ARGN})
+    carlo_lab_judged_implementation(${worker}_code ${folder} "${patched}" ${ARGN})
     carlo_lab_program(${worker} ${lab}_probes ${worker}_code)
     list(APPEND workers ${worker})
   endforeach()
@@ -74,7 +82,8 @@ function(add_lab folder name)
   # A student's file gets the warnings but is built all the same; ours is not. Parameters of exercises
   # that are not done yet are unused by nature.
   carlo_lab_implementation(${lab}_code ${folder} "${here}/${name}.cpp" ${uses})
-  target_compile_options(${lab}_code PRIVATE -Wall -Wextra -Wpedantic -Wno-unused-parameter)
+  set(students_warnings -Wall -Wextra -Wpedantic -Wno-unused-parameter)
+  target_compile_options(${lab}_code PRIVATE ${students_warnings})
   set(implementations "${lab}_code")
   if(EXISTS "${solution}")
     carlo_lab_implementation(${lab}_code_solution ${folder} "${solution}" ${uses} carlo::strict)
@@ -97,10 +106,14 @@ function(add_lab folder name)
   if(probes)
     carlo_lab_part(${lab}_probes ${folder} SOURCES ${probes}
                    DEPENDS ${uses} carlo::grader_worker)
-    foreach(code IN LISTS implementations)
-      string(REPLACE "_code" "_worker" worker "${code}")
-      carlo_lab_program(${worker} ${lab}_probes ${code})
-    endforeach()
+    carlo_lab_judged_implementation(${lab}_worker_code ${folder} "${here}/${name}.cpp" ${uses})
+    target_compile_options(${lab}_worker_code PRIVATE ${students_warnings})
+    carlo_lab_program(${lab}_worker ${lab}_probes ${lab}_worker_code)
+    if(EXISTS "${solution}")
+      carlo_lab_judged_implementation(${lab}_worker_code_solution ${folder} "${solution}" ${uses}
+                                      carlo::strict)
+      carlo_lab_program(${lab}_worker_solution ${lab}_probes ${lab}_worker_code_solution)
+    endif()
     if(EXISTS "${solution}" AND CARLO_MISTAKES)
       carlo_lab_mistakes(${lab} ${folder} ${name} ${uses})
     endif()

@@ -48,6 +48,11 @@ class Fields {
     return list;
   }
 
+  /// As texts(); none when the field is not there.
+  std::vector<std::string> optional_texts(const char* key) const {
+    return object_.contains(key) ? texts(key) : std::vector<std::string>{};
+  }
+
   const json& array(const char* key) const {
     const json& value = at(key);
     if (!value.is_array()) fail(fmt::format("\"{}\" must be a list", key));
@@ -75,6 +80,7 @@ Exercise read_exercise(const Fields& fields) {
   exercise.lecture = fields.text("lecture");
   exercise.functions = fields.texts("functions");
   exercise.hints = fields.texts("hints");
+  exercise.uses = fields.optional_texts("uses");
   return exercise;
 }
 
@@ -109,7 +115,13 @@ Lab load_lab(const fs::path& file) {
   for (const json& entry : fields.array("exercises")) {
     const std::string tag = fmt::format("Lab {}.{}", lab.number, lab.exercises.size() + 1);
     const Fields exercise(entry, fmt::format("{}: {}", file.string(), tag));
-    lab.exercises.push_back(read_exercise(exercise));
+    Exercise read = read_exercise(exercise);
+    for (const std::string& used : read.uses) {
+      if (lab.find(used) == nullptr) {
+        exercise.fail(fmt::format("\"uses\" names \"{}\", which is no earlier exercise", used));
+      }
+    }
+    lab.exercises.push_back(std::move(read));
     const std::string& found = lab.exercises.back().tag;
     if (found != tag) exercise.fail(fmt::format("the tag is \"{}\", expected \"{}\"", found, tag));
   }

@@ -15,6 +15,7 @@ struct Exercise {
   std::string lecture;                 ///< the lecture's section
   std::vector<std::string> functions;  ///< what the student writes
   std::vector<std::string> hints;      ///< from a nudge to nearly the formula
+  std::vector<std::string> uses = {};  ///< tags of earlier exercises that its code may call
 
   /// "1.2": the tag as it is typed on a command line.
   std::string number() const { return tag.substr(4); }

@@ -30,6 +30,14 @@ int lab_of(const std::string& number) {
   return lab;
 }
 
+std::string heading(const Exercise& exercise) {
+  return fmt::format("{}: {} (lecture: {})\n", exercise.tag, exercise.title, exercise.lecture);
+}
+
+const std::string& text_of(const Exercise& exercise, int step) {
+  return exercise.hints[static_cast<std::size_t>(step - 1)];
+}
+
 }  // namespace
 
 HintState::HintState(fs::path file) : file_(std::move(file)), text_("{}") {
@@ -75,12 +83,41 @@ std::string next_hint(const Exercise& exercise, HintState& state) {
   const int seen = state.seen(exercise);
   const int shown = std::min(seen + 1, count);
   if (shown != seen) state.set_seen(exercise, shown);
-  const char* next = seen >= count    ? "there are no more; the handout has the derivation"
+  const char* next = seen >= count
+                         ? "there are no more (--all shows all); see the handout and the header"
                      : shown == count ? "the last"
                                       : "run again for the next";
-  return fmt::format("{}: {} (lecture: {})\nhint {} of {}; {}\n\n{}\n", exercise.tag,
-                     exercise.title, exercise.lecture, shown, count, next,
-                     exercise.hints[static_cast<std::size_t>(shown - 1)]);
+  return fmt::format("{}hint {} of {}; {}\n\n{}\n", heading(exercise), shown, count, next,
+                     text_of(exercise, shown));
+}
+
+std::string seen_hint(const Exercise& exercise, int step, const HintState& state) {
+  const int count = static_cast<int>(exercise.hints.size());
+  if (step < 1 || step > count) {
+    throw Error("{} has hints 1 to {}, got {}", exercise.tag, count, step);
+  }
+  const int seen = std::min(state.seen(exercise), count);
+  if (step > seen) {
+    throw Error("hint {} of {} has not been seen yet; ./carlo hint {} shows hint {}", step,
+                exercise.tag, exercise.number(), seen + 1);
+  }
+  return fmt::format("{}hint {} of {}\n\n{}\n", heading(exercise), step, count,
+                     text_of(exercise, step));
+}
+
+std::string seen_hints(const Exercise& exercise, const HintState& state) {
+  const int count = static_cast<int>(exercise.hints.size());
+  const int seen = std::min(state.seen(exercise), count);
+  if (seen == 0) {
+    throw Error("no hint of {} has been seen yet; ./carlo hint {} shows the first", exercise.tag,
+                exercise.number());
+  }
+  std::string out = heading(exercise);
+  for (int step = 1; step <= seen; ++step) {
+    out += fmt::format("{}hint {} of {}\n\n{}\n", step > 1 ? "\n" : "", step, count,
+                       text_of(exercise, step));
+  }
+  return out;
 }
 
 }  // namespace carlo

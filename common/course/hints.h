@@ -31,4 +31,10 @@ const Exercise& find_exercise(const std::vector<Lab>& labs, const std::string& t
 /// Notes it in `state`. Throws Error when the exercise has none.
 std::string next_hint(const Exercise& exercise, HintState& state);
 
+/// Hint `step` (from 1) once more. Throws Error when it has not been seen yet or does not exist.
+std::string seen_hint(const Exercise& exercise, int step, const HintState& state);
+
+/// All hints that have been seen. Throws Error when none has.
+std::string seen_hints(const Exercise& exercise, const HintState& state);
+
 }  // namespace carlo

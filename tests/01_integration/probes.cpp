@@ -4,6 +4,7 @@
 #include "01_integration/integrands.h"
 #include "01_integration/recorder.h"
 #include "grader/worker/probe.h"
+#include "grader/worker/words_drawn.h"
 #include "integration.h"
 
 #include <algorithm>
@@ -17,6 +18,7 @@ using namespace lab01_tests;
 using carlo::grader::Params;
 using carlo::grader::Rows;
 using carlo::grader::RowWriter;
+using carlo::grader::words_drawn;
 
 namespace {
 
@@ -115,10 +117,13 @@ PROBE("Lab 1.2 estimates") {
 
 PROBE("Lab 1.2 record") {
   carlo::Rng rng(params.seed);
+  const carlo::Rng before = rng;
   Recorder recorder;
   const double value = lab01::integrate(recorder.watch(power_function(params)), params["a"],
                                         params["b"], params.n, rng);
-  return {5, {value, recorder.count(), recorder.lowest(), recorder.highest(), recorder.mean()}};
+  return {6,
+          {value, recorder.count(), recorder.lowest(), recorder.highest(), recorder.mean(),
+           words_drawn(before, rng, 4 * params.n + 64)}};
 }
 
 PROBE("Lab 1.2 points") {

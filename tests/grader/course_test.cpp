@@ -104,6 +104,40 @@ TEST_CASE("hints come one at a time and are remembered", "[course]") {
   CHECK(has(next(), "there are no more"));
 }
 
+TEST_CASE("hints that were seen are shown again, others are not", "[course]") {
+  const Folder folder;
+  folder.write_lab(lab_json(exercise("Lab 1.1")));
+  const Exercise shown = load_labs(folder.labs())[0].exercises[0];
+  HintState state(folder.state());
+  CHECK_THROWS_AS(seen_hints(shown, state), Error);
+  CHECK_THROWS_AS(seen_hint(shown, 1, state), Error);
+  next_hint(shown, state);
+  CHECK(has(seen_hint(shown, 1, state), "nudge"));
+  CHECK(has(seen_hints(shown, state), "nudge"));
+  CHECK_FALSE(has(seen_hints(shown, state), "plan"));
+  for (const int step : {-1, 0, 2, 3})
+    CHECK_THROWS_AS(seen_hint(shown, step, state), Error);
+  CHECK(state.seen(shown) == 1);
+  next_hint(shown, state);
+  CHECK(has(seen_hints(shown, state), "nudge"));
+  CHECK(has(seen_hints(shown, state), "plan"));
+}
+
+TEST_CASE("an exercise builds on earlier ones only", "[course]") {
+  const Folder folder;
+  const auto using_exercise = [](const std::string& tag, const std::string& used) {
+    std::string text = exercise(tag);
+    return text.insert(1, fmt::format(R"("uses": ["{}"], )", used));
+  };
+  const std::string first = exercise("Lab 1.1") + ",";
+  folder.write_lab(lab_json(first + using_exercise("Lab 1.2", "Lab 1.1")));
+  CHECK(load_labs(folder.labs())[0].exercises[1].uses == std::vector<std::string>{"Lab 1.1"});
+  for (const char* wrong : {"Lab 1.2", "Lab 1.3", "1.1"}) {
+    CHECK(has(error_of(folder, lab_json(first + using_exercise("Lab 1.2", wrong))),
+              "no earlier exercise"));
+  }
+}
+
 TEST_CASE("a wrong exercise number lists the right ones", "[course]") {
   const Folder folder;
   folder.write_lab(lab_json(exercise("Lab 1.1") + "," + exercise("Lab 1.2")));

@@ -91,7 +91,9 @@ TEST_CASE("after a deadline or a missing implementation an exercise starts no mo
     run.end_test(false);
   }
   CHECK(run.records()[1].status == Status::not_implemented);
-  CHECK(run.records()[1].problem == "not run, because of the above");
+  CHECK(run.records()[1].skipped);
+  CHECK(run.records()[1].problem == "not run: the worker ended in \"first\"");
+  CHECK(run.records()[0].needs == "Lab 0.1");  // the fixture throws the tag of another exercise
 }
 
 TEST_CASE("the report names points, what failed and what it looks like", "[report]") {
@@ -103,6 +105,49 @@ TEST_CASE("the report names points, what failed and what it looks like", "[repor
   CHECK(has(text, "one is missing."));
   CHECK(has(text, "./carlo hint 1.2"));
   CHECK(has(text, "Lab 01: 2 of 5 points"));
+}
+
+TEST_CASE("an exercise that calls an unfinished one names that one", "[report]") {
+  TestRecord open{"Lab 1.2", "it holds", {}, Status::not_implemented, "not implemented yet", ""};
+  open.needs = "Lab 1.1";
+  const std::string text = report_text(collect(demo_lab(), {passed("Lab 1.1"), open}, ""));
+  CHECK(has(text, "calls Lab 1.1, which is not implemented yet: ./carlo hint 1.1"));
+}
+
+TEST_CASE("an exercise that builds on a wrong one says so", "[report]") {
+  carlo::Lab lab = demo_lab();
+  lab.exercises[1].uses = {"Lab 1.1"};
+  const std::string phrase = "Lab 1.1 is not right yet";
+  CHECK(has(report_text(collect(lab, {failed("Lab 1.1"), failed("Lab 1.2")}, "")), phrase));
+  CHECK_FALSE(has(report_text(collect(lab, {passed("Lab 1.1"), failed("Lab 1.2")}, "")), phrase));
+  CHECK_FALSE(has(report_text(collect(lab, {failed("Lab 1.1"), passed("Lab 1.2")}, "")), phrase));
+}
+
+TEST_CASE("tests that were not run are not said to fail", "[report]") {
+  const TestRecord slow{"Lab 1.1", "it ends", {}, Status::timeout, "it was not done", ""};
+  TestRecord skipped = slow;
+  skipped.problem = "not run: the worker ended in \"it ends\"";
+  skipped.skipped = true;
+  const std::string text =
+      report_text(collect(demo_lab(), {slow, skipped, skipped, passed("Lab 1.2")}, ""));
+  CHECK(has(text, "2 more tests not run: the worker ended in \"it ends\""));
+  CHECK_FALSE(has(text, "also fails"));
+}
+
+TEST_CASE("who has done nothing yet is told where to start", "[report]") {
+  const auto open = [](const std::string& tag) {
+    return TestRecord{tag, "it holds", {}, Status::not_implemented, "not implemented yet", ""};
+  };
+  const std::string start = "Nothing done yet: start with Lab 1.1, ./carlo hint 1.1";
+  CHECK(has(report_text(collect(demo_lab(), {open("Lab 1.1"), open("Lab 1.2")}, "")), start));
+  CHECK_FALSE(
+      has(report_text(collect(demo_lab(), {failed("Lab 1.1"), open("Lab 1.2")}, "")), start));
+}
+
+TEST_CASE("a verbose report shows what passed too", "[report]") {
+  const LabResult result = collect(demo_lab(), {passed("Lab 1.1"), failed("Lab 1.2")}, "");
+  CHECK(has(report_text(result, true), "✓ it holds\n      it: 1\n        expected 1"));
+  CHECK_FALSE(has(report_text(result), "expected 1\n"));
 }
 
 TEST_CASE("what a program printed cannot steer the terminal", "[report]") {

@@ -27,7 +27,7 @@ struct Result {
 };
 
 /// Short for workers that hang, long for those that end by themselves, however busy the machine is.
-Result run(Level level, const std::string& probe, bool hangs) {
+Result run(Level level, const std::string& probe, bool hangs = false) {
   Limits limits;
   limits.deadline = std::chrono::milliseconds(hangs ? 1500 : 60000);
   Result result;
@@ -111,6 +111,17 @@ TEST_CASE("a crash names its signal", "[worker]") {
   CHECK(result.status == Status::crashed);
   // Under AddressSanitizer the worker reports the fault itself and exits with 1.
   CHECK((address_sanitizer() || has(result.message, "segmentation fault")));
+}
+
+TEST_CASE("writing next to an array is noticed in every build", "[worker]") {
+  const Level level = GENERATE(Catch::Generators::from_range(levels()));
+  for (const char* probe : {"writes past an array", "writes before an array"}) {
+    const Result result = run(level, probe);
+    INFO(probe << ": " << result.message << " | " << result.printed);
+    CHECK(result.status == Status::crashed);
+    // Under AddressSanitizer the sanitizer itself reports it.
+    CHECK((address_sanitizer() || has(result.printed, "was overwritten")));
+  }
 }
 
 TEST_CASE("100 GB are not to be had", "[worker]") {

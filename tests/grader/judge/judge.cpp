@@ -25,7 +25,7 @@ class Follower : public Catch::EventListenerBase {
 };
 CATCH_REGISTER_LISTENER(Follower)
 
-/// Says nothing: the report is written after the run. `--verbose` takes Catch2's console instead.
+/// Says nothing: the report is written after the run.
 class Silent : public Catch::StreamingReporterBase {
  public:
   using StreamingReporterBase::StreamingReporterBase;

@@ -51,6 +51,16 @@ std::string comparison(const Verdict& verdict) {
   return out;
 }
 
+/// One test with all that it compared.
+std::string whole_test(const TestRecord& test) {
+  const bool passed = test.status == Status::passed;
+  std::string out = fmt::format("    {} {}\n", passed ? "✓" : "✗", test.sentence);
+  if (!test.problem.empty()) out += fmt::format("      {}\n", harmless(test.problem));
+  for (const Verdict& verdict : test.verdicts)
+    out += comparison(verdict);
+  return out;
+}
+
 std::string failed_test(const TestRecord& test) {
   std::string out = fmt::format("    {}\n", test.sentence);
   if (!test.problem.empty()) out += fmt::format("      {}\n", harmless(test.problem));
@@ -97,27 +107,72 @@ std::string heading(const ExerciseResult& result, std::size_t titles) {
   return fmt::format("{} {}  {}{}  {}", mark, result.exercise.number(), title, gap, points);
 }
 
-std::string exercise_text(const ExerciseResult& result, std::size_t titles) {
-  const std::string line = heading(result, titles);
-  const std::string hint = fmt::format("./carlo hint {}", result.exercise.number());
-  if (result.status == Status::passed) return line + "\n";
-  if (result.status == Status::not_implemented) {
-    return fmt::format("{}  not implemented yet: {}\n", line, hint);
+/// Why an exercise is not implemented: it is not done, or another is not that its code calls.
+std::string open_text(const ExerciseResult& result) {
+  for (const TestRecord& test : result.tests) {
+    if (test.needs.rfind("Lab ", 0) != 0) continue;
+    const std::string needs = harmless(test.needs);
+    return fmt::format("calls {}, which is not implemented yet: ./carlo hint {}", needs,
+                       needs.substr(4));
   }
-  std::string out = line + "\n";
-  int failures = 0;
+  return fmt::format("not implemented yet: ./carlo hint {}", result.exercise.number());
+}
+
+/// The tests that failed, the first ones in full; and those that were not run after a deadline.
+std::string failed_tests(const ExerciseResult& result) {
+  std::string out;
+  int failures = 0, skipped = 0;
+  std::string why;
   for (const TestRecord& test : result.tests) {
     if (test.status == Status::passed) continue;
+    if (test.skipped) {
+      ++skipped;
+      why = harmless(test.problem);
+      continue;
+    }
     out += ++failures <= shown_tests ? failed_test(test)
                                      : fmt::format("    also fails: {}\n", test.sentence);
   }
+  if (skipped > 0) {
+    out += fmt::format("    {} more {} {}\n", skipped, skipped == 1 ? "test" : "tests", why);
+  }
+  return out;
+}
+
+/// Exercises that this one builds on and that are not right yet.
+std::string unsound_ground(const ExerciseResult& result, const LabResult& lab) {
+  std::string out;
+  for (const ExerciseResult& other : lab.exercises) {
+    const std::vector<std::string>& uses = result.exercise.uses;
+    const bool used = std::find(uses.begin(), uses.end(), other.exercise.tag) != uses.end();
+    if (!used || other.status == Status::passed) continue;
+    out += fmt::format("    {} is not right yet: where your code calls it, mend that first\n",
+                       other.exercise.tag);
+  }
+  return out;
+}
+
+std::string exercise_text(const ExerciseResult& result, const LabResult& lab, std::size_t titles,
+                          bool verbose) {
+  std::string out = heading(result, titles);
+  if (result.status == Status::not_implemented) {
+    return fmt::format("{}  {}\n", out, open_text(result));
+  }
+  out += "\n";
+  if (verbose) {
+    for (const TestRecord& test : result.tests)
+      out += whole_test(test);
+  }
+  if (result.status == Status::passed) return out;
+  out += unsound_ground(result, lab);
+  if (!verbose) out += failed_tests(result);
   std::vector<Diagnosis> likely = diagnoses(result);
   if (likely.size() > shown_diagnoses) likely.resize(shown_diagnoses);
   for (const Diagnosis& diagnosis : likely) {
     out += fmt::format("    {} {}\n", coloured(Colour::bold, "It looks like this:"),
                        diagnosis.sentence);
   }
-  return out + fmt::format("    For help: {}\n", hint);
+  return out + fmt::format("    For help: ./carlo hint {}\n", result.exercise.number());
 }
 
 /// What went wrong in one line, for programs.
@@ -153,9 +208,23 @@ nlohmann::json exercise_json(const ExerciseResult& result) {
           {"p_values", p_values}};
 }
 
+/// What to do next, below the total.
+std::string advice(const LabResult& result) {
+  if (result.earned() == result.possible()) return "";
+  const bool untouched = std::all_of(
+      result.exercises.begin(), result.exercises.end(),
+      [](const ExerciseResult& entry) { return entry.status == Status::not_implemented; });
+  if (untouched) {
+    const Exercise& first = result.exercises.front().exercise;
+    return fmt::format("Nothing done yet: start with {}, ./carlo hint {}\n", first.tag,
+                       first.number());
+  }
+  return fmt::format("The same numbers again: --seed {}\n", result.seed);
+}
+
 }  // namespace
 
-std::string report_text(const LabResult& result) {
+std::string report_text(const LabResult& result, bool verbose) {
   std::size_t titles = 0;
   for (const ExerciseResult& entry : result.exercises) {
     titles = std::max(titles, width(entry.exercise.title));
@@ -163,15 +232,14 @@ std::string report_text(const LabResult& result) {
   std::string out = fmt::format("Lab {:02}  {}  (sandbox: {})\n", result.lab.number,
                                 result.lab.title, result.sandbox);
   for (const ExerciseResult& entry : result.exercises)
-    out += exercise_text(entry, titles);
+    out += exercise_text(entry, result, titles, verbose);
   const bool full = result.earned() == result.possible();
   const bool all = result.exercises.size() == result.lab.exercises.size();
   const std::string total =
       fmt::format("Lab {:02}{}: {} of {} points", result.lab.number,
                   all ? "" : ", this exercise alone", result.earned(), result.possible());
   out += coloured(full ? Colour::green : Colour::bold, total) + "\n";
-  if (!full) out += fmt::format("The same numbers again: --seed {}\n", result.seed);
-  return out;
+  return out + advice(result);
 }
 
 std::string report_json(const LabResult& result) {

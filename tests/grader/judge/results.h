@@ -21,6 +21,8 @@ struct TestRecord {
   Status status = Status::failed;  ///< passed only after a verdict, and when all passed
   std::string problem;             ///< why there are no values; empty when there are
   std::string printed;             ///< what the student's program printed, when there was a problem
+  bool skipped = false;            ///< not run, because an earlier test told what would come
+  std::string needs = {};          ///< the tag of another exercise, when that is the one not done
 };
 
 /// One exercise after all its test cases.

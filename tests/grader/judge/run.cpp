@@ -14,6 +14,16 @@ std::string shape_text(std::size_t rows, std::size_t columns) {
   return fmt::format("{} x {} values", rows, columns);
 }
 
+/// The signal, or what the library's own checks said before they raised it.
+std::string crash_cause(const Outcome& outcome) {
+  const std::size_t at = outcome.output.find(": Assertion '");
+  const std::size_t size = outcome.output.find("size()' failed", at);
+  if (at != std::string::npos && size != std::string::npos && size - at < 60) {
+    return "an index outside of its vector, array or span";
+  }
+  return signal_name(outcome.code);
+}
+
 /// Throws unless the worker ended as it should.
 void check_end(const Outcome& outcome, const Limits& limits) {
   using End = Outcome::End;
@@ -24,7 +34,7 @@ void check_end(const Outcome& outcome, const Limits& limits) {
     case End::exited:
       break;
     case End::signalled:
-      fail(Status::crashed, fmt::format("it crashed: {}", signal_name(outcome.code)));
+      fail(Status::crashed, fmt::format("it crashed: {}", crash_cause(outcome)));
       break;
     case End::deadline:
       fail(Status::timeout, fmt::format("it was not done after {:.3g} seconds",
@@ -57,8 +67,29 @@ void check_rows(const Rows& rows, const Shape& shape) {
   const auto bad = std::find_if(rows.values.begin(), rows.values.end(),
                                 [](double value) { return !std::isfinite(value); });
   if (bad == rows.values.end()) return;
-  throw ProbeFailure(Status::failed, std::isnan(*bad) ? "it returned NaN, which is no number"
-                                                      : "it returned an infinite value");
+  const auto row = static_cast<std::size_t>(bad - rows.values.begin()) / rows.columns;
+  throw ProbeFailure(
+      Status::failed,
+      fmt::format(
+          "it returned {}{}", std::isnan(*bad) ? "NaN, which is no number" : "an infinite value",
+          rows.count() > 1 ? fmt::format(", in answer {} of {}", row + 1, rows.count()) : ""));
+}
+
+/// What a probe was asked, in words: what the check calls it, or its parameters.
+std::string question(const Params& params, const Shape& shape) {
+  if (!shape.of.empty()) return shape.of;
+  std::string text = params.n != 0 ? fmt::format("n = {}", params.n) : "";
+  for (const auto& [name, value] : params.numbers) {
+    if (name == "repetitions" || name == "points") continue;
+    text += fmt::format("{}{} = {:g}", text.empty() ? "" : ", ", name, value);
+  }
+  return text;
+}
+
+/// "Lab 1.2" of "Lab 1.2 is not implemented yet: ...".
+std::string tag_in(const std::string& message) {
+  const auto end = message.find(" is not implemented");
+  return message.rfind("Lab ", 0) == 0 && end < 20 ? message.substr(0, end) : "";
 }
 
 }  // namespace
@@ -78,7 +109,9 @@ Rows run_probe(const Sandbox& sandbox, const std::string& name, const Params& pa
   const std::optional<Frame> frame = decode(outcome.result);
   if (!frame) throw ProbeFailure(Status::crashed, "its answer was cut short or no answer at all");
   if (frame->status == Frame::Status::not_implemented) {
-    throw ProbeFailure(Status::not_implemented, "not implemented yet");
+    ProbeFailure failure(Status::not_implemented, "not implemented yet");
+    failure.not_implemented = tag_in(frame->text);
+    throw failure;
   }
   if (frame->status == Frame::Status::error) {
     throw ProbeFailure(Status::crashed, "it threw an exception: " + frame->text.substr(0, 500),
@@ -119,7 +152,7 @@ void Run::end_test(bool clean) {
 
 const TestRecord* Run::hopeless(const std::string& tag) const {
   const auto found = std::find_if(records_.begin(), records_.end(), [&](const TestRecord& test) {
-    return test.tag == tag &&
+    return test.tag == tag && !test.skipped &&
            (test.status == Status::not_implemented || test.status == Status::timeout);
   });
   return found == records_.end() ? nullptr : &*found;
@@ -128,16 +161,29 @@ const TestRecord* Run::hopeless(const std::string& tag) const {
 Rows Run::probe(const std::string& name, Params params, Shape shape) {
   TestRecord& test = current();
   params.seed = hash(seed_, word_of(test.tag + ": " + test.sentence), probes_in_test_++);
+  const std::string asked = question(params, shape);
   try {
     if (const TestRecord* earlier = hopeless(test.tag)) {
-      throw ProbeFailure(earlier->status, "not run, because of the above");
+      test.skipped = true;
+      throw ProbeFailure(earlier->status,
+                         fmt::format("not run: the worker ended in \"{}\"", earlier->sentence));
     }
     return run_probe(sandbox_, name, params, shape, limits_);
   } catch (const ProbeFailure& failure) {
-    test.status = failure.status;
-    test.problem = failure.what();
-    test.printed = failure.printed;
+    note(failure, asked);
     throw;
+  }
+}
+
+void Run::note(const ProbeFailure& failure, const std::string& question) {
+  TestRecord& test = current();
+  test.status = failure.status;
+  test.problem = failure.what();
+  test.printed = failure.printed;
+  if (failure.status == Status::not_implemented) {
+    if (failure.not_implemented != test.tag) test.needs = failure.not_implemented;
+  } else if (!test.skipped && !question.empty()) {
+    test.problem += fmt::format(" ({})", question);
   }
 }
 

@@ -17,6 +17,7 @@ struct Shape {
   std::size_t rows = 1;
   std::size_t columns = 1;
   bool finite = true;
+  std::string of = {};  ///< what the probe is asked, for messages; empty: its parameters tell
 };
 
 /// Why a probe returned no usable values.
@@ -25,6 +26,7 @@ struct ProbeFailure : std::runtime_error {
       : std::runtime_error(message), status(status_), printed(std::move(printed_)) {}
   Status status;
   std::string printed;
+  std::string not_implemented = {};  ///< the tag of the exercise that is not done
 };
 
 /// Runs one probe in a fresh worker. Throws ProbeFailure unless exactly the table of `shape` comes
@@ -56,6 +58,7 @@ class Run {
 
  private:
   TestRecord& current();
+  void note(const ProbeFailure& failure, const std::string& question);
   const TestRecord* hopeless(const std::string& tag) const;
 
   Sandbox sandbox_;
