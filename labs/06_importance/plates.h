@@ -1,0 +1,34 @@
+#pragma once
+
+#include "importance.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace lab06 {
+
+// Veach's plates on the line. Directions are numbers x; four lamps of equal power stand along the
+// line, from a point to a panel; four plates reflect, from almost a mirror to almost matt. A pixel
+// looks into the mirror direction m and sees the lamps blurred by the plate's lobe around m.
+
+struct Lamp {
+  double centre, half_width;
+  double radiance() const { return 1 / (2 * half_width); }
+};
+
+constexpr std::array<Lamp, 4> plate_lamps = {
+    {{0.125, 0.0008}, {0.375, 0.005}, {0.625, 0.025}, {0.86, 0.09}}};
+/// The scales of the plates' lobes.
+constexpr std::array<double, 4> plate_scales = {0.0006, 0.003, 0.012, 0.05};
+
+/// What arrives from direction x times the lobe of the plate around m.
+Function plate_integrand(double m, double scale);
+/// Its integral.
+double plate_exact(double m, double scale);
+
+/// The two techniques: a lamp is chosen, then a point on it; a direction is drawn from the lobe.
+Density lamp_technique();
+Density lobe_technique(double m, double scale);
+
+}  // namespace lab06

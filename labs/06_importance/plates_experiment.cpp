@@ -1,0 +1,206 @@
+#include "experiments.h"
+#include "pictures.h"
+#include "plates.h"
+#include "plates_page.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+// Two techniques, each failing where the other is good, and both together.
+
+namespace lab06 {
+namespace {
+
+/// A pixel's estimate from `samples` in all.
+struct Way {
+  std::string name;
+  std::function<double(double m, double scale, std::int64_t samples, carlo::Rng& rng)> pixel;
+};
+
+std::vector<Way> ways() {
+  const auto one = [](const Density& p, double m, double scale, std::int64_t samples,
+                      carlo::Rng& rng) {
+    double sum = 0;
+    for (const double y : contributions(plate_integrand(m, scale), p, samples, rng))
+      sum += y;
+    return sum / static_cast<double>(samples);
+  };
+  const auto both = [](Heuristic heuristic) {
+    return [heuristic](double m, double scale, std::int64_t samples, carlo::Rng& rng) {
+      return multi_sample(plate_integrand(m, scale), {lamp_technique(), samples / 2},
+                          {lobe_technique(m, scale), samples - samples / 2}, heuristic, rng);
+    };
+  };
+  return {{"lamps only",
+           [=](double m, double scale, std::int64_t samples, carlo::Rng& rng) {
+             return one(lamp_technique(), m, scale, samples, rng);
+           }},
+          {"lobe only",
+           [=](double m, double scale, std::int64_t samples, carlo::Rng& rng) {
+             return one(lobe_technique(m, scale), m, scale, samples, rng);
+           }},
+          {"both, balance", both(balance_weight)},
+          {"both, power", both(power_weight)}};
+}
+
+constexpr std::size_t columns = 240, rows = 14, gap = 3;
+constexpr std::size_t height = plate_scales.size() * (rows + gap) - gap;
+
+double mirror_direction(std::size_t column) {
+  return (static_cast<double>(column) + 0.5) / static_cast<double>(columns);
+}
+
+/// A photograph's curve: five stops of brightness side by side.
+double tone(double radiance) {
+  return std::pow(radiance / (radiance + 4), 1 / 2.2);
+}
+
+/// The plates one below the other, the sharpest on top; each row of a plate is a new estimate.
+Grey image(const std::string& title, const std::string& note,
+           const std::function<double(double m, double scale)>& pixel) {
+  Grey grey{title, note, columns, height, std::vector<double>(columns * height)};
+  for (std::size_t plate = 0; plate < plate_scales.size(); ++plate) {
+    for (std::size_t row = 0; row < rows; ++row) {
+      for (std::size_t column = 0; column < columns; ++column) {
+        grey.values[(plate * (rows + gap) + row) * columns + column] =
+            tone(pixel(mirror_direction(column), plate_scales[plate]));
+      }
+    }
+  }
+  return grey;
+}
+
+void images(Notebook& notebook) {
+  std::vector<Grey> all;
+  const std::string note = "4 samples a pixel";
+  for (const Way& way : ways()) {
+    if (way.name == "both, balance") continue;
+    notebook.attempt([&] {
+      carlo::Rng rng = notebook.rng();
+      all.push_back(image(way.name, note,
+                          [&](double m, double scale) { return way.pixel(m, scale, 4, rng); }));
+    });
+  }
+  all.push_back(image("Exact", "closed form", plate_exact));
+  notebook.raw_html(images_html(all, "plates"));
+  notebook.script(images_script(all, "plates"));
+}
+
+/// The relative standard deviation of a pixel with four samples.
+double relative_sd(const Way& way, double m, double scale, int repetitions, carlo::Rng rng) {
+  const double exact = plate_exact(m, scale);
+  double squares = 0;
+  for (int i = 0; i < repetitions; ++i) {
+    const double off = way.pixel(m, scale, 4, rng) / exact - 1;
+    squares += off * off;
+  }
+  return std::sqrt(squares / repetitions);
+}
+
+void spread_table(Notebook& notebook) {
+  const std::vector<Way> all = ways();
+  carlo::Table table(
+      {"plate's lobe", "lamp's width", "lamps only", "lobe only", "both, balance", "both, power"},
+      {"scale", "width", "lamps", "lobe", "balance", "power"});
+  const int repetitions = notebook.options().quick ? 400 : 4000;
+  for (const double scale : plate_scales) {
+    for (const std::size_t i : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}}) {
+      const Lamp& lamp = plate_lamps.at(i);
+      std::vector<carlo::Cell> row = {scale, 2 * lamp.half_width};
+      for (const Way& way : all)
+        row.emplace_back(relative_sd(way, lamp.centre, scale, repetitions, notebook.rng()));
+      table.add_row(std::move(row));
+    }
+  }
+  notebook.table("plates", table,
+                 "Relative standard deviation of a pixel that looks at the middle of a lamp, four "
+                 "samples");
+}
+
+void convergence(Notebook& notebook) {
+  std::vector<Curve> curves;
+  for (const Way& way : ways()) {
+    notebook.attempt([&] {
+      Curve curve{way.name, {}};
+      carlo::Rng rng = notebook.rng();
+      for (const std::int64_t samples : ladder(2, notebook.options().quick ? 32 : 512)) {
+        double squares = 0, count = 0;
+        const Measurement m = repeat(samples, 4, Summary::root_mean_square, [&] {
+          squares = count = 0;
+          for (const double scale : plate_scales) {
+            for (std::size_t column = 0; column < columns; column += 3) {
+              const double at = mirror_direction(column);
+              const double exact = plate_exact(at, scale);
+              const double off = (way.pixel(at, scale, samples, rng) - exact) / (exact + 0.1);
+              squares += off * off;
+              count += 1;
+            }
+          }
+          return Trial{std::sqrt(squares / count), 0};
+        });
+        curve.runs.push_back(m);
+      }
+      curves.push_back(curve);
+    });
+  }
+  if (curves.empty()) return;
+  carlo::Table table({"way", "samples a pixel", "error", "time of an image", "slope"},
+                     {"way", "samples", "error", "seconds", "slope"});
+  for (const Curve& curve : curves) {
+    const Measurement& last = curve.runs.back();
+    table.add_row({curve.name, last.points, last.error, carlo::seconds_cell(last.seconds),
+                   slope_cell(curve.against_points())});
+  }
+  notebook.table("plates_error", table, "Error of a whole image, relative per pixel");
+  notebook.charts(error_charts("Plates", "relative error", curves));
+}
+
+/// Weights of the two techniques along x, where the pixel looks beside a lamp's middle.
+std::string weight_picture(std::string_view title, std::size_t lamp_index, std::size_t plate) {
+  const Lamp& lamp = plate_lamps.at(lamp_index);
+  const double scale = plate_scales.at(plate);
+  const double m = lamp.centre - 0.4 * lamp.half_width;
+  const double reach = 1.3 * lamp.half_width;
+  const View view{lamp.centre - reach, lamp.centre + reach, 1};
+  const Density lamps = lamp_technique(), lobe = lobe_technique(m, scale);
+  const Function f = plate_integrand(m, scale);
+  const double top = f(m);
+  const auto weight = [&](Heuristic heuristic) {
+    return [&, heuristic](double x) { return heuristic({1, lamps.pdf(x)}, {1, lobe.pdf(x)}); };
+  };
+  return graph_picture(title, fmt::format("lobe {:g}, lamp {:g} wide", scale, 2 * lamp.half_width),
+                       view,
+                       {line("f, scaled", 1, view, [&](double x) { return f(x) / top; }),
+                        line("weight of a lamp sample, balance", 3, view, weight(balance_weight)),
+                        line("the same, power", 4, view, weight(power_weight))});
+}
+
+}  // namespace
+
+void plates_experiment(Notebook& notebook) {
+  notebook.begin("Two techniques: plates and lamps");
+  notebook.say(
+      "Four plates, mirror-like at the top, matt at the bottom, show four lamps of equal power, "
+      "from a point at the left to a panel at the right. Points on lamps are good for small lamps "
+      "and matt plates; directions from the plate's lobe are good for large lamps and shiny "
+      "plates. Each is hopeless in the other's corner. Weights let every sample count for as much "
+      "as its technique is worth there.");
+  images(notebook);
+  notebook.progress(1, 3);
+  notebook.attempt([&] {
+    const std::string first = weight_picture("Shiny plate, large lamp: the lobe decides", 3, 1);
+    notebook.raw_html(tiles({first, weight_picture("Both alike: shared", 2, 2),
+                             weight_picture("Matt plate, small lamp: the lamp decides", 0, 3)},
+                            18));
+  });
+  notebook.attempt([&] { spread_table(notebook); });
+  notebook.progress(2, 3);
+  convergence(notebook);
+}
+
+}  // namespace lab06

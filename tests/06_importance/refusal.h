@@ -1,0 +1,23 @@
+#pragma once
+
+#include "cli/error.h"
+#include "course/not_implemented.h"
+
+namespace lab06_tests {
+
+/// 1: carlo::Error, as asked for; 0: nothing was thrown; 2: something else was.
+template <class Work>
+double refusal(const Work& work) {
+  try {
+    work();
+  } catch (const carlo::Error&) {
+    return 1;
+  } catch (const carlo::NotImplemented&) {
+    throw;
+  } catch (...) {
+    return 2;
+  }
+  return 0;
+}
+
+}  // namespace lab06_tests
