@@ -23,7 +23,7 @@ using carlo::Vec3;
 
 /// Lab 7.1. Three axes at right angles, n the given unit normal, s and t any two such that (s, t,
 /// n) is right-handed: s x t = n. Lengths and right angles hold to 1e-6 for every normal, n = -z
-/// and its neighbourhood included. Equal normals give equal frames.
+/// and its neighbourhood included.
 struct Frame {
   Vec3 s, t, n;
 
