@@ -1,9 +1,9 @@
 #include "experiments.h"
 #include "numeric/robust.h"
+#include "stopwatch.h"
 
 #include <fmt/core.h>
 
-#include <chrono>
 #include <cmath>
 
 // An open sky by lobes around the normal: n = 0 is uniform, n = 1 cosine-weighted, and beyond?
@@ -27,18 +27,18 @@ Found look_at(float n, std::int64_t count, carlo::Rng rng) {
   const Radiance sky = [](Vec3) { return 1.0f; };
   Found found;
   double squares = 0;
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   for (std::int64_t i = 0; i < count; ++i) {
     const double y = irradiance(sky, {0, 0, 1}, sampling, 1, rng) / carlo::pi;
     found.mean += y;
     squares += (y - 1) * (y - 1);
     found.largest = std::max(found.largest, y);
   }
-  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  const double spent = watch.seconds();
   const auto total = static_cast<double>(count);
   found.mean /= total;
   found.deviation = std::sqrt(squares / total);
-  found.seconds = spent.count() / total;
+  found.seconds = spent / total;
   return found;
 }
 

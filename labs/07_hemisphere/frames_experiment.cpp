@@ -1,7 +1,7 @@
 #include "experiments.h"
+#include "stopwatch.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 
@@ -56,15 +56,15 @@ double seconds_a_frame(const std::function<AxesOf(Vec3)>& make) {
   constexpr int count = 100'000, rounds = 5;
   double best = 1;
   for (int round = 0; round < rounds; ++round) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     volatile float sink = 0;
     for (int i = 0; i < count; ++i) {
       const float x = static_cast<float>(i) / count;
       sink = make({x, 0, -std::sqrt(1 - x * x)}).s.x;
     }
     (void)sink;
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-    best = std::min(best, spent.count() / count);
+    const double spent = watch.seconds();
+    best = std::min(best, spent / count);
   }
   return best;
 }

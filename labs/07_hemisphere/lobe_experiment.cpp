@@ -1,7 +1,7 @@
 #include "experiments.h"
 #include "numeric/robust.h"
+#include "stopwatch.h"
 
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -29,13 +29,13 @@ struct Found {
 Found look_at(const Sample& sample, double n, std::int64_t count, carlo::Rng rng) {
   std::vector<Vec3> directions;
   directions.reserve(static_cast<std::size_t>(count));
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   for (std::int64_t i = 0; i < count; ++i) {
     const float x = rng.uniform_float();
     const float y = rng.uniform_float();
     directions.push_back(sample({x, y}, static_cast<float>(n)));
   }
-  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  const double spent = watch.seconds();
   Found found;
   // Angles to five digits, for phi rounds as well.
   std::set<double> angles;
@@ -46,7 +46,7 @@ Found look_at(const Sample& sample, double n, std::int64_t count, carlo::Rng rng
   }
   found.mean /= static_cast<double>(count);
   found.angles = angles.size();
-  found.seconds = spent.count() / static_cast<double>(count);
+  found.seconds = spent / static_cast<double>(count);
   return found;
 }
 

@@ -1,9 +1,9 @@
 #include "experiments.h"
 #include "numeric/robust.h"
+#include "stopwatch.h"
 
 #include <fmt/core.h>
 
-#include <chrono>
 #include <cmath>
 
 // What of a lobe falls below the horizon, at the angles where it matters.
@@ -45,20 +45,20 @@ void mirror_experiment(Notebook& notebook) {
         const Vec3 wo(std::sin(theta), 0, std::cos(theta));
         carlo::Rng rng = notebook.rng();
         std::int64_t below = 0;
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         for (std::int64_t i = 0; i < count; ++i) {
           const float x = rng.uniform_float();
           const float y = rng.uniform_float();
           below += sample_mirror_lobe({x, y}, wo, static_cast<float>(n)).z < 0 ? 1 : 0;
         }
-        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+        const double spent = watch.seconds();
         const double total = static_cast<double>(count);
         const double found = static_cast<double>(below) / total, exact = part_below(n, theta);
         const double sd = std::sqrt(std::max(exact * (1 - exact), 1e-12) / total);
         series.points.push_back({degrees, found});
         if (exact * total < 10) continue;  // too few to say anything
         table.add_row({n, degrees, count, found, exact, (found - exact) / sd,
-                       carlo::seconds_cell(spent.count() / total)});
+                       carlo::seconds_cell(spent / total)});
       }
       chart.series.push_back(std::move(series));
     }

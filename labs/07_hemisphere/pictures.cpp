@@ -16,7 +16,8 @@ constexpr std::string_view style = R"(<style>
 .tiles { display: grid; gap: 1.2rem; margin: 1.5rem 0;
          grid-template-columns: repeat(auto-fit, minmax(min(100%, var(--tile)), 1fr)); }
 .tiles svg, .tiles img { display: block; width: 100%; height: auto; margin: auto 0 0; }
-.tiles img { image-rendering: pixelated; border-radius: 4px; margin-top: 0.6rem; }
+.tiles img { image-rendering: pixelated; border-radius: 4px; }
+.tiles figcaption { margin-bottom: 0.6rem; }
 .tiles .axis { stroke: var(--soft); stroke-width: 1.5; fill: none; }
 .tiles text { fill: var(--soft); font-size: 15px; }
 .tiles .bars { fill: var(--series-1); fill-opacity: 0.35; stroke: var(--series-1); }

@@ -4,10 +4,10 @@
 #include "pictures.h"
 #include "report/format.h"
 #include "report/turntable.h"
+#include "stopwatch.h"
 
 #include <fmt/core.h>
 
-#include <chrono>
 #include <cmath>
 
 // The directions of each sampler: on a hemisphere to be turned, and against their densities.
@@ -112,11 +112,11 @@ struct Drawn {
 Drawn draw(const Sampler& sampler, std::int64_t count, carlo::Rng rng) {
   Drawn drawn;
   drawn.directions.reserve(static_cast<std::size_t>(count));
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   for (std::int64_t i = 0; i < count; ++i)
     drawn.directions.push_back(sampler.draw(rng));
-  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-  drawn.seconds = spent.count() / static_cast<double>(count);
+  const double spent = watch.seconds();
+  drawn.seconds = spent / static_cast<double>(count);
   return drawn;
 }
 

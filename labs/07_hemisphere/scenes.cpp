@@ -67,18 +67,18 @@ std::vector<Scene> scenes() {
   const Vec3 lamp(0, 0, 1), ball(0.2f, -0.2f, 1), stone(0, 0, 0.5f);
   constexpr float lamp_radius = 0.6f, ball_radius = 0.25f, stone_radius = 0.5f;
   return {
-      {"Round lamp", "irradiance under a disk of radius 0.6 at height 1", true, 2,
+      {"Round lamp", "Irradiance under a disk of radius 0.6 at height 1", true, 2,
        [=](Vec3 p, Vec3 wi) { return hits_disk(lamp, lamp_radius, p, wi); },
        [=](Vec3 p) { return disk_irradiance(lamp, lamp_radius, p); }, lamp, lamp_radius},
-      {"Glowing ball", "irradiance under a ball of radius 0.25 at height 1", true, 2,
+      {"Glowing ball", "Irradiance under a ball of radius 0.25 at height 1", true, 2,
        [=](Vec3 p, Vec3 wi) { return hits_ball(ball, ball_radius, p, wi); },
        [=](Vec3 p) { return ball_irradiance(ball, ball_radius, p); }, ball, ball_radius},
-      {"Ball on the floor", "ambient occlusion by a ball of radius 0.5 that touches the floor",
+      {"Ball on the floor", "Ambient occlusion by a ball of radius 0.5 that touches the floor",
        false, 1.5f, [=](Vec3 p, Vec3 wi) { return hits_ball(stone, stone_radius, p, wi); },
        [=](Vec3 p) { return 1 - ball_irradiance(stone, stone_radius, p) / pi; }, stone,
        stone_radius},
       {"Two walls",
-       "ambient occlusion in a corner, walls of height 1",
+       "Ambient occlusion in a corner, walls of height 1",
        false,
        1,
        [](Vec3 p, Vec3 wi) { return hits_wall(p, wi) || hits_wall(swapped(p), swapped(wi)); },
