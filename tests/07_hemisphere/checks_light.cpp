@@ -301,9 +301,10 @@ TEST_CASE("Lab 7.7: radiance is asked once a direction, and never below the hori
                 "never", {asks_below}));
     judge(holds("the length of the directions asked for", off <= 1e-5,
                 fmt::format("off 1 by {:.2g}", off), "1"));
-    // The lobe loses the part below the horizon: within 8 standard deviations of it.
+    // The lobe loses the part below the horizon: within 8 standard deviations of it. A direction at
+    // the horizon may be rounded below it.
     const double lost = lost_part(c);
-    const double tolerance = lost > 0 ? 8 * std::sqrt(n * lost * (1 - lost)) : 0;
+    const double tolerance = lost > 0 ? 8 * std::sqrt(n * lost * (1 - lost)) : 2;
     judge(equals("how often radiance was asked for", asked, n * (1 - lost), tolerance));
     judge(equals("numbers drawn", words, 2 * n, 0, {{n, reused}}));
   }
