@@ -26,8 +26,9 @@ double mass(const Pdf& pdf, int ring, int sector) {
   const double height = 2.0 / (rings * parts), width = 2 * carlo::pi / (sectors * parts);
   double sum = 0;
   for (int k = 0; k < parts * parts; ++k) {
-    const double z0 = -1 + height * (parts * ring + k / parts + 0.5);
-    const double phi0 = width * (parts * sector + k % parts + 0.5);
+    const int row = k / parts, column = k % parts;
+    const double z0 = -1 + height * (parts * ring + row + 0.5);
+    const double phi0 = width * (parts * sector + column + 0.5);
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) {
         sum += weights[i] * weights[j] *

@@ -57,7 +57,8 @@ std::string bitmap(std::span<const double> image, int width, double white) {
   put(bytes, 8, 2);  // bits a pixel
   put(bytes, 0, 4);  // not compressed
   put(bytes, size, 4);
-  put(bytes, 0, 8);
+  put(bytes, 0, 4);  // size on paper, both ways
+  put(bytes, 0, 4);
   put(bytes, 256, 4);
   put(bytes, 0, 4);
   for (std::uint32_t grey = 0; grey < 256; ++grey)
