@@ -40,10 +40,10 @@ struct Accepted {
   std::int64_t darts;
 };
 
-/// Lab 7.2. A uniform direction of the hemisphere around `normal`, in the normal's own coordinates
-/// (no frame is needed). A dart is a point of the cube [-1, 1)^3, three rng.uniform_float(): x, y,
-/// z. Darts outside the unit ball are rejected, and the one at its very centre, which has no
-/// direction.
+/// Lab 7.2. A uniform direction of the hemisphere around `normal`, in world coordinates like the
+/// normal's (no frame is needed). A dart is a point of the cube [-1, 1)^3, three
+/// rng.uniform_float(): x, y, z. Darts outside the unit ball are rejected, and the one at its very
+/// centre, which has no direction.
 Accepted sample_uniform_by_rejection(Vec3 normal, carlo::Rng& rng);
 
 /// Lab 7.3. A uniform direction of the local hemisphere, by inversion; and its density, which is 0
