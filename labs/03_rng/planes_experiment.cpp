@@ -1,6 +1,6 @@
 #include "experiments.h"
 #include "generators.h"
-#include "planes_page.h"
+#include "report/turntable.h"
 #include "spectral.h"
 
 #include <fmt/core.h>
@@ -13,6 +13,8 @@
 
 namespace lab03 {
 namespace {
+
+using carlo::Cloud;
 
 std::array<double, 3> normal_of(const DualVector& dual) {
   return {static_cast<double>(dual.s[0]), static_cast<double>(dual.s[1]),
@@ -118,8 +120,10 @@ void planes_experiment(Notebook& notebook) {
       "planes (Marsaglia, \"Random numbers fall mainly in the planes\", 1968); the page has a cube "
       "that "
       "you can turn.");
-  notebook.raw_html(planes_html(clouds));
-  notebook.script(planes_script(clouds));
+  const carlo::Turntable cube{"Triples of numbers as points of a cube", "Points in a cube.",
+                              carlo::cube_wires(), clouds};
+  notebook.raw_html(turntable_html(cube));
+  notebook.script(turntable_script(cube));
   spectral_table(notebook);
 }
 

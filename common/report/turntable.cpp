@@ -1,4 +1,4 @@
-#include "planes_page.h"
+#include "turntable.h"
 
 #include "report/page.h"
 
@@ -7,28 +7,28 @@
 
 #include <cmath>
 
-namespace lab03 {
+namespace carlo {
 namespace {
 
 constexpr const char* style = R"(<style>
-.cube canvas { display: block; width: 100%; height: clamp(18rem, 80vw, 34rem); touch-action: none;
+.turntable canvas { display: block; width: 100%; height: clamp(18rem, 80vw, 34rem); touch-action: none;
                cursor: grab; border-radius: 8px; }
-.cube canvas:active { cursor: grabbing; }
-.cube .choice { display: flex; flex-wrap: wrap; gap: 0.5rem; margin: 0.8rem 0; }
-.cube button { padding: 0.45rem 0.9rem; border: 1px solid var(--rule); border-radius: 8px;
+.turntable canvas:active { cursor: grabbing; }
+.turntable .choice { display: flex; flex-wrap: wrap; gap: 0.5rem; margin: 0.8rem 0; }
+.turntable button { padding: 0.45rem 0.9rem; border: 1px solid var(--rule); border-radius: 8px;
                background: var(--paper); color: inherit; font: inherit; font-size: 0.92rem;
                cursor: pointer; }
-.cube button[aria-pressed="true"] { border-color: var(--accent); color: var(--accent);
+.turntable button[aria-pressed="true"] { border-color: var(--accent); color: var(--accent);
                                     font-weight: 600; }
-.cube button:hover { border-color: var(--accent); }
-.cube p { min-height: 3.3em; margin: 0; color: var(--soft); font-size: 0.92rem; }
+.turntable button:hover { border-color: var(--accent); }
+.turntable p { min-height: 3.3em; margin: 0; color: var(--soft); font-size: 0.92rem; }
 </style>)";
 
 constexpr const char* script = R"js((() => {
-  const canvas = document.getElementById("cube");
-  const note = document.getElementById("cube-note");
+  const canvas = document.getElementById("turntable");
+  const note = document.getElementById("turntable-note");
   const buttons = [...document.querySelectorAll("[data-cloud]")];
-  const along = document.getElementById("cube-along");
+  const along = document.getElementById("turntable-along");
   let cloud = clouds[0], turn;
 
   const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
@@ -64,19 +64,16 @@ constexpr const char* script = R"js((() => {
       const [x, y, z] = turn.map((r) => r[0] * q[0] + r[1] * q[1] + r[2] * q[2]);
       return [width / 2 + size * x, height / 2 - size * y, z];
     };
-    g.strokeStyle = colour("--soft");
-    g.lineWidth = 1;
-    g.beginPath();
-    for (let i = 0; i < 8; ++i) {
-      for (const bit of [1, 2, 4]) {
-        if (i & bit) continue;
-        const corner = (k) => place([k & 1, (k >> 1) & 1, (k >> 2) & 1]);
-        const [a, b] = [corner(i), corner(i | bit)];
-        g.moveTo(a[0], a[1]);
-        g.lineTo(b[0], b[1]);
+    const trace = (lines, stroke, thickness) => {
+      g.strokeStyle = stroke;
+      g.lineWidth = thickness;
+      g.beginPath();
+      for (const line of lines) {
+        line.map(place).forEach((p, i) => (i ? g.lineTo(p[0], p[1]) : g.moveTo(p[0], p[1])));
       }
-    }
-    g.stroke();
+      g.stroke();
+    };
+    trace(wires, colour("--soft"), 1);
     g.fillStyle = colour("--series-1");
     for (let i = 0; i < cloud.points.length; i += 3) {
       const [x, y, z] = place([cloud.points[i] / 4096, cloud.points[i + 1] / 4096,
@@ -85,6 +82,7 @@ constexpr const char* script = R"js((() => {
       g.fillRect(x - 1, y - 1, 2, 2);
     }
     g.globalAlpha = 1;
+    trace(cloud.lines, colour("--series-2"), 2.5);
   };
 
   const choose = (index) => {
@@ -101,7 +99,7 @@ constexpr const char* script = R"js((() => {
 
   buttons.forEach((b, i) => b.addEventListener("click", () => choose(i)));
   along.addEventListener("click", () => { lookAlong(); draw(); });
-  document.getElementById("cube-back").addEventListener("click", () => { start(); draw(); });
+  document.getElementById("turntable-back").addEventListener("click", () => { start(); draw(); });
   canvas.addEventListener("pointerdown", (e) => canvas.setPointerCapture(e.pointerId));
   canvas.addEventListener("pointermove", (e) => {
     if (canvas.hasPointerCapture(e.pointerId)) by(e.movementX / 150, e.movementY / 150);
@@ -120,28 +118,40 @@ choose(0);
 
 }  // namespace
 
-std::string planes_html(const std::vector<Cloud>& clouds) {
-  std::string html = fmt::format(
-      "{}<figure class=\"cube\"><figcaption>Triples of numbers as points of "
-      "a cube</figcaption><div class=\"choice\">",
-      style);
-  for (const Cloud& cloud : clouds) {
-    html += fmt::format("<button type=\"button\" data-cloud aria-pressed=\"false\">{}</button>",
-                        carlo::html_escaped(cloud.name));
+std::vector<Polyline> cube_wires() {
+  std::vector<Polyline> edges;
+  const auto corner = [](unsigned k) -> std::array<double, 3> {
+    return {static_cast<double>(k & 1), static_cast<double>(k >> 1 & 1),
+            static_cast<double>(k >> 2)};
+  };
+  for (unsigned i = 0; i < 8; ++i) {
+    for (const unsigned bit : {1U, 2U, 4U}) {
+      if ((i & bit) == 0) edges.push_back({corner(i), corner(i | bit)});
+    }
   }
-  return html +
-         "</div><canvas id=\"cube\" tabindex=\"0\" role=\"img\" aria-label=\"Points in a cube. "
-         "Arrow "
-         "keys turn it.\"></canvas><div class=\"choice\"><button type=\"button\" "
-         "id=\"cube-along\">Look "
-         "along the planes</button><button type=\"button\" id=\"cube-back\">Turn "
-         "back</button></div>"
-         "<p id=\"cube-note\" aria-live=\"polite\"></p></figure>";
+  return edges;
 }
 
-std::string planes_script(const std::vector<Cloud>& clouds) {
+std::string turntable_html(const Turntable& picture) {
+  std::string html =
+      fmt::format("{}<figure class=\"turntable\"><figcaption>{}</figcaption><div class=\"choice\">",
+                  style, html_escaped(picture.caption));
+  for (const Cloud& cloud : picture.clouds) {
+    html += fmt::format("<button type=\"button\" data-cloud aria-pressed=\"false\">{}</button>",
+                        html_escaped(cloud.name));
+  }
+  return html + fmt::format(
+                    "</div><canvas id=\"turntable\" tabindex=\"0\" role=\"img\" "
+                    "aria-label=\"{} Arrow keys turn it.\"></canvas><div class=\"choice\"><button "
+                    "type=\"button\" id=\"turntable-along\">Look along the planes</button><button "
+                    "type=\"button\" id=\"turntable-back\">Turn back</button></div><p "
+                    "id=\"turntable-note\" aria-live=\"polite\"></p></figure>",
+                    html_escaped(picture.label));
+}
+
+std::string turntable_script(const Turntable& picture) {
   auto list = nlohmann::json::array();
-  for (const Cloud& cloud : clouds) {
+  for (const Cloud& cloud : picture.clouds) {
     auto points = nlohmann::json::array();
     for (const auto& point : cloud.points) {
       for (const double x : point)
@@ -150,10 +160,11 @@ std::string planes_script(const std::vector<Cloud>& clouds) {
     list.push_back({{"name", cloud.name},
                     {"note", cloud.note + " Drag, or use the arrow keys, to turn it."},
                     {"points", points},
-                    {"normal", cloud.normal}});
+                    {"normal", cloud.normal},
+                    {"lines", cloud.lines}});
   }
-  return fmt::format("(() => {{\n\"use strict\";\nconst clouds = {};\n{}\n}})();", list.dump(),
-                     script);
+  return fmt::format("(() => {{\n\"use strict\";\nconst clouds = {}, wires = {};\n{}\n}})();",
+                     list.dump(), nlohmann::json(picture.wires).dump(), script);
 }
 
-}  // namespace lab03
+}  // namespace carlo

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "hemisphere.h"
+#include "report/measure.h"
+#include "report/notebook.h"
+
+namespace lab07 {
+
+using carlo::Curve, carlo::Measurement, carlo::Notebook;
+
+// One experiment each: it runs the exercises it needs, and writes what it finds.
+
+/// Labs 7.2 to 7.6: the directions of each sampler, to be turned, and against their densities.
+void samplers_experiment(Notebook& notebook);
+/// Lab 7.1: how far frames are from right angles.
+void frames_experiment(Notebook& notebook);
+/// Lab 7.5: lobes that become narrow.
+void lobe_experiment(Notebook& notebook);
+/// Lab 7.6: what of a lobe is lost below the horizon.
+void mirror_experiment(Notebook& notebook);
+/// Lab 7.7: images of irradiance and ambient occlusion, error against directions and seconds.
+void images_experiment(Notebook& notebook);
+/// Lab 7.7: the variance of lobes around the normal, by their exponent.
+void exponents_experiment(Notebook& notebook);
+
+}  // namespace lab07

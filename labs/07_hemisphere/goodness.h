@@ -1,0 +1,30 @@
+#pragma once
+
+#include "hemisphere.h"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace lab07 {
+
+/// How well counts fit probabilities: Pearson's chi-square.
+struct Goodness {
+  double statistic = 0;
+  double freedom = 0;
+  double p = 0;  ///< P(chi-square at least this large); tiny: they do not fit
+};
+
+/// A density on the sphere.
+using Pdf = std::function<double(Vec3)>;
+
+/// Directions in cells of the whole sphere, rings of equal height by sectors of equal azimuth,
+/// against the integrals of the density over the cells. Neighbouring cells are pooled until 100
+/// directions are expected in each. Directions where the density is 0 make p = 0.
+Goodness goodness(std::span<const Vec3> directions, const Pdf& pdf);
+
+/// The density of z = cos(theta): the mean over the azimuth, times 2 pi.
+double density_of_height(const Pdf& pdf, double z);
+
+}  // namespace lab07

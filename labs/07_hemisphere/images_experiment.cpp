@@ -1,0 +1,186 @@
+#include "experiments.h"
+#include "numeric/robust.h"
+#include "pictures.h"
+#include "report/format.h"
+#include "scenes.h"
+#include "stopwatch.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+// The floor under lamps and beside things that hide the sky, by every technique.
+
+namespace lab07 {
+namespace {
+
+constexpr int size = 96;
+
+Vec3 floor_point(const Scene& scene, int column, int row) {
+  const auto place = [&](int i) {
+    return scene.half_size * (2 * (static_cast<float>(i) + 0.5f) / size - 1);
+  };
+  return {place(column), -place(row), 0};
+}
+
+struct Method {
+  std::string name;
+  Technique technique;
+  /// How to sample at p.
+  std::function<Sampling(const Scene& scene, Vec3 p)> at;
+};
+
+/// A lobe that points at the lamp and has fallen to 1/e at its rim; without a lamp one of n = 2
+/// around the normal.
+Sampling lobe_for(const Scene& scene, Vec3 p) {
+  if (!scene.light) return {Technique::lobe, {0, 0, 1}, 2};
+  const Vec3 to_light = scene.centre - p;
+  const float ratio = glm::length(to_light) / scene.radius;
+  const Vec3 w = glm::normalize(to_light);
+  return {Technique::lobe, {-w.x, -w.y, w.z}, 2 * ratio * ratio};
+}
+
+std::vector<Method> methods() {
+  const auto plain = [](Technique technique) {
+    return [technique](const Scene&, Vec3) { return Sampling{technique}; };
+  };
+  return {{"uniform, by rejection", Technique::rejection, plain(Technique::rejection)},
+          {"uniform, by inversion", Technique::uniform, plain(Technique::uniform)},
+          {"cosine-weighted", Technique::cosine, plain(Technique::cosine)},
+          {"lobe", Technique::lobe, lobe_for}};
+}
+
+std::vector<double> exact_image(const Scene& scene) {
+  std::vector<double> image;
+  for (int row = 0; row < size; ++row) {
+    for (int column = 0; column < size; ++column)
+      image.push_back(scene.exact(floor_point(scene, column, row)));
+  }
+  return image;
+}
+
+std::vector<double> render(const Scene& scene, const Method& method, std::int64_t count,
+                           carlo::Rng rng) {
+  constexpr Vec3 normal{0, 0, 1};
+  std::vector<double> image;
+  for (int row = 0; row < size; ++row) {
+    for (int column = 0; column < size; ++column) {
+      const Vec3 p = floor_point(scene, column, row);
+      const Sampling sampling = method.at(scene, p);
+      if (scene.light) {
+        const Radiance radiance = [&](Vec3 wi) { return scene.hit(p, wi) ? 1.0f : 0.0f; };
+        image.push_back(irradiance(radiance, normal, sampling, count, rng));
+      } else {
+        const Visible visible = [&](Vec3 wi) { return !scene.hit(p, wi); };
+        image.push_back(ambient_occlusion(visible, normal, sampling, count, rng));
+      }
+    }
+  }
+  return image;
+}
+
+/// Root mean square error over the image, relative to its mean.
+double relative_error(const std::vector<double>& image, const std::vector<double>& exact) {
+  double sum = 0, mean = 0;
+  for (std::size_t i = 0; i < image.size(); ++i) {
+    sum += (image[i] - exact[i]) * (image[i] - exact[i]);
+    mean += exact[i];
+  }
+  const auto n = static_cast<double>(image.size());
+  return std::sqrt(sum / n) / (mean / n);
+}
+
+struct Result {
+  Curve curve;
+  std::vector<double> shown;  ///< the image of `shown_count` directions
+  Measurement shown_run;
+};
+
+constexpr std::int64_t shown_count = 16;
+
+Result measure(Notebook& notebook, const Scene& scene, const Method& method,
+               const std::vector<double>& exact) {
+  Result result{{method.name, {}}, {}, {}};
+  for (const std::int64_t count : carlo::ladder(1, notebook.options().n / 1024)) {
+    std::vector<double> image;
+    double seconds = INFINITY;
+    // Short renders are timed by the best of a few.
+    for (int round = 0; round < (count <= shown_count ? 4 : 1); ++round) {
+      const Stopwatch watch;
+      image = render(scene, method, count, notebook.rng());
+      const double spent = watch.seconds();
+      seconds = std::min(seconds, spent);
+    }
+    double mean = 0;
+    for (const double value : image)
+      mean += value / static_cast<double>(image.size());
+    result.curve.runs.push_back({count, mean, relative_error(image, exact), seconds});
+    if (count > shown_count) continue;
+    result.shown = std::move(image);
+    result.shown_run = result.curve.runs.back();
+  }
+  return result;
+}
+
+/// The closed form and what each technique made of it, with the same scale of grey.
+std::string pictures_of(const Scene& scene, const std::vector<double>& exact,
+                        const std::vector<Result>& results) {
+  const double white = scene.light ? *std::max_element(exact.begin(), exact.end()) : 1;
+  std::vector<std::string> row = {
+      image_picture("exact", scene.light ? "irradiance" : "ambient occlusion", exact, size, white)};
+  for (const Result& r : results) {
+    row.push_back(image_picture(r.curve.name,
+                                fmt::format("{} directions: error {} %, {}", r.shown_run.points,
+                                            carlo::number_text(100 * r.shown_run.error, 3),
+                                            carlo::duration_text(r.shown_run.seconds)),
+                                r.shown, size, white));
+  }
+  return tiles(row, 11);
+}
+
+void add_rows(carlo::Table& table, const Scene& scene, const std::vector<Result>& results) {
+  for (const Result& r : results) {
+    const Measurement& last = r.curve.runs.back();
+    table.add_row({scene.name, r.curve.name, last.points, last.estimate, last.error,
+                   carlo::seconds_cell(last.seconds), 1 / (last.error * last.error * last.seconds),
+                   slope_cell(r.curve.against_points()), slope_cell(r.curve.against_seconds())});
+  }
+}
+
+}  // namespace
+
+void images_experiment(Notebook& notebook) {
+  notebook.begin("Irradiance and ambient occlusion");
+  notebook.say(
+      "A floor seen from above, 96 x 96 points, each with its own directions. A lamp gives "
+      "irradiance, things that hide the sky give ambient occlusion; closed forms are known for all "
+      "four, so errors are errors. The lobe points at the lamp, and has fallen to 1/e at its rim; "
+      "under the sky it stands upright with n = 2. Seconds are the processor's, of one thread.");
+  carlo::Table table({"scene", "technique", "directions", "mean", "relative error", "time",
+                      "1/(error² time)", "slope against N", "slope against time"},
+                     {"scene", "technique", "directions", "mean", "error", "seconds", "efficiency",
+                      "slope_points", "slope_seconds"});
+  std::vector<std::pair<std::string, std::vector<Curve>>> charts;
+  const std::vector<Scene> all = scenes();
+  double done = 0;
+  for (const Scene& scene : all) {
+    const std::vector<double> exact = exact_image(scene);
+    std::vector<Result> results;
+    for (const Method& method : methods()) {
+      notebook.progress(done++, 4 * static_cast<double>(all.size()));
+      notebook.attempt([&] { results.push_back(measure(notebook, scene, method, exact)); });
+    }
+    if (results.empty()) continue;
+    add_rows(table, scene, results);
+    notebook.raw_html(fmt::format("<h3>{}</h3>\n<p>{}.</p>\n", scene.name, scene.note) +
+                      pictures_of(scene, exact, results));
+    std::vector<Curve> curves;
+    for (const Result& r : results)
+      curves.push_back(r.curve);
+    notebook.charts(carlo::error_charts(scene.name, "relative RMS error of the image", curves));
+  }
+  notebook.table("images", table, "Images of the most directions: error, cost and slopes");
+}
+
+}  // namespace lab07

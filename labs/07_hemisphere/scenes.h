@@ -1,0 +1,31 @@
+#pragma once
+
+#include "numeric/vec.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace lab07 {
+
+using carlo::Vec2;
+using carlo::Vec3;
+
+/// A floor, z = 0 with normal +z, seen from above, and something over it. Every point's irradiance
+/// or ambient occlusion is known in closed form.
+struct Scene {
+  std::string name, note;
+  bool light = true;    ///< what is over the floor shines with radiance 1, or else it hides the sky
+  float half_size = 1;  ///< the image shows [-half_size, half_size]^2
+  /// Whether the ray from the floor's point p along wi meets it.
+  std::function<bool(Vec3 p, Vec3 wi)> hit;
+  /// The irradiance of light, or the ambient occlusion, at p.
+  std::function<double(Vec3 p)> exact;
+  Vec3 centre{0};    ///< of the light,
+  float radius = 0;  ///< and its size
+};
+
+/// A round lamp under the ceiling; a glowing ball; a ball that lies on the floor; two walls.
+std::vector<Scene> scenes();
+
+}  // namespace lab07

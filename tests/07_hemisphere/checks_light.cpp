@@ -1,0 +1,311 @@
+// Checks of exercise 7.7. Irradiance against closed forms: 320 000 directions a scene; the z test
+// uses the exact variance of L cos/p, by quadrature. The largest cv of one direction is 3.6 (the
+// wall, by uniform directions): a bias of 5.6 % is caught with power .999, at the sky of 0.9 %. The
+// variance is tested on its own, for it tells whether the technique asked for was used.
+
+#include "07_hemisphere/law.h"
+#include "07_hemisphere/lights.h"
+
+#include <array>
+#include <cmath>
+
+using namespace carlo::grader;
+using namespace lab07_tests;
+
+namespace {
+
+const Diagnosis missing_cosine{"missing-cosine", "this is the integral of L, not of L cos(theta)."};
+const Diagnosis missing_pdf{
+    "missing-one-over-pdf",
+    "the mean of L cos(theta) is not divided by the density of the directions."};
+const Diagnosis cosine_twice{
+    "cosine-counted-twice",
+    "the density of cosine-weighted directions holds the cosine already: the "
+    "two cancel."};
+const Diagnosis not_counted{
+    "below-horizon-not-counted",
+    "directions below the horizon are left out of the count; they contribute "
+    "0, but they were drawn."};
+const Diagnosis absolute_cosine{
+    "below-horizon-kept", "directions below the horizon contribute; nothing comes from there."};
+const Diagnosis asks_below{"radiance-asked-below-horizon",
+                           "radiance is asked for in directions below the horizon."};
+const Diagnosis missing_pi{"missing-one-over-pi",
+                           "ambient occlusion is 1 under an open sky, whose irradiance is pi."};
+const Diagnosis by_two_pi{"one-over-two-pi",
+                          "the cosine integrates to pi over the hemisphere, not to 2 pi."};
+const Diagnosis other_technique{
+    "technique-not-used", "the variance is that of another technique than the one asked for."};
+const Diagnosis reused{"reused-number", "fewer than two numbers are drawn for a direction."};
+const Diagnosis local_not_world{"local-direction-not-turned",
+                                "directions have to be turned from the local frame to the world's "
+                                "before radiance is asked for."};
+enum class Technique { rejection = 0, uniform = 1, cosine = 2, lobe = 3 };
+
+/// What is to be integrated, and how.
+struct Case {
+  std::string name;
+  Light light;
+  Technique technique;
+  double n = 1;        ///< of the lobe,
+  bool aimed = false;  ///< which points at the light, or else along the normal
+};
+
+constexpr std::array<const char*, 4> technique_names = {"rejection", "uniform directions",
+                                                        "cosine-weighted directions", "the lobe"};
+constexpr std::array<const char*, 6> light_names = {"an open sky", "a ball", "a ball half set",
+                                                    "a disk",      "a wall", "a tiny sun"};
+
+Case make(Light light, Technique technique, double n = 1, bool aimed = false) {
+  return {fmt::format("{}, by {}", light_names[static_cast<std::size_t>(light)],
+                      technique_names[static_cast<std::size_t>(technique)]),
+          light, technique, n, aimed};
+}
+
+Double3 axis_of(const Case& c) {
+  return c.aimed ? light_centre(c.light) : Double3(0, 0, 1);
+}
+
+double pdf_of(const Case& c, Double3 w) {
+  switch (c.technique) {
+    case Technique::rejection:
+    case Technique::uniform:
+      return power_law_pdf(1, w);
+    case Technique::cosine:
+      return power_law_pdf(2, w);
+    case Technique::lobe:
+      break;
+  }
+  return power_law_pdf(c.n + 1, Axes(axis_of(c)).local(w));
+}
+
+/// The integral over directions by the midpoint rule around an axis, up to the angle whose 1 - cos
+/// is `reach`.
+double integral(Double3 axis, double reach, const std::function<double(Double3)>& f) {
+  constexpr int rings = 500, sectors = 500;
+  const Axes axes(axis);
+  double sum = 0;
+  for (int i = 0; i < rings; ++i) {
+    const double h = reach * (i + 0.5) / rings;  // 1 - cos
+    const double sine = std::sqrt(h * (2 - h));
+    for (int k = 0; k < sectors; ++k) {
+      const double phi = 2 * pi * (k + 0.5) / sectors;
+      const Double3 w = axes.world({sine * std::cos(phi), sine * std::sin(phi), 1 - h});
+      sum += f(w);
+    }
+  }
+  return sum * reach * 2 * pi / (rings * static_cast<double>(sectors));
+}
+
+/// Over the directions above the horizon that light comes from; below = true: from below it.
+double lit_integral(const Case& c, const std::function<double(Double3)>& f, bool below = false) {
+  const auto where_lit = [&](Double3 w) {
+    return (w.z > 0) != below && lit(c.light, w) ? f(w) : 0;
+  };
+  const double cone = c.light == Light::sun ? sun_angle : pi / 6;
+  if (c.light == Light::ball || c.light == Light::sunset || c.light == Light::sun) {
+    const double half = std::sin(cone / 2);
+    return integral(light_centre(c.light), 2 * half * half, where_lit);
+  }
+  return below ? 0 : integral({0, 0, 1}, 1, where_lit);
+}
+
+/// Of one direction's contribution L cos/p.
+struct Contribution {
+  double mean, sd, excess_kurtosis;
+};
+
+Contribution contribution(const Case& c) {
+  const double mean = exact_irradiance(c.light);
+  const auto raw = [&](int k) {
+    return lit_integral(c, [&, k](Double3 w) {
+      const double p = pdf_of(c, w), y = w.z / p;
+      return k == 2 ? w.z * y : k == 3 ? w.z * y * y : w.z * y * y * y;
+    });
+  };
+  const double m2 = raw(2), m3 = raw(3), m4 = raw(4);
+  const double variance = std::max(m2 - mean * mean, 0.0);
+  const double fourth = m4 - 4 * mean * m3 + 6 * mean * mean * m2 - 3 * std::pow(mean, 4);
+  return {mean, std::sqrt(variance), variance > 0 ? fourth / (variance * variance) - 3 : 0};
+}
+
+constexpr double count = 16, repetitions = 20'000;
+
+Theory theory_of(const Case& c, double scale = 1) {
+  const Contribution one = contribution(c);
+  return {scale * one.mean, scale * one.sd / std::sqrt(count), one.excess_kurtosis / count};
+}
+
+constexpr Vec3 tilted{0.48f, -0.6f, -0.64f};
+
+Params params_of(const Case& c, Vec3 normal, double n, bool ambient = false) {
+  return {.n = static_cast<std::int64_t>(n),
+          .numbers = {{"x", normal.x},
+                      {"y", normal.y},
+                      {"z", normal.z},
+                      {"light", static_cast<double>(c.light)},
+                      {"technique", static_cast<double>(c.technique)},
+                      {"exponent", c.n},
+                      {"aim", c.aimed ? 1 : 0},
+                      {"ambient", ambient ? 1 : 0},
+                      {"repetitions", repetitions}}};
+}
+
+std::vector<double> estimates(const Case& c, Vec3 normal, bool ambient = false) {
+  return probe("Lab 7.7 estimates", params_of(c, normal, count, ambient),
+               {.rows = static_cast<std::size_t>(repetitions)})
+      .values;
+}
+
+/// The part of an aimed lobe that lies below the horizon.
+double lost_part(const Case& c) {
+  if (c.technique != Technique::lobe) return 0;
+  const Axes axes(axis_of(c));
+  constexpr int steps = 400;
+  double below = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double cosine = std::pow(1 - (i + 0.5) / steps, 1 / (c.n + 1));
+    const double sine = std::sqrt(1 - cosine * cosine);
+    for (int k = 0; k < steps; ++k) {
+      const double phi = 2 * pi * (k + 0.5) / steps;
+      if (axes.world({sine * std::cos(phi), sine * std::sin(phi), cosine}).z < 0) below += 1;
+    }
+  }
+  return below / (steps * static_cast<double>(steps));
+}
+
+Suspects suspects_of(const Case& c, Vec3 normal, double scale) {
+  const double mean = scale * exact_irradiance(c.light);
+  const auto add_up = [&](const std::function<double(Double3)>& f) {
+    return scale * lit_integral(c, f);
+  };
+  Suspects suspects{{add_up([](Double3) { return 1.0; }), missing_cosine},
+                    {add_up([&](Double3 w) { return w.z * pdf_of(c, w); }), missing_pdf}};
+  if (c.technique == Technique::cosine) {
+    suspects.push_back({add_up([](Double3 w) { return w.z * w.z; }), cosine_twice});
+  }
+  if (const double lost = lost_part(c); lost > 0.01) {
+    const double below = scale * lit_integral(
+                                     c, [](Double3 w) { return w.z; }, true);
+    suspects.push_back({mean / (1 - lost), not_counted});
+    suspects.push_back({mean - below, absolute_cosine});
+    suspects.push_back({mean + below, absolute_cosine});
+  }
+  const Axes axes(normal);
+  const auto unturned = [&](Double3 w) { return lit(c.light, axes.local(w)) ? w.z : 0; };
+  suspects.push_back({scale * integral({0, 0, 1}, 1, unturned), local_not_world});
+  return suspects;
+}
+
+/// The mean against theory. What it may have been instead is worked out only when it is wrong.
+Verdict mean_verdict(const std::string& what, const Case& c, Vec3 normal,
+                     const std::vector<double>& values, double scale = 1) {
+  const Theory theory = theory_of(c, scale);
+  const Verdict verdict = mean_is(what, values, theory);
+  return verdict.passed ? verdict : mean_is(what, values, theory, suspects_of(c, normal, scale));
+}
+
+void judge_mean(const Case& c, Vec3 normal) {
+  judge(mean_verdict("the irradiance under " + c.name, c, normal, estimates(c, normal)));
+}
+
+void judge_variance(const Case& c) {
+  Suspects suspects;
+  for (const Technique other : {Technique::uniform, Technique::cosine}) {
+    Case as_other = c;
+    as_other.technique = other;
+    const double sd = theory_of(as_other).sd;
+    if (other != c.technique) suspects.push_back({sd * sd, other_technique});
+  }
+  judge(variance_is("the variance of estimates under " + c.name, estimates(c, tilted), theory_of(c),
+                    suspects));
+}
+
+/// All estimates equal a constant: the technique's density is proportional to the integrand.
+void judge_exact(const Case& c) {
+  double worst = 0;
+  for (const double value : estimates(c, tilted))
+    worst = std::abs(value - pi) <= worst ? worst : std::abs(value - pi);
+  judge(holds("each estimate under " + c.name, worst <= 1e-4,
+              fmt::format("off pi by up to {:.2g}", worst),
+              "pi: the density is proportional to what is integrated, the variance is 0",
+              {other_technique}));
+}
+
+}  // namespace
+
+TEST_CASE("Lab 7.7: irradiance is unbiased for a ball, a disk and a wall, by every technique",
+          "[lab07][ex7]") {
+  for (const Light light : {Light::ball, Light::disk, Light::wall}) {
+    for (const Technique technique :
+         {Technique::rejection, Technique::uniform, Technique::cosine}) {
+      const Case c = make(light, technique);
+      judge_mean(c, tilted);
+    }
+  }
+}
+
+TEST_CASE("Lab 7.7: the lobe may point at the light, and partly below the horizon",
+          "[lab07][ex7]") {
+  for (const Case& c :
+       {make(Light::sky, Technique::lobe, 0.5), make(Light::ball, Technique::lobe, 4, true),
+        make(Light::sunset, Technique::lobe, 4, true),
+        make(Light::sun, Technique::lobe, 1e7, true)}) {
+    for (const Vec3 normal : {tilted, Vec3(0, 0, 1)})
+      judge_mean(c, normal);
+  }
+}
+
+TEST_CASE("Lab 7.7: each technique has its own variance", "[lab07][ex7]") {
+  for (const Case& c :
+       {make(Light::sky, Technique::rejection), make(Light::sky, Technique::uniform),
+        make(Light::ball, Technique::cosine), make(Light::ball, Technique::lobe, 4, true)}) {
+    judge_variance(c);
+  }
+}
+
+TEST_CASE("Lab 7.7: where the density is proportional to the cosine, an open sky has no variance",
+          "[lab07][ex7]") {
+  judge_exact(make(Light::sky, Technique::cosine));
+  judge_exact(make(Light::sky, Technique::lobe, 1));
+}
+
+TEST_CASE("Lab 7.7: ambient occlusion is irradiance over pi", "[lab07][ex7]") {
+  for (const Case& c : {make(Light::disk, Technique::uniform), make(Light::disk, Technique::cosine),
+                        make(Light::ball, Technique::lobe, 4, true)}) {
+    const std::string what = "the ambient occlusion under " + c.name;
+    const std::vector<double> values = estimates(c, tilted, true);
+    Verdict verdict = mean_verdict(what, c, tilted, values, 1 / pi);
+    if (!verdict.passed) {
+      const double mean = exact_irradiance(c.light) / pi;
+      const double share = lit_integral(c, [](Double3) { return 1 / (2 * pi); });
+      const Verdict again =
+          mean_is(what, values, theory_of(c, 1 / pi),
+                  {{mean * pi, missing_pi}, {mean / 2, by_two_pi}, {share, missing_cosine}});
+      verdict.diagnoses.insert(verdict.diagnoses.end(), again.diagnoses.begin(),
+                               again.diagnoses.end());
+    }
+    judge(verdict);
+  }
+}
+
+TEST_CASE("Lab 7.7: radiance is asked once a direction, and never below the horizon",
+          "[lab07][ex7]") {
+  constexpr double n = 20'000;
+  for (const Case& c : {make(Light::sky, Technique::uniform), make(Light::sky, Technique::cosine),
+                        make(Light::sunset, Technique::lobe, 4, true)}) {
+    const Rows rows = probe("Lab 7.7 record", params_of(c, tilted, n), {.columns = 4});
+    const double asked = rows.at(0, 0), below = rows.at(0, 1), off = rows.at(0, 2),
+                 words = rows.at(0, 3);
+    judge(holds("radiance asked for below the horizon", below == 0, fmt::format("{} times", below),
+                "never", {asks_below}));
+    judge(holds("the length of the directions asked for", off <= 1e-5,
+                fmt::format("off 1 by {:.2g}", off), "1"));
+    // The lobe loses the part below the horizon: within 8 standard deviations of it. A direction at
+    // the horizon may be rounded below it.
+    const double lost = lost_part(c);
+    const double tolerance = lost > 0 ? 8 * std::sqrt(n * lost * (1 - lost)) : 2;
+    judge(equals("how often radiance was asked for", asked, n * (1 - lost), tolerance));
+    judge(equals("numbers drawn", words, 2 * n, 0, {{n, reused}}));
+  }
+}

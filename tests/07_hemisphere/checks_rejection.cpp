@@ -1,0 +1,119 @@
+// Checks of exercise 7.2. Chi-square over 256 cells of equal mass from 200 000 directions: cells
+// off by 3.7 % each (rms) have a noncentrality of 270, which is caught with power .999. Darts that
+// keep the cube's corners have a mean cosine of .5155 (for a normal along an axis), which is 24
+// standard errors off 1/2; and no dart is lost.
+
+#include "07_hemisphere/law.h"
+
+#include <cmath>
+
+using namespace carlo::grader;
+using namespace lab07_tests;
+
+namespace {
+
+const Diagnosis corners{"corners-kept",
+                        "the darts outside the ball are kept: directions crowd towards the cube's "
+                        "corners."};
+const Diagnosis octant{
+    "one-octant-only",
+    "all coordinates are positive: the cube runs from -1 to 1, not from 0 to 1."};
+const Diagnosis below{"below-horizon-kept",
+                      "directions below the horizon are returned: flip them."};
+const Diagnosis thrown_away{
+    "thrown-away-not-flipped",
+    "twice as many darts as needed: a direction below the horizon is as good "
+    "as its opposite."};
+const Diagnosis not_counted{"accepted-dart-not-counted",
+                            "the dart that is accepted counts as well."};
+const Diagnosis disc{"a-disc-not-a-ball", "darts are rejected by two of their coordinates only."};
+const Diagnosis order{
+    "order-of-the-numbers",
+    "x, y, z are drawn in this order, a statement each: the order in which a function's "
+    "arguments are evaluated is the compiler's choice."};
+const Diagnosis reused{"reused-number",
+                       "fewer than three numbers a dart are drawn: coordinates share one."};
+
+constexpr std::size_t n = 200'000;
+
+Rows drawn(Vec3 normal) {
+  return probe("Lab 7.2 directions",
+               {.n = n, .numbers = {{"x", normal.x}, {"y", normal.y}, {"z", normal.z}}},
+               {.rows = n, .columns = 4});
+}
+
+bool in_one_octant(const std::vector<Double3>& directions) {
+  return std::all_of(directions.begin(), directions.end(), [](Double3 w) {
+    return (w.x >= 0 && w.y >= 0 && w.z >= 0) || (w.x <= 0 && w.y <= 0 && w.z <= 0);
+  });
+}
+
+std::size_t count_below(const std::vector<Double3>& local) {
+  return static_cast<std::size_t>(
+      std::count_if(local.begin(), local.end(), [](Double3 w) { return w.z < -1e-6; }));
+}
+
+/// Of trials with success probability p, until the first success.
+Theory geometric(double p) {
+  return {1 / p, std::sqrt(1 - p) / p, 6 + p * p / (1 - p)};
+}
+
+}  // namespace
+
+TEST_CASE("Lab 7.2: directions have length 1, lie above the horizon and are uniform",
+          "[lab07][ex2]") {
+  for (const Vec3 normal : {Vec3(0, 0, 1), Vec3(0.48f, -0.6f, -0.64f)}) {
+    const std::vector<Double3> world = directions_in(drawn(normal));
+    const std::vector<Double3> local = local_to(Axes(normal), world);
+    judge(all_unit(world));
+    const std::size_t lost = count_below(local);
+    judge(holds("directions below the horizon", lost == 0, fmt::format("{} of {}", lost, n), "none",
+                {below}));
+    Verdict verdict = distributed(
+        fmt::format("directions around ({:g}, {:g}, {:g})", normal.x, normal.y, normal.z), local,
+        power_law(1));
+    if (!verdict.passed && in_one_octant(world)) verdict.diagnoses.push_back(octant);
+    judge(verdict);
+  }
+}
+
+TEST_CASE("Lab 7.2: the mean cosine is 1/2", "[lab07][ex2]") {
+  const Rows rows = drawn({0, 0, 1});
+  judge(mean_is("the mean of cos(theta)", column(rows, 2), {0.5, std::sqrt(1.0 / 12), -1.2},
+                {{0.5155, corners}}));
+}
+
+TEST_CASE("Lab 7.2: a direction takes 6/pi darts on average", "[lab07][ex2]") {
+  const std::vector<double> darts = column(drawn({0, 0.6f, 0.8f}), 3);
+  const double p = pi / 6;
+  judge(mean_is("the mean number of darts", darts, geometric(p),
+                {{1, corners}, {1 / p - 1, not_counted}, {2 / p, thrown_away}, {4 / pi, disc}}));
+  judge(variance_is("the variance of the number of darts", darts, geometric(p)));
+}
+
+TEST_CASE("Lab 7.2: a dart is three fresh numbers, x, y and z, and the first in the ball is taken",
+          "[lab07][ex2]") {
+  constexpr std::size_t repetitions = 500;
+  const Rows rows =
+      probe("Lab 7.2 record", {.n = repetitions}, {.rows = repetitions, .columns = 8});
+  std::size_t wrong_words = 0, wrong_direction = 0;
+  double fewer = 0;
+  for (std::size_t i = 0; i < repetitions; ++i) {
+    const double darts = rows.at(i, 0), words = rows.at(i, 1);
+    if (words != 3 * darts) ++wrong_words;
+    if (words < 3 * darts) fewer += 1;
+    const Double3 w(rows.at(i, 2), rows.at(i, 3), rows.at(i, 4));
+    const Double3 first(rows.at(i, 5), rows.at(i, 6), rows.at(i, 7));
+    if (!(glm::length(w - first) <= 1e-5)) ++wrong_direction;
+  }
+  std::vector<Diagnosis> diagnoses;
+  if (fewer > repetitions / 2) diagnoses.push_back(reused);
+  judge(
+      holds("numbers drawn", wrong_words == 0,
+            fmt::format("not three for every dart told, {} times of {}", wrong_words, repetitions),
+            "three uniform_float() a dart", diagnoses));
+  judge(holds("the direction", wrong_direction == 0,
+              fmt::format("not that of the first dart in the ball, {} times of {}", wrong_direction,
+                          repetitions),
+              "that of the first dart in the ball", {order}));
+}

@@ -1,0 +1,133 @@
+#pragma once
+
+#include "07_hemisphere/places.h"
+#include "grader/judge/judge.h"
+#include "stats/distributions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+// How directions are distributed: the densities of lab 07 are all powers of a cosine.
+
+namespace lab07_tests {
+
+/// -log(cos) of the angle between w and z, exact for small angles and large ones; z > 0.
+inline double minus_log_cosine(Double3 w) {
+  return 0.5 * std::log1p((w.x * w.x + w.y * w.y) / (w.z * w.z));
+}
+
+/// How much of a law lies within w's angle to z: uniform on [0, 1) when the law is right.
+using Share = std::function<double(Double3)>;
+
+/// The law of density m / (2 pi) cos^(m-1): 1 is uniform, 2 cosine-weighted, n + 1 the lobe.
+inline Share power_law(double m) {
+  return [m](Double3 w) { return -std::expm1(-m * minus_log_cosine(w)); };
+}
+inline double power_law_pdf(double m, Double3 w) {
+  return w.z > 0 ? m / (2 * pi) * std::exp(-(m - 1) * minus_log_cosine(w)) : 0;
+}
+/// The angle itself is uniform up to 90 degrees.
+inline double uniform_angle(Double3 w) {
+  return std::atan2(std::hypot(w.x, w.y), w.z) * 2 / pi;
+}
+/// The sine of the angle is uniform.
+inline double uniform_sine(Double3 w) {
+  return std::hypot(w.x, w.y) / glm::length(w);
+}
+
+/// The azimuth as a part of `turn`.
+inline double azimuth_share(Double3 w, double turn = 2 * pi) {
+  const double phi = std::atan2(w.y, w.x);
+  return (phi < 0 ? phi + 2 * pi : phi) / turn;
+}
+
+/// Directions in the axes of their law, cells of equal mass in both coordinates together:
+/// chi-square, too good a fit fails as well. A direction outside the law's support is a fail, but
+/// for one at its edge, which rounding takes either way.
+constexpr int cells_a_side = 16;
+inline carlo::grader::Verdict distributed(const std::string& what,
+                                          const std::vector<Double3>& directions,
+                                          const Share& share, double turn = 2 * pi) {
+  constexpr int cells = cells_a_side * cells_a_side;
+  const auto n = static_cast<double>(directions.size());
+  std::vector<double> counts(cells);
+  double outside = 0;
+  for (Double3 w : directions) {
+    if (std::abs(w.z) < 1e-6) w.z = 1e-9;
+    const double a = share(w) * cells_a_side, b = azimuth_share(w, turn) * cells_a_side;
+    if (!(w.z > 0 && a >= 0 && a <= cells_a_side && b >= 0 && b <= cells_a_side)) {
+      outside += 1;
+      continue;
+    }
+    const int i = std::min(static_cast<int>(a), cells_a_side - 1);
+    const int j = std::min(static_cast<int>(b), cells_a_side - 1);
+    counts[static_cast<std::size_t>(i * cells_a_side + j)] += 1;
+  }
+  if (outside > 0) {
+    return carlo::grader::holds(what, false,
+                                fmt::format("{} of {} outside its support", outside, n), "none");
+  }
+  double statistic = 0;
+  for (const double count : counts)
+    statistic += (count - n / cells) * (count - n / cells) / (n / cells);
+  carlo::grader::Verdict verdict;
+  verdict.what = what;
+  verdict.p = carlo::chi_square_two_sided(statistic, cells - 1);
+  verdict.passed = *verdict.p >= carlo::grader::comparison_alpha();
+  verdict.measured = fmt::format("chi-square {:.5g} over {} cells, from {} directions", statistic,
+                                 cells, directions.size());
+  verdict.expected = fmt::format("{} ± {:.3g}", cells - 1, std::sqrt(2.0 * (cells - 1)));
+  verdict.certainty = fmt::format("p = {:.2g}", *verdict.p);
+  return verdict;
+}
+
+/// Whether nearly all directions show one number in both coordinates.
+inline bool number_reused(const std::vector<Double3>& directions, const Share& share) {
+  std::size_t same = 0;
+  for (const Double3 w : directions) {
+    const double a = share(w), b = azimuth_share(w);
+    same += std::abs(a - b) < 1e-3 || std::abs(1 - a - b) < 1e-3 ? 1 : 0;
+  }
+  return same > directions.size() * 9 / 10;
+}
+
+/// Columns first to first + 2 as directions.
+inline std::vector<Double3> directions_in(const carlo::grader::Rows& rows, std::size_t first = 0) {
+  std::vector<Double3> directions;
+  directions.reserve(rows.count());
+  for (std::size_t i = 0; i < rows.count(); ++i)
+    directions.emplace_back(rows.at(i, first), rows.at(i, first + 1), rows.at(i, first + 2));
+  return directions;
+}
+
+inline std::vector<Double3> local_to(const Axes& axes, const std::vector<Double3>& directions) {
+  std::vector<Double3> local;
+  local.reserve(directions.size());
+  for (const Double3 w : directions)
+    local.push_back(axes.local(w));
+  return local;
+}
+
+/// The largest deviation of a length from 1; NaN when there is one.
+inline double worst_length(const std::vector<Double3>& directions) {
+  double worst = 0;
+  for (const Double3 w : directions) {
+    const double off = std::abs(glm::length(w) - 1);
+    if (!(off <= worst)) worst = off;
+  }
+  return worst;
+}
+
+inline carlo::grader::Verdict all_unit(const std::vector<Double3>& directions) {
+  const double worst = worst_length(directions);
+  return carlo::grader::holds("the length of every direction", worst <= 1e-6,
+                              fmt::format("off 1 by up to {:.2g}", worst), "1 within 1e-6",
+                              {{"not-unit-length",
+                                "directions must have length 1: normalise, or let sine "
+                                "and cosine belong to the same angle."}});
+}
+
+}  // namespace lab07_tests

@@ -1,0 +1,154 @@
+// Probes of lab 07's frames and samplers: 7.1 to 7.6.
+
+#include "07_hemisphere/places.h"
+#include "07_hemisphere/words.h"
+#include "grader/worker/probe.h"
+#include "hemisphere.h"
+
+using namespace lab07_tests;
+using carlo::grader::Params;
+using carlo::grader::RowWriter;
+
+namespace {
+
+/// One of the samplers of Labs 7.3 to 7.6, as the check asks for it.
+struct Subject {
+  Sampler sampler;
+  float n;
+  Vec3 wo;
+
+  explicit Subject(const Params& params)
+      : sampler(static_cast<Sampler>(params.whole("sampler"))),
+        n(static_cast<float>(params["exponent"])),
+        wo(params["x"], params["y"], params["z"]) {}
+
+  Vec3 sample(Vec2 u) const {
+    switch (sampler) {
+      case Sampler::uniform:
+        return lab07::sample_uniform_hemisphere(u);
+      case Sampler::cosine:
+        return lab07::sample_cosine_hemisphere(u);
+      case Sampler::lobe:
+        return lab07::sample_lobe(u, n);
+      case Sampler::mirror:
+        break;
+    }
+    return lab07::sample_mirror_lobe(u, wo, n);
+  }
+
+  double pdf(Vec3 w) const {
+    switch (sampler) {
+      case Sampler::uniform:
+        return lab07::uniform_hemisphere_pdf(w);
+      case Sampler::cosine:
+        return lab07::cosine_hemisphere_pdf(w);
+      case Sampler::lobe:
+        return lab07::lobe_pdf(w, n);
+      case Sampler::mirror:
+        break;
+    }
+    return lab07::mirror_lobe_pdf(w, wo, n);
+  }
+
+  /// Of the lobes, in double; z for the others.
+  Vec3 axis() const {
+    return sampler == Sampler::mirror ? Vec3(-wo.x, -wo.y, wo.z) : Vec3(0, 0, 1);
+  }
+};
+
+}  // namespace
+
+// Columns: s, t, n; a local vector in the world, a world vector locally.
+PROBE("Lab 7.1 frames") {
+  RowWriter rows;
+  for (const Vec3 normal : hard_normals()) {
+    const lab07::Frame f(normal);
+    const Vec3 world = f.to_world(frame_local), local = f.to_local(frame_world);
+    rows.add({f.s.x, f.s.y, f.s.z, f.t.x, f.t.y, f.t.z, f.n.x, f.n.y, f.n.z, world.x, world.y,
+              world.z, local.x, local.y, local.z});
+  }
+  return rows.take();
+}
+
+PROBE("Lab 7.2 directions") {
+  const Vec3 normal(params["x"], params["y"], params["z"]);
+  carlo::Rng rng(params.seed);
+  RowWriter rows;
+  for (std::int64_t i = 0; i < params.n; ++i) {
+    const auto [w, darts] = lab07::sample_uniform_by_rejection(normal, rng);
+    rows.add({w.x, w.y, w.z, static_cast<double>(darts)});
+  }
+  return rows.take();
+}
+
+// One row a direction: the darts it tells, and the 32-bit words it drew; the direction, and which
+// one the first dart in the ball gives.
+PROBE("Lab 7.2 record") {
+  carlo::Rng rng(params.seed);
+  RowWriter rows;
+  for (std::int64_t i = 0; i < params.n; ++i) {
+    carlo::Rng again = rng;
+    const auto [w, darts] = lab07::sample_uniform_by_rejection({0, 0, 1}, rng);
+    const double words = words_drawn(again, rng, 3000);
+    glm::vec3 dart(2);
+    while (!(glm::dot(dart, dart) <= 1)) {
+      for (int k = 0; k < 3; ++k)
+        dart[k] = 2 * again.uniform_float() - 1;
+    }
+    if (dart.z < 0) dart = -dart;
+    dart = glm::normalize(dart);
+    rows.add({static_cast<double>(darts), words, w.x, w.y, w.z, dart.x, dart.y, dart.z});
+  }
+  return rows.take();
+}
+
+// Columns: the direction and its density.
+PROBE("Lab 7.3 to 7.6 directions") {
+  const Subject subject(params);
+  carlo::Rng rng(params.seed);
+  RowWriter rows;
+  for (std::int64_t i = 0; i < params.n; ++i) {
+    const float x = rng.uniform_float();
+    const float y = rng.uniform_float();
+    const Vec3 w = subject.sample({x, y});
+    rows.add({w.x, w.y, w.z, subject.pdf(w)});
+  }
+  return rows.take();
+}
+
+PROBE("Lab 7.3 to 7.6 edges") {
+  const Subject subject(params);
+  RowWriter rows;
+  for (const Vec2 u : edge_numbers()) {
+    const Vec3 w = subject.sample(u);
+    rows.add({w.x, w.y, w.z, subject.pdf(w)});
+  }
+  return rows.take();
+}
+
+PROBE("Lab 7.3 to 7.6 density") {
+  const Subject subject(params);
+  RowWriter rows;
+  for (int ring = 0; ring < density_rings; ++ring) {
+    for (int sector = 0; sector < density_sectors; ++sector)
+      rows.add({subject.pdf(density_place(ring, sector))});
+  }
+  return rows.take();
+}
+
+PROBE("Lab 7.5 to 7.6 lobe density") {
+  const Subject subject(params);
+  RowWriter rows;
+  for (int step = 0; step < lobe_steps; ++step)
+    rows.add({subject.pdf(lobe_place(step, subject.n, subject.axis()))});
+  return rows.take();
+}
+
+PROBE("Lab 7.6 mirror") {
+  RowWriter rows;
+  for (const Vec3 wo : hard_normals()) {
+    const Vec3 mirror = lab07::mirror_direction({wo.x, wo.y, std::abs(wo.z)});
+    rows.add({mirror.x, mirror.y, mirror.z});
+  }
+  return rows.take();
+}

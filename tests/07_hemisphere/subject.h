@@ -1,0 +1,155 @@
+#pragma once
+
+#include "07_hemisphere/law.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+// The samplers of Labs 7.3 to 7.6 as their checks see them: what theory says of each, and what
+// typical mistakes give in its place.
+
+namespace lab07_tests {
+
+using carlo::grader::Diagnosis;
+using carlo::grader::Params;
+using carlo::grader::Rows;
+using carlo::grader::Verdict;
+
+/// A sampler with its parameters: its density is m/(2 pi) cos^(m-1) about the axis.
+struct Subject {
+  std::string name;
+  Sampler sampler;
+  double n = 0;  ///< exponent, where it has one
+  Vec3 wo{0, 0, 1};
+
+  double m() const {
+    if (sampler == Sampler::uniform) return 1;
+    return sampler == Sampler::cosine ? 2 : n + 1;
+  }
+  /// Of the law, from the same floats that the student gets.
+  Axes axes() const { return Axes(Double3(-wo.x, -wo.y, wo.z)); }
+  double pdf(Double3 w) const { return power_law_pdf(m(), axes().local(w)); }
+
+  /// How exact a density from floats can be at w, relatively: n tan(alpha) times the rounding of a
+  /// direction, and some operations.
+  double tolerance(Double3 w) const {
+    const Double3 local = axes().local(w);
+    const double tangent = std::hypot(local.x, local.y) / std::abs(local.z);
+    return 2e-5 + 1e-6 * (m() - 1) * tangent;
+  }
+
+  Params params(std::int64_t count = 0) const {
+    return {.n = count,
+            .numbers = {{"sampler", static_cast<double>(sampler)},
+                        {"exponent", n},
+                        {"x", wo.x},
+                        {"y", wo.y},
+                        {"z", wo.z}}};
+  }
+};
+
+inline Subject uniform_subject() {
+  return {"the uniform hemisphere", Sampler::uniform};
+}
+inline Subject cosine_subject() {
+  return {"the cosine-weighted hemisphere", Sampler::cosine};
+}
+inline Subject lobe_subject(double n) {
+  return {fmt::format("the lobe of n = {:g}", n), Sampler::lobe, n};
+}
+/// wo at `degrees` to the normal.
+inline Subject mirror_subject(double n, double degrees) {
+  return {fmt::format("the lobe of n = {:g} about the mirror direction, wo at {:g} degrees", n,
+                      degrees),
+          Sampler::mirror, n, at_angles(degrees * pi / 180, 0.9)};
+}
+
+/// A law that typical mistakes give.
+struct OtherLaw {
+  Share share;
+  Diagnosis diagnosis;
+  double turn = 2 * pi;
+};
+
+/// Another density, by direction.
+struct OtherPdf {
+  std::function<double(Double3)> pdf;
+  Diagnosis diagnosis;
+};
+
+inline const Diagnosis reused_number{"reused-number",
+                                     "the angle and the azimuth come from one random number: the "
+                                     "directions lie on a spiral."};
+inline const Diagnosis half_turn{"half-a-turn",
+                                 "phi covers half a turn only: it runs from 0 to 2 pi."};
+inline const Diagnosis below_kept{"below-horizon-kept", "there are directions below the horizon."};
+
+/// Chi-square of directions; says what they look like when they are wrong.
+inline Verdict samples_follow(const Subject& subject, const std::vector<Double3>& world,
+                              const std::vector<OtherLaw>& others = {}) {
+  const std::vector<Double3> local = local_to(subject.axes(), world);
+  const Share right = power_law(subject.m());
+  Verdict verdict = distributed("directions of " + subject.name, local, right);
+  if (verdict.passed) return verdict;
+  if (number_reused(local, right)) verdict.diagnoses.push_back(reused_number);
+  // Half a turn from wherever it starts is no density of the other half.
+  if (distributed("", local, right, pi).passed) verdict.diagnoses.push_back(half_turn);
+  for (const OtherLaw& other : others) {
+    if (distributed("", local, other.share, other.turn).passed) {
+      verdict.diagnoses.push_back(other.diagnosis);
+    }
+  }
+  return verdict;
+}
+
+inline bool agree(double a, double b, double relative) {
+  return std::abs(a - b) <= relative * std::abs(b) + 1e-30;
+}
+
+/// The student's density at each place against theory; says which mistake all values agree with.
+inline Verdict density_is(const std::string& what, const Subject& subject,
+                          const std::vector<Double3>& places, const std::vector<double>& measured,
+                          const std::vector<OtherPdf>& others = {}) {
+  const auto fits = [&](const std::function<double(Double3)>& pdf) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (!agree(measured[i], pdf(places[i]), 2 * subject.tolerance(places[i]))) return false;
+    }
+    return true;
+  };
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double exact = subject.pdf(places[i]);
+    const double tolerance = subject.tolerance(places[i]);
+    if (agree(measured[i], exact, tolerance)) continue;
+    const Double3 w = places[i];
+    Verdict verdict = carlo::grader::equals(
+        fmt::format("{} at w = ({:.6g}, {:.6g}, {:.6g})", what, w.x, w.y, w.z), measured[i], exact,
+        tolerance * exact + 1e-30);
+    for (const OtherPdf& other : others) {
+      if (fits(other.pdf)) verdict.diagnoses.push_back(other.diagnosis);
+    }
+    return verdict;
+  }
+  return carlo::grader::holds(what, true, fmt::format("right at all {} places", places.size()),
+                              "right everywhere");
+}
+
+/// All over the sphere: against theory, and its integral, which must be 1.
+void judge_density(const Subject& subject, const std::vector<OtherPdf>& others,
+                   const carlo::grader::Suspects& integrals);
+
+/// For every pair of u at the edges: length 1, a density above 0 that is finite, above the horizon
+/// where there is one.
+void judge_edges(const Subject& subject, const std::vector<Diagnosis>& at_zero);
+
+/// `count` directions from random numbers, with the densities that the student gives them.
+struct Drawn {
+  std::vector<Double3> directions;
+  std::vector<double> pdf;
+};
+Drawn draw(const Subject& subject, std::size_t count);
+
+/// Length 1; none below the horizon but for the mirror's lobe; the density of each is theory's.
+void judge_drawn(const Subject& subject, const Drawn& drawn);
+
+}  // namespace lab07_tests
