@@ -30,7 +30,8 @@ const Diagnosis n_plus_2{
     "n-plus-two",
     "(n + 2)/(2 pi) normalises the lobe times a cosine, as in the BRDF; per solid "
     "angle it is n + 1."};
-const Diagnosis n_half{"density-of-wi-and-normal", "the density takes its angle from the normal."};
+const Diagnosis about_surface_normal{"density-of-wi-and-normal",
+                                     "the density takes its angle from the normal."};
 
 constexpr std::size_t n_directions = 200'000;
 
@@ -141,13 +142,15 @@ TEST_CASE("Lab 7.6: the density integrates to 1 over the whole sphere", "[lab07]
     const Double3 wo(subject.wo);
     const double p = below_horizon(n, degrees * pi / 180);
     const auto exact = [=](Double3 w) { return subject.pdf(w); };
-    judge_density(subject,
-                  {{pdf_about(subject, wo), about_wo},
-                   {pdf_about(subject, {0, 0, 1}), n_half},
-                   {pdf_about(subject, -wo), below_surface},
-                   {[=](Double3 w) { return w.z < 0 ? 0 : exact(w); }, cut_density},
-                   {[=, n = n](Double3 w) { return exact(w) * (n + 2) / (n + 1); }, n_plus_2}},
-                  {{1 - p, cut_density}, {(n + 2.0) / (n + 1.0), n_plus_2}});
+    const auto cut = [=](Double3 w) { return w.z < 0 ? 0 : exact(w); };
+    const auto brdf = [=, n = n](Double3 w) { return exact(w) * (n + 2) / (n + 1); };
+    std::vector<OtherPdf> others;
+    others.push_back({pdf_about(subject, wo), about_wo});
+    others.push_back({pdf_about(subject, {0, 0, 1}), about_surface_normal});
+    others.push_back({pdf_about(subject, -wo), below_surface});
+    others.push_back({cut, cut_density});
+    others.push_back({brdf, n_plus_2});
+    judge_density(subject, others, {{1 - p, cut_density}, {(n + 2.0) / (n + 1.0), n_plus_2}});
   }
 }
 
