@@ -140,7 +140,7 @@ void judge_inverse(const Case& c, double relative, double absolute,
 }
 
 /// At 400 places from outside the support to outside on the other side.
-void judge_density(const Case& c, std::vector<Alternative> alternatives) {
+void judge_density(const Case& c, const std::vector<Alternative>& alternatives) {
   constexpr int steps = 400;
   const double margin = (c.last - c.first) / 8;
   Params params = params_of(c);

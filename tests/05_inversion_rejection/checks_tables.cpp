@@ -8,6 +8,7 @@
 #include "grader/judge/judge.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace carlo::grader;
@@ -77,15 +78,15 @@ Place place_of(double u, const std::vector<double>& cdf) {
 }
 
 const char* name_of(Weights kind) {
-  constexpr const char* names[] = {"the weights 1 2 3 2",
-                                   "the weights 0 0 1 0 2 0 0 1 0",
-                                   "a single weight",
-                                   "the weights 1e-310 0 3e-310",
-                                   "300 rugged weights",
-                                   "131072 weights, every second 0",
-                                   "six equal weights and two zeros",
-                                   "the weights 8e-17 1.168 0.183"};
-  return names[static_cast<int>(kind)];
+  constexpr std::array names{"the weights 1 2 3 2",
+                             "the weights 0 0 1 0 2 0 0 1 0",
+                             "a single weight",
+                             "the weights 1e-310 0 3e-310",
+                             "300 rugged weights",
+                             "131072 weights, every second 0",
+                             "six equal weights and two zeros",
+                             "the weights 8e-17 1.168 0.183"};
+  return names.at(static_cast<std::size_t>(kind));
 }
 
 /// Edges of the CDF are compared only where they are exact in double.
