@@ -107,7 +107,7 @@ TEST_CASE("Lab 7.2: a dart is three fresh numbers, x, y and z, and the first in 
     if (!(glm::length(w - first) <= 1e-5)) ++wrong_direction;
   }
   std::vector<Diagnosis> diagnoses;
-  if (fewer > repetitions / 2) diagnoses.push_back(reused);
+  if (2 * fewer > repetitions) diagnoses.push_back(reused);
   judge(
       holds("numbers drawn", wrong_words == 0,
             fmt::format("not three for every dart told, {} times of {}", wrong_words, repetitions),
