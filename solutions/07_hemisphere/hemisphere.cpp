@@ -1,0 +1,158 @@
+#include "hemisphere.h"
+
+#include "numeric/robust.h"
+
+#include <algorithm>
+#include <cmath>
+
+// Lab 07: directions, solved.
+
+namespace lab07 {
+
+using carlo::pi_f;
+
+// Lab 7.1 -----------------------------------------------------------------------------------------
+
+// Duff et al., "Building an orthonormal basis, revisited", JCGT 6(1), 2017: the sum below the line
+// has terms of one sign and is never less than 1.
+Frame::Frame(Vec3 normal) : s(0), t(0), n(normal) {
+  const float sign = std::copysign(1.0f, n.z);
+  const float a = -1 / (sign + n.z);
+  const float b = n.x * n.y * a;
+  s = {1 + sign * n.x * n.x * a, sign * b, -sign * n.x};
+  t = {b, sign + n.y * n.y * a, -n.y};
+}
+
+Vec3 Frame::to_world(Vec3 local) const {
+  return local.x * s + local.y * t + local.z * n;
+}
+
+Vec3 Frame::to_local(Vec3 world) const {
+  return {glm::dot(world, s), glm::dot(world, t), glm::dot(world, n)};
+}
+
+// Lab 7.2 -----------------------------------------------------------------------------------------
+
+Accepted sample_uniform_by_rejection(Vec3 normal, carlo::Rng& rng) {
+  for (std::int64_t darts = 1;; ++darts) {
+    const float x = 2 * rng.uniform_float() - 1;
+    const float y = 2 * rng.uniform_float() - 1;
+    const float z = 2 * rng.uniform_float() - 1;
+    const Vec3 dart(x, y, z);
+    const float length2 = glm::dot(dart, dart);
+    if (length2 > 1 || length2 == 0) continue;
+    const Vec3 w = dart / std::sqrt(length2);
+    return {glm::dot(w, normal) < 0 ? -w : w, darts};
+  }
+}
+
+// Lab 7.3 -----------------------------------------------------------------------------------------
+
+namespace {
+
+/// The direction whose angle with z has this cosine and sine, at the azimuth 2 pi u.
+Vec3 spherical(float cosine, float sine, float u) {
+  const float phi = 2 * pi_f * u;
+  return {sine * std::cos(phi), sine * std::sin(phi), cosine};
+}
+
+}  // namespace
+
+Vec3 sample_uniform_hemisphere(Vec2 u) {
+  return spherical(1 - u.x, std::sqrt(u.x * (2 - u.x)), u.y);
+}
+
+float uniform_hemisphere_pdf(Vec3 w) {
+  return w.z < 0 ? 0 : 1 / (2 * pi_f);
+}
+
+// Lab 7.4 -----------------------------------------------------------------------------------------
+
+Vec3 sample_cosine_hemisphere(Vec2 u) {
+  return spherical(std::sqrt(1 - u.x), std::sqrt(u.x), u.y);
+}
+
+float cosine_hemisphere_pdf(Vec3 w) {
+  return std::max(0.0f, w.z) / pi_f;
+}
+
+// Lab 7.5 -----------------------------------------------------------------------------------------
+
+Vec3 sample_lobe(Vec2 u, float n) {
+  const float log_cos = std::log1p(-u.x) / (n + 1);
+  return spherical(std::exp(log_cos), std::sqrt(-std::expm1(2 * log_cos)), u.y);
+}
+
+// cos = (1 + tan^2)^(-1/2): the tangent knows small angles and large ones, where the cosine alone
+// rounds to 1 and the sine alone to 1.
+float lobe_pdf(Vec3 w, float n) {
+  if (!(w.z > 0)) return 0;
+  const float tangent = std::hypot(w.x, w.y) / w.z;
+  const float log_cos = -0.5f * std::log1p(tangent * tangent);
+  return (n + 1) / (2 * pi_f) * (n == 0 ? 1 : std::exp(n * log_cos));
+}
+
+// Lab 7.6 -----------------------------------------------------------------------------------------
+
+Vec3 mirror_direction(Vec3 wo) {
+  return {-wo.x, -wo.y, wo.z};
+}
+
+Vec3 sample_mirror_lobe(Vec2 u, Vec3 wo, float n) {
+  return Frame(mirror_direction(wo)).to_world(sample_lobe(u, n));
+}
+
+float mirror_lobe_pdf(Vec3 wi, Vec3 wo, float n) {
+  return lobe_pdf(Frame(mirror_direction(wo)).to_local(wi), n);
+}
+
+// Lab 7.7 -----------------------------------------------------------------------------------------
+
+namespace {
+
+/// A direction and cos(theta) / pdf, the weight of the radiance from there; 0 below the horizon.
+struct Weighted {
+  Vec3 wi;
+  float weight;
+};
+
+Weighted draw(const Sampling& sampling, const Frame& frame, carlo::Rng& rng) {
+  if (sampling.technique == Technique::rejection) {
+    const Vec3 wi = sample_uniform_by_rejection(frame.n, rng).w;
+    return {wi, 2 * pi_f * glm::dot(wi, frame.n)};
+  }
+  const float x = rng.uniform_float();
+  const float y = rng.uniform_float();
+  if (sampling.technique == Technique::uniform) {
+    const Vec3 wi = sample_uniform_hemisphere({x, y});
+    return {frame.to_world(wi), 2 * pi_f * wi.z};
+  }
+  if (sampling.technique == Technique::cosine) {
+    return {frame.to_world(sample_cosine_hemisphere({x, y})), pi_f};
+  }
+  const Vec3 wo = frame.to_local(sampling.wo);
+  const Vec3 wi = sample_mirror_lobe({x, y}, wo, sampling.n);
+  const float pdf = mirror_lobe_pdf(wi, wo, sampling.n);
+  return {frame.to_world(wi), wi.z > 0 && pdf > 0 ? wi.z / pdf : 0};
+}
+
+}  // namespace
+
+double irradiance(const Radiance& radiance, Vec3 normal, const Sampling& sampling,
+                  std::int64_t count, carlo::Rng& rng) {
+  const Frame frame(normal);
+  double sum = 0;
+  for (std::int64_t i = 0; i < count; ++i) {
+    const auto [wi, weight] = draw(sampling, frame, rng);
+    if (weight > 0) sum += static_cast<double>(weight * radiance(wi));
+  }
+  return sum / static_cast<double>(count);
+}
+
+double ambient_occlusion(const Visible& visible, Vec3 normal, const Sampling& sampling,
+                         std::int64_t count, carlo::Rng& rng) {
+  const auto sky = [&](Vec3 wi) { return visible(wi) ? 1 / pi_f : 0.0f; };
+  return irradiance(sky, normal, sampling, count, rng);
+}
+
+}  // namespace lab07
