@@ -18,7 +18,7 @@ using FunctionNd = std::function<double(std::span<const double>)>;
 /// Whether a point lies in a domain.
 using Inside = std::function<bool(std::span<const double>)>;
 
-/// A box: lower[i] <= x[i] < upper[i]. Both spans have the same length, the dimension.
+/// A box: lower[i] <= x[i] < upper[i]. Both spans have the same length, the dimension d >= 1.
 struct Box {
   std::span<const double> lower, upper;
 };
@@ -28,6 +28,7 @@ struct Box {
 double average(const Function& f, std::int64_t n, carlo::Rng& rng);
 
 /// Lab 1.2. The integral of f over [a, b) by Monte Carlo, from n uniform points; a <= b, n >= 1.
+/// For a = b it is 0. Draws exactly one rng.uniform() a point, also for a = b.
 double integrate(const Function& f, double a, double b, std::int64_t n, carlo::Rng& rng);
 
 /// Lab 1.3. Mean, variance and standard error of a growing list of numbers, in constant memory and
@@ -54,17 +55,19 @@ class Moments {
   double m2_ = 0;  ///< sum of (x - mean)^2
 };
 
-/// Lab 1.4. Three deterministic rules over [a, b] with n cells of equal width h = (b - a) / n.
-/// n >= 1. midpoint: n evaluations; trapezoid: n + 1; simpson: 2 n + 1 (ends, midpoints and joints
-/// of the n cells).
+/// Lab 1.4. Three deterministic rules over [a, b] with n cells of equal width h = (b - a) / n;
+/// a <= b (for a = b they give 0), n >= 1, odd or even. midpoint: n evaluations; trapezoid: n + 1;
+/// simpson: 2 n + 1 (ends, midpoints and joints of the n cells).
 double midpoint(const Function& f, double a, double b, std::int64_t n);
 double trapezoid(const Function& f, double a, double b, std::int64_t n);
 double simpson(const Function& f, double a, double b, std::int64_t n);
 
-/// Lab 1.5. The midpoint rule nested in every dimension of the box: n cells a side, n^d points.
+/// Lab 1.5. The midpoint rule nested in every dimension of the box: n >= 1 cells a side, n^d
+/// points.
 double nested_midpoint(const FunctionNd& f, const Box& box, std::int64_t n);
 
-/// Lab 1.6. The integral of f over the box by Monte Carlo, from n uniform points.
+/// Lab 1.6. The integral of f over the box by Monte Carlo, from n >= 1 uniform points. Draws
+/// exactly one rng.uniform() a coordinate.
 double integrate_box(const FunctionNd& f, const Box& box, std::int64_t n, carlo::Rng& rng);
 
 /// An estimate and its standard error.
@@ -73,8 +76,9 @@ struct Estimate {
   double standard_error = 0;
 };
 
-/// Lab 1.7. The integral of f over the part of the box where `inside` holds, from n uniform points
-/// of the box; f is never evaluated outside the domain. The standard error is that of `value`.
+/// Lab 1.7. The integral of f over the part of the box where `inside` holds, from n >= 1 uniform
+/// points of the box, one rng.uniform() a coordinate; f is never evaluated outside the domain. The
+/// standard error is that of `value`; for n = 1 it is 0, as in Lab 1.3.
 Estimate integrate_domain(const FunctionNd& f, const Inside& inside, const Box& box, std::int64_t n,
                           carlo::Rng& rng);
 

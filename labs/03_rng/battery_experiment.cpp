@@ -144,12 +144,19 @@ std::string heat_map(const std::vector<RandomnessTest>& tests, const std::vector
   return html + "</tbody></table></div>";
 }
 
+/// A test's column, a letter: the same whether or not all others can run.
+char letter_of(const RandomnessTest& test) {
+  const auto& all = battery();
+  const auto place = std::find_if(
+      all.begin(), all.end(), [&](const RandomnessTest& other) { return other.key == test.key; });
+  return static_cast<char>('a' + (place - all.begin()));
+}
+
 /// The table for the console: one narrow column a test.
 carlo::Table short_table(const std::vector<RandomnessTest>& tests, const std::vector<Row>& rows) {
   std::vector<std::string> titles = {"generator"}, keys = {"generator"};
-  char letter = 'a';
   for (const RandomnessTest& test : tests) {
-    titles.push_back(std::string(1, letter++));
+    titles.push_back(std::string(1, letter_of(test)));
     keys.push_back(test.key);
   }
   titles.emplace_back("time");
@@ -186,11 +193,8 @@ std::string legend(const std::vector<RandomnessTest>& tests) {
   std::string text =
       "log2 of the numbers until the first rejection, - too even, + too uneven; a dot: passed;\n"
       "nothing: the test does not apply";
-  char letter = 'a';
-  for (const RandomnessTest& test : tests) {
-    text += fmt::format("{}{} {}", (letter - 'a') % 3 == 0 ? "\n" : ", ", letter, test.name);
-    ++letter;
-  }
+  for (std::size_t i = 0; i < tests.size(); ++i)
+    text += fmt::format("{}{} {}", i % 3 == 0 ? "\n" : ", ", letter_of(tests[i]), tests[i].name);
   return text;
 }
 

@@ -99,31 +99,11 @@ TestResult equidistribution(std::span<const std::uint32_t> words, int lowest, in
 
 std::uint64_t spectral_2d(std::uint64_t a, std::uint64_t c) {
   // 1. Write down two vectors (s, t) with s + a t = 0 mod c of which all others are sums.
-  // 2. Take from the longer one the multiple of the shorter one that leaves it as short as
-  // possible.
+  // 2. Take from the longer one the multiple of the shorter one that leaves it shortest.
   // 3. Repeat until nothing gets shorter. Squares of numbers up to 2^32 need a Wide.
   carlo::not_implemented("Lab 3.8", "Problem with LCGs");
 }
 
-// Given: a loop over next() where the compiler can see both. Nothing to do here. ------------------
-
-void Lcg::fill(std::span<std::uint32_t> out) {
-  Lcg local = *this;  // a state that no word of `out` can overlay stays in a register
-  for (std::uint32_t& word : out)
-    word = local.next();
-  *this = local;
-}
-
-void LaggedFibonacci::fill(std::span<std::uint32_t> out) {
-  for (std::uint32_t& word : out)
-    word = next();
-}
-
-void Pcg32::fill(std::span<std::uint32_t> out) {
-  Pcg32 local = *this;  // a state that no word of `out` can overlay stays in a register
-  for (std::uint32_t& word : out)
-    word = local.next();
-  *this = local;
-}
-
 }  // namespace lab03
+
+#include "fills.h"  // given: fill(), loops over the next() above

@@ -42,9 +42,10 @@ struct Lags {
 };
 
 /// Lab 3.3. The k >= 1 words that a lagged Fibonacci generator starts from, made from one seed.
-/// Equal seeds give equal words; the words look independent of each other and of those of any other
-/// seed, neighbouring ones too; at least one is odd. You may use carlo::hash and carlo::mix
-/// (random/hash.h).
+/// Equal seeds give equal words. At least one word is odd, whatever the seed; for this the lowest
+/// bit of one word may be set. All other bits, of this word too, are 0 or 1 equally often, and the
+/// words look independent of each other and of all words of other seeds, neighbouring ones too. You
+/// may use carlo::hash and carlo::mix (random/hash.h).
 std::vector<std::uint32_t> first_words(std::uint64_t seed, int k);
 
 /// A lagged Fibonacci generator: x_n = x_{n-j} (+, - or xor) x_{n-k} mod 2^32.
@@ -59,7 +60,7 @@ class LaggedFibonacci {
     }
   }
 
-  /// Lab 3.3. The next number; the first call returns x_k. Constant time.
+  /// Lab 3.3. The next number; the first call returns x_k. Takes the same time for every k.
   std::uint32_t next();
 
   /// The next out.size() numbers.
@@ -83,7 +84,9 @@ class Pcg32 {
   /// step, the seed added to the state, one more step.
   Pcg32(std::uint64_t seed, std::uint64_t stream);
 
-  /// Lab 3.4. The next number, made from the state as it is before the step.
+  /// Lab 3.4. The next number, made from the state s as it is before the step: the low 32 bits of
+  /// ((s >> 18) xor s) >> 27, rotated to the right by s >> 59. The step is an LCG's modulo 2^64:
+  /// s becomes multiplier s + increment.
   std::uint32_t next();
 
   /// The next out.size() numbers.
@@ -110,7 +113,8 @@ using Words = std::function<std::uint32_t()>;
 /// words on average.
 std::int32_t integer_between(std::int32_t u, std::int32_t v, const Words& next);
 
-/// The outcome of a statistical test. A statistic can be too small as well as too large.
+/// The outcome of a statistical test. A statistic can be too small as well as too large. Both tails
+/// keep their digits however small they are: neither is 1 minus the other, which rounds to 0.
 struct TestResult {
   double statistic = 0;
   double p_lower = 1;  ///< the chance that a perfect generator gives this value or a smaller one
@@ -118,8 +122,9 @@ struct TestResult {
 };
 
 /// Lab 3.7. Pearson's chi-square test of `counts` against `expected` (each > 0; as many as counts,
-/// at least two). Nothing was estimated from the counts but their sum. carlo::chi_square_lower and
-/// carlo::chi_square_upper (stats/distributions.h) are the distribution.
+/// at least two). Nothing was estimated from the counts but their sum. Each tail is right to 1e-9
+/// of itself, down to 1e-300. carlo::chi_square_lower and carlo::chi_square_upper
+/// (stats/distributions.h) are the distribution.
 TestResult chi_square(std::span<const std::int64_t> counts, std::span<const double> expected);
 
 /// Lab 3.7. The chi-square test of `bits` bits of each word, 1 <= bits <= 16, counted from the bit
@@ -127,8 +132,16 @@ TestResult chi_square(std::span<const std::int64_t> counts, std::span<const doub
 /// often.
 TestResult equidistribution(std::span<const std::uint32_t> words, int lowest, int bits);
 
-/// A signed integer that holds any product of two 64-bit ones.
+/// Given, for Lab 3.8: a signed integer that holds any product of two 64-bit ones.
 __extension__ typedef __int128 Wide;
+
+/// Given, for Lab 3.8: a vector of the lattice, and the scalar product of two.
+struct Vector {
+  Wide s, t;
+};
+inline Wide dot(const Vector& x, const Vector& y) {
+  return x.s * y.s + x.t * y.t;
+}
 
 /// Lab 3.8. The spectral test in two dimensions for x -> (a x + b) mod c, exact: the squared length
 /// nu_2^2 of the shortest (s, t), not both 0, of whole numbers with s + a t = 0 mod c. The pairs

@@ -121,14 +121,6 @@ TestResult equidistribution(std::span<const std::uint32_t> words, int lowest, in
 
 namespace {
 
-struct Vector {
-  Wide s, t;
-};
-
-Wide dot(const Vector& x, const Vector& y) {
-  return x.s * y.s + x.t * y.t;
-}
-
 /// x / y to the nearest whole number, halves towards 0; y > 0.
 Wide nearest_quotient(Wide x, Wide y) {
   const Wide magnitude = ((x < 0 ? -x : x) + (y - 1) / 2) / y;
@@ -148,25 +140,6 @@ std::uint64_t spectral_2d(std::uint64_t a, std::uint64_t c) {
   }
 }
 
-// Given -------------------------------------------------------------------------------------------
-
-void Lcg::fill(std::span<std::uint32_t> out) {
-  Lcg local = *this;  // a state that no word of `out` can overlay stays in a register
-  for (std::uint32_t& word : out)
-    word = local.next();
-  *this = local;
-}
-
-void LaggedFibonacci::fill(std::span<std::uint32_t> out) {
-  for (std::uint32_t& word : out)
-    word = next();
-}
-
-void Pcg32::fill(std::span<std::uint32_t> out) {
-  Pcg32 local = *this;  // a state that no word of `out` can overlay stays in a register
-  for (std::uint32_t& word : out)
-    word = local.next();
-  *this = local;
-}
-
 }  // namespace lab03
+
+#include "fills.h"  // given: fill(), loops over the next() above

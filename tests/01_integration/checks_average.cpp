@@ -1,6 +1,7 @@
 // Checks of exercises 1.1 and 1.2. A mean over all evaluations m catches a bias of 8.74 sd /
 // sqrt(m) with power .999 (compare.h); the size is stated at each test.
 
+#include "01_integration/draws.h"
 #include "01_integration/theory.h"
 #include "grader/judge/judge.h"
 
@@ -26,6 +27,15 @@ const Diagnosis wrong_points{"points-outside-interval",
 const Diagnosis repeated{"one-point-repeated",
                          "the error does not fall as n grows: the n points are not independent."};
 
+struct Interval {
+  double a = 0, b = 1;
+};
+
+/// What a probe is asked, for messages.
+std::string powers(int k, double n, Interval on = {}) {
+  return fmt::format("f(x) = x^{}, n = {:g}, on [{:g}, {:g})", k, n, on.a, on.b);
+}
+
 /// The estimate is scale times the mean of the values that f returned, to rounding (1e-12, where n
 /// additions in double lose 1e-13 and float loses 1e-6).
 Verdict is_mean_of_values(double estimate, double mean, double scale, double n) {
@@ -45,15 +55,11 @@ Verdict within(double lowest, double highest, double a, double b) {
                fmt::format("all within [{:g}, {:g})", a, b), {wrong_points});
 }
 
-struct Interval {
-  double a, b;
-};
-
 Rows integrals(double n, double repetitions, int k, Interval on) {
   return probe("Lab 1.2 estimates",
                {.n = static_cast<std::int64_t>(n),
                 .numbers = {{"repetitions", repetitions}, {"k", k}, {"a", on.a}, {"b", on.b}}},
-               {.rows = static_cast<std::size_t>(repetitions)});
+               {.rows = static_cast<std::size_t>(repetitions), .of = powers(k, n, on)});
 }
 
 void judge_integral(int k, Interval on, double n, double repetitions) {
@@ -76,13 +82,25 @@ void judge_integral(int k, Interval on, double n, double repetitions) {
 
 }  // namespace
 
+TEST_CASE("Lab 1.1: f is evaluated n times and its values are averaged", "[lab01][ex1]") {
+  for (const std::int64_t n : {1, 16, 4096}) {
+    const Rows rows = probe("Lab 1.1 record", {.n = n, .numbers = {{"k", 2}}},
+                            {.columns = 6, .of = powers(2, static_cast<double>(n))});
+    const auto count = static_cast<double>(n);
+    judge(equals("the number of evaluations of f", rows.at(0, 1), count, 0));
+    judge(within(rows.at(0, 2), rows.at(0, 3), 0, 1));
+    judge(is_mean_of_values(rows.at(0, 0), rows.at(0, 4), 1, count));
+    judge(draws(rows.at(0, 5), count));
+  }
+}
+
 // cv of x^2 is .894 and of x^5 1.51; 320 000 evaluations a test: a bias of 1.4 % (2.3 %) is caught,
 // n + 1 in place of n is one of 5.9 %. 20 000 estimates show a variance that is off by 9 %.
-TEST_CASE("Lab 1.1: the average over [0, 1) is unbiased", "[lab01][ex1]") {
+TEST_CASE("Lab 1.1: the average from 0 to 1 is unbiased", "[lab01][ex1]") {
   for (const int k : {2, 5}) {
     const Rows rows =
         probe("Lab 1.1 estimates", {.n = 16, .numbers = {{"repetitions", 20'000}, {"k", k}}},
-              {.rows = 20'000});
+              {.rows = 20'000, .of = powers(k, 16)});
     const Theory theory = theory_of_mean(power_moments(k, 0, 1), 16);
     judge(mean_is(fmt::format("the average of x^{}, n = 16", k), rows.values, theory,
                   {{theory.mean * 16 / 17, by_n_plus_one}, {theory.mean * 16, not_divided}}));
@@ -94,7 +112,7 @@ TEST_CASE("Lab 1.1: the variance of the average is that of one value divided by 
   for (const std::int64_t n : {1, 16, 256}) {
     const Rows rows =
         probe("Lab 1.1 estimates", {.n = n, .numbers = {{"repetitions", 20'000}, {"k", 2}}},
-              {.rows = 20'000});
+              {.rows = 20'000, .of = powers(2, static_cast<double>(n))});
     const auto count = static_cast<double>(n);
     const Theory theory = theory_of_mean(power_moments(2, 0, 1), count);
     judge(variance_is(fmt::format("the variance of the estimates, n = {}", n), rows.values, theory,
@@ -102,27 +120,28 @@ TEST_CASE("Lab 1.1: the variance of the average is that of one value divided by 
   }
 }
 
-TEST_CASE("Lab 1.1: f is evaluated n times and its values are averaged", "[lab01][ex1]") {
-  for (const std::int64_t n : {1, 16, 4096}) {
-    const Rows rows = probe("Lab 1.1 record", {.n = n, .numbers = {{"k", 2}}}, {.columns = 6});
-    const auto count = static_cast<double>(n);
-    judge(equals("the number of evaluations of f", rows.at(0, 1), count, 0));
-    judge(within(rows.at(0, 2), rows.at(0, 3), 0, 1));
-    judge(is_mean_of_values(rows.at(0, 0), rows.at(0, 4), 1, count));
-    // A uniform double takes two of the generator's 32-bit words.
-    judge(equals("the numbers drawn (calls of rng.uniform())", rows.at(0, 5) / 2, count, 0));
-  }
-}
-
 // 100 000 points: a distribution function that is off by .02 anywhere is caught with power .999.
-TEST_CASE("Lab 1.1: the points are uniform on [0, 1)", "[lab01][ex1]") {
+TEST_CASE("Lab 1.1: the points are uniform from 0 to 1", "[lab01][ex1]") {
   const Rows rows = probe("Lab 1.1 points", {.n = 100'000}, {.rows = 100'000, .finite = false});
   judge(uniform_on("the points that f is evaluated at", rows.values, 0, 1));
 }
 
+TEST_CASE("Lab 1.2: f is evaluated n times between a and b and the width is counted once",
+          "[lab01][ex2]") {
+  for (const Interval on : {Interval{1, 3}, Interval{-4, -3.5}, Interval{-1, 2}}) {
+    const Rows rows =
+        probe("Lab 1.2 record", {.n = 4096, .numbers = {{"k", 2}, {"a", on.a}, {"b", on.b}}},
+              {.columns = 6, .of = powers(2, 4096, on)});
+    judge(equals("the number of evaluations of f", rows.at(0, 1), 4096, 0));
+    judge(within(rows.at(0, 2), rows.at(0, 3), on.a, on.b));
+    judge(is_mean_of_values(rows.at(0, 0), rows.at(0, 4), on.b - on.a, 4096));
+    judge(draws(rows.at(0, 5), 4096));
+  }
+}
+
 // The largest cv is 1.10 (x^2 on [-2, 1]: mean 1, sd 1.095); 320 000 evaluations catch a bias of
 // 1.7 % in all four; n + 1 in place of n is one of 5.9 %.
-TEST_CASE("Lab 1.2: the integral over [a, b] is unbiased", "[lab01][ex2]") {
+TEST_CASE("Lab 1.2: the integral from a to b is unbiased", "[lab01][ex2]") {
   judge_integral(2, {1, 3}, 16, 20'000);
   judge_integral(2, {-2, 1}, 16, 20'000);
   judge_integral(1, {-5, -2}, 16, 20'000);
@@ -138,19 +157,7 @@ TEST_CASE("Lab 1.2: an empty interval gives 0", "[lab01][ex2]") {
   judge(equals("the integral over [3, 3]", rows.at(0, 0), 0, 0));
 }
 
-TEST_CASE("Lab 1.2: f is evaluated n times within [a, b) and the width is counted once",
-          "[lab01][ex2]") {
-  for (const Interval on : {Interval{1, 3}, Interval{-4, -3.5}, Interval{-1, 2}}) {
-    const Rows rows =
-        probe("Lab 1.2 record", {.n = 4096, .numbers = {{"k", 2}, {"a", on.a}, {"b", on.b}}},
-              {.columns = 5});
-    judge(equals("the number of evaluations of f", rows.at(0, 1), 4096, 0));
-    judge(within(rows.at(0, 2), rows.at(0, 3), on.a, on.b));
-    judge(is_mean_of_values(rows.at(0, 0), rows.at(0, 4), on.b - on.a, 4096));
-  }
-}
-
-TEST_CASE("Lab 1.2: the points are uniform on [a, b)", "[lab01][ex2]") {
+TEST_CASE("Lab 1.2: the points are uniform from a to b", "[lab01][ex2]") {
   const Rows rows = probe("Lab 1.2 points", {.n = 100'000, .numbers = {{"a", -3}, {"b", 5}}},
                           {.rows = 100'000, .finite = false});
   judge(uniform_on("the points that f is evaluated at", rows.values, -3, 5));

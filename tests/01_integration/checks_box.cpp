@@ -1,5 +1,6 @@
 // Checks of exercises 1.6 and 1.7. For sizes and power see checks_average.cpp.
 
+#include "01_integration/draws.h"
 #include "01_integration/integrands.h"
 #include "01_integration/theory.h"
 #include "grader/judge/judge.h"
@@ -93,7 +94,7 @@ void judge_box(BoxIntegrand integrand, int d) {
                            .numbers = {{"d", d},
                                        {"integrand", static_cast<double>(integrand)},
                                        {"repetitions", repetitions}}},
-                          {.rows = 20'000});
+                          {.rows = 20'000, .of = "n = 16, in " + dimensions(d)});
   const bool product = integrand == BoxIntegrand::product;
   const double volume = box_volume(d);
   const Theory theory =
@@ -103,9 +104,8 @@ void judge_box(BoxIntegrand integrand, int d) {
     suspects.push_back({theory.mean / volume * (upper(i) - lower(i)), one_side});
   }
   if (product && d > 1) suspects.push_back({volume * diagonal_product(d), same_number});
-  judge(mean_is(fmt::format("the integral in {} dimension(s)", d), rows.values, theory, suspects));
-  judge(variance_is(fmt::format("the variance of the estimates in {} dimension(s)", d), rows.values,
-                    theory));
+  judge(mean_is("the integral in " + dimensions(d), rows.values, theory, suspects));
+  judge(variance_is("the variance of the estimates in " + dimensions(d), rows.values, theory));
 }
 
 constexpr double pi = std::numbers::pi;
@@ -117,6 +117,12 @@ struct DomainCase {
   DomainIntegrand integrand;
   double integral, integral_of_square;
 
+  /// For messages.
+  std::string name() const {
+    constexpr const char* functions[] = {"1", "2 + x", "x^2"};
+    return fmt::format("f = {} on the {}", functions[static_cast<int>(integrand)],
+                       d == 2 ? "disc" : "ball");
+  }
   double volume() const {
     double product = 1;
     for (int i = 0; i < d; ++i)
@@ -141,8 +147,8 @@ Params domain_params(const DomainCase& of, std::int64_t n, double repetitions = 
 }
 
 void judge_domain(const std::string& name, const DomainCase& of) {
-  const Rows rows =
-      probe("Lab 1.7 estimates", domain_params(of, 16, 20'000), {.rows = 20'000, .columns = 2});
+  const Rows rows = probe("Lab 1.7 estimates", domain_params(of, 16, 20'000),
+                          {.rows = 20'000, .columns = 2, .of = of.name() + ", n = 16"});
   const double inside = of.d == 2 ? pi : 4 * pi / 3;
   const Theory theory{of.integral, std::sqrt(of.variance() / 16)};
   judge(mean_is(name, column(rows, 0), theory,
@@ -151,6 +157,21 @@ void judge_domain(const std::string& name, const DomainCase& of) {
 }
 
 }  // namespace
+
+TEST_CASE("Lab 1.6: f is evaluated n times within the box and its values are averaged",
+          "[lab01][ex6]") {
+  for (const int d : {1, 3, 10}) {
+    const Rows rows = probe("Lab 1.6 record", {.n = 4096, .numbers = {{"d", d}, {"integrand", 1}}},
+                            {.columns = 5, .of = "in " + dimensions(d)});
+    const double expected = box_volume(d) * rows.at(0, 3);
+    judge(equals("the number of evaluations of f", rows.at(0, 1), 4096, 0));
+    judge(holds("evaluations outside the box", rows.at(0, 2) == 0, fmt::format("{}", rows.at(0, 2)),
+                "none", {outside_box}));
+    judge(equals("the estimate against the values that f returned", rows.at(0, 0), expected,
+                 1e-12 * expected, {{rows.at(0, 3), volume_missing}}));
+    judge(draws(rows.at(0, 4), 4096.0 * d));
+  }
+}
 
 // The largest cv is .67 (the product in five dimensions): 320 000 evaluations catch a bias of 1.1
 // %.
@@ -162,17 +183,29 @@ TEST_CASE("Lab 1.6: the integral over a box is unbiased and its variance falls a
     judge_box(BoxIntegrand::squares, d);
 }
 
-TEST_CASE("Lab 1.6: f is evaluated n times within the box and its values are averaged",
-          "[lab01][ex6]") {
-  for (const int d : {1, 3, 10}) {
-    const Rows rows = probe("Lab 1.6 record", {.n = 4096, .numbers = {{"d", d}, {"integrand", 1}}},
-                            {.columns = 4});
-    const double expected = box_volume(d) * rows.at(0, 3);
-    judge(equals("the number of evaluations of f", rows.at(0, 1), 4096, 0));
-    judge(holds("evaluations outside the box", rows.at(0, 2) == 0, fmt::format("{}", rows.at(0, 2)),
+TEST_CASE("Lab 1.7: f is never evaluated outside the domain", "[lab01][ex7]") {
+  for (const DomainCase& of : {disc_area, disc_tilted, ball_volume}) {
+    const Rows rows =
+        probe("Lab 1.7 record", domain_params(of, 4096), {.columns = 9, .of = of.name()});
+    judge(holds("evaluations of f outside the domain", rows.at(0, 3) == 0,
+                fmt::format("{}", rows.at(0, 3)), "none", {outside_domain}));
+    judge(holds("points outside the box", rows.at(0, 5) == 0, fmt::format("{}", rows.at(0, 5)),
                 "none", {outside_box}));
-    judge(equals("the estimate against the values that f returned", rows.at(0, 0), expected,
-                 1e-12 * expected, {{rows.at(0, 3), volume_missing}}));
+    judge(holds("points that were asked for", rows.at(0, 4) >= 4096,
+                fmt::format("{}", rows.at(0, 4)), "n = 4096 at least"));
+    judge(draws(rows.at(0, 8), 4096 * of.d));
+  }
+}
+
+TEST_CASE("Lab 1.7: the value comes from all n points, those outside count as 0", "[lab01][ex7]") {
+  for (const DomainCase& of : {disc_area, disc_tilted, ball_volume}) {
+    const Rows rows =
+        probe("Lab 1.7 record", domain_params(of, 4096), {.columns = 9, .of = of.name()});
+    const double sum = rows.at(0, 7);
+    const double expected = of.volume() * sum / 4096;
+    judge(equals("the value against the values that f returned", rows.at(0, 0), expected,
+                 1e-12 * expected,
+                 {{of.volume() * sum / rows.at(0, 6), by_accepted}, {sum / 4096, volume_missing}}));
   }
 }
 
@@ -182,29 +215,6 @@ TEST_CASE("Lab 1.7: integrals over the disc and the ball are unbiased", "[lab01]
   judge_domain("the integral of 2 + x over the disc", disc_tilted);
   judge_domain("the integral of x^2 over the disc", disc_square);
   judge_domain("the volume of the ball", ball_volume);
-}
-
-TEST_CASE("Lab 1.7: f is never evaluated outside the domain", "[lab01][ex7]") {
-  for (const DomainCase& of : {disc_area, disc_tilted, ball_volume}) {
-    const Rows rows = probe("Lab 1.7 record", domain_params(of, 4096), {.columns = 8});
-    judge(holds("evaluations of f outside the domain", rows.at(0, 3) == 0,
-                fmt::format("{}", rows.at(0, 3)), "none", {outside_domain}));
-    judge(holds("points outside the box", rows.at(0, 5) == 0, fmt::format("{}", rows.at(0, 5)),
-                "none", {outside_box}));
-    judge(holds("points that were asked for", rows.at(0, 4) >= 4096,
-                fmt::format("{}", rows.at(0, 4)), "n = 4096 at least"));
-  }
-}
-
-TEST_CASE("Lab 1.7: the value comes from all n points, those outside count as 0", "[lab01][ex7]") {
-  for (const DomainCase& of : {disc_area, disc_tilted, ball_volume}) {
-    const Rows rows = probe("Lab 1.7 record", domain_params(of, 4096), {.columns = 8});
-    const double sum = rows.at(0, 2) * rows.at(0, 7);
-    const double expected = of.volume() * sum / 4096;
-    judge(equals("the value against the values that f returned", rows.at(0, 0), expected,
-                 1e-12 * expected,
-                 {{of.volume() * rows.at(0, 7), by_accepted}, {sum / 4096, volume_missing}}));
-  }
 }
 
 // s^2 / n is an unbiased estimate of the variance of the value for every n: at n = 4, dividing by N
@@ -247,14 +257,24 @@ TEST_CASE("Lab 1.7: errors are as large as the standard error says", "[lab01][ex
                     {{volume * volume, error_without_volume}, {1.0 / 400, error_of_one}}));
 }
 
+TEST_CASE("Lab 1.7: one point gives a value and the standard error 0", "[lab01][ex7]") {
+  const Rows rows = probe("Lab 1.7 record", domain_params(disc_area, 1),
+                          {.columns = 9, .of = disc_area.name() + ", n = 1"});
+  const double expected = rows.at(0, 6) * disc_area.volume();
+  judge(equals("the value", rows.at(0, 0), expected, 1e-12 * expected));
+  judge(equals("the standard error", rows.at(0, 1), 0, 0));
+}
+
 TEST_CASE("Lab 1.7: an empty domain gives 0, and the whole box the integral over it",
           "[lab01][ex7]") {
   const DomainCase nothing{2, Domain::nothing, DomainIntegrand::one, 0, 0};
   const DomainCase all{2, Domain::everything, DomainIntegrand::one, 0, 0};
-  const Rows none = probe("Lab 1.7 record", domain_params(nothing, 100), {.columns = 8});
+  const Rows none =
+      probe("Lab 1.7 record", domain_params(nothing, 100), {.columns = 9, .of = "an empty domain"});
   judge(equals("the area of nothing", none.at(0, 0), 0, 0));
   judge(equals("its standard error", none.at(0, 1), 0, 0));
-  const Rows whole = probe("Lab 1.7 record", domain_params(all, 100), {.columns = 8});
+  const Rows whole =
+      probe("Lab 1.7 record", domain_params(all, 100), {.columns = 9, .of = "the whole box"});
   judge(equals("the area of the whole box", whole.at(0, 0), all.volume(), 1e-12 * all.volume()));
   judge(equals("its standard error", whole.at(0, 1), 0, 1e-12));
 }

@@ -17,6 +17,16 @@ const Diagnosis not_a_mean{"standard-error-of-one-number",
 const Diagnosis cancellation{"sum-of-squares-cancellation",
                              "the variance is lost where the mean is large: two sums of nearly "
                              "equal size are subtracted."};
+const Diagnosis old_mean_twice{"both-distances-to-the-old-mean",
+                               "m2 grows by the square of the distance to the old mean; one of the "
+                               "two distances is the one to the new mean."};
+const Diagnosis new_mean_twice{"both-distances-to-the-new-mean",
+                               "m2 grows by the square of the distance to the new mean; one of the "
+                               "two distances is the one to the old mean."};
+const Diagnosis no_root{"standard-error-squared",
+                        "the square of the standard error is given: its square root is missing."};
+const Diagnosis divided_by_all{"standard-error-divided-by-n",
+                               "the standard deviation is divided by N, not by sqrt(N)."};
 const Diagnosis between_missing{"merge-without-between-means",
                                 "merging adds the spreads within both parts, but their means "
                                 "differ too, and that is spread as well."};
@@ -28,8 +38,24 @@ struct Exact {
 };
 
 Rows list(int pattern, std::int64_t n, double offset = 0) {
-  return probe("Lab 1.3 list", {.n = n, .numbers = {{"pattern", pattern}, {"offset", offset}}},
-               {.columns = 4});
+  return probe(
+      "Lab 1.3 list", {.n = n, .numbers = {{"pattern", pattern}, {"offset", offset}}},
+      {.columns = 4,
+       .of = fmt::format("a list of {} {} around {:g}", n, n == 1 ? "number" : "numbers", offset)});
+}
+
+/// What the variance of `numbers` would be if both factors of Welford's product were the distance
+/// to the same mean, the old one or the new one.
+Suspects same_distance_twice(const std::vector<double>& numbers) {
+  double n = 0, mean = 0, by_old = 0, by_new = 0;
+  for (const double x : numbers) {
+    const double old_mean = mean;
+    mean += (x - mean) / ++n;
+    by_old += (x - old_mean) * (x - old_mean);
+    by_new += (x - mean) * (x - mean);
+  }
+  if (n < 2) return {};
+  return {{by_old / (n - 1), old_mean_twice}, {by_new / (n - 1), new_mean_twice}};
 }
 
 /// Judges row `row` of {count, mean, variance, standard error}.
@@ -40,7 +66,10 @@ void judge_moments(const std::string& list_name, const Rows& rows, std::size_t r
   Suspects errors;
   if (exact.count > 1) {
     suspects.push_back({by_all, by_n});
-    errors = {{std::sqrt(exact.variance), not_a_mean}, {std::sqrt(by_all), not_a_mean}};
+    errors = {{std::sqrt(exact.variance), not_a_mean},
+              {std::sqrt(by_all), not_a_mean},
+              {exact.variance / exact.count, no_root},
+              {std::sqrt(exact.variance) / exact.count, divided_by_all}};
   }
   judge(equals("the count of " + list_name, rows.at(row, 0), exact.count, 0));
   judge(equals("the mean of " + list_name, rows.at(row, 1), exact.mean,
@@ -56,9 +85,11 @@ constexpr double rounding = 1e-12;
 }  // namespace
 
 TEST_CASE("Lab 1.3: mean, variance and standard error of a short list", "[lab01][ex3]") {
-  judge_moments("2 4 4 4 5 5 7 9", list(0, 8), 0, {8, 5, 32.0 / 7}, rounding);
-  judge_moments("2 4 4", list(0, 3), 0, {3, 10.0 / 3, 4.0 / 3}, rounding);
-  judge_moments("2 4", list(0, 2), 0, {2, 3, 2}, rounding);
+  judge_moments("2 4 4 4 5 5 7 9", list(0, 8), 0, {8, 5, 32.0 / 7}, rounding,
+                same_distance_twice({2, 4, 4, 4, 5, 5, 7, 9}));
+  judge_moments("2 4 4", list(0, 3), 0, {3, 10.0 / 3, 4.0 / 3}, rounding,
+                same_distance_twice({2, 4, 4}));
+  judge_moments("2 4", list(0, 2), 0, {2, 3, 2}, rounding, same_distance_twice({2, 4}));
 }
 
 TEST_CASE("Lab 1.3: one number has no variance, and no number has no mean", "[lab01][ex3]") {
@@ -75,8 +106,11 @@ TEST_CASE("Lab 1.3: the variance survives a mean of 1e8", "[lab01][ex3]") {
     judge(equals("the mean", rows.at(0, 1), 1e8, 1e-6));
     Verdict verdict = equals(fmt::format("the variance of {:g} numbers 1e8 ± 1", n), rows.at(0, 2),
                              variance, 1e-5, {{1, by_n}});
+    // It is cancellation when the same numbers around 0 have the right variance.
+    const Rows around_zero = list(1, static_cast<std::int64_t>(n), 0);
+    const bool right = std::abs(around_zero.at(0, 2) - variance) <= 1e-9;
     const bool far = !(std::abs(rows.at(0, 2) - variance) <= 0.2);
-    if (!verdict.passed && far) verdict.diagnoses.push_back(cancellation);
+    if (!verdict.passed && right && far) verdict.diagnoses.push_back(cancellation);
     judge(verdict);
   }
 }

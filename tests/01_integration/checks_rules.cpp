@@ -2,6 +2,7 @@
 // known exactly (h: the cell's width): for x^2, midpoint -(b - a) h^2 / 12 and trapezoid
 // +(b - a) h^2 / 6; for x^4, Simpson +(b - a) h^4 / 120.
 
+#include "01_integration/draws.h"
 #include "01_integration/integrands.h"
 #include "01_integration/theory.h"
 #include "grader/judge/judge.h"
@@ -22,6 +23,16 @@ const Diagnosis ends_not_halved{"trapezoid-ends-not-halved",
                                 "one cell only and has half."};
 const Diagnosis weights_swapped{"simpson-weights-swapped",
                                 "the weights 4 (midpoints) and 2 (inner joints) are swapped."};
+const Diagnosis no_midpoints{
+    "simpson-without-midpoints",
+    "f is evaluated n + 1 times: here every one of the n cells has its own "
+    "parabola through its ends and its middle, so there are 2 n + 1."};
+const Diagnosis one_too_many{"one-round-too-many",
+                             "one evaluation too many: a loop runs one round too far, up to the "
+                             "interval's end."};
+const Diagnosis joints_twice{"joints-evaluated-twice",
+                             "f is evaluated twice where two cells meet: once is enough, with the "
+                             "weight of both."};
 const Diagnosis at_left_ends{"midpoint-at-cell-ends",
                              "f is evaluated at the cells' ends and not in their middle."};
 const Diagnosis drift{"step-accumulated",
@@ -32,6 +43,23 @@ const Diagnosis width_missing{"missing-cell-width", "the sum is not multiplied b
 const Diagnosis one_dimension{"cell-volume-of-one-dimension",
                               "the sum is multiplied by the width of one dimension and not by "
                               "those of all."};
+const Diagnosis no_volume{"missing-box-volume",
+                          "the mean over the cells is not yet the integral: the box's volume is "
+                          "missing."};
+const Diagnosis not_scaled{"sum-not-scaled",
+                           "the sum over the cells is multiplied by no cell volume."};
+const Diagnosis by_n_only{
+    "divided-by-n-once",
+    "the sum over the n^d cells is divided by n once; every dimension has its "
+    "own width h."};
+const Diagnosis not_divided{"volume-of-box-for-cell",
+                            "the sum is multiplied by the volume of the box and not by that of a "
+                            "cell."};
+const Diagnosis at_corners{"points-at-corners",
+                           "f is evaluated at the cells' corners and not in their middle."};
+const Diagnosis outside_box{"points-outside-box",
+                            "f is evaluated outside the box: every dimension has its own lower and "
+                            "upper end."};
 const Diagnosis too_few{"n-points-in-all",
                         "n points are taken in all; n in every dimension are n^d."};
 
@@ -71,7 +99,17 @@ double weighted(int k, Interval on, int n, double end, double middle, double joi
   return h * sum;
 }
 
-/// What each rule's slips would give.
+/// What slips make of the number of evaluations.
+Suspects count_suspects(Rule rule, double n) {
+  Suspects list;
+  if (n != 2) list.push_back({evaluations(rule, n) + 1, one_too_many});  // for 2: as joints_twice
+  if (rule == simpson && n > 1) list.push_back({n + 1, no_midpoints});
+  if (rule == trapezoid && n > 2) list.push_back({2 * n, joints_twice});
+  if (rule == simpson && n > 2) list.push_back({3 * n, joints_twice});
+  return list;
+}
+
+/// What each rule's slips would give, where f is evaluated as often as it should be.
 Suspects suspects(Rule rule, int k, Interval on, int n, double right) {
   Suspects list{{right * n / (on.b - on.a), width_missing}};
   if (rule == midpoint) {
@@ -100,11 +138,15 @@ void judge_rule(Rule rule) {
   for (const Interval on : {Interval{1, 3}, Interval{-1.5, 0.5}}) {
     for (const int n : {1, 2, 7}) {
       for (int k = 0; k <= (rule == simpson ? 4 : 2); ++k) {
-        const Rows rows = probe("Lab 1.4 rule", rule_params(rule, k, on, n), {.columns = 3});
+        const std::string what =
+            fmt::format("{}: x^{} over [{}, {}], n = {}", names[rule], k, on.a, on.b, n);
+        const Rows rows =
+            probe("Lab 1.4 rule", rule_params(rule, k, on, n), {.columns = 3, .of = what});
         const double right =
             (on.b - on.a) * power_mean(k, on.a, on.b) + exact_error(rule, k, on, n);
-        judge(equals(fmt::format("{}: x^{} over [{}, {}], n = {}", names[rule], k, on.a, on.b, n),
-                     rows.at(0, 0), right, 1e-12 * 100, suspects(rule, k, on, n, right)));
+        const bool counted = rows.at(0, 1) == evaluations(rule, n);
+        judge(equals(what, rows.at(0, 0), right, 1e-12 * 100,
+                     counted ? suspects(rule, k, on, n, right) : Suspects{}));
       }
     }
   }
@@ -116,9 +158,11 @@ void judge_points(Rule rule) {
     Params params = rule_params(rule, 1, on, n);
     const std::vector<double> expected = points_of(rule, on, n);
     params.numbers["points"] = static_cast<double>(expected.size());
-    const Rows count = probe("Lab 1.4 rule", params, {.columns = 3});
+    const Rows count = probe("Lab 1.4 rule", params,
+                             {.columns = 3, .of = fmt::format("{}, n = {}", names[rule], n)});
     judge(equals(fmt::format("{}: evaluations for n = {}", names[rule], n), count.at(0, 1),
-                 evaluations(rule, n), 0));
+                 evaluations(rule, n), 0, count_suspects(rule, n)));
+    if (count.at(0, 1) != evaluations(rule, n)) continue;  // its points fit no list
     const Rows rows = probe("Lab 1.4 points", params, {.rows = expected.size(), .finite = false});
     judge(all_equal(fmt::format("{}: the points for n = {}", names[rule], n), rows.values, expected,
                     1e-12, {wrong_points}));
@@ -129,7 +173,8 @@ void judge_points(Rule rule) {
 void judge_last_point(Rule rule) {
   const std::int64_t n = 1'000'000;
   const Interval on{0, 0.1};
-  const Rows rows = probe("Lab 1.4 rule", rule_params(rule, 1, on, n), {.columns = 3});
+  const Rows rows = probe("Lab 1.4 rule", rule_params(rule, 1, on, n),
+                          {.columns = 3, .of = fmt::format("{}, n = 1e6", names[rule])});
   const double last = rule == midpoint ? 0.1 - 0.1 / 2e6 : 0.1;
   judge(equals(fmt::format("{}: evaluations for n = 1e6", names[rule]), rows.at(0, 1),
                evaluations(rule, 1e6), 0));
@@ -143,7 +188,7 @@ void judge_last_point(Rule rule) {
 Rows nested(BoxIntegrand integrand, int d, std::int64_t n) {
   return probe("Lab 1.5 nested",
                {.n = n, .numbers = {{"d", d}, {"integrand", static_cast<double>(integrand)}}},
-               {.columns = 3});
+               {.columns = 3, .of = fmt::format("in {}, n = {}", dimensions(d), n)});
 }
 
 double side(int i) {
@@ -169,27 +214,59 @@ double box_mean(BoxIntegrand integrand, int d, double n) {
   return integrand == BoxIntegrand::product ? product : squares;
 }
 
-void judge_nested(BoxIntegrand integrand, int d, int n) {
-  const Rows rows = nested(integrand, d, n);
-  const double right = volume(d) * box_mean(integrand, d, n);
-  Suspects suspects;
+/// The mean over the cells' lower (`sign` -1) or upper (1) corners.
+double corner_mean(BoxIntegrand integrand, int d, double n, double sign) {
+  double product = 1, squares = 0;
+  for (int i = 0; i < d; ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    const double centre = (lower(index) + upper(index)) / 2, step = sign * side(i) / n / 2;
+    const double centres = power_mean(2, lower(index), upper(index)) - step * step / 3;
+    product *= centre + step;
+    squares += (i + 1) * (centres + 2 * step * centre + step * step);
+  }
+  return integrand == BoxIntegrand::product ? product : squares;
+}
+
+/// What slips would give in place of `right`, where f is evaluated at n^d points.
+Suspects nested_suspects(BoxIntegrand integrand, int d, int n, double right) {
+  const double cells = std::pow(n, d);
+  Suspects suspects{{right / volume(d), no_volume},
+                    {volume(d) * corner_mean(integrand, d, n, -1), at_corners},
+                    {volume(d) * corner_mean(integrand, d, n, 1), at_corners}};
+  if (n > 1) {
+    suspects.push_back({right / volume(d) * cells, not_scaled});
+    suspects.push_back({right * cells, not_divided});
+  }
+  if (n > 1 && d > 1) suspects.push_back({right * cells / n, by_n_only});
   for (int i = 0; i < d && d > 1; ++i) {
     // One width in place of all; the sum runs over n^d points or its mean is taken.
     suspects.push_back({right / volume(d) * side(i), one_dimension});
     suspects.push_back({right / volume(d) * side(i) * std::pow(n, d - 1), one_dimension});
   }
+  return suspects;
+}
+
+void judge_nested(BoxIntegrand integrand, int d, int n) {
+  const Rows rows = nested(integrand, d, n);
+  const double right = volume(d) * box_mean(integrand, d, n);
   const double count = std::pow(n, d);
-  judge(equals(fmt::format("evaluations in {} dimension(s), n = {}", d, n), rows.at(0, 1), count, 0,
+  judge(equals(fmt::format("evaluations in {}, n = {}", dimensions(d), n), rows.at(0, 1), count, 0,
                d > 1 && n > 1 ? Suspects{{static_cast<double>(n), too_few},
                                          {static_cast<double>(n) * d, too_few}}
                               : Suspects{}));
-  judge(equals(fmt::format("evaluations outside the box in {} dimension(s)", d), rows.at(0, 2), 0,
-               0));
-  judge(equals(fmt::format("the integral in {} dimension(s), n = {}", d, n), rows.at(0, 0), right,
-               1e-12 * right, suspects));
+  judge(holds("evaluations outside the box in " + dimensions(d), rows.at(0, 2) == 0,
+              fmt::format("{}", rows.at(0, 2)), "none", {outside_box}));
+  judge(equals(fmt::format("the integral in {}, n = {}", dimensions(d), n), rows.at(0, 0), right,
+               1e-12 * right,
+               rows.at(0, 1) == count ? nested_suspects(integrand, d, n, right) : Suspects{}));
 }
 
 }  // namespace
+
+TEST_CASE("Lab 1.4: each rule evaluates f where it should, once", "[lab01][ex4]") {
+  for (const Rule rule : {midpoint, trapezoid, simpson})
+    judge_points(rule);
+}
 
 TEST_CASE("Lab 1.4: the midpoint rule is exact for lines and has its known error for x^2",
           "[lab01][ex4]") {
@@ -206,11 +283,6 @@ TEST_CASE("Lab 1.4: Simpson's rule is exact for cubics and has its known error f
   judge_rule(simpson);
 }
 
-TEST_CASE("Lab 1.4: each rule evaluates f where it should, once", "[lab01][ex4]") {
-  for (const Rule rule : {midpoint, trapezoid, simpson})
-    judge_points(rule);
-}
-
 TEST_CASE("Lab 1.4: a million cells do not drift", "[lab01][ex4]") {
   for (const Rule rule : {midpoint, trapezoid, simpson})
     judge_last_point(rule);
@@ -218,7 +290,8 @@ TEST_CASE("Lab 1.4: a million cells do not drift", "[lab01][ex4]") {
 
 TEST_CASE("Lab 1.4: an empty interval gives 0", "[lab01][ex4]") {
   for (const Rule rule : {midpoint, trapezoid, simpson}) {
-    const Rows rows = probe("Lab 1.4 rule", rule_params(rule, 2, {3, 3}, 4), {.columns = 3});
+    const Rows rows = probe("Lab 1.4 rule", rule_params(rule, 2, {3, 3}, 4),
+                            {.columns = 3, .of = fmt::format("{} over [3, 3]", names[rule])});
     judge(equals(fmt::format("{}: the integral over [3, 3]", names[rule]), rows.at(0, 0), 0, 0));
   }
 }

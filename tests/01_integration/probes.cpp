@@ -115,10 +115,13 @@ PROBE("Lab 1.2 estimates") {
 
 PROBE("Lab 1.2 record") {
   carlo::Rng rng(params.seed);
+  const carlo::Rng before = rng;
   Recorder recorder;
   const double value = lab01::integrate(recorder.watch(power_function(params)), params["a"],
                                         params["b"], params.n, rng);
-  return {5, {value, recorder.count(), recorder.lowest(), recorder.highest(), recorder.mean()}};
+  return {6,
+          {value, recorder.count(), recorder.lowest(), recorder.highest(), recorder.mean(),
+           words_drawn(before, rng, 4 * params.n + 64)}};
 }
 
 PROBE("Lab 1.2 points") {

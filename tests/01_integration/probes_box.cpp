@@ -1,6 +1,7 @@
 // Probes of lab 01's exercises in several dimensions: 1.5 to 1.7.
 
 #include "01_integration/integrands.h"
+#include "01_integration/recorder.h"
 #include "grader/worker/probe.h"
 #include "integration.h"
 
@@ -40,15 +41,16 @@ Corners domain_box(const Params& params) {
   return {{domain_lower, domain_lower + d}, {domain_upper, domain_upper + d}};
 }
 
-/// Counts the evaluations, those outside the box, and adds up the values.
+/// Counts the evaluations and those outside, and adds up the values: all of them, and those inside.
 struct Watch {
   double count = 0, outside = 0;
-  long double sum = 0;
+  long double sum = 0, sum_inside = 0;
 
   double note(double value, bool inside) {
     count += 1;
     outside += inside ? 0 : 1;
     sum += value;
+    if (inside) sum_inside += value;
     return value;
   }
   double mean() const { return count > 0 ? static_cast<double>(sum / count) : 0; }
@@ -86,9 +88,11 @@ PROBE("Lab 1.6 record") {
   const Corners box = test_box(params);
   Watch watch;
   carlo::Rng rng(params.seed);
+  const carlo::Rng before = rng;
   const auto kind = static_cast<BoxIntegrand>(params.whole("integrand"));
   const double value = lab01::integrate_box(watched(kind, box, watch), box.view(), params.n, rng);
-  return {4, {value, watch.count, watch.outside, watch.mean()}};
+  const double words = words_drawn(before, rng, 4 * params.n * params.whole("d") + 64);
+  return {5, {value, watch.count, watch.outside, watch.mean(), words}};
 }
 
 PROBE("Lab 1.7 estimates") {
@@ -107,21 +111,29 @@ PROBE("Lab 1.7 estimates") {
 }
 
 // Columns: the estimate and its error; how often f was asked, and outside the domain; how many
-// points were asked for, and outside the box; how many of them lay inside; the mean of f.
+// points were asked for, and outside the box; how many of them lay inside; the sum of f over those
+// where it was asked inside; the generator's words.
 PROBE("Lab 1.7 record") {
   const Corners box = domain_box(params);
   const auto domain = static_cast<Domain>(params.whole("domain"));
   const auto kind = static_cast<DomainIntegrand>(params.whole("integrand"));
-  Watch values, points;
+  Watch values;
+  double asked = 0, outside_box = 0, accepted = 0;
   const lab01::FunctionNd f = [&](std::span<const double> x) {
     return values.note(evaluate(kind, x), contains(domain, x));
   };
   const lab01::Inside inside = [&](std::span<const double> x) {
-    return points.note(contains(domain, x) ? 1 : 0, box.holds(x)) > 0;
+    const bool is_inside = contains(domain, x);
+    asked += 1;
+    outside_box += box.holds(x) ? 0 : 1;
+    accepted += is_inside ? 1 : 0;
+    return is_inside;
   };
   carlo::Rng rng(params.seed);
+  const carlo::Rng before = rng;
   const lab01::Estimate estimate = lab01::integrate_domain(f, inside, box.view(), params.n, rng);
-  return {8,
-          {estimate.value, estimate.standard_error, values.count, values.outside, points.count,
-           points.outside, static_cast<double>(points.sum), values.mean()}};
+  const double words = words_drawn(before, rng, 4 * params.n * params.whole("d") + 64);
+  return {9,
+          {estimate.value, estimate.standard_error, values.count, values.outside, asked,
+           outside_box, accepted, static_cast<double>(values.sum_inside), words}};
 }

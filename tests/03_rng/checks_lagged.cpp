@@ -28,10 +28,28 @@ const Diagnosis not_hashed{
     "seed-not-hashed",
     "first words of neighbouring seeds, or neighbouring words, depend on each "
     "other: the seed has to be hashed, for each word anew."};
+const Diagnosis seeds_shift{
+    "seeds-shift-one-stream",
+    "seeds share their words, at other places: the sum of seed and place is hashed, and many seeds "
+    "have the same sums."};
+const Diagnosis word_constant{"first-word-constant",
+                              "one word is the same for every seed: setting its lowest bit makes "
+                              "it odd, and leaves it its other bits."};
+const Diagnosis bits_fixed{"bits-fixed", "some bits are the same in every word."};
+const Diagnosis all_odd{
+    "too-many-odd",
+    "more words are made odd than the one that has to be: the lowest bits of all "
+    "numbers then follow one pattern, the same for all seeds."};
+const Diagnosis moves_all{"not-constant-time",
+                          "the time grows with k: erasing at the front moves all words. Write the "
+                          "new word over the oldest one, and move oldest_ on."};
 const Diagnosis seed_cut{"seed-cut-to-32-bits", "only the lower 32 bits of the seed are used."};
 const Diagnosis seed_ignored{"seed-ignored", "different seeds give the same words."};
 const Diagnosis not_repeatable{"not-repeatable",
                                "the same seed gives other words when it is asked again."};
+
+constexpr std::int64_t many_seeds = 20'000;
+constexpr double bit_slack = 0.0266;
 
 enum class Slip { none, swapped, place, oldest };
 
@@ -90,6 +108,21 @@ std::vector<double> products(const Rows& rows, std::size_t x, std::size_t y, std
   for (std::size_t i = 0; i + apart < rows.count(); i += apart + 1)
     values.push_back(standardised(rows.at(i, x)) * standardised(rows.at(i + apart, y)));
   return values;
+}
+
+/// For each of the first words: how often each bit is 1.
+std::vector<std::array<double, 32>> shares_of_ones(const Rows& rows, std::size_t places) {
+  std::vector<std::array<double, 32>> shares(places);
+  for (std::size_t place = 0; place < places; ++place) {
+    for (std::size_t i = 0; i < rows.count(); ++i) {
+      const auto word = static_cast<std::uint32_t>(rows.at(i, place));
+      for (std::size_t bit = 0; bit < 32; ++bit)
+        shares[place][bit] += (word >> bit) & 1;
+    }
+    for (double& share : shares[place])
+      share /= static_cast<double>(rows.count());
+  }
+  return shares;
 }
 
 void judge_independent(const std::string& what, const std::vector<double>& values) {
@@ -171,7 +204,7 @@ TEST_CASE("Lab 3.3: the same seed gives the same words, another one others", "[l
 // count up have correlations near 1 here, unhashed LCG starts no less (their product is a step
 // function of the seed, far from uniform over 20 000 seeds).
 TEST_CASE("Lab 3.3: first words of neighbouring seeds and places are independent", "[lab03][ex3]") {
-  const Rows rows = seeded(1, 20'000, 10);
+  const Rows rows = seeded(1, many_seeds, 10);
   std::vector<double> second, last;
   for (std::size_t i = 0; i < rows.count(); ++i) {
     second.push_back(rows.at(i, 1));
@@ -184,6 +217,70 @@ TEST_CASE("Lab 3.3: first words of neighbouring seeds and places are independent
   }
   judge_independent("a word for seeds s and s + 1", products(rows, 4, 4, 1));
   judge_independent("words i for s and i + 1 for s + 1", products(rows, 4, 5, 1));
+  judge_independent("words i + 1 for s and i for s + 1", products(rows, 5, 4, 1));
   judge_independent("words i and i + 1 of a seed", products(rows, 6, 7, 0));
   judge_independent("words i and i + 2 of a seed", products(rows, 6, 8, 0));
+}
+
+// A hash of s + i gives every seed the words of its neighbours, shifted. Among 20 000 independent
+// words .047 pairs are expected to be equal; five or more have a chance of 2e-9.
+TEST_CASE("Lab 3.3: no seed has the words of another one", "[lab03][ex3]") {
+  std::set<double> distinct;
+  double all = 0;
+  // The second block is a step of splitmix64's own away.
+  for (const std::uint64_t first : {std::uint64_t{7}, std::uint64_t{7} + 0x9E3779B97F4A7C15}) {
+    const Rows rows = seeded(first, 1000, 10);
+    for (std::size_t i = 0; i < rows.count(); ++i) {
+      for (std::size_t c = 0; c < 10; ++c)
+        distinct.insert(rows.at(i, c));
+      all += 10;
+    }
+  }
+  const double repeated = all - static_cast<double>(distinct.size());
+  std::vector<Diagnosis> many;  // a constant word makes a tenth come again, a narrow hash a few
+  if (repeated > 0.3 * all) many.push_back(seeds_shift);
+  judge(holds("words that come again, among 10 first words of each of 2000 seeds", repeated < 5,
+              fmt::format("{}", repeated), "none or so", many));
+}
+
+// 20 000 seeds: the share of ones of a bit has the standard deviation .0035, and 7.5 of these are
+// allowed to each of 320 bits (alpha 2e-11 in all). The lowest bit of one word may be set: the
+// words of a seed then hold half an odd one more than chance makes, on average (sd .011, 8 of these
+// allowed).
+TEST_CASE("Lab 3.3: every bit of the first words is 0 or 1 equally often", "[lab03][ex3]") {
+  const Rows rows = seeded(1, many_seeds, 10);
+  const auto shares = shares_of_ones(rows, 10);
+  double odd_words = 0;
+  bool balanced = true, constant = false, fixed = false;
+  std::string worst = "all about half";
+  for (std::size_t place = 0; place < 10; ++place) {
+    const auto& share = shares[place];
+    odd_words += share[0] - 0.5;
+    std::size_t same = 0;
+    for (std::size_t bit = 0; bit < 32; ++bit) {
+      const double limit = bit == 0 ? 0.5 : bit_slack;
+      if (share[bit] == 0 || share[bit] == 1) ++same;
+      if (share[bit] - 0.5 <= limit && share[bit] - 0.5 >= -bit_slack) continue;
+      if (balanced) worst = fmt::format("word {}, bit {}: {:.3f}", place, bit, share[bit]);
+      balanced = false;
+    }
+    constant = constant || same == 32;
+    fixed = fixed || (same > 1 && same < 32);
+  }
+  std::vector<Diagnosis> bits;
+  if (constant) bits.push_back(word_constant);
+  if (fixed) bits.push_back(bits_fixed);
+  judge(holds("the share of ones in each bit, over 20 000 seeds", balanced, worst,
+              "0.5 ± 0.027, but for a lowest bit that is set", bits));
+  judge(holds("odd words a seed beyond the half that chance makes odd", odd_words <= 0.59,
+              fmt::format("{:.3f} among 10", odd_words), "0.5 at most, from one that is made odd",
+              {all_odd}));
+}
+
+// erase() at the front of a vector moves all other words. 4000 numbers take half a second then with
+// a million words; with a ring they take less than a millisecond, whatever k is.
+TEST_CASE("Lab 3.3: a number takes the same time for every k", "[lab03][ex3]") {
+  const Rows rows = probe("Lab 3.3 cost", {.n = 4000, .numbers = {{"k", 1e6}}}, {});
+  judge(holds("the time of 4000 numbers, k = 1 000 000", rows.at(0, 0) <= 0.1,
+              fmt::format("{:.3g} s", rows.at(0, 0)), "less than 0.1 s", {moves_all}));
 }

@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <numeric>
 
 using namespace carlo::grader;
 using namespace lab03_tests;
@@ -23,6 +25,12 @@ const Diagnosis reaches_one{"float-reaches-one",
 const Diagnosis clamped{"clamped-below-one",
                         "the words that would round to 1 are pushed back to the last float, which "
                         "comes too often then; drop the digits before they are rounded."};
+const Diagnosis digits_lost{"digits-lost",
+                            "more of the word's digits are dropped than a float has to lose: 24 "
+                            "fit."};
+const Diagnosis a_for_b{"lower-end-for-upper",
+                        "where rounding reaches b, a is returned: as far away as can be. The float "
+                        "below b is next to it."};
 const Diagnosis reaches_b{"reaches-upper-end", "the upper end comes out: adding a rounds up to b."};
 const Diagnosis overflow{"width-overflows", "b - a overflows in float when both are huge."};
 
@@ -56,14 +64,18 @@ void judge_between(float a, float b) {
   const double wide_a = a, width = static_cast<double>(b) - wide_a;
   const double slack = 2 * gap(std::max(std::abs(wide_a), std::abs(static_cast<double>(b))));
   double worst = 0;
+  bool only_a = true;  // every value that is far off is a, where b would be near
   std::size_t i = 0;
   for (const std::uint32_t word : words_to_convert(tried)) {
     const double exact = wide_a + width * (static_cast<double>(word >> 8) * 0x1p-24);
-    worst = std::max(worst, std::abs(rows.values[i++] - exact));
+    const double value = rows.values[i++];
+    worst = std::max(worst, std::abs(value - exact));
+    if (std::abs(value - exact) > slack) only_a = only_a && value == a && b - exact <= slack;
   }
   Verdict verdict = equals("the largest distance from a + (b - a) u in " + range, worst, 0, slack);
-  const bool huge = width > std::numeric_limits<float>::max();
+  const bool huge = width > std::numeric_limits<float>::max() && worst > width / 2;
   if (!verdict.passed && huge) verdict.diagnoses.push_back(overflow);
+  if (!verdict.passed && only_a) verdict.diagnoses.push_back(a_for_b);
   judge(verdict);
 }
 
@@ -78,6 +90,15 @@ const Diagnosis division{"division-bias",
                          "left over out at even distances, but deals them out."};
 const Diagnosis through_float{"through-a-float",
                               "most values never come: a float has 2^24 values, no more."};
+const Diagnosis count_overflows{"count-overflows",
+                                "v - u + 1 is 2^32 for the widest range, which is 0 in 32 bits: "
+                                "count the values in 64."};
+const Diagnosis surplus_dealt{"surplus-word-dealt",
+                              "one of the words that are left over is dealt out all the same: is "
+                              "it < or <= at the limit?"};
+const Diagnosis good_refused{"good-word-refused",
+                             "one word more is refused than is left over: is it < or <= at the "
+                             "limit?"};
 const Diagnosis draws_too_many{"draws-too-many-words",
                                "too many words are thrown away: only those left over need be."};
 
@@ -88,13 +109,50 @@ Rows integers(double u, double v, std::int64_t n) {
 
 void judge_range(const Rows& rows, double u, double v) {
   const std::vector<double> values = column(rows, 0);
-  const bool finite =
-      std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
-  judge(holds("the words drawn", finite, finite ? "few" : "more than 64 a number",
+  const auto has = [&](auto property) {
+    return std::any_of(values.begin(), values.end(), property);
+  };
+  const bool divides = has([](double x) { return std::isinf(x); });
+  std::vector<Diagnosis> overflows;
+  if (v - u + 1 >= 0x1p32) overflows.push_back(count_overflows);
+  judge(holds(fmt::format("divisions for [{:.0f}..{:.0f}]", u, v), !divides,
+              divides ? "by zero" : "fine", "by anything but zero", overflows));
+  if (divides) return;
+  const bool dry = has([](double x) { return std::isnan(x); });
+  judge(holds("the words drawn", !dry, dry ? "more than 64 a number" : "few",
               "fewer than 2 a number", {draws_too_many}));
+  if (dry) return;
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  judge(holds(fmt::format("numbers in [{}..{}]", u, v), *low >= u && *high <= v,
-              fmt::format("from {} to {}", *low, *high), "all within", {out_of_range}));
+  judge(holds(fmt::format("numbers in [{:.0f}..{:.0f}]", u, v), *low >= u && *high <= v,
+              fmt::format("from {:.0f} to {:.0f}", *low, *high), "all within", {out_of_range}));
+}
+
+/// [u..v] with `values` values, of which 2^32 mod `values` words are left over; each value gets
+/// the others in equal parts.
+void judge_dealing(double values) {
+  constexpr std::int64_t about = 2048;
+  const double u = -2147483648.0, v = u + values - 1;
+  const auto left_over = std::fmod(0x1p32, values);
+  const double share = std::floor(0x1p32 / values);
+  const Rows rows = probe("Lab 3.6 words dealt", {.n = about, .numbers = {{"u", u}, {"v", v}}},
+                          {.rows = words_to_deal(about).size(), .finite = false});
+  double refused = 0, most = 0;
+  std::map<double, double> dealt;
+  for (const double value : rows.values) {
+    if (std::isnan(value)) {
+      ++refused;
+    } else {
+      most = std::max(most, ++dealt[value]);
+    }
+  }
+  const std::string range = fmt::format("[{:.0f}..{:.0f}]", u, v);
+  std::vector<Diagnosis> one_more, one_fewer;
+  if (refused == left_over + 1) one_more.push_back(good_refused);
+  if (refused == left_over - 1) one_fewer.push_back(surplus_dealt);
+  judge(holds(fmt::format("words refused for {}, of those tried", range), refused <= left_over,
+              fmt::format("{:.0f}", refused), fmt::format("{:.0f} at most", left_over), one_more));
+  judge(holds(fmt::format("words that give the same number of {}", range), most <= share,
+              fmt::format("{:.0f}", most), fmt::format("{:.0f} at most", share), one_fewer));
 }
 
 std::vector<double> indicator(const std::vector<double>& values,
@@ -129,11 +187,13 @@ TEST_CASE("Lab 3.5: unit_float gives the multiples of 2^-24 below 1, 256 words e
   const double highest = *std::max_element(rows.values.begin(), rows.values.end());
   if (highest == 1) one.push_back(reaches_one);
   judge(holds("the largest float", highest < 1, fmt::format("{:.9g}", highest), "below 1", one));
-  judge(
-      sequence_is("the floats of 58 192 words", rows.values,
-                  converted([](std::uint32_t w) { return static_cast<float>(w >> 8) * 0x1p-24f; }),
-                  {{converted([&](std::uint32_t w) { return std::min(scaled(w), last); }), clamped},
-                   {converted(scaled), reaches_one}}));
+  judge(sequence_is(
+      "the floats of 58 192 words", rows.values,
+      converted([](std::uint32_t w) { return static_cast<float>(w >> 8) * 0x1p-24f; }),
+      {{converted([&](std::uint32_t w) { return std::min(scaled(w), last); }), clamped},
+       {converted(scaled), reaches_one},
+       {converted([](std::uint32_t w) { return float(w >> 9) * 0x1p-23f; }), digits_lost},
+       {converted([](std::uint32_t w) { return float(w >> 16) * 0x1p-16f; }), digits_lost}}));
 }
 
 TEST_CASE("Lab 3.5: float_between stays in [a, b) and close to a + (b - a) u", "[lab03][ex5]") {
@@ -181,10 +241,22 @@ TEST_CASE("Lab 3.6: no value of a wide range is favoured", "[lab03][ex6]") {
   judge(share_is("the lowest third of the values",
                  indicator(number, [&](double x) { return x - u < values / 3; }), 1.0 / 3,
                  {{0.5, modulo}}));
-  for (int rest = 0; rest < 3; ++rest) {
-    const auto share = indicator(number, [&](double x) { return std::fmod(x - u, 3) == rest; });
-    judge(share_is(fmt::format("values u + 3 i + {}", rest), share, 1.0 / 3,
-                   {{rest == 0 ? 0.5 : 0.25, division}, {rest == 0 ? 1.0 : 0.0, through_float}}));
+  std::array<Verdict, 3> rests;
+  std::array<double, 3> shares{};
+  for (std::size_t rest = 0; rest < 3; ++rest) {
+    const auto is_rest = indicator(
+        number, [&](double x) { return std::fmod(x - u, 3) == static_cast<double>(rest); });
+    shares[rest] = std::accumulate(is_rest.begin(), is_rest.end(), 0.0) / 100'000;
+    rests[rest] = share_is(fmt::format("values u + 3 i + {}", rest), is_rest, 1.0 / 3, {});
+  }
+  const auto are = [&](double first, double others) {
+    return std::abs(shares[0] - first) < 0.02 && std::abs(shares[1] - others) < 0.02 &&
+           std::abs(shares[2] - others) < 0.02;
+  };
+  for (Verdict& rest : rests) {
+    if (!rest.passed && are(0.5, 0.25)) rest.diagnoses.push_back(division);
+    if (!rest.passed && are(1, 0)) rest.diagnoses.push_back(through_float);
+    judge(rest);
   }
 }
 
@@ -197,8 +269,8 @@ TEST_CASE("Lab 3.6: the ends are included, negative ones too", "[lab03][ex6]") {
     judge_range(rows, u, v);
     const auto values = column(rows, 0);
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    judge(equals(fmt::format("the least of 1000 numbers in [{}..{}]", u, v), *low, u, 0));
-    judge(equals(fmt::format("the greatest of 1000 numbers in [{}..{}]", u, v), *high, v, 0,
+    judge(equals(fmt::format("the least of 1000 numbers in [{:.0f}..{:.0f}]", u, v), *low, u, 0));
+    judge(equals(fmt::format("the greatest of 1000 numbers in [{:.0f}..{:.0f}]", u, v), *high, v, 0,
                  {{v - 1, end_missing}}));
   }
 }
@@ -218,12 +290,23 @@ TEST_CASE("Lab 3.6: the range of all 2^32 numbers", "[lab03][ex6]") {
   const Rows rows = integers(u, v, 100'000);
   judge_range(rows, u, v);
   auto values = column(rows, 0);
+  if (std::isinf(values.back())) return;
   judge(uniform_on("the numbers", values, u - 0.5, v + 0.5));
   std::sort(values.begin(), values.end());
   const auto distinct =
       static_cast<double>(std::unique(values.begin(), values.end()) - values.begin());
-  judge(holds("different numbers among 100 000", distinct > 99'970, fmt::format("{}", distinct),
-              "99 999 or so", {through_float}));
+  const bool few = distinct < 1000;
+  judge(holds("different numbers among 100 000", distinct > 99'970, fmt::format("{:.0f}", distinct),
+              "99 999 or so", {few ? count_overflows : through_float}));
+}
+
+// Ranges that leave 3 words and 2; who refused more would draw two words a number or favour some
+// numbers. Wherever these lie for multiplication (Lemire: low half of the
+// product below the limit), remainder (at the upper or the lower end), division or masks, they and
+// the next ones in line are among the words tried.
+TEST_CASE("Lab 3.6: exactly the words left over are refused", "[lab03][ex6]") {
+  judge_dealing(4294967293.0);
+  judge_dealing(2147483647.0);
 }
 
 // Half of the words are left over here, the worst case: 2 draws a number on average, sd 1.41.

@@ -109,6 +109,19 @@ PROBE("Lab 3.3 known answer") {
   return numbers(generator, params.n);
 }
 
+// The time of n numbers, with k words.
+PROBE("Lab 3.3 cost") {
+  const auto k = static_cast<int>(params.whole("k"));
+  lab03::LaggedFibonacci generator({k / 3, k}, lab03::Combine::subtract,
+                                   std::vector<std::uint32_t>(static_cast<std::size_t>(k), 1));
+  const double start = processor_seconds();
+  volatile std::uint32_t last = 0;
+  for (std::int64_t i = 0; i < params.n; ++i)
+    last = generator.next();
+  (void)last;
+  return {1, {processor_seconds() - start}};
+}
+
 PROBE("Lab 3.4 numbers") {
   lab03::Pcg32 generator(wide_word(params, "seed"), wide_word(params, "stream"));
   return numbers(generator, params.n);

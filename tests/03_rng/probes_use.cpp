@@ -1,5 +1,6 @@
 // Probes of lab 03's exercises that use random words: 3.5 to 3.8.
 
+#include "03_rng/divisions.h"
 #include "03_rng/words.h"
 #include "grader/worker/probe.h"
 #include "random/rng.h"
@@ -15,6 +16,7 @@ using carlo::grader::RowWriter;
 namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr double divided_by_zero = -std::numeric_limits<double>::infinity();
 
 /// What a source throws that was asked for far too many words.
 struct Exhausted {};
@@ -45,7 +47,8 @@ PROBE("Lab 3.5 between") {
   return rows;
 }
 
-// Columns: the value, and the words drawn for it; NaN once the source has run dry.
+// Columns: the value, and the words drawn for it. The value is NaN once the source has run dry, and
+// minus infinity from a division by zero on.
 PROBE("Lab 3.6 integers") {
   carlo::Rng rng(params.seed);
   const auto u = static_cast<std::int32_t>(params.whole("u"));
@@ -55,15 +58,38 @@ PROBE("Lab 3.6 integers") {
     if (++drawn > 64 * params.n + 1000) throw Exhausted();
     return rng.next_u32();
   };
-  Rows rows{2, {}};
-  for (std::int64_t i = 0; i < params.n; ++i) {
-    const std::int64_t before = drawn;
+  Rows rows{2, std::vector<double>(static_cast<std::size_t>(2 * params.n), divided_by_zero)};
+  std::size_t i = 0;
+  divides_well([&] {
+    for (; i < rows.values.size(); i += 2) {
+      const std::int64_t before = drawn;
+      try {
+        const double value = lab03::integer_between(u, v, source);
+        rows.values[i + 1] = static_cast<double>(drawn - before);
+        rows.values[i] = value;
+      } catch (const Exhausted&) {
+        rows.values[i] = rows.values[i + 1] = missing;
+      }
+    }
+  });
+  return rows;
+}
+
+// For each of words_to_deal(n): the number made of it, or NaN when another word was asked for.
+PROBE("Lab 3.6 words dealt") {
+  const auto u = static_cast<std::int32_t>(params.whole("u"));
+  const auto v = static_cast<std::int32_t>(params.whole("v"));
+  Rows rows{1, {}};
+  for (const std::uint32_t word : words_to_deal(params.n)) {
+    bool asked = false;
+    const lab03::Words source = [&] {
+      if (asked) throw Exhausted();
+      asked = true;
+      return word;
+    };
     try {
-      const double value = lab03::integer_between(u, v, source);
-      rows.values.push_back(value);
-      rows.values.push_back(static_cast<double>(drawn - before));
+      rows.values.push_back(lab03::integer_between(u, v, source));
     } catch (const Exhausted&) {
-      rows.values.push_back(missing);
       rows.values.push_back(missing);
     }
   }
@@ -101,8 +127,12 @@ PROBE("Lab 3.7 counting words") {
   return {3, {result.statistic, result.p_lower, result.p_upper}};
 }
 
+// Minus infinity for a division by zero.
 PROBE("Lab 3.8 length") {
-  return {1,
-          {static_cast<double>(lab03::spectral_2d(static_cast<std::uint64_t>(params.whole("a")),
-                                                  static_cast<std::uint64_t>(params.whole("c"))))}};
+  double length = divided_by_zero;
+  divides_well([&] {
+    length = static_cast<double>(lab03::spectral_2d(static_cast<std::uint64_t>(params.whole("a")),
+                                                    static_cast<std::uint64_t>(params.whole("c"))));
+  });
+  return {1, {length}};
 }

@@ -2,6 +2,7 @@
 
 #include "grader/judge/judge.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -15,14 +16,24 @@ struct Alternative {
   carlo::grader::Diagnosis diagnosis;
 };
 
+/// How numbers are shown to the student.
+enum class Digits { decimal, hexadecimal };
+
 /// Every number equals the expected one; where not, names the mistakes that give just these
 /// numbers.
 inline carlo::grader::Verdict sequence_is(const std::string& what,
                                           const std::vector<double>& measured,
                                           const std::vector<double>& expected,
-                                          const std::vector<Alternative>& alternatives = {}) {
+                                          const std::vector<Alternative>& alternatives = {},
+                                          Digits digits = Digits::decimal) {
   carlo::grader::Verdict verdict = carlo::grader::all_equal(what, measured, expected, 0);
   if (verdict.passed) return verdict;
+  const auto [x, y] =
+      std::mismatch(measured.begin(), measured.end(), expected.begin(), expected.end());
+  if (digits == Digits::hexadecimal && x != measured.end() && y != expected.end()) {
+    verdict.measured = fmt::format("0x{:08x}", static_cast<std::uint64_t>(*x));
+    verdict.expected = fmt::format("0x{:08x}", static_cast<std::uint64_t>(*y));
+  }
   for (const Alternative& other : alternatives) {
     if (measured == other.sequence) verdict.diagnoses.push_back(other.diagnosis);
   }

@@ -34,4 +34,18 @@ inline std::vector<std::uint32_t> words_to_convert(std::int64_t n) {
   return words;
 }
 
+/// The words about the seven multiples of 2^32 / 6, n to either side: where the words that are left
+/// over lie, for the ranges and the ways of dealing them out that checks_use.cpp names.
+inline std::vector<std::uint32_t> words_to_deal(std::int64_t n) {
+  std::vector<std::uint32_t> words;
+  for (std::int64_t i = 0; i <= 6; ++i) {
+    const std::int64_t centre = (i << 32) / 6;
+    for (std::int64_t word = centre - n; word < centre + n; ++word) {
+      if (word >= 0 && word < std::int64_t{1} << 32)
+        words.push_back(static_cast<std::uint32_t>(word));
+    }
+  }
+  return words;
+}
+
 }  // namespace lab03_tests

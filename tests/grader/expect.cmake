@@ -1,7 +1,8 @@
 # cmake -DJUDGE= -DLAB= -DWORKER= -DJSON= [-DPATCH=] [-DSEEDS=] -P expect.cmake
 # Runs the judge and compares its verdicts with what they must be:
 #   without PATCH and SEEDS  the untouched stub: every exercise "not implemented", no points
-#   with PATCH               a typical mistake: the exercise of its header fails with its diagnosis
+#   with PATCH               a typical mistake: the exercise of its header fails with its diagnosis;
+#                            with the diagnosis "crash" its program is ended
 #   with SEEDS               a right solution: full marks at seeds 1 to SEEDS
 
 function(run_judge)
@@ -44,8 +45,15 @@ function(expect_mistake)
   run_judge(--exercise ${exercise})
   string(JSON status GET "${verdicts}" exercises 0 status)
   string(JSON named GET "${verdicts}" exercises 0 diagnoses)
-  if(NOT code EQUAL 1 OR NOT status STREQUAL "failed")
+  set(expected failed)
+  if(diagnosis STREQUAL "crash")
+    set(expected crashed)
+  endif()
+  if(NOT code EQUAL 1 OR NOT status STREQUAL expected)
     message(FATAL_ERROR "the mistake is \"${status}\", exit code ${code}:\n${output}")
+  endif()
+  if(diagnosis STREQUAL "crash")
+    return()
   endif()
   if(NOT named MATCHES "\"${diagnosis}\"")
     message(FATAL_ERROR "\"${diagnosis}\" is not among ${named}:\n${output}")

@@ -52,6 +52,13 @@ void conclude(Verdict& verdict, const std::string& statistic, double p) {
   }
 }
 
+/// A whole number in full; another one with as many digits as show a difference, and no more.
+std::string number_text(double x, bool close) {
+  constexpr double exact_below = 0x1p53;
+  if (std::abs(x) < exact_below && x == std::floor(x)) return fmt::format("{:.0f}", x);
+  return close ? fmt::format("{:.16g}", x) : fmt::format("{:.6g}", x);
+}
+
 /// How many standard deviations a value may lie off a suspect's to be taken for it.
 constexpr double fit = 6;
 
@@ -129,10 +136,9 @@ Verdict equals(const std::string& what, double measured, double expected, double
   Verdict verdict;
   verdict.what = what;
   verdict.passed = std::abs(measured - expected) <= tolerance;
-  // As many digits as show a difference, and no more.
   const bool close = std::abs(measured - expected) <= 1e-4 * std::abs(expected);
-  verdict.measured = close ? fmt::format("{:.16g}", measured) : fmt::format("{:.6g}", measured);
-  verdict.expected = close ? fmt::format("{:.16g}", expected) : fmt::format("{:.6g}", expected);
+  verdict.measured = number_text(measured, close);
+  verdict.expected = number_text(expected, close);
   if (tolerance > 0) verdict.expected += fmt::format(" within {:.1g}", tolerance);
   const auto slack = [tolerance](double value) {
     return std::max(tolerance, 1e-9 * std::abs(value));

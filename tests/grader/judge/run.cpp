@@ -14,6 +14,16 @@ std::string shape_text(std::size_t rows, std::size_t columns) {
   return fmt::format("{} x {} values", rows, columns);
 }
 
+/// The signal, or what the library's own checks said before they raised it.
+std::string crash_cause(const Outcome& outcome) {
+  const std::size_t at = outcome.output.find(": Assertion '");
+  const std::size_t size = outcome.output.find("size()' failed", at);
+  if (at != std::string::npos && size != std::string::npos && size - at < 60) {
+    return "an index outside of its vector, array or span";
+  }
+  return signal_name(outcome.code);
+}
+
 /// Throws unless the worker ended as it should.
 void check_end(const Outcome& outcome, const Limits& limits) {
   using End = Outcome::End;
@@ -24,7 +34,7 @@ void check_end(const Outcome& outcome, const Limits& limits) {
     case End::exited:
       break;
     case End::signalled:
-      fail(Status::crashed, fmt::format("it crashed: {}", signal_name(outcome.code)));
+      fail(Status::crashed, fmt::format("it crashed: {}", crash_cause(outcome)));
       break;
     case End::deadline:
       fail(Status::timeout, fmt::format("it was not done after {:.3g} seconds",

@@ -1,0 +1,32 @@
+#pragma once
+
+// Given: fill() of the generators that are written in rng.cpp, which includes this file at its end.
+// Each is a loop over next(), and stands here so that the compiler sees both in one place.
+
+#include "rng.h"
+
+namespace lab03 {
+
+/// A state that no word of `out` can overlay stays in a register.
+template <class Generator>
+void fill_with_copy(Generator& generator, std::span<std::uint32_t> out) {
+  Generator local = generator;
+  for (std::uint32_t& word : out)
+    word = local.next();
+  generator = local;
+}
+
+void Lcg::fill(std::span<std::uint32_t> out) {
+  fill_with_copy(*this, out);
+}
+
+void Pcg32::fill(std::span<std::uint32_t> out) {
+  fill_with_copy(*this, out);
+}
+
+void LaggedFibonacci::fill(std::span<std::uint32_t> out) {
+  for (std::uint32_t& word : out)
+    word = next();
+}
+
+}  // namespace lab03
