@@ -156,17 +156,6 @@ float area_pdf(Vec3 from, Vec3 p, Vec3 n, double area) {
 
 }  // namespace
 
-ShadowRay shadow_ray(Vec3 o, const LightSample& light) {
-  // Embree's distances are good to a few float roundings.
-  constexpr float end = 1 - 1e-6f;
-  const Vec3 target = light.n == Vec3(0)
-                          ? light.p
-                          : carlo::offset_origin(light.p, light.p_error, light.n, o - light.p);
-  const Vec3 d = target - o;
-  const float length = glm::length(d);
-  return {{o, d / length}, length * end};
-}
-
 Lights::Lights(const Scene& scene) : scene_(scene) {
   entry_of_shape_.resize(scene.shapes.size());
   mesh_cdf_.resize(scene.shapes.size());

@@ -25,14 +25,6 @@ struct LightSample {
                  ///< light, whose radiance is already divided by the probability of its choice
 };
 
-/// The ray from a point `o` that is free of its surface to a light point, and its length: it ends
-/// in front of the light by no more than rounding asks for.
-struct ShadowRay {
-  carlo::Ray ray;
-  float length;
-};
-ShadowRay shadow_ray(Vec3 o, const LightSample& light);
-
 /// Chooses among a scene's lights in proportion to their power, and samples the chosen one:
 /// rectangles and spheres by solid angle, other shapes by area.
 class Lights {

@@ -2,6 +2,7 @@
 
 #include "bsdf.h"
 #include "geometry/intersector.h"
+#include "geometry/shadow_ray.h"
 #include "lights.h"
 #include "numeric/robust.h"
 #include "sampling/samplers.h"
@@ -184,8 +185,8 @@ class PathIntegrator final : public carlo::Integrator {
     const Vec3 wi = glm::normalize(light->p - hit.p);
     const ModifiedPhong::Value value = bsdf.evaluate(normal, wo, wi);
     if (!(value.pdf > 0)) return Rgb(0);
-    const ShadowRay shadow =
-        shadow_ray(carlo::offset_origin(hit.p, hit.p_error, hit.n, wi), *light);
+    const carlo::ShadowRay shadow = carlo::shadow_ray(
+        carlo::offset_origin(hit.p, hit.p_error, hit.n, wi), light->p, light->p_error, light->n);
     ++counts.rays;
     if (intersector_.occluded(shadow.ray, shadow.length)) return Rgb(0);
     const Rgb reflected = value.f * light->radiance * glm::dot(normal, wi);
