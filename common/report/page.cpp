@@ -85,7 +85,9 @@ std::string table_html(const Table& table, std::string_view caption) {
   std::string html =
       "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Table\">"
       "<table>\n";
-  if (!caption.empty()) html += fmt::format("<caption>{}</caption>\n", html_escaped(caption));
+  if (!caption.empty()) {
+    html += fmt::format("<caption><span>{}</span></caption>\n", html_escaped(caption));
+  }
   const auto row = [&](std::string_view tag, const auto& text_of) {
     html += "<tr>";
     for (std::size_t c = 0; c < table.titles().size(); ++c) {

@@ -8,6 +8,13 @@ namespace {
 constexpr std::string_view name_characters =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_";
 
+/// The names as they are used in a scene.
+std::vector<std::string> with_dollar(std::vector<std::string> names) {
+  for (std::string& name : names)
+    name.insert(0, 1, '$');
+  return names;
+}
+
 }  // namespace
 
 void Parameters::declare(const XmlElement& element) {
@@ -54,7 +61,7 @@ std::string Parameters::replaced(const XmlAttribute& attribute) const {
     const auto value = values_.find(name);
     if (value == values_.end()) {
       fail(attribute.value_at, "no <default> above declares the parameter {}{}",
-           in_quotes("$" + name), suggest(name, names()));
+           in_quotes("$" + name), suggest("$" + name, with_dollar(names())));
     }
     out += text.substr(from, dollar - from) + value->second;
     from = end;

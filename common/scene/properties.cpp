@@ -153,6 +153,13 @@ bool Properties::is_string(std::string_view name) const {
 }
 
 void Properties::missing(std::string_view name, std::string_view kind) const {
+  for (const XmlElement* property : properties_) {
+    const std::string& given = property->get("name").value;
+    const bool asked = std::find(asked_.begin(), asked_.end(), given) != asked_.end();
+    if (asked || !is_near(given, name)) continue;
+    fail(property->at, "<{} type={}> has no property {} (did you mean {}?)", object_.name,
+         in_quotes(type()), in_quotes(given), in_quotes(name));
+  }
   fail(object_.at, "<{} type={}> needs <{} name={} .../>", object_.name, in_quotes(type()), kind,
        in_quotes(name));
 }

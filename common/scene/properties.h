@@ -43,7 +43,8 @@ class Properties {
   /// <float> or <string>: a number or a name to look up.
   bool is_string(std::string_view name) const;
 
-  /// For a property that must be given. Throws Error at the object.
+  /// For a property that must be given. Throws Error at the object, or at a property that looks as
+  /// if this one had been meant.
   [[noreturn]] void missing(std::string_view name, std::string_view kind) const;
 
   /// The nested objects with the given element name, in order.

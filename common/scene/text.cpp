@@ -57,6 +57,11 @@ std::string in_quotes(std::string_view text) {
   return out + (text.size() > longest ? "...\"" : "\"");
 }
 
+bool is_near(std::string_view text, std::string_view name) {
+  const std::size_t distance = edit_distance(text.substr(0, 100), name);
+  return distance <= 2 && distance < name.size();
+}
+
 std::string suggest(std::string_view text, const std::vector<std::string>& candidates) {
   constexpr std::size_t few = 24;
   text = text.substr(0, 100);  // nobody mistypes a name that long, and the table is quadratic

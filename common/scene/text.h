@@ -10,6 +10,9 @@ namespace carlo {
 /// `text` in double quotes for a one-line message: control characters escaped, long text cut.
 std::string in_quotes(std::string_view text);
 
+/// Whether `text` may be a slip of the pen for `name`: two characters changed, and not all of them.
+bool is_near(std::string_view text, std::string_view name);
+
 /// " (did you mean "x"?)" for the candidate nearest to `text`, or " (expected one of ...)" with all
 /// candidates when none is near and they are few, or nothing.
 std::string suggest(std::string_view text, const std::vector<std::string>& candidates);

@@ -2,6 +2,7 @@
 
 #include "cli/atomic_file.h"
 #include "scene/text.h"
+#include "scene/xml_tags.h"
 
 #include <pugixml.hpp>
 
@@ -75,6 +76,18 @@ void check_encoding(const XmlSource& source) {
   }
 }
 
+[[noreturn]] void fail_parse(const XmlSource& source, const pugi::xml_parse_result& result) {
+  const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0));
+  if (result.status == pugi::status_end_element_mismatch) {
+    if (const auto fault = tag_fault(source.text)) {
+      fail({&source, fault->offset}, "not well-formed XML: {}", fault->message);
+    }
+  }
+  const bool at_end = source.text.find_first_not_of(" \t\r\n", offset) == std::string::npos;
+  fail({&source, offset}, "not well-formed XML: {}",
+       at_end ? "the file ends inside a tag" : result.description());
+}
+
 }  // namespace
 
 const XmlAttribute* XmlElement::find(std::string_view attribute) const {
@@ -137,8 +150,7 @@ XmlElement parse_xml(const XmlSource& source) {
     fail({&source, 0}, "no XML element found, expected <scene>");
   }
   if (!result) {
-    fail({&source, static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0))},
-         "not well-formed XML: {}", result.description());
+    fail_parse(source, result);
   }
   const std::string_view encoding = document.first_child().type() == pugi::node_declaration
                                         ? document.first_child().attribute("encoding").value()

@@ -126,9 +126,11 @@ std::string heat_map(const std::vector<RandomnessTest>& tests, const std::vector
   std::string html(heat_style);
   html +=
       "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Table of generators and "
-      "tests\"><table class=\"heat\"><caption>Numbers until the first rejection at p &lt; 1e-10, "
+      "tests\"><table class=\"heat\"><caption><span>Numbers until the first rejection at p &lt; "
+      "1e-10, "
       "or "
-      "the p-value at the largest sample. Point at a cell for both tails.</caption><thead><tr>"
+      "the p-value at the largest sample. Point at a cell for both "
+      "tails.</span></caption><thead><tr>"
       "<th scope=\"col\"></th>";
   for (const RandomnessTest& test : tests) {
     html += fmt::format("<th scope=\"col\" title=\"{}\">{}</th>", carlo::html_escaped(test.about),

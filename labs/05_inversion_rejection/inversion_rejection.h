@@ -5,7 +5,8 @@
 //
 // A sampler by inversion is the inverse of a cumulative distribution function (CDF): it takes any
 // double u in [0, 1), 0 and the last double below 1 included, returns a finite number and grows
-// with u. Its pdf stands beside it: a density per unit of x (or of area), 0 outside the support.
+// with u. Its pdf stands beside it: a density per unit of x (or of area), 0 outside the support, to
+// which both ends belong unless they are written "[0, 1)". At an end the density itself may be 0.
 
 #include "random/rng.h"
 
@@ -23,7 +24,8 @@ double sample_exponential(double u, double rate);
 double exponential_pdf(double x, double rate);
 
 /// Lab 5.2. Linear on [0, 1]: density proportional to the straight line from f0 >= 0 at x = 0 to
-/// f1 >= 0 at x = 1, not both 0; equal or nearly equal ends lose no digits.
+/// f1 >= 0 at x = 1, not both 0; equal or nearly equal ends lose no digits. Ends are below 1e150
+/// and, unless 0, above 1e-150.
 double sample_linear(double u, double f0, double f1);
 double linear_pdf(double x, double f0, double f1);
 
@@ -55,6 +57,7 @@ class Discrete {
   };
   /// The smallest index whose CDF is above u, in O(log n). Weight 0 is never drawn.
   Pick sample(double u) const;
+  /// index < size().
   double probability(std::size_t index) const;
 
   std::size_t size() const { return cdf_.size(); }
@@ -116,9 +119,10 @@ using Function = std::function<double(double)>;
 /// After this many darts without success rejection gives up.
 constexpr std::int64_t max_darts = 10'000'000;
 
-/// Lab 5.7. A number with density proportional to f on [a, b), a < b, where 0 <= f <= f_max. f need
-/// not be normalised. A dart draws x first, then y: exactly two rng.uniform(). Throws carlo::Error
-/// when f(x) is above f_max, negative or no number, and after max_darts darts in vain.
+/// Lab 5.7. A number with density proportional to f on [a, b), a < b, where 0 <= f <= f_max; where
+/// rounding gives b itself that is fine. f need not be normalised. A dart draws x first, then y:
+/// exactly two rng.uniform(). Throws carlo::Error when f(x) is above f_max, negative or no number,
+/// and after max_darts darts in vain.
 Accepted<double> sample_by_rejection(const Function& f, double a, double b, double f_max,
                                      carlo::Rng& rng);
 /// The share of darts accepted, from the integral of f over [a, b).
@@ -126,7 +130,8 @@ double acceptance_rate(double integral, double a, double b, double f_max);
 
 /// Lab 5.8. Uniform points of the unit disc around 0. By rejection: darts at the square [-1, 1)^2,
 /// x first, then y. By inversion: u_radius decides the distance from 0 and grows with it, u_angle
-/// the angle 2 pi u_angle from the x axis towards the y axis; no dart is lost.
+/// the angle 2 pi u_angle from the x axis towards the y axis; no dart is lost. (Rounding may put a
+/// point 1e-16 outside.)
 Accepted<Point> disc_by_rejection(carlo::Rng& rng);
 Point disc_by_inversion(double u_radius, double u_angle);
 /// Density per unit area; points with x^2 + y^2 <= 1 belong to the disc.

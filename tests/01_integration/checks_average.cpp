@@ -1,8 +1,8 @@
 // Checks of exercises 1.1 and 1.2. A mean over all evaluations m catches a bias of 8.74 sd /
 // sqrt(m) with power .999 (compare.h); the size is stated at each test.
 
-#include "01_integration/draws.h"
 #include "01_integration/theory.h"
+#include "grader/judge/draws.h"
 #include "grader/judge/judge.h"
 
 #include <algorithm>

@@ -1,8 +1,9 @@
 // Checks of exercises 1.6 and 1.7. For sizes and power see checks_average.cpp.
 
-#include "01_integration/draws.h"
+#include "01_integration/dimensions.h"
 #include "01_integration/integrands.h"
 #include "01_integration/theory.h"
+#include "grader/judge/draws.h"
 #include "grader/judge/judge.h"
 
 #include <cmath>

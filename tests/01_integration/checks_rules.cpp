@@ -2,7 +2,7 @@
 // known exactly (h: the cell's width): for x^2, midpoint -(b - a) h^2 / 12 and trapezoid
 // +(b - a) h^2 / 6; for x^4, Simpson +(b - a) h^4 / 120.
 
-#include "01_integration/draws.h"
+#include "01_integration/dimensions.h"
 #include "01_integration/integrands.h"
 #include "01_integration/theory.h"
 #include "grader/judge/judge.h"

@@ -4,6 +4,7 @@
 #include "01_integration/integrands.h"
 #include "01_integration/recorder.h"
 #include "grader/worker/probe.h"
+#include "grader/worker/words_drawn.h"
 #include "integration.h"
 
 #include <algorithm>
@@ -17,6 +18,7 @@ using namespace lab01_tests;
 using carlo::grader::Params;
 using carlo::grader::Rows;
 using carlo::grader::RowWriter;
+using carlo::grader::words_drawn;
 
 namespace {
 

@@ -1,8 +1,8 @@
 // Probes of lab 01's exercises in several dimensions: 1.5 to 1.7.
 
 #include "01_integration/integrands.h"
-#include "01_integration/recorder.h"
 #include "grader/worker/probe.h"
+#include "grader/worker/words_drawn.h"
 #include "integration.h"
 
 #include <vector>
@@ -10,6 +10,7 @@
 using namespace lab01_tests;
 using carlo::grader::Params;
 using carlo::grader::RowWriter;
+using carlo::grader::words_drawn;
 
 namespace {
 

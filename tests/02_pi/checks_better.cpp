@@ -172,7 +172,7 @@ TEST_CASE("Lab 2.4: the standard deviations of one sample", "[lab02][ex4]") {
 
 // Exact where the arithmetic is; else one sample either way is rounding.
 TEST_CASE("Lab 2.4: the smallest number of samples that is enough", "[lab02][ex4]") {
-  judge_plan({1, 0.5, 2}, 0);
+  judge_plan({1, 0.5, 3}, 0);
   judge_plan({3, 0.25, 1}, 0);
   judge_plan({1, 0.375, 1}, 0);
   judge_plan({2.5, 1, 2.25}, 0);

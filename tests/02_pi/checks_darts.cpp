@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 using namespace carlo::grader;
 using namespace lab02_tests;
@@ -80,24 +81,37 @@ Interval normal_limits(Case darts, double z) {
   return {4 * (share - half), 4 * (share + half)};
 }
 
+/// The mistakes that give just these two limits; one limit alone fits many.
+std::vector<Diagnosis> interval_diagnoses(Interval measured, Case darts, double z) {
+  const ScoreLimits share = score_limits(darts.thrown, darts.hits, z);
+  const Interval normal = normal_limits(darts, z);
+  const double undivided = 4 * (1 + z * z / darts.thrown);
+  const std::array<std::pair<Interval, Diagnosis>, 4> mistakes = {
+      {{normal, normal_interval},
+       {{std::max(0.0, normal.lower), std::min(4.0, normal.upper)}, normal_interval},
+       {{share.lower, share.upper}, interval_not_scaled},
+       {{undivided * share.lower, undivided * share.upper}, not_shrunk}}};
+  for (const auto& [limits, diagnosis] : mistakes) {
+    const bool fits = std::abs(measured.lower - limits.lower) <= 1e-9 &&
+                      std::abs(measured.upper - limits.upper) <= 1e-9;
+    if (fits) return {diagnosis};
+  }
+  return {};
+}
+
 void judge_interval(Case darts, double z) {
   const Rows rows = probe("Lab 2.2 interval",
                           {.numbers = {{"thrown", darts.thrown}, {"hits", darts.hits}, {"z", z}}},
                           {.columns = 2, .finite = false});
   const ScoreLimits share = score_limits(darts.thrown, darts.hits, z);
-  const Interval normal = normal_limits(darts, z);
-  const double undivided = 4 * (1 + z * z / darts.thrown);
   const std::string of = fmt::format("{:g} hits of {:g}, z = {:g}", darts.hits, darts.thrown, z);
-  judge(equals("the lower limit from " + of, rows.at(0, 0), 4 * share.lower, 1e-9,
-               {{normal.lower, normal_interval},
-                {std::max(0.0, normal.lower), normal_interval},
-                {share.lower, interval_not_scaled},
-                {undivided * share.lower, not_shrunk}}));
-  judge(equals("the upper limit from " + of, rows.at(0, 1), 4 * share.upper, 1e-9,
-               {{normal.upper, normal_interval},
-                {std::min(4.0, normal.upper), normal_interval},
-                {share.upper, interval_not_scaled},
-                {undivided * share.upper, not_shrunk}}));
+  Verdict lower = equals("the lower limit from " + of, rows.at(0, 0), 4 * share.lower, 1e-9);
+  Verdict upper = equals("the upper limit from " + of, rows.at(0, 1), 4 * share.upper, 1e-9);
+  for (Verdict* limit : {&lower, &upper}) {
+    if (!limit->passed)
+      limit->diagnoses = interval_diagnoses({rows.at(0, 0), rows.at(0, 1)}, darts, z);
+    judge(*limit);
+  }
 }
 
 }  // namespace

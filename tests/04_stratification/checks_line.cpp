@@ -3,6 +3,7 @@
 
 #include "04_stratification/integrands.h"
 #include "04_stratification/theory.h"
+#include "grader/judge/draws.h"
 #include "grader/judge/judge.h"
 
 #include <algorithm>
@@ -15,6 +16,9 @@ namespace {
 
 const Diagnosis not_stratified{"points-not-stratified",
                                "the points fall anywhere: some strata get none, others several."};
+const Diagnosis whole_division{"whole-number-division",
+                               "all points lie in the first stratum: i/n of two whole numbers is a "
+                               "whole number, 0."};
 const Diagnosis no_jitter{"no-jitter",
                           "every point lies at the same place of its stratum on every run: that is "
                           "a rule, with a rule's bias, and no random estimate."};
@@ -78,22 +82,15 @@ Rows places(std::int32_t n) {
 
 }  // namespace
 
-// sd of one estimate at n = 8: .0128 (x), .0145 (x^2): 20 000 of them catch a bias of 9e-4, .2 %.
-// Variances that are off by 9 % are caught; plain points' is 64 times as large for x.
-TEST_CASE("Lab 4.1: the average is unbiased, with the variance that strata leave", "[lab04][ex1]") {
-  judge_estimates(1, 8);
-  judge_estimates(2, 8);
-  judge_estimates(2, 1);
-}
-
 TEST_CASE("Lab 4.1: each stratum holds exactly one point, and the values are averaged",
           "[lab04][ex1]") {
   for (const std::size_t n : {1U, 7U, 4096U}) {
     const Rows rows = probe("Lab 4.1 record", {.n = static_cast<std::int64_t>(n)},
-                            {.rows = n + 2, .finite = false});
+                            {.rows = n + 3, .finite = false});
     const double count = static_cast<double>(n);
     judge(equals("the number of evaluations of f", rows.at(1, 0), count, 0));
-    std::vector<double> points(rows.values.begin() + 2, rows.values.end());
+    judge(draws(rows.at(2, 0), count));
+    std::vector<double> points(rows.values.begin() + 3, rows.values.end());
     std::vector<int> held(n, 0);
     int outside = 0;
     double sum = 0;
@@ -110,18 +107,27 @@ TEST_CASE("Lab 4.1: each stratum holds exactly one point, and the values are ave
                 fmt::format("{}", outside), "none", {too_wide}));
     if (outside == 0) {
       judge(holds(fmt::format("strata without a point, n = {}", n), missed == 0,
-                  fmt::format("{}", missed), "none", {not_stratified}));
+                  fmt::format("{}", missed), "none",
+                  {n > 1 && held[0] == static_cast<int>(n) ? whole_division : not_stratified}));
     }
     judge(equals("the estimate against the values that f returned", rows.at(0, 0), sum / count,
                  1e-12 * sum / count, {{sum, not_divided}}));
   }
 }
 
+// sd of one estimate at n = 8: .0128 (x), .0145 (x^2): 20 000 of them catch a bias of 9e-4, .2 %.
+// Variances that are off by 9 % are caught; plain points' is 64 times as large for x.
+TEST_CASE("Lab 4.1: the average is unbiased, with the variance that strata leave", "[lab04][ex1]") {
+  judge_estimates(1, 8);
+  judge_estimates(2, 8);
+  judge_estimates(2, 1);
+}
+
 // Kolmogorov-Smirnov on 4096 places within their strata: catches distances of .058 with power .999.
 TEST_CASE("Lab 4.1: within its stratum a point may lie anywhere, equally likely", "[lab04][ex1]") {
-  const Rows rows = probe("Lab 4.1 record", {.n = 4096}, {.rows = 4098, .finite = false});
+  const Rows rows = probe("Lab 4.1 record", {.n = 4096}, {.rows = 4099, .finite = false});
   std::vector<double> within;
-  for (std::size_t i = 2; i < rows.count(); ++i)
+  for (std::size_t i = 3; i < rows.count(); ++i)
     within.push_back(std::fmod(rows.at(i, 0) * 4096, 1.0));
   const auto [least, most] = std::minmax_element(within.begin(), within.end());
   judge(holds("the places within the strata differ", *most - *least > 0.5,
@@ -134,10 +140,12 @@ TEST_CASE("Lab 4.1: within its stratum a point may lie anywhere, equally likely"
 TEST_CASE("Lab 4.2: x lies in its stratum, at both ends and up to 2^20 strata", "[lab04][ex2]") {
   for (const std::int32_t n : {1, 3, 49, 1000, 65'535, 1 << 20, (1 << 20) - 1}) {
     const Rows rows = places(n);
-    int ones = 0, above = 0, below = 0;
+    int no_numbers = 0, ones = 0, above = 0, below = 0;
     for (std::size_t row = 0; row < rows.count(); ++row) {
       const double i = rows.at(row, 0), x = rows.at(row, 2);
-      if (x >= 1) {
+      if (!std::isfinite(x)) {
+        ++no_numbers;
+      } else if (x >= 1) {
         ++ones;
       } else if (!(x * n < i + 1)) {
         ++above;
@@ -145,13 +153,15 @@ TEST_CASE("Lab 4.2: x lies in its stratum, at both ends and up to 2^20 strata", 
         ++below;
       }
     }
-    const auto tell = [&](const std::string& what, int found, const Diagnosis& diagnosis) {
+    const auto tell = [&](const std::string& what, int found,
+                          const std::vector<Diagnosis>& diagnosis) {
       judge(holds(fmt::format("{} of 30 000, n = {}", what, n), found == 0,
-                  fmt::format("{}", found), "none", {diagnosis}));
+                  fmt::format("{}", found), "none", diagnosis));
     };
-    tell("places at 1", ones, reaches_one);
-    tell("places above their stratum", above, leaves_above);
-    tell("places below their stratum", below, leaves_below);
+    tell("places that are no numbers", no_numbers, {});
+    tell("places at 1", ones, {reaches_one});
+    tell("places above their stratum", above, {leaves_above});
+    tell("places below their stratum", below, {leaves_below});
   }
 }
 

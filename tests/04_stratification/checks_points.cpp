@@ -19,6 +19,12 @@ const Diagnosis swapped{"columns-and-rows-swapped",
                         "another order: x belongs to the column, which runs fastest."};
 const Diagnosis not_in_cell{"points-not-in-their-cells",
                             "points lie outside of the cell that is theirs."};
+const Diagnosis whole_division{"whole-number-division",
+                               "all points lie in the first cell: column/columns of two whole "
+                               "numbers is a whole number, 0."};
+const Diagnosis axis_by_axis{"coordinates-axis-by-axis",
+                             "the coordinates come axis by axis; those of one point stand side by "
+                             "side, coordinate k of point j at [j * dimensions + k]."};
 const Diagnosis no_jitter{"no-jitter", "all points lie at the same place of their cells."};
 const Diagnosis same_number{"same-number-for-x-and-y",
                             "x and y come from one random number: the points lie on the diagonals "
@@ -86,6 +92,17 @@ bool is_exchanged(const Rows& points, const Grid& grid) {
   return other_order || other_sides;
 }
 
+/// Whether all points lie in the first cell.
+bool in_first_cell(const Rows& points, const Grid& grid) {
+  for (std::size_t i = 1; i < points.count(); ++i) {
+    if (!in_cell(points.at(i, 0) * static_cast<double>(grid.columns),
+                 points.at(i, 1) * static_cast<double>(grid.rows))) {
+      return false;
+    }
+  }
+  return true;
+}
+
 Rows hypercubes(std::size_t n, std::size_t dimensions, std::size_t repetitions) {
   return probe("Lab 4.4 hypercubes",
                {.n = static_cast<std::int64_t>(n),
@@ -105,6 +122,29 @@ std::vector<int> strata_of(const Rows& rows, std::size_t row, std::size_t n, std
   return strata;
 }
 
+/// How many strata of all axes hold no point of one hypercube (`row`: its size, its coordinates).
+std::size_t strata_missed(const std::vector<double>& row, std::size_t n, std::size_t d) {
+  const Rows rows{row.size(), row};
+  std::size_t missed = 0;
+  for (std::size_t k = 0; k < d; ++k) {
+    std::vector<int> strata = strata_of(rows, 0, n, d, k);
+    std::sort(strata.begin(), strata.end());
+    for (std::size_t i = 0; i < n; ++i)
+      missed += std::binary_search(strata.begin(), strata.end(), static_cast<int>(i)) ? 0 : 1;
+  }
+  return missed;
+}
+
+/// The hypercube that was meant when the coordinates came axis by axis.
+std::vector<double> points_first(const std::vector<double>& row, std::size_t n, std::size_t d) {
+  std::vector<double> out = row;
+  for (std::size_t j = 0; j < n; ++j) {
+    for (std::size_t k = 0; k < d; ++k)
+      out[1 + j * d + k] = row[1 + k * n + j];
+  }
+  return out;
+}
+
 }  // namespace
 
 TEST_CASE("Lab 4.3: each cell holds its point, in reading order", "[lab04][ex3]") {
@@ -119,7 +159,10 @@ TEST_CASE("Lab 4.3: each cell holds its point, in reading order", "[lab04][ex3]"
       astray += in_cell(within.x[i], within.y[i]) ? 0 : 1;
     const bool exchanged = is_exchanged(rows, grid);
     judge(holds("points outside of their cell, " + which, astray == 0, fmt::format("{}", astray),
-                "none", {exchanged ? swapped : not_in_cell}));
+                "none",
+                {exchanged                   ? swapped
+                 : in_first_cell(rows, grid) ? whole_division
+                                             : not_in_cell}));
   }
 }
 
@@ -166,15 +209,11 @@ TEST_CASE("Lab 4.4: along every axis each stratum holds exactly one point", "[la
     const Rows rows = hypercubes(size.n, size.d, 1);
     judge(equals("the number of coordinates, " + which, rows.at(0, 0),
                  static_cast<double>(size.n * size.d), 0));
-    std::size_t missed = 0;
-    for (std::size_t k = 0; k < size.d; ++k) {
-      std::vector<int> strata = strata_of(rows, 0, size.n, size.d, k);
-      std::sort(strata.begin(), strata.end());
-      for (std::size_t i = 0; i < size.n; ++i)
-        missed += std::binary_search(strata.begin(), strata.end(), static_cast<int>(i)) ? 0 : 1;
-    }
+    const std::size_t missed = strata_missed(rows.values, size.n, size.d);
+    const bool axes_first =
+        strata_missed(points_first(rows.values, size.n, size.d), size.n, size.d) == 0;
     judge(holds("strata without a point, " + which, missed == 0, fmt::format("{}", missed), "none",
-                {not_stratified}));
+                {axes_first ? axis_by_axis : not_stratified}));
   }
 }
 

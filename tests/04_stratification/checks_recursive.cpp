@@ -90,7 +90,8 @@ constexpr std::size_t repetitions = 2000;
 /// Unbiased within the spread of `most` times the plain variance, and no larger spread than that.
 void judge_case(const Case& of, std::int64_t n, double most) {
   const Rows rows =
-      probe("Lab 4.6 estimates", params(of, n, repetitions), {.rows = repetitions, .columns = 2});
+      probe("Lab 4.6 estimates", params(of, n, repetitions),
+            {.rows = repetitions, .columns = 2, .of = fmt::format("{}, n = {}", of.name, n)});
   const double plain = of.plain_variance / static_cast<double>(n);
   const std::string which = fmt::format("{}, n = {}", of.name, n);
   Verdict mean = mean_is("the mean of the estimates of " + which, column(rows, 0),
@@ -119,7 +120,8 @@ void judge_case(const Case& of, std::int64_t n, double most) {
 }
 
 Rows record(const Case& of, std::int64_t n) {
-  return probe("Lab 4.6 record", params(of, n), {.columns = 6});
+  return probe("Lab 4.6 record", params(of, n),
+               {.columns = 6, .of = fmt::format("{}, n = {}", of.name, n)});
 }
 
 struct Box {
@@ -149,7 +151,9 @@ struct Box {
 std::vector<Box> strata(const Case& of, std::int64_t n) {
   const auto d = static_cast<std::size_t>(of.d);
   const Rows rows = probe("Lab 4.6 strata", params(of, n),
-                          {.rows = static_cast<std::size_t>(n), .columns = 2 * d + 1});
+                          {.rows = static_cast<std::size_t>(n),
+                           .columns = 2 * d + 1,
+                           .of = fmt::format("{}, n = {}", of.name, n)});
   std::vector<Box> boxes;
   for (std::size_t row = 0; row < rows.count(); ++row) {
     Box box{{}, {}, rows.at(row, 2 * d)};

@@ -3,6 +3,7 @@
 
 #include "04_stratification/integrands.h"
 #include "grader/worker/probe.h"
+#include "grader/worker/words_drawn.h"
 #include "stratification.h"
 
 #include <array>
@@ -24,9 +25,11 @@ PROBE("Lab 4.1 estimates") {
   return rows.take();
 }
 
-// The estimate of x^2 and how often f was asked; then the n places, filled up or cut.
+// The estimate of x^2, how often f was asked, the generator's words; then the n places, filled up
+// or cut.
 PROBE("Lab 4.1 record") {
   carlo::Rng rng(params.seed);
+  const carlo::Rng before = rng;
   std::vector<double> places;
   const double value = lab04::stratified_average(
       [&](double x) {
@@ -36,7 +39,8 @@ PROBE("Lab 4.1 record") {
       params.n, rng);
   const auto asked = static_cast<double>(places.size());
   places.resize(static_cast<std::size_t>(params.n), std::numeric_limits<double>::quiet_NaN());
-  places.insert(places.begin(), {value, asked});
+  const double words = carlo::grader::words_drawn(before, rng, 4 * params.n + 64);
+  places.insert(places.begin(), {value, asked, words});
   return {1, std::move(places)};
 }
 

@@ -35,6 +35,8 @@ const Diagnosis half_tent{"tent-not-stretched",
 const Diagnosis exponent_n{"power-one-too-low",
                            "x^n integrates to x^(n + 1)/(n + 1): the root is the (n + 1)-th."};
 const Diagnosis not_normalised{"density-not-normalised", "the density does not integrate to 1."};
+const Diagnosis end_left_out{"end-outside-the-support",
+                             "the ends of the support belong to it: the density is not 0 there."};
 const Diagnosis outside_support{"density-outside-the-support",
                                 "the density is not 0 outside the support."};
 
@@ -148,8 +150,12 @@ void judge_density(const Case& c, std::vector<Alternative> alternatives) {
   params.numbers["last"] = last;
   const Rows rows = probe("Lab 5.1 to 5.3 density", params, {.rows = steps + 1, .finite = false});
   std::vector<double> at, inside_at, inside;
+  bool right_outside = true;
   for (int i = 0; i <= steps; ++i) {
     at.push_back(first + (last - first) * (static_cast<double>(i) / steps));
+    if (c.pdf(at.back()) == 0) {
+      right_outside = right_outside && rows.values[static_cast<std::size_t>(i)] == 0;
+    }
     if (!(at.back() > c.first && at.back() < c.last)) continue;
     inside_at.push_back(at.back());
     inside.push_back(rows.values[static_cast<std::size_t>(i)]);
@@ -157,7 +163,7 @@ void judge_density(const Case& c, std::vector<Alternative> alternatives) {
   Verdict verdict = equals_everywhere("the density of " + c.name, at, rows.values, c.pdf, 1e-11,
                                       1e-14 * c.pdf(c.first + margin), alternatives);
   if (!verdict.passed && looks_like(c.pdf, inside_at, inside)) {
-    verdict.diagnoses.push_back(outside_support);
+    verdict.diagnoses.push_back(right_outside ? end_left_out : outside_support);
   }
   judge(verdict);
 }
@@ -186,11 +192,14 @@ TEST_CASE(
     "Lab 5.1: samples are the inverse of the CDF, at 0, at tiny u and up to the last u below 1",
     "[lab05][ex1]") {
   for (const double rate : {1.0, 0.01, 250.0}) {
-    judge_inverse(exponential(rate), 1e-12, 0,
-                  {{[=](double u) { return -std::log(u) / rate; }, infinite_at_0},
-                   {[=](double u) { return -std::log(1 - u) / rate; }, cancels},
-                   {[=](double u) { return -std::log(1 - u) * rate; }, times_rate},
-                   {[=](double u) { return -std::log1p(-u) * rate; }, times_rate}});
+    std::vector<Alternative> alternatives{
+        {[=](double u) { return -std::log(u) / rate; }, infinite_at_0},
+        {[=](double u) { return -std::log(1 - u) / rate; }, cancels}};
+    if (rate != 1) {
+      alternatives.push_back({[=](double u) { return -std::log(1 - u) * rate; }, times_rate});
+      alternatives.push_back({[=](double u) { return -std::log1p(-u) * rate; }, times_rate});
+    }
+    judge_inverse(exponential(rate), 1e-12, 0, alternatives);
   }
 }
 
@@ -221,7 +230,13 @@ TEST_CASE("Lab 5.2: linear samples are the inverse of the CDF, whatever the ends
       return u == 0 && c.p == 0 ? std::numeric_limits<double>::quiet_NaN() : c.inverse(u);
     };
     const auto swapped = linear(f1, f0).inverse;
-    std::vector<Alternative> alternatives{{naive, divides_by_difference}, {nan_at_0, zero_by_zero}};
+    // min(1.0, NaN) is 1, min(NaN, 1.0) is NaN.
+    const auto one_at_0 = [=](double u) { return u == 0 && c.p == 0 ? 1 : c.inverse(u); };
+    std::vector<Alternative> alternatives{{naive, divides_by_difference}};
+    if (f0 == 0) {
+      alternatives.push_back({nan_at_0, zero_by_zero});
+      alternatives.push_back({one_at_0, zero_by_zero});
+    }
     if (f0 != f1 && std::abs(f0 - f1) > 1e-12) alternatives.push_back({swapped, mirrored});
     judge_inverse(c, 1e-11, 1e-15, alternatives);
   }

@@ -131,8 +131,9 @@ TEST_CASE("Lab 5.7: a dart is two fresh numbers, x first, and one look at f", "[
 
 TEST_CASE("Lab 5.7: f outside its promised range is an error, and so is a search in vain",
           "[lab05][ex7]") {
-  constexpr const char* names[] = {"f = 1.5 under the bound 1", "f = -0.5", "f that is NaN"};
-  for (int kind = 0; kind < 3; ++kind) {
+  constexpr const char* names[] = {"f = 1.5 under the bound 1", "f = -0.5", "f that is NaN",
+                                   "f that is NaN above x = 1/2"};
+  for (int kind = 0; kind < 4; ++kind) {
     const Rows rows = probe("Lab 5.7 broken promise", {.numbers = {{"kind", kind}}}, {});
     judge(holds(names[kind], rows.at(0, 0) == 1,
                 rows.at(0, 0) == 0 ? "accepted" : "an exception of another kind", "carlo::Error",

@@ -36,7 +36,8 @@ enum class Weights {
   rugged = 4,   ///< 300 weights over three orders of magnitude, every seventh 0
   comb = 5,     ///< 2^17 bins, every second 0
   sixths = 6,   ///< six equal weights, whose shares add up to less than 1 in double, and two zeros
-  count = 7
+  speck = 7,    ///< a tiny weight first: (u - C_(i-1))/(C_i - C_(i-1)) rounds to 1 just below C_i
+  count = 8
 };
 
 inline std::vector<double> weights_of(Weights kind) {
@@ -51,6 +52,8 @@ inline std::vector<double> weights_of(Weights kind) {
       return {1e-310, 0, 3e-310};
     case Weights::sixths:
       return {1, 1, 1, 1, 1, 1, 0, 0};
+    case Weights::speck:
+      return {0x1.59d47572ecfc6p-54, 0x1.2afc230d15f83p+0, 0x1.76c2932eb8218p-3};
     case Weights::comb: {
       std::vector<double> weights(std::size_t{1} << 17);
       for (std::size_t i = 1; i < weights.size(); i += 2)

@@ -92,8 +92,14 @@ PROBE("Lab 5.7 record") {
 PROBE("Lab 5.7 broken promise") {
   carlo::Rng rng(params.seed);
   const auto kind = params.whole("kind");
-  const auto f = [kind](double) { return kind == 0 ? 1.5 : kind == 1 ? -0.5 : not_a_number; };
-  return {1, {refusal([&] { (void)lab05::sample_by_rejection(f, 0, 1, 1, rng); })}};
+  const auto f = [kind](double x) {
+    if (kind == 3 && x < 0.5) return 0.5;
+    return kind == 0 ? 1.5 : kind == 1 ? -0.5 : not_a_number;
+  };
+  return {1, {refusal([&] {
+            for (int i = 0; i < 100; ++i)  // a good half may hide the bad one from a single search
+              (void)lab05::sample_by_rejection(f, 0, 1, 1, rng);
+          })}};
 }
 
 PROBE("Lab 5.7 in vain") {

@@ -78,10 +78,10 @@ void check_rows(const Rows& rows, const Shape& shape) {
 /// What a probe was asked, in words: what the check calls it, or its parameters.
 std::string question(const Params& params, const Shape& shape) {
   if (!shape.of.empty()) return shape.of;
-  std::string text =
-      params.n != 0 || !params.numbers.empty() ? fmt::format("n = {}", params.n) : "";
+  std::string text = params.n != 0 ? fmt::format("n = {}", params.n) : "";
   for (const auto& [name, value] : params.numbers) {
-    if (name != "repetitions" && name != "points") text += fmt::format(", {} = {:g}", name, value);
+    if (name == "repetitions" || name == "points") continue;
+    text += fmt::format("{}{} = {:g}", text.empty() ? "" : ", ", name, value);
   }
   return text;
 }

@@ -1,15 +1,10 @@
-#pragma once
-
-#include "grader/judge/compare.h"
+#include "grader/judge/draws.h"
 
 #include <fmt/core.h>
 
-namespace lab01_tests {
+namespace carlo::grader {
 
-/// How many numbers an exercise took from its generator, which gave `words` 32-bit words (-1: not
-/// known); a uniform double takes two.
-inline carlo::grader::Verdict draws(double words, double expected) {
-  using carlo::grader::Diagnosis;
+Verdict draws(double words, double expected) {
   const Diagnosis floats{"uniform-float-drawn",
                          "the numbers are floats, with 24 random bits: take rng.uniform()."};
   const Diagnosis surplus{"surplus-numbers-drawn",
@@ -24,13 +19,8 @@ inline carlo::grader::Verdict draws(double words, double expected) {
   } else if (words > 2 * expected) {
     diagnosis = {surplus};
   }
-  return carlo::grader::holds("the numbers drawn (calls of rng.uniform())", words == 2 * expected,
-                              measured, fmt::format("{:g}", expected), diagnosis);
+  return holds("the numbers drawn (calls of rng.uniform())", words == 2 * expected, measured,
+               fmt::format("{:g}", expected), diagnosis);
 }
 
-/// "1 dimension", "2 dimensions".
-inline std::string dimensions(int d) {
-  return fmt::format("{} {}", d, d == 1 ? "dimension" : "dimensions");
-}
-
-}  // namespace lab01_tests
+}  // namespace carlo::grader
