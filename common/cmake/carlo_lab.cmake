@@ -1,4 +1,5 @@
-# add_lab(FOLDER NAME [DEPENDS carlo::x ...]): everything a lab is built from.
+# add_lab(FOLDER NAME [DEPENDS carlo::x ...] [EXPERIMENTS carlo::y ...]): everything a lab is built
+# from; the experiments alone link what stands behind EXPERIMENTS.
 #
 # An implementation is one object library compiled from the student's files, from the solution's, or
 # from the solution's with one typical mistake patched in. The files are labs/FOLDER/NAME.cpp alone
@@ -117,7 +118,7 @@ function(carlo_lab_mistakes lab folder name)
 endfunction()
 
 function(add_lab folder name)
-  cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "DEPENDS;EXPERIMENTS" ${ARGN})
   string(REGEX MATCH "^[0-9][0-9]" number "${folder}")
   set(lab lab${number})
   set(here "${PROJECT_SOURCE_DIR}/labs/${folder}")
@@ -148,7 +149,8 @@ function(add_lab folder name)
   list(REMOVE_ITEM experiments ${student})
   if(experiments)
     carlo_lab_part(${lab}_experiments ${folder} SOURCES ${experiments}
-                   DEPENDS ${uses} carlo::cli carlo::course carlo::stats carlo::report
+                   DEPENDS ${uses} ${ARG_EXPERIMENTS} carlo::cli carlo::course carlo::stats
+                           carlo::report
                            CLI11::CLI11 nlohmann_json::nlohmann_json)
     foreach(code IN LISTS implementations)
       string(REPLACE "_code" "" program "${code}")
