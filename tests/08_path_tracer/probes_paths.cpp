@@ -41,7 +41,8 @@ enum class Place {
   floor = 3,
   mirror = 4,
   glass = 5,
-  mirror_furnace = 6
+  mirror_furnace = 6,
+  through_glass = 7
 };
 
 View view_of(const Params& params) {
@@ -70,6 +71,8 @@ View view_of(const Params& params) {
       scene.materials[0].model = carlo::Mirror{rgb(params)};
       return {scene, inside};
     }
+    case Place::through_glass:
+      return {furnace_with_glass(Rgb(0)), {{0, 0, 1.5f}, glm::normalize(Vec3(0.2f, 0, -1))}};
   }
   return {};
 }
