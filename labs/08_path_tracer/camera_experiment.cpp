@@ -50,15 +50,13 @@ void camera_experiment(Notebook& notebook) {
         "Spokes and squares finer than a pixel. A pixel is the mean over its little square: with "
         "one ray it is one of the colours in it, and edges become stairs. Stratified: the pixel "
         "is cut into as many squares as it has rays.");
-    std::vector<std::string> row = {
-        image_picture("the pixels' middles", "one ray each, not random: aliasing",
-                      render(size, size, 0,
-                             [&](int x, int y, Rng&) {
-                               return spokes_and_squares(middle_ray(camera, size, size, x, y));
-                             }),
-                      1)};
-    notebook.raw_html(tiles(row) +
-                      pictures_of(reference, "2048 stratified rays a pixel", results, 1));
+    std::vector<std::string> row =
+        pictures_of(reference, "2048 stratified rays a pixel", results, 1);
+    const carlo::Image middles = render(size, size, 0, [&](int x, int y, Rng&) {
+      return spokes_and_squares(middle_ray(camera, size, size, x, y));
+    });
+    row.push_back(image_picture("through the middles", "one ray a pixel: aliasing", middles, 1));
+    notebook.raw_html(tiles(row));
     carlo::Table table = results_table();
     add_rows(table, "spokes", results);
     notebook.table("camera", table, "Rays a pixel: error, cost and slopes");

@@ -1,5 +1,6 @@
 #include "images.h"
 #include "numeric/robust.h"
+#include "pictures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,7 @@ constexpr float lamp_height = 2, screen_height = 0.7f, albedo = 0.8f, radiance =
 struct Rectangle {
   double x0, x1, y0, y1;
 };
-constexpr Rectangle lamp{-0.6, 0.6, -0.6, 0.6}, screen{-0.3, 0.3, -0.3, 0.3};
+constexpr Rectangle lamp{-0.6, 0.6, -0.6, 0.6}, screen{-0.5, 0.5, -0.5, 0.5};
 
 carlo::Parallelogram facing_down(const Rectangle& r, float height) {
   const auto f = [](double x) { return static_cast<float>(x); };
@@ -30,9 +31,9 @@ carlo::Scene scene() {
                   {facing_down(lamp, lamp_height), 1, Rgb(radiance)},
                   {facing_down(screen, screen_height), 1, Rgb(0)}};
   scene.camera.origin = {0, -3.6f, 1.5f};
-  scene.camera.forward = glm::normalize(Vec3(0, 3.6f, -0.9f));
+  scene.camera.forward = glm::normalize(Vec3(0, 3.6f, -1));
   scene.camera.up = glm::cross(scene.camera.right, scene.camera.forward);
-  scene.camera.tan_half_fov = 0.5f;
+  scene.camera.tan_half_fov = 0.42f;
   return scene;
 }
 
@@ -106,7 +107,7 @@ void direct_experiment(Notebook& notebook) {
       "closed form: the lamp's irradiance less that of the part which the square hides. Both forms "
       "of the rendering equation integrate the same light; with the same number of samples one "
       "asks points of the lamp, the other directions of the hemisphere.");
-  notebook.raw_html(pictures_of(reference, "closed form", results, 1.1));
+  notebook.raw_html(tiles(pictures_of(reference, "closed form", results, 1.1)));
   carlo::Table table = results_table();
   add_rows(table, "soft shadow", results);
   notebook.table("direct", table, "Direct light: error, cost and slopes");

@@ -113,19 +113,19 @@ Result measure(Notebook& notebook, const std::string& name, const Reference& ref
   return result;
 }
 
-std::string pictures_of(const Reference& reference, const std::string& reference_note,
-                        const std::vector<Result>& results, double white) {
+std::vector<std::string> pictures_of(const Reference& reference, const std::string& reference_note,
+                                     const std::vector<Result>& results, double white) {
   const std::string title = reference.variance == 0 ? "exact" : "converged";
   std::vector<std::string> row = {image_picture(title, reference_note, reference.image, white)};
   for (const Result& r : results) {
     row.push_back(image_picture(r.curve.name,
-                                fmt::format("{} sample{} a pixel: error {} %, {}",
+                                fmt::format("{} sample{} a pixel: error {}\u00a0%, {}",
                                             r.shown_run.points, r.shown_run.points == 1 ? "" : "s",
                                             carlo::number_text(100 * r.shown_run.error, 3),
                                             carlo::duration_text(r.shown_run.seconds)),
                                 r.shown, white));
   }
-  return tiles(row);
+  return row;
 }
 
 carlo::Table results_table() {
@@ -148,7 +148,11 @@ void add_charts(Notebook& notebook, const std::string& title, const std::vector<
   std::vector<Curve> curves;
   for (const Result& r : results)
     curves.push_back(r.curve);
-  notebook.charts(carlo::error_charts(title, "relative RMS error of the image", curves));
+  std::vector<carlo::Chart> charts =
+      carlo::error_charts(title, "relative RMS error of the image", curves);
+  charts[0].title = title + ": error against samples";
+  charts[0].x.label = "samples a pixel";
+  notebook.charts(charts);
 }
 
 }  // namespace lab08

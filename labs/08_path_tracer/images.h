@@ -59,9 +59,9 @@ int image_size(const Notebook& notebook, int full);
 Result measure(Notebook& notebook, const std::string& name, const Reference& reference,
                int shown_samples, const SampledPixel& pixel);
 
-/// One picture for each: what it is, and its error and seconds.
-std::string pictures_of(const Reference& reference, const std::string& reference_note,
-                        const std::vector<Result>& results, double white);
+/// A picture of the reference and one for each result with its error and seconds.
+std::vector<std::string> pictures_of(const Reference& reference, const std::string& reference_note,
+                                     const std::vector<Result>& results, double white);
 
 /// The table of all results, and its rows for one scene.
 carlo::Table results_table();

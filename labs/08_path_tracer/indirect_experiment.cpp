@@ -32,7 +32,7 @@ void indirect_experiment(Notebook& notebook) {
   notebook.attempt([&] {
     const auto with_direct =
         traced(view, [&](const Ray& ray, Rng& rng) { return trace_direct(world, ray, true, rng); });
-    const int many = 2 * most_samples(notebook);
+    const int many = most_samples(notebook);
     const Reference reference = converged(notebook, view.size, view.size, many, with_direct);
     notebook.progress(1, 3);
     const auto one_bounce =
@@ -52,10 +52,11 @@ void indirect_experiment(Notebook& notebook) {
         "The "
         "reference is a long run of Lab 8.6; errors are less its own.");
     constexpr double white = 1.2;
-    notebook.raw_html(tiles({image_picture("direct", "one reflection", direct.image, white),
-                             image_picture("indirect", "all the rest",
-                                           difference(reference.image, direct.image), white)}) +
-                      pictures_of(reference, "direct and indirect", results, white));
+    std::vector<std::string> row = pictures_of(reference, "direct and indirect", results, white);
+    row.push_back(image_picture("direct", "one reflection", direct.image, white));
+    row.push_back(image_picture("indirect", "all the rest",
+                                difference(reference.image, direct.image), white));
+    notebook.raw_html(tiles(row));
     carlo::Table table = results_table();
     add_rows(table, "Cornell box", results);
     notebook.table("indirect", table, "The Cornell box: error, cost and slopes");

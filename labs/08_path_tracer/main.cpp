@@ -41,10 +41,10 @@ std::vector<Step> steps() {
        "g. A bright caustic under the glass ball, made of few bright samples: this is where the "
        "noise is."},
       {lab08::tracer_experiment,
-       "h. The iterative tracer has the smallest error for its time; Sobol' points lower it "
-       "further "
-       "at the same price. On the plates neither technique is good everywhere, and both together "
-       "are."}};
+       "h. On the diffuse Cornell box the two weighted techniques gain nothing over points of the "
+       "lamp alone and cost a little; what pays are Sobol' points, at nearly the same price. On "
+       "the "
+       "plates neither technique is good everywhere, and both together are."}};
 }
 
 }  // namespace

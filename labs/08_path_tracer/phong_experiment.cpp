@@ -1,11 +1,13 @@
 #include "hemisphere.h"
 #include "images.h"
 #include "numeric/robust.h"
-#include "report/format.h"
+#include "pictures.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 // Step c: glossy balls under a sky of radiance 1. What they reflect is their reflectance, which has
 // a closed form.
@@ -130,8 +132,8 @@ carlo::Table albedo_table(Notebook& notebook) {
       const double mean = sum / count, exact = specular_albedo(n, std::cos(angle));
       const double error = std::sqrt(std::max(squares / count - mean * mean, 0.0) / count);
       table.add_row({n, carlo::Cell(fmt::format("{}°", degrees), degrees), exact,
-                     carlo::interval_cell(mean, 1.96 * error),
-                     error > 1e-6 ? carlo::Cell((mean - exact) / error) : carlo::empty_cell()});
+                     carlo::interval_cell(mean, std::max(1.96 * error, 1e-7)),
+                     error > 1e-7 ? carlo::Cell((mean - exact) / error) : carlo::empty_cell()});
     }
   }
   return table;
@@ -154,13 +156,14 @@ void phong_experiment(Notebook& notebook) {
         "of the lobe lies below the horizon there. Uniform directions seldom meet a narrow lobe; "
         "sample()'s directions are made for it.");
     carlo::Table table = results_table();
+    std::vector<std::string> pictures;
     for (const Ball& ball : balls) {
-      notebook.raw_html(pictures_of(
-          ball.reference,
-          fmt::format("n = {}: the closed form of its reflectance", carlo::count_text(ball.n)),
-          ball.results, 1));
-      add_rows(table, fmt::format("ball, n = {}", ball.n), ball.results);
+      const std::string note = fmt::format("closed form, n = {}", ball.n);
+      for (std::string& picture : pictures_of(ball.reference, note, ball.results, 1))
+        pictures.push_back(std::move(picture));
+      add_rows(table, "ball", ball.results);
     }
+    notebook.raw_html(tiles(pictures));
     notebook.table("phong", table, "Balls under the sky: error, cost and slopes");
     notebook.table("albedo", albedo_table(notebook),
                    "The specular lobe's reflectance, k_s = 1, by sample()'s mean weight");

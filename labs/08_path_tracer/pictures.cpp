@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view style = R"(<style>
 .tiles { display: grid; gap: 1.2rem; margin: 1.5rem 0;
-         grid-template-columns: repeat(auto-fill, minmax(min(100%, 11rem), 1fr)); }
+         grid-template-columns: repeat(auto-fill, minmax(min(100%, var(--tile)), 1fr)); }
 .tiles img { display: block; width: 100%; height: auto; margin: auto 0 0;
              image-rendering: pixelated; border-radius: 4px; }
 .tiles figcaption { margin-bottom: 0.6rem; }
@@ -84,7 +84,10 @@ std::string base64(const std::string& bytes) {
 }  // namespace
 
 std::string tiles(const std::vector<std::string>& pictures) {
-  std::string html = std::string(style) + "<div class=\"tiles\">\n";
+  std::string html = fmt::format("{}<div class=\"tiles\" style=\"--tile: {}rem\">\n", style,
+                                 pictures.size() <= 4   ? 15.0
+                                 : pictures.size() == 5 ? 12.4
+                                                        : 10.5);
   for (const std::string& picture : pictures)
     html += picture;
   return html + "</div>\n";

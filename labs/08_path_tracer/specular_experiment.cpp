@@ -1,4 +1,5 @@
 #include "numeric/robust.h"
+#include "pictures.h"
 #include "report/format.h"
 #include "views.h"
 
@@ -89,7 +90,7 @@ void specular_experiment(Notebook& notebook) {
     const auto specular = traced(
         view, [&](const Ray& ray, Rng& rng) { return trace_specular(view.world, ray, true, rng); });
     const Reference reference =
-        converged(notebook, view.size, view.size, 2 * most_samples(notebook), specular);
+        converged(notebook, view.size, view.size, most_samples(notebook), specular);
     notebook.progress(1, 2);
     const std::vector<Result> results = {measure(notebook, "Lab 8.7", reference, 16, specular)};
     notebook.say(
@@ -97,8 +98,8 @@ void specular_experiment(Notebook& notebook) {
         "through glass: light that it focuses on the floor, a caustic, is found only by paths that "
         "leave the floor, pass the glass and meet the lamp by chance. Its pixels are the noisiest. "
         "The reference is a long run of the same code; errors are less its own.");
-    notebook.raw_html(pictures_of(
-        reference, fmt::format("{} samples a pixel", 4 * most_samples(notebook)), results, 1.2));
+    notebook.raw_html(tiles(pictures_of(
+        reference, fmt::format("{} samples a pixel", 2 * most_samples(notebook)), results, 1.2)));
     carlo::Table table = results_table();
     add_rows(table, "balls", results);
     notebook.table("specular", table, "Mirror and glass: error, cost and slopes");

@@ -1,3 +1,4 @@
+#include "pictures.h"
 #include "stopwatch.h"
 #include "views.h"
 
@@ -48,14 +49,14 @@ std::string equal_time(Notebook& notebook, const View& view, const std::vector<M
     result.shown_run = {samples, 0, relative_error(result.shown, reference), spent};
     shown.push_back(std::move(result));
   }
-  return pictures_of(reference, "the reference", shown, white);
+  return tiles(pictures_of(reference, "Sobol' points", shown, white));
 }
 
 void show(Notebook& notebook, const std::string& scene, const View& view, double white,
           carlo::Table& table) {
   const std::vector<Method> all = methods(view);
   const Reference reference =
-      converged(notebook, view.size, view.size, 2 * most_samples(notebook), all.back().pixel);
+      converged(notebook, view.size, view.size, most_samples(notebook), all.back().pixel);
   std::vector<Result> results;
   for (const Method& method : all) {
     results.push_back(measure(notebook, method.name, reference, 16, method.pixel));
@@ -79,7 +80,7 @@ void tracer_experiment(Notebook& notebook) {
         "better samples, on the polished ones sample()'s directions, and the path tracer takes "
         "both.");
     show(notebook, "Cornell box", View(cornell_box(), image_size(notebook, 64)), 1.2, table);
-    show(notebook, "plates", View(plates(), image_size(notebook, 96)), 2, table);
+    show(notebook, "plates", View(plates(), image_size(notebook, 96)), 0.8, table);
     notebook.table("tracer", table, "Tracers and samplers: error, cost and slopes");
   });
 }

@@ -64,33 +64,31 @@ carlo::Scene room_with_balls() {
 carlo::Scene plates() {
   carlo::Scene scene;
   const auto black = add_material(scene, {carlo::Diffuse{Rgb(0)}, false});
-  const auto floor = add_material(scene, {carlo::Diffuse{Rgb(0.3f)}, true});
-  scene.shapes.push_back(
-      {carlo::Parallelogram{{-6, -3, -0.3f}, {12, 0, 0}, {0, 9, 0}}, floor, Rgb(0)});
-  const Vec3 eye(0, -5, 2.2f), lamps(0, 3.2f, 2.4f);
+  const Vec3 eye(0, -3.5f, 3.5f), lamps(0, 3, 2.2f);
   for (int i = 0; i < 4; ++i) {
-    const float n = 30 * std::pow(10.0f, static_cast<float>(i));
-    const auto polished = add_material(scene, {carlo::Phong{Rgb(0.05f), Rgb(0.6f), n}, true});
-    // Each plate stands so that it mirrors the row of lamps to the eye.
-    const float y = -0.9f + 0.75f * static_cast<float>(i);
-    const Vec3 middle(0, y, 0.25f * static_cast<float>(i));
+    const float n = 20 * std::pow(6.0f, static_cast<float>(i));
+    const auto polished = add_material(scene, {carlo::Phong{Rgb(0.05f), Rgb(0.6f), n}, false});
+    // Each plate stands so that it mirrors the row of lamps to the eye; they go down like stairs,
+    // away from the eye, so that none sees another's front.
+    const float y = -0.6f + 0.75f * static_cast<float>(i);
+    const Vec3 middle(0, y, -0.3f * static_cast<float>(i));
     const Vec3 normal =
         glm::normalize(glm::normalize(eye - middle) + glm::normalize(lamps - middle));
-    const Vec3 along = 0.27f * glm::cross(normal, Vec3(1, 0, 0));
+    const Vec3 along = 0.34f * glm::cross(normal, Vec3(1, 0, 0));
     scene.shapes.push_back(
         {carlo::Parallelogram{middle - Vec3(1.7f, 0, 0) - along, {3.4f, 0, 0}, 2.0f * along},
          polished, Rgb(0)});
   }
-  const float radii[] = {0.03f, 0.1f, 0.25f, 0.6f};
+  const float radii[] = {0.08f, 0.16f, 0.32f, 0.6f};
   const Rgb colours[] = {{1, 0.6f, 0.5f}, {1, 1, 0.6f}, {0.6f, 1, 0.7f}, {0.6f, 0.7f, 1}};
   for (int i = 0; i < 4; ++i) {
     // The same power each.
-    const Rgb radiance = colours[i] * (0.6f / carlo::sqr(radii[i]));
+    const Rgb radiance = colours[i] * (0.8f / carlo::sqr(radii[i]));
     scene.shapes.push_back(
-        {carlo::Sphere{lamps + Vec3(-2.1f + 1.3f * static_cast<float>(i), 0, 0), radii[i]}, black,
+        {carlo::Sphere{lamps + Vec3(-1.9f + 1.15f * static_cast<float>(i), 0, 0), radii[i]}, black,
          radiance});
   }
-  look(scene.camera, eye, {0, 0.6f, 0.75f}, 0.4f);
+  look(scene.camera, eye, {0, 0.9f, 0.55f}, 0.47f);
   return scene;
 }
 
