@@ -31,9 +31,9 @@ carlo::Scene scene() {
                   {facing_down(lamp, lamp_height), 1, Rgb(radiance)},
                   {facing_down(screen, screen_height), 1, Rgb(0)}};
   scene.camera.origin = {0, -3.6f, 1.5f};
-  scene.camera.forward = glm::normalize(Vec3(0, 3.6f, -1));
+  scene.camera.forward = glm::normalize(Vec3(0, 3.6f, -0.75f));
   scene.camera.up = glm::cross(scene.camera.right, scene.camera.forward);
-  scene.camera.tan_half_fov = 0.42f;
+  scene.camera.tan_half_fov = 0.46f;
   return scene;
 }
 

@@ -84,7 +84,6 @@ carlo::Chart fresnel_chart() {
 
 void specular_experiment(Notebook& notebook) {
   notebook.begin("Step g: mirrors and glass");
-  notebook.attempt([&] { notebook.charts({fresnel_chart()}); });
   const View view(room_with_balls(), image_size(notebook, 96));
   notebook.attempt([&] {
     const auto specular = traced(
@@ -107,6 +106,7 @@ void specular_experiment(Notebook& notebook) {
     notebook.table("specular_means", closed_forms(notebook),
                    "Worlds of mirror and glass with a closed form, with 95 % interval");
   });
+  notebook.attempt([&] { notebook.charts({fresnel_chart()}); });
 }
 
 }  // namespace lab08
