@@ -128,7 +128,7 @@ TEST_CASE("Lab 8.7: mirrors and glass, from both sides", "[lab08][ex7]") {
       }
       const double eta = front == 1 ? 1 / 1.5 : 1.5, F = fresnel_exact(cosine, eta);
       const double other = fresnel_exact(cosine, 1 / eta);
-      double wrong = 0, unscaled = 0, inverse = 0, reflected_weight = 0, reflected = 0, swapped = 0;
+      double wrong = 0, unscaled = 0, inverse = 0, reflected_weight = 0, swapped = 0;
       for (std::size_t i = 1; i <= 64; ++i) {
         const double u = (static_cast<double>(i) - 0.5) / 64, weight = rows.at(i, 3);
         const bool reflects = u < F;
@@ -140,7 +140,6 @@ TEST_CASE("Lab 8.7: mirrors and glass, from both sides", "[lab08][ex7]") {
             way <= 1e-4 && std::abs(weight - right) <= 1e-5 * right && rows.at(i, 6) == 0 ? 0 : 1;
         unscaled += !reflects && std::abs(weight - 1) <= 1e-5 ? 1 : 0;
         inverse += !reflects && std::abs(weight - 1 / right) <= 1e-5 ? 1 : 0;
-        reflected += reflects ? 1 : 0;
         reflected_weight += reflects && std::abs(weight - F) <= 1e-5 && F < 1 ? 1 : 0;
         const bool would = u < other;
         const Double3 there(-sine / eta, 0, -std::sqrt(std::max(0.0, 1 - sine * sine / eta / eta)));
