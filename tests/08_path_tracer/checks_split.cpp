@@ -89,9 +89,13 @@ TEST_CASE("Lab 8.5: two directions, each with its weight", "[lab08][ex5]") {
     judge_questions(i, rows);
     if (i > 1) continue;
     const std::vector<double> within = column(rows, 3);
-    const bool once = std::all_of(within.begin(), within.end(), [](double w) { return w == 1; });
-    judge(holds(fmt::format("rays to the light of an estimate, {}", name_of(i)), once,
-                "not one in each", "one in each", {not_rejected}));
+    const auto others =
+        std::count_if(within.begin(), within.end(), [](double w) { return w != 1; });
+    // At the cone's rim rounding may put a direction of the cone outside: about one of 100 000 for
+    // the small light. Without rejection 500 would have a second one.
+    judge(holds(fmt::format("rays to the light of an estimate, {}", name_of(i)), others <= 20,
+                fmt::format("not one in {} of {}", others, within.size()), "one in each",
+                {not_rejected}));
   }
 }
 
