@@ -1,7 +1,10 @@
-# add_lab(FOLDER NAME [DEPENDS carlo::x ...]): everything a lab is built from.
+# add_lab(FOLDER NAME [DEPENDS carlo::x ...] [EXPERIMENTS carlo::y ...]): everything a lab is built
+# from; the experiments alone link what stands behind EXPERIMENTS.
 #
-# An implementation is one object library compiled from one file: the student's labs/FOLDER/NAME.cpp,
-# the solution, or the solution with one typical mistake patched in. Each is linked with
+# An implementation is one object library compiled from the student's files, from the solution's, or
+# from the solution's with one typical mistake patched in. The files are labs/FOLDER/NAME.cpp alone
+# or, for a lab in steps, labs/FOLDER/steps/*.cpp; the solution's have the same names. What a lab
+# gives to students and to probes stands in labs/FOLDER/given/. Each implementation is linked with
 #   - the lab's experiments (labs/FOLDER/*.cpp but for NAME.cpp)  -> lab01, lab01_solution
 #   - the lab's probes (tests/FOLDER/probes*.cpp)  -> lab01_worker, lab01_worker_solution,
 #                                                     lab01_worker_mistake_<patch>
@@ -10,17 +13,39 @@
 # The judge, lab01_judge, is compiled from tests/FOLDER/checks*.cpp and holds none of them.
 # Parts that a tree does not have (solutions/, tests/) are left out.
 
-# One implementation: the object library TARGET from the one file SOURCE.
-function(carlo_lab_implementation target folder source)
-  add_library(${target} OBJECT "${source}")
+# The files of an implementation in BASE (labs/FOLDER or solutions/FOLDER), into the variable RESULT;
+# empty where there are none.
+function(carlo_lab_sources result base name)
+  file(GLOB steps CONFIGURE_DEPENDS "${base}/steps/*.cpp")
+  if(NOT steps AND EXISTS "${base}/${name}.cpp")
+    set(steps "${base}/${name}.cpp")
+  endif()
+  set(${result} "${steps}" PARENT_SCOPE)
+endfunction()
+
+# The name under which a lab that builds on lab NUMBER links it, into the variable RESULT: the
+# solution where the tree has it, so that a broken earlier lab breaks no later one; the student's own
+# code otherwise, or where MY_LABS lists the number.
+set(MY_LABS "" CACHE STRING "Earlier labs of which your own code is used, such as \"06;07\"")
+function(carlo_earlier_lab result number)
+  if(TARGET lab${number}_code_solution AND NOT number IN_LIST MY_LABS)
+    set(${result} lab${number}_code_solution PARENT_SCOPE)
+  else()
+    set(${result} lab${number}_code PARENT_SCOPE)
+  endif()
+endfunction()
+
+# One implementation: the object library TARGET from the files SOURCES (a list in one argument).
+function(carlo_lab_implementation target folder sources)
+  add_library(${target} OBJECT ${sources})
   target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}/labs/${folder}"
                              "${PROJECT_SOURCE_DIR}/common")
   target_link_libraries(${target} PUBLIC carlo::build carlo::course ${ARGN})
 endfunction()
 
 # The same for a worker.
-function(carlo_lab_judged_implementation target folder source)
-  carlo_lab_implementation(${target} ${folder} "${source}" ${ARGN})
+function(carlo_lab_judged_implementation target folder sources)
+  carlo_lab_implementation(${target} ${folder} "${sources}" ${ARGN})
   target_compile_definitions(${target} PRIVATE _GLIBCXX_ASSERTIONS)
 endfunction()
 
@@ -42,18 +67,39 @@ endfunction()
 # Well over a hundred small programs: one build type is enough for them.
 option(CARLO_MISTAKES "Build the labs' typical mistakes and test that each is caught" ON)
 
-# The workers of the typical mistakes: tests/FOLDER/mistakes/*.patch, each applied to the solution.
-# A patch that no longer applies fails the build.
+# The patches of a lab's typical mistakes, into the variable RESULT: tests/FOLDER/mistakes/*.patch, or
+# for a lab in steps tests/FOLDER/mistakes/STEP/*.patch for the file steps/STEP.cpp.
+function(carlo_lab_patches result folder)
+  file(GLOB patches CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/${folder}/mistakes/*.patch"
+       "${PROJECT_SOURCE_DIR}/tests/${folder}/mistakes/*/*.patch")
+  set(${result} "${patches}" PARENT_SCOPE)
+endfunction()
+
+# The workers of the typical mistakes, each a patch applied to one file of the solution. The other
+# files come from an archive, of which the linker leaves out the file that is there already. A patch
+# that no longer applies fails the build.
 function(carlo_lab_mistakes lab folder name)
   find_program(CARLO_PATCH patch)
-  file(GLOB patches CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/${folder}/mistakes/*.patch")
+  carlo_lab_patches(patches ${folder})
   if(patches AND NOT CARLO_PATCH)
     message(FATAL_ERROR "patch was not found: ${carlo_hint} patch")
   endif()
-  set(solution "${PROJECT_SOURCE_DIR}/solutions/${folder}/${name}.cpp")
+  set(others "")
+  if(patches AND EXISTS "${PROJECT_SOURCE_DIR}/solutions/${folder}/steps")
+    set(others ${lab}_worker_archive_solution)
+    add_library(${others} STATIC $<TARGET_OBJECTS:${lab}_worker_code_solution>)
+  endif()
   foreach(patch IN LISTS patches)
     get_filename_component(mistake "${patch}" NAME_WE)
-    set(patched "${CMAKE_CURRENT_BINARY_DIR}/mistakes/${folder}/${mistake}/${name}.cpp")
+    cmake_path(GET patch PARENT_PATH step)
+    cmake_path(GET step FILENAME step)
+    if(step STREQUAL "mistakes")
+      set(file ${name}.cpp)
+    else()
+      set(file steps/${step}.cpp)
+    endif()
+    set(solution "${PROJECT_SOURCE_DIR}/solutions/${folder}/${file}")
+    set(patched "${CMAKE_CURRENT_BINARY_DIR}/mistakes/${folder}/${mistake}/${file}")
     get_filename_component(patched_folder "${patched}" DIRECTORY)
     add_custom_command(
       OUTPUT "${patched}"
@@ -65,36 +111,46 @@ function(carlo_lab_mistakes lab folder name)
     set(worker ${lab}_worker_mistake_${mistake})
     carlo_lab_judged_implementation(${worker}_code ${folder} "${patched}" ${ARGN})
     carlo_lab_program(${worker} ${lab}_probes ${worker}_code)
+    target_link_libraries(${worker} PRIVATE ${others})
     list(APPEND workers ${worker})
   endforeach()
   add_custom_target(${lab}_mistakes DEPENDS ${workers})
 endfunction()
 
 function(add_lab folder name)
-  cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "DEPENDS;EXPERIMENTS" ${ARGN})
   string(REGEX MATCH "^[0-9][0-9]" number "${folder}")
   set(lab lab${number})
   set(here "${PROJECT_SOURCE_DIR}/labs/${folder}")
   set(tests "${PROJECT_SOURCE_DIR}/tests/${folder}")
-  set(solution "${PROJECT_SOURCE_DIR}/solutions/${folder}/${name}.cpp")
+  carlo_lab_sources(student "${here}" ${name})
+  carlo_lab_sources(solution "${PROJECT_SOURCE_DIR}/solutions/${folder}" ${name})
   set(uses carlo::random carlo::stats ${ARG_DEPENDS})
+  file(GLOB given CONFIGURE_DEPENDS "${here}/given/*.cpp")
+  if(given)
+    add_library(${lab}_given STATIC ${given})
+    target_include_directories(${lab}_given PUBLIC "${here}")
+    target_link_libraries(${lab}_given PUBLIC carlo::build ${uses} PRIVATE carlo::strict)
+    list(APPEND uses ${lab}_given)
+  endif()
 
   # A student's file gets the warnings but is built all the same; ours is not. Parameters of exercises
   # that are not done yet are unused by nature.
-  carlo_lab_implementation(${lab}_code ${folder} "${here}/${name}.cpp" ${uses})
+  carlo_lab_implementation(${lab}_code ${folder} "${student}" ${uses})
   set(students_warnings -Wall -Wextra -Wpedantic -Wno-unused-parameter)
   target_compile_options(${lab}_code PRIVATE ${students_warnings})
   set(implementations "${lab}_code")
-  if(EXISTS "${solution}")
+  if(solution)
     carlo_lab_implementation(${lab}_code_solution ${folder} "${solution}" ${uses} carlo::strict)
     list(APPEND implementations ${lab}_code_solution)
   endif()
 
   file(GLOB experiments CONFIGURE_DEPENDS "${here}/*.cpp")
-  list(REMOVE_ITEM experiments "${here}/${name}.cpp")
+  list(REMOVE_ITEM experiments ${student})
   if(experiments)
     carlo_lab_part(${lab}_experiments ${folder} SOURCES ${experiments}
-                   DEPENDS ${uses} carlo::cli carlo::course carlo::stats carlo::report
+                   DEPENDS ${uses} ${ARG_EXPERIMENTS} carlo::cli carlo::course carlo::stats
+                           carlo::report
                            CLI11::CLI11 nlohmann_json::nlohmann_json)
     foreach(code IN LISTS implementations)
       string(REPLACE "_code" "" program "${code}")
@@ -106,15 +162,15 @@ function(add_lab folder name)
   if(probes)
     carlo_lab_part(${lab}_probes ${folder} SOURCES ${probes}
                    DEPENDS ${uses} carlo::grader_worker)
-    carlo_lab_judged_implementation(${lab}_worker_code ${folder} "${here}/${name}.cpp" ${uses})
+    carlo_lab_judged_implementation(${lab}_worker_code ${folder} "${student}" ${uses})
     target_compile_options(${lab}_worker_code PRIVATE ${students_warnings})
     carlo_lab_program(${lab}_worker ${lab}_probes ${lab}_worker_code)
-    if(EXISTS "${solution}")
+    if(solution)
       carlo_lab_judged_implementation(${lab}_worker_code_solution ${folder} "${solution}" ${uses}
                                       carlo::strict)
       carlo_lab_program(${lab}_worker_solution ${lab}_probes ${lab}_worker_code_solution)
     endif()
-    if(EXISTS "${solution}" AND CARLO_MISTAKES)
+    if(solution AND CARLO_MISTAKES)
       carlo_lab_mistakes(${lab} ${folder} ${name} ${uses})
     endif()
   endif()

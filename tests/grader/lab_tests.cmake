@@ -21,10 +21,11 @@ function(add_lab_tests folder name)
   endif()
 
   if(TARGET ${lab}_worker_solution)
-    # The file in labs/ is the stub only where nobody works on the exercises: in the tree that has
+    # What stands in labs/ is the stub only where nobody works on the exercises: in the tree that has
     # the solutions.
+    carlo_lab_sources(stub "${here}" ${name})
     add_test(NAME ${lab}.consistency
-             COMMAND ${lab}_judge --lab "${here}/lab.json" --stub "${here}/${name}.cpp"
+             COMMAND ${lab}_judge --lab "${here}/lab.json" --stub ${stub}
                      --handout "${here}/README.md")
     add_expectation(${lab}.stub ${lab} ${lab}_worker)
     add_test(NAME ${lab}.solution COMMAND ${lab}_judge --lab "${here}/lab.json"
@@ -34,7 +35,7 @@ function(add_lab_tests folder name)
                          PROPERTIES LABELS fast TIMEOUT 120)
     set_tests_properties(${lab}.seeds PROPERTIES TIMEOUT 600)
   endif()
-  file(GLOB patches CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/${folder}/mistakes/*.patch")
+  carlo_lab_patches(patches ${folder})
   foreach(patch IN LISTS patches)
     get_filename_component(mistake "${patch}" NAME_WE)
     if(TARGET ${lab}_worker_mistake_${mistake})

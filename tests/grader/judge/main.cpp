@@ -18,12 +18,14 @@
 
 #include <chrono>
 #include <string>
+#include <vector>
 
 namespace carlo::grader {
 namespace {
 
 struct Options {
-  std::string lab, worker, exercise, json, stub, handout;
+  std::string lab, worker, exercise, json, handout;
+  std::vector<std::string> stub;  ///< its files
   std::string secret = "public", submission = "local", sandbox = "auto";
   std::uint64_t seed = 0;
   double deadline = 10;
@@ -102,8 +104,11 @@ int check_consistency(const Options& options) {
       test.tags.emplace_back(tag.original);
     tests.push_back(test);
   }
-  const std::vector<std::string> lines = disagreements(
-      load_lab(options.lab), read_file(options.stub), read_file(options.handout), tests);
+  std::string stub;
+  for (const std::string& file : options.stub)
+    stub += read_file(file);
+  const std::vector<std::string> lines =
+      disagreements(load_lab(options.lab), stub, read_file(options.handout), tests);
   for (const std::string& line : lines)
     fmt::print(stderr, "{}\n", line);
   if (lines.empty()) fmt::print("lab.json, stub, handout, hints and tests agree\n");

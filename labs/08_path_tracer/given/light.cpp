@@ -1,0 +1,89 @@
+#include "given/world.h"
+#include "hemisphere.h"
+#include "numeric/robust.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lab08 {
+namespace {
+
+using carlo::Disk;
+using carlo::Mesh;
+using carlo::Parallelogram;
+using carlo::Sphere;
+
+float triangle_area(const Mesh& mesh, glm::uvec3 corner) {
+  const Vec3 a = mesh.positions[corner.x];
+  return 0.5f * glm::length(glm::cross(mesh.positions[corner.y] - a, mesh.positions[corner.z] - a));
+}
+
+LightPoint point_on(const Parallelogram& s, Vec2 u) {
+  return {s.origin + u.x * s.u + u.y * s.v, glm::normalize(glm::cross(s.u, s.v)), Rgb(0),
+          carlo::rounding_bound(12) * (glm::abs(s.origin) + glm::abs(s.u) + glm::abs(s.v))};
+}
+
+LightPoint point_on(const Sphere& s, Vec2 u) {
+  const float z = 1 - 2 * u.x, r = carlo::safe_sqrt(1 - z * z), phi = 2 * carlo::pi_f * u.y;
+  const Vec3 n(r * std::cos(phi), r * std::sin(phi), z);
+  return {s.center + s.radius * n, s.flipped ? -n : n, Rgb(0),
+          carlo::rounding_bound(8) * (glm::abs(s.center) + Vec3(s.radius))};
+}
+
+LightPoint point_on(const Disk& s, Vec2 u) {
+  const float r = s.radius * std::sqrt(u.x), phi = 2 * carlo::pi_f * u.y;
+  const lab07::Frame frame(s.normal);
+  return {s.center + frame.to_world({r * std::cos(phi), r * std::sin(phi), 0}), s.normal, Rgb(0),
+          carlo::rounding_bound(12) * (glm::abs(s.center) + Vec3(s.radius))};
+}
+
+LightPoint point_on(const Mesh& mesh, std::span<const double> areas, Vec2 u) {
+  const double place = static_cast<double>(u.x) * areas.back();
+  const auto found = std::upper_bound(areas.begin(), areas.end() - 1, place);
+  const auto i = static_cast<std::size_t>(found - areas.begin());
+  const double before = i == 0 ? 0 : areas[i - 1];
+  const auto rest = static_cast<float>((place - before) / (areas[i] - before));
+  const Vec3 a = mesh.positions[mesh.triangles[i].x];
+  const Vec3 ab = mesh.positions[mesh.triangles[i].y] - a;
+  const Vec3 ac = mesh.positions[mesh.triangles[i].z] - a;
+  const float root = std::sqrt(std::clamp(rest, 0.0f, 1.0f));
+  return {a + root * (1 - u.y) * ab + root * u.y * ac, glm::normalize(glm::cross(ab, ac)), Rgb(0),
+          carlo::rounding_bound(12) * (glm::abs(a) + glm::abs(ab) + glm::abs(ac))};
+}
+
+}  // namespace
+
+Light::Light(const carlo::Shape& shape) : shape_(&shape) {
+  if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
+    double sum = 0;
+    for (const glm::uvec3 corner : mesh->triangles) {
+      sum += static_cast<double>(triangle_area(*mesh, corner));
+      triangle_areas_.push_back(sum);
+    }
+    area_ = static_cast<float>(sum);
+  } else if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
+    area_ = 4 * carlo::pi_f * carlo::sqr(sphere->radius);
+  } else if (const auto* disk = std::get_if<Disk>(&shape.geometry)) {
+    area_ = carlo::pi_f * carlo::sqr(disk->radius);
+  } else {
+    const auto& quad = std::get<Parallelogram>(shape.geometry);
+    area_ = glm::length(glm::cross(quad.u, quad.v));
+  }
+}
+
+LightPoint Light::sample(Vec2 u) const {
+  LightPoint point;
+  if (const auto* mesh = std::get_if<Mesh>(&shape_->geometry)) {
+    point = point_on(*mesh, triangle_areas_, u);
+  } else if (const auto* sphere = std::get_if<Sphere>(&shape_->geometry)) {
+    point = point_on(*sphere, u);
+  } else if (const auto* disk = std::get_if<Disk>(&shape_->geometry)) {
+    point = point_on(*disk, u);
+  } else {
+    point = point_on(std::get<Parallelogram>(shape_->geometry), u);
+  }
+  point.radiance = shape_->radiance;
+  return point;
+}
+
+}  // namespace lab08

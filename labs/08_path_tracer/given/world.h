@@ -1,0 +1,93 @@
+#pragma once
+
+#include "geometry/intersector.h"
+#include "numeric/vec.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+namespace lab08 {
+
+using carlo::Ray;
+using carlo::Rgb;
+using carlo::Vec2;
+using carlo::Vec3;
+
+/// What a surface does with light: Phong (a diffuse one has ks = 0, a black one kd = 0 too), a
+/// perfect mirror, or glass.
+using Material = std::variant<carlo::Phong, carlo::Mirror, carlo::Dielectric>;
+
+/// A point that a ray met, as the ray saw it.
+struct Surface {
+  Vec3 p;                    ///< the point
+  Vec3 n;                    ///< unit normal on wo's side
+  Vec3 wo;                   ///< unit vector towards the ray's origin
+  Rgb Le{0};                 ///< radiance emitted towards wo
+  const Material* material;  ///< black for the back of a one-sided surface
+  bool front = true;         ///< whether n is the shape's own normal; with glass: seen from outside
+  carlo::Hit hit;            ///< for World's functions
+
+  /// The material of a Phong surface; throws carlo::Error for mirrors and glass.
+  const carlo::Phong& phong() const;
+};
+
+/// A point of a light.
+struct LightPoint {
+  Vec3 p;
+  Vec3 n;        ///< unit normal on the side that emits
+  Rgb radiance;  ///< emitted on that side, the same in all directions
+  Vec3 p_error;  ///< bound on the rounding error of each coordinate of p
+};
+
+/// A shape that emits.
+class Light {
+ public:
+  explicit Light(const carlo::Shape& shape);
+  /// A point of it, uniform by area: its density is 1 / area().
+  LightPoint sample(Vec2 u) const;
+  float area() const { return area_; }
+
+ private:
+  const carlo::Shape* shape_;
+  float area_ = 0;
+  std::vector<double> triangle_areas_;  ///< of a mesh: their running sum
+};
+
+/// The scene that rays are traced in.
+class World {
+ public:
+  /// Throws carlo::Error for what lab 08 does not know: point lights.
+  explicit World(carlo::Scene scene);
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  /// The nearest surface along a ray.
+  std::optional<Surface> intersect(const Ray& ray) const;
+  /// The radiance that comes along a ray that meets no surface.
+  Rgb environment() const { return scene_.environment; }
+  /// The ray that leaves a surface point in direction wi, to either side of it. It starts off the
+  /// surface by as much as rounding asks for, so that it does not meet the surface again.
+  Ray leave(const Surface& surface, Vec3 wi) const;
+  /// Whether nothing stands between a surface point and a point of a light.
+  bool sees(const Surface& surface, const LightPoint& light) const;
+
+  /// The shapes that emit; may be none.
+  std::span<const Light> lights() const { return lights_; }
+  /// The light that a surface belongs to, or null.
+  const Light* light_of(const Surface& surface) const;
+
+  const carlo::Scene& scene() const { return scene_; }
+
+ private:
+  carlo::Scene scene_;
+  carlo::Intersector intersector_;
+  std::vector<Material> materials_;
+  std::vector<Light> lights_;
+  std::vector<std::int32_t> light_of_shape_;  ///< -1: none
+};
+
+}  // namespace lab08

@@ -1,0 +1,67 @@
+#include "numeric/robust.h"
+#include "pictures.h"
+#include "views.h"
+
+#include <cmath>
+
+// Step f: the Cornell box.
+
+namespace lab08 {
+namespace {
+
+/// One reflection alone.
+Rgb direct_only(const World& world, const Ray& ray, Rng& rng) {
+  const auto surface = world.intersect(ray);
+  if (!surface) return world.environment();
+  const Brdf f = [&](Vec3 wi) { return evaluate(surface->phong(), surface->n, surface->wo, wi); };
+  return surface->Le + direct_by_area(world, *surface, f, rng);
+}
+
+carlo::Image difference(carlo::Image a, const carlo::Image& b) {
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    a.pixels[i] = glm::max(a.pixels[i] - b.pixels[i], Rgb(0));
+  return a;
+}
+
+}  // namespace
+
+void indirect_experiment(Notebook& notebook) {
+  notebook.begin("Step f: indirect light");
+  const View view(cornell_box(), image_size(notebook, 64));
+  const World& world = view.world;
+  notebook.attempt([&] {
+    const auto with_direct =
+        traced(view, [&](const Ray& ray, Rng& rng) { return trace_direct(world, ray, true, rng); });
+    const int many = most_samples(notebook);
+    const Reference reference = converged(notebook, view.size, view.size, many, with_direct);
+    notebook.progress(1, 3);
+    const auto one_bounce =
+        traced(view, [&](const Ray& ray, Rng& rng) { return direct_only(world, ray, rng); });
+    const Reference direct = converged(notebook, view.size, view.size, many, one_bounce);
+    std::vector<Result> results;
+    results.push_back(measure(notebook, "lights by area, 8.6", reference, 16, with_direct));
+    notebook.progress(2, 3);
+    notebook.attempt([&] {
+      results.push_back(measure(
+          notebook, "TracePath, 8.4", reference, 16,
+          traced(view, [&](const Ray& ray, Rng& rng) { return trace_path(world, ray, rng); })));
+    });
+    notebook.say(
+        "The Cornell box. Light straight from the lamp, what comes by way of other surfaces, and "
+        "both. Lab 8.4's paths have to meet the lamp by chance; Lab 8.6 asks it at every vertex. "
+        "The "
+        "reference is a long run of Lab 8.6; errors are less its own.");
+    constexpr double white = 1.2;
+    std::vector<std::string> row = pictures_of(reference, "direct and indirect", results, white);
+    row.push_back(image_picture("direct", "one reflection", direct.image, white));
+    row.push_back(image_picture("indirect", "all the rest",
+                                difference(reference.image, direct.image), white));
+    notebook.raw_html(tiles(row));
+    carlo::Table table = results_table();
+    add_rows(table, "Cornell box", results);
+    notebook.table("indirect", table, "The Cornell box: error, cost and slopes");
+    add_charts(notebook, "Cornell box", results);
+  });
+}
+
+}  // namespace lab08

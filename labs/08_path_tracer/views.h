@@ -1,0 +1,56 @@
+#pragma once
+
+#include "images.h"
+#include "sampling/samplers.h"
+
+namespace lab08 {
+
+/// A world and the image of it that steps f to h make.
+struct View {
+  explicit View(carlo::Scene scene, int size);
+  Ray ray(int x, int y) const { return middle_ray(world.scene().camera, size, size, x, y); }
+
+  World world;
+  int size;
+};
+
+/// The Cornell box of common/scenes, size x size pixels.
+carlo::Scene cornell_box();
+/// A room with a ball of mirror and a ball of glass under a square lamp.
+carlo::Scene room_with_balls();
+/// Four plates, each more polished than the last, that mirror four balls of light of falling size.
+carlo::Scene plates();
+
+using Trace = std::function<Rgb(const Ray& ray, Rng& rng)>;
+
+/// Pixels by independent calls of a tracer.
+SampledPixel traced(const View& view, const Trace& trace);
+
+/// One of the samplers of common/sampling as lab 08's dimensions.
+template <class Sampler>
+class Sampled final : public Dimensions {
+ public:
+  explicit Sampled(const carlo::SampleId& id) : sampler_(id) {}
+  void seek(unsigned place) override { sampler_.seek(place); }
+  float next_1d() override { return sampler_.next_1d(); }
+  Vec2 next_2d() override { return sampler_.next_2d(); }
+
+ private:
+  Sampler sampler_;
+};
+
+/// Pixels by path_radiance() with the points of a sampler; each call has a seed of its own.
+template <class Sampler>
+SampledPixel tracer(const View& view) {
+  return [&view](int x, int y, int samples, Rng& rng) {
+    carlo::SampleId id{rng.next_u64(), static_cast<std::uint32_t>(y * view.size + x), 0,
+                       static_cast<std::uint32_t>(samples)};
+    return mean_of(samples, [&] {
+      Sampled<Sampler> dimensions(id);
+      ++id.index;
+      return path_radiance(view.world, view.ray(x, y), 0, dimensions);
+    });
+  };
+}
+
+}  // namespace lab08

@@ -1,0 +1,130 @@
+// Probes of lab 08's exercises 8.1 to 8.3 and 8.5. They call the student's functions and return raw
+// values; what the values should be stands in checks_*.cpp.
+
+#include "08_path_tracer/places.h"
+#include "08_path_tracer/scenes.h"
+#include "grader/worker/probe.h"
+#include "path_tracer.h"
+
+using namespace lab08_tests;
+using carlo::grader::Params;
+using carlo::grader::Rows;
+using carlo::grader::RowWriter;
+
+namespace {
+
+double number(float x) {
+  return static_cast<double>(x);
+}
+
+carlo::Phong phong_of(const Params& params) {
+  const PhongCase c = phong_cases()[static_cast<std::size_t>(params.whole("case"))];
+  return {Rgb(c.kd), Rgb(c.ks), c.n};
+}
+
+}  // namespace
+
+// A camera that looks along -z with a square film as wide as it is far. Each row: where in its
+// pixel a ray went through (in pixels, from the pixel's top left), and how many rays there were.
+PROBE("Lab 8.1 rays") {
+  carlo::Camera camera;
+  carlo::Rng rng(params.seed);
+  const int x = static_cast<int>(params.whole("x")), y = static_cast<int>(params.whole("y"));
+  const int strata = static_cast<int>(params.n);
+  RowWriter rows;
+  double calls = 0;
+  const Rgb mean = lab08::pixel_radiance(
+      camera, 16, 8, x, y, strata,
+      [&](const carlo::Ray& ray) {
+        calls += 1;
+        rows.add({number(ray.d.x / -ray.d.z + 1) * 8 - x, number(1 - ray.d.y / -ray.d.z) * 4 - y});
+        return Rgb(static_cast<float>(calls), 1, static_cast<float>(calls * calls));
+      },
+      rng);
+  rows.add({number(mean.r), number(mean.g)});
+  rows.add({number(mean.b), calls});
+  return rows.take();
+}
+
+// Direct light at the floor's origin, by either form.
+PROBE("Lab 8.2 estimates") {
+  const lab08::World world(lamp_scene(static_cast<Lamp>(params.whole("lamp"))));
+  carlo::Rng rng(params.seed);
+  const auto surface =
+      world.intersect({Vec3(0.3f, 0, 0.9f), glm::normalize(Vec3(-0.3f, 0, -0.9f))});
+  if (!surface) return {};
+  const lab08::Brdf f = [](Vec3 wi) { return Rgb(wi.z > 0 ? 0.5f / 3.14159265f : -1000.0f); };
+  RowWriter rows;
+  for (std::int64_t i = 0; i < params.n; ++i) {
+    const Rgb L = params.whole("form") == 0 ? lab08::direct_by_area(world, *surface, f, rng)
+                                            : lab08::direct_by_hemisphere(world, *surface, f, rng);
+    rows.add({number(L.r), number(L.g), number(L.b)});
+  }
+  return rows.take();
+}
+
+PROBE("Lab 8.3 chances") {
+  RowWriter rows;
+  for (const auto& [kd, ks] : chance_cases()) {
+    const lab08::LobeChances chances = lab08::lobe_chances({kd, ks, 10});
+    rows.add({number(chances.diffuse), number(chances.specular)});
+  }
+  return rows.take();
+}
+
+// f and pdf for every direction of places.h.
+PROBE("Lab 8.3 values") {
+  const carlo::Phong phong = phong_of(params);
+  RowWriter rows;
+  for (const DirectionPair& d : direction_pairs(phong.exponent)) {
+    rows.add({number(lab08::evaluate(phong, d.normal, d.wo, d.wi).r),
+              number(lab08::pdf(phong, d.normal, d.wo, d.wi))});
+  }
+  return rows.take();
+}
+
+// Rows: whether a direction came, the direction, weight, pdf.
+PROBE("Lab 8.3 samples") {
+  const carlo::Phong phong = phong_of(params);
+  const Frame3 frame = tilted_frame();
+  const Vec3 wo = frame.at(direction_at(static_cast<float>(params["degrees"]), 0));
+  carlo::Rng rng(params.seed);
+  RowWriter rows;
+  for (std::int64_t i = 0; i < params.n; ++i) {
+    const float u_lobe = rng.uniform_float();
+    const float u = rng.uniform_float();
+    const float v = rng.uniform_float();
+    const auto next = lab08::sample(phong, frame.n, wo, u_lobe, {u, v});
+    if (!next) {
+      rows.add({0, 0, 0, 0, 0, 0});
+      continue;
+    }
+    rows.add({1, number(next->wi.x), number(next->wi.y), number(next->wi.z), number(next->weight.r),
+              number(next->pdf)});
+  }
+  return rows.take();
+}
+
+// Rows: the estimate, how often incoming light was asked for, how often below the horizon, and how
+// often within the cone.
+PROBE("Lab 8.5 estimates") {
+  const SplitCase c = split_cases()[static_cast<std::size_t>(params.whole("case"))];
+  const lab08::Cone cone{c.axis, c.one_minus_cos};
+  carlo::Rng rng(params.seed);
+  RowWriter rows;
+  for (std::int64_t i = 0; i < params.n; ++i) {
+    double calls = 0, below = 0, within = 0;
+    const lab08::Incoming incoming = [&](Vec3 wi) {
+      calls += 1;
+      below += wi.z > 0 ? 0 : 1;
+      within += cone.contains(wi) ? 1 : 0;
+      return cone.contains(wi) ? Rgb(c.light) : Rgb(c.elsewhere);
+    };
+    const lab08::Brdf f = [](Vec3) { return Rgb(1 / 3.14159265f); };
+    const Vec3 n(0, 0, 1);
+    const Rgb L = params.whole("one") == 0 ? lab08::reflect_split(cone, n, f, incoming, rng)
+                                           : lab08::reflect_split_one(cone, n, f, incoming, rng);
+    rows.add({number(L.r), calls, below, within});
+  }
+  return rows.take();
+}

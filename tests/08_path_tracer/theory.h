@@ -1,0 +1,158 @@
+#pragma once
+
+#include "08_path_tracer/places.h"
+#include "08_path_tracer/scenes.h"
+#include "grader/judge/judge.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+// Closed forms and integrals, in double, that lab 08's checks compare with.
+
+namespace lab08_tests {
+
+using Double3 = glm::dvec3;
+constexpr double pi = std::numbers::pi;
+
+/// Mean and mean square of one estimate.
+struct Moments {
+  double mean = 0, square = 0;
+  double sd() const { return std::sqrt(std::max(square - mean * mean, 0.0)); }
+  carlo::grader::Theory theory() const { return {mean, sd()}; }
+};
+
+/// Midpoint rule over [0, 1)^2.
+inline void over_square(int n,
+                        const std::function<void(double u, double v, double weight)>& visit) {
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j)
+      visit((i + 0.5) / n, (j + 0.5) / n, 1.0 / n / n);
+  }
+}
+
+/// What one estimate by area leaves out, as a typical mistake.
+enum class Slip { none, cos_surface, cos_light, distance, area };
+
+/// One estimate of the radiance that a floor of albedo 1/2 at the origin reflects from a lamp of
+/// radiance 1, by a point of the lamp that is uniform by area. Points on the screened half (x > 0)
+/// count as hidden.
+inline Moments by_area(Lamp lamp, Slip slip = Slip::none) {
+  Moments m;
+  const auto add = [&](Double3 p, Double3 n, double area, double weight) {
+    const double d2 = glm::dot(p, p), d = std::sqrt(d2);
+    const double cos_surface = p.z / d, cos_light = -glm::dot(n, p) / d;
+    if (!(cos_surface > 0 && cos_light > 0)) return;
+    if (lamp == Lamp::covered && p.x > 0) return;
+    const double value = 0.5 / pi * (slip == Slip::cos_surface ? 1 : cos_surface) *
+                         (slip == Slip::cos_light ? 1 : cos_light) /
+                         (slip == Slip::distance ? 1 : d2) * (slip == Slip::area ? 1 : area);
+    m.mean += value * weight;
+    m.square += value * value * weight;
+  };
+  over_square(600, [&](double u, double v, double weight) {
+    switch (lamp) {
+      case Lamp::disk: {
+        const double r = std::sqrt(u), phi = 2 * pi * v;
+        return add({r * std::cos(phi), r * std::sin(phi), 1}, {0, 0, -1}, pi, weight);
+      }
+      case Lamp::sphere: {
+        const double z = 1 - 2 * u, r = std::sqrt(1 - z * z), phi = 2 * pi * v;
+        const Double3 n(r * std::cos(phi), r * std::sin(phi), z);
+        const double angle = 50 * pi / 180;
+        return add(Double3(2 * std::sin(angle), 0, 2 * std::cos(angle)) + n, n, 4 * pi, weight);
+      }
+      case Lamp::wall:
+        return add({1, v, u}, {-1, 0, 0}, 1, weight);
+      default:
+        return add({u - 0.5, v - 0.5, 1}, {0, 0, -1}, 1, weight);
+    }
+  });
+  return m;
+}
+
+/// The reflectance of places.h's grey materials in double.
+inline double cos_power(Double3 a, Double3 b, double n) {
+  const Double3 d = a - b;
+  const double one_minus_cos = 0.5 * glm::dot(d, d);
+  return one_minus_cos < 1 ? std::exp(n * std::log1p(-one_minus_cos)) : 0;
+}
+
+struct PhongTheory {
+  double kd, ks, n;
+
+  explicit PhongTheory(const PhongCase& c)
+      : kd(static_cast<double>(c.kd)), ks(static_cast<double>(c.ks)), n(static_cast<double>(c.n)) {}
+
+  static Double3 mirrored(Double3 normal, Double3 wo) {
+    return 2 * glm::dot(normal, wo) * normal - wo;
+  }
+  double f(Double3 normal, Double3 wo, Double3 wi) const {
+    if (!(glm::dot(normal, wi) > 0)) return 0;
+    return kd / pi + ks * (n + 2) / (2 * pi) * cos_power(mirrored(normal, wo), wi, n);
+  }
+  double pdf(Double3 normal, Double3 wo, Double3 wi) const {
+    const double cosine = glm::dot(normal, wi);
+    if (!(cosine > 0)) return 0;
+    return kd * cosine / pi + ks * (n + 1) / (2 * pi) * cos_power(mirrored(normal, wo), wi, n);
+  }
+  /// The weight of one sample, 0 where none is returned, at this angle of wo.
+  Moments weights(double degrees) const {
+    const double angle = degrees * pi / 180;
+    const Double3 normal(0, 0, 1), wo(std::sin(angle), 0, std::cos(angle));
+    Moments m;
+    over_square(1000, [&](double u, double v, double weight) {
+      const double r = std::sqrt(1 - u * u), phi = 2 * pi * v;
+      const Double3 wi(r * std::cos(phi), r * std::sin(phi), u);
+      const double value = f(normal, wo, wi) * u, density = pdf(normal, wo, wi);
+      if (!(density > 0)) return;
+      m.mean += 2 * pi * weight * value;
+      m.square += 2 * pi * weight * value * value / density;
+    });
+    return m;
+  }
+};
+
+/// Directional albedo of the specular term for ks = 1 and whole n (J. Arvo's recurrences; all terms
+/// are positive).
+inline double specular_albedo(int n, double degrees) {
+  const double theta = degrees * pi / 180, S = std::sin(theta), c = std::cos(theta);
+  const auto w = [](int j) {
+    double value = j % 2 == 0 ? pi / 2 : 1;
+    for (int k = j % 2; k < j; k += 2)
+      value *= (k + 1.0) / (k + 2);
+    return value;
+  };
+  double sum = n % 2 == 0 ? c / 2 : c * (1 - theta / pi);
+  for (int j = n % 2; j <= n; j += 2)
+    sum += c * c / pi * std::pow(S, j) * w(j);
+  return sum + std::pow(S, n + 2) * w(n) / pi;
+}
+
+/// Integrals over the part of a cone that lies above a floor: solid angle, of cos and of cos^2.
+struct ConeTheory {
+  double whole = 0, above = 0, cosine = 0, square = 0;
+
+  explicit ConeTheory(const SplitCase& c) {
+    const auto one_minus_cos = static_cast<double>(c.one_minus_cos);
+    const Double3 axis(c.axis);
+    const Double3 across = glm::normalize(
+        glm::cross(axis, std::abs(axis.z) < 0.9 ? Double3(0, 0, 1) : Double3(1, 0, 0)));
+    const Double3 third = glm::cross(axis, across);
+    whole = 2 * pi * one_minus_cos;
+    over_square(1000, [&](double u, double v, double weight) {
+      const double h = u * one_minus_cos, r = std::sqrt(h * (2 - h)), phi = 2 * pi * v;
+      const double z = ((1 - h) * axis + r * std::cos(phi) * across + r * std::sin(phi) * third).z;
+      if (!(z > 0)) return;
+      above += whole * weight;
+      cosine += whole * weight * z;
+      square += whole * weight * z * z;
+    });
+  }
+};
+
+}  // namespace lab08_tests
