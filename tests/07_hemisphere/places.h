@@ -87,6 +87,9 @@ inline Vec3 density_place(int ring, int sector) {
   return at_angles(std::acos(z), 2 * pi * (sector + 0.5) / density_sectors);
 }
 
+/// Of how many mirror directions Lab 7.7 is asked for the lobe's very edge, with this many streams.
+constexpr int edge_mirrors = 64, edge_streams = 48;
+
 /// Places across a lobe of exponent n about `axis`: from its middle to where e^-16 of the density
 /// is left, or to the lobe's edge where that comes first.
 constexpr int lobe_steps = 160;
