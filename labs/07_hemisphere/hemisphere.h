@@ -90,8 +90,10 @@ using Visible = std::function<bool(Vec3 wi)>;
 
 /// Lab 7.7. The irradiance of a surface with this normal, E = integral of radiance(wi) cos(theta)
 /// over the hemisphere, estimated from `count` >= 1 directions. Radiance is asked once for every
-/// direction above the horizon; those below are part of the count and contribute 0. A direction
-/// made of u takes two rng.uniform_float(): u.x, u.y.
+/// direction above the horizon; those below are part of the count and contribute 0, and so do
+/// directions whose density rounding has made 0. A direction made of u takes two
+/// rng.uniform_float(): u.x, u.y. The sum is kept in double: it is right for millions of
+/// directions.
 double irradiance(const Radiance& radiance, Vec3 normal, const Sampling& sampling,
                   std::int64_t count, carlo::Rng& rng);
 

@@ -40,6 +40,14 @@ const Diagnosis reused{"reused-number", "fewer than two numbers are drawn for a 
 const Diagnosis local_not_world{"local-direction-not-turned",
                                 "directions have to be turned from the local frame to the world's "
                                 "before radiance is asked for."};
+const Diagnosis density_zero{
+    "divided-by-density-zero",
+    "a direction of the lobe whose density is 0 is divided by it: turning may round a direction on "
+    "the lobe's outermost edge out of the lobe. Its weight is 0."};
+const Diagnosis float_sum{"sum-in-float",
+                          "the sum is a float: once it is large, every summand is rounded to the "
+                          "spacing of floats there. "
+                          "Keep the sum in double."};
 enum class Technique { rejection = 0, uniform = 1, cosine = 2, lobe = 3 };
 
 /// What is to be integrated, and how.
@@ -308,4 +316,35 @@ TEST_CASE("Lab 7.7: radiance is asked once a direction, and never below the hori
     judge(equals("how often radiance was asked for", asked, n * (1 - lost), tolerance));
     judge(equals("numbers drawn", words, 2 * n, 0, {{n, reused}}));
   }
+}
+
+// 2 pi cos(theta) at most for n = 0, and at n = 0.05 the density is above 0.07 for every float.
+TEST_CASE("Lab 7.7: a direction on the lobe's very edge does not spoil the estimate",
+          "[lab07][ex7]") {
+  for (const double n : {0.0, 0.05}) {
+    const Params params = {
+        .numbers = {{"exponent", n}, {"x", tilted.x}, {"y", tilted.y}, {"z", tilted.z}}};
+    const Rows rows = probe("Lab 7.7 edge", params,
+                            {.rows = std::size_t{edge_streams} * edge_mirrors, .finite = false});
+    const auto wrong = std::count_if(rows.values.begin(), rows.values.end(),
+                                     [](double e) { return !(e >= 0 && e <= 20); });
+    judge(holds(fmt::format("estimates from one direction of the lobe of n = {:g} whose u.x is the "
+                            "last float below 1",
+                            n),
+                wrong == 0,
+                fmt::format("{} of {} are infinite or no number", wrong, rows.values.size()),
+                "at most cos(theta)/pdf, or 0", {density_zero}));
+  }
+}
+
+// Floats are 1/4 apart where the sum ends.
+TEST_CASE("Lab 7.7: the sum is kept in double", "[lab07][ex7]") {
+  constexpr int many = 1 << 20;
+  const Rows rows = probe("Lab 7.7 many", {.n = many}, {.finite = false});
+  float in_float = 0;
+  for (int i = 0; i < many; ++i)
+    in_float += std::numbers::pi_v<float>;
+  judge(equals(
+      fmt::format("the irradiance under an open sky from {} cosine-weighted directions", many),
+      rows.values[0], pi, 1e-4, {{static_cast<double>(in_float) / many, float_sum}}));
 }

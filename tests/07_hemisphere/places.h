@@ -39,7 +39,8 @@ struct Axes {
 };
 
 /// Normals in all directions, and many where frames break: on the axes, with zeros of both signs,
-/// and as close to n = -z and n = z as floats come.
+/// as close to n = -z and n = z as floats come, and along vectors of small whole numbers, which may
+/// be the only helper of a cross product. Weak places elsewhere are searched for (Lab 7.1 search).
 inline std::vector<Vec3> hard_normals() {
   std::vector<Vec3> normals = {{0, 0, 1},     {0, 0, -1},      {0.0f, -0.0f, -1}, {1, 0, 0},
                                {-1, 0, 0},    {0, 1, 0},       {0, -1, 0},        {1, 0, -0.0f},
@@ -51,6 +52,10 @@ inline std::vector<Vec3> hard_normals() {
       normals.push_back(at_angles(tilt, 1.3 * i + 1.2566 * k));
       normals.push_back(at_angles(pi / 2 + tilt, 1.3 * i + 1.2566 * k));
     }
+  }
+  for (int i = 0; i < 9 * 9 * 9; ++i) {
+    const Double3 whole(i % 9 - 4, i / 9 % 9 - 4, i / 81 - 4);
+    if (glm::length(whole) > 0) normals.emplace_back(glm::normalize(whole));
   }
   constexpr int spiral = 4000;
   for (int i = 0; i < spiral; ++i) {
@@ -81,6 +86,9 @@ inline Vec3 density_place(int ring, int sector) {
   const double z = 1 - (2 * ring + 1.0) / density_rings;
   return at_angles(std::acos(z), 2 * pi * (sector + 0.5) / density_sectors);
 }
+
+/// Of how many mirror directions Lab 7.7 is asked for the lobe's very edge, with this many streams.
+constexpr int edge_mirrors = 64, edge_streams = 48;
 
 /// Places across a lobe of exponent n about `axis`: from its middle to where e^-16 of the density
 /// is left, or to the lobe's edge where that comes first.

@@ -6,6 +6,7 @@
 #include "hemisphere.h"
 
 #include <algorithm>
+#include <array>
 
 using namespace lab07_tests;
 using carlo::grader::Params;
@@ -34,6 +35,16 @@ struct Surface {
 
   bool lit(Vec3 wi) const { return lab07_tests::lit(light, axes.local(wi)); }
 };
+
+/// Streams of Rng(7, stream) whose first uniform_float() is the last float below 1, which comes up
+/// once in 2^24 numbers: found by going through them all.
+constexpr std::array<std::uint64_t, edge_streams> last_float_streams = {
+    11998468,  14742555,  82817238,  104415125, 111509448, 118533986, 159975561, 173333219,
+    176784087, 217789148, 235894363, 244954394, 280412877, 284885921, 286890080, 294656044,
+    297607220, 303209965, 311898468, 318229023, 326440475, 333432321, 334264443, 335664426,
+    338348193, 346877775, 365045033, 365618659, 375298350, 376024897, 383254848, 428306651,
+    430276955, 446196691, 459488214, 485434640, 526617366, 549229509, 579186121, 581295432,
+    593048923, 595260160, 631783317, 637557451, 657430469, 673389434, 705030547, 727879090};
 
 }  // namespace
 
@@ -71,4 +82,31 @@ PROBE("Lab 7.7 record") {
   };
   lab07::irradiance(radiance, surface.normal, surface.sampling, params.n, rng);
   return {4, {asked, below, off, words_drawn(before, rng, 64 * params.n)}};
+}
+
+// Estimates from one direction of the lobe, its u.x the last float below 1: it lies on the lobe's
+// very edge, and turning may round it out, where the density is 0. By mirror directions all around.
+PROBE("Lab 7.7 edge") {
+  const Vec3 normal(params["x"], params["y"], params["z"]);
+  const Axes axes(normal);
+  const lab07::Radiance sky = [](Vec3) { return 1.0f; };
+  RowWriter rows;
+  for (const std::uint64_t stream : last_float_streams) {
+    for (int i = 0; i < edge_mirrors; ++i) {
+      const Double3 wo = at_angles(pi / 2 * (i + 0.5) / edge_mirrors, 2.399963229728653 * i);
+      const lab07::Sampling sampling{lab07::Technique::lobe, Vec3(axes.world(wo)),
+                                     static_cast<float>(params["exponent"])};
+      carlo::Rng rng(7, stream);
+      rows.add({lab07::irradiance(sky, normal, sampling, 1, rng)});
+    }
+  }
+  return rows.take();
+}
+
+// The irradiance of an open sky from many directions at once; they all contribute the same.
+PROBE("Lab 7.7 many") {
+  carlo::Rng rng(params.seed);
+  const lab07::Radiance sky = [](Vec3) { return 1.0f; };
+  const lab07::Sampling sampling{lab07::Technique::cosine, {0, 0, 1}, 1};
+  return {1, {lab07::irradiance(sky, {0, 0, 1}, sampling, params.n, rng)}};
 }
