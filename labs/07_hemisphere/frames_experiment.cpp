@@ -75,11 +75,12 @@ void frames_experiment(Notebook& notebook) {
   notebook.begin("Frames");
   notebook.attempt([&] {
     (void)Frame({0, 0, 1});
-    carlo::Table table({"angle", "your frame", "one helper for every normal"},
-                       {"tilt", "yours", "fixed_helper"});
+    carlo::Table table(
+        {"angle in rad, to -z or to the helper", "your frame", "one helper for every normal"},
+        {"tilt", "yours", "fixed_helper"});
     carlo::Chart chart{"Distance from an orthonormal frame",
                        "the worst of 500 normals at each angle",
-                       {"angle to -z, or to the helper"},
+                       {"angle to -z, or to the helper, in radians"},
                        {"error of lengths and right angles"},
                        {{"your frame", {}}, {"one helper for every normal", {}}}};
     for (int i = 0; i <= 14; ++i) {
@@ -95,10 +96,10 @@ void frames_experiment(Notebook& notebook) {
     cost.add_row({"helper", carlo::seconds_cell(seconds_a_frame(by_fixed_helper))});
     notebook.say(
         "A frame must hold for every normal. Yours near n = -z, where closed formulas break; "
-        "beside it "
-        "axes from a cross product with one helper vector for every normal, near that helper. The "
-        "closer the normal is to it, the shorter the product and the fewer of its digits are "
-        "right.");
+        "beside "
+        "it axes from a cross product with one helper vector, (1, 2, 3)/|(1, 2, 3)|, for every "
+        "normal, near that helper. The closer the normal is to it, the shorter the product and the "
+        "fewer of its digits are right.");
     notebook.table("frames", table, "Largest error of a length or a right angle, in float");
     notebook.table("frames_cost", cost, "What a frame costs");
     notebook.charts({chart});

@@ -67,8 +67,7 @@ float cosine_hemisphere_pdf(Vec3 w) {
 
 Vec3 sample_lobe(Vec2 u, float n) {
   // 1. Find log(cos(alpha)) from one number, by inversion. The number 0 must stay within the lobe.
-  // 2. From it find cos(alpha), and sin(alpha) without subtracting two numbers that are nearly
-  // equal.
+  // 2. From it find cos(alpha), and sin(alpha) without a difference of two nearly equal numbers.
   // 3. phi from the other number; put the direction together.
   carlo::not_implemented("Lab 7.5", "Reflected Ray Sampling, Phong BRDF");
 }

@@ -4,8 +4,9 @@
 // your work goes into hemisphere.cpp.
 //
 // Directions are unit vectors of floats, as in the renderer. "Local" means in a frame whose z axis
-// is the surface normal: cos(theta) is then simply w.z, and the horizon is z = 0. wo and wi both
-// point away from the surface. Densities (pdfs) are per solid angle.
+// is the surface normal: cos(theta) is then simply w.z, and the horizon is z = 0. Below it is
+// z < 0: a density at w.z = 0 may be either side's. wo and wi both point away from the surface.
+// Densities (pdfs) are per solid angle.
 //
 // A sampler takes any u in [0, 1)^2 with coordinates that are multiples of 2^-24, 0 and the last
 // float below 1 included. It returns a direction of length 1 to 1e-6 with a pdf above 0.

@@ -12,8 +12,8 @@ int main(int argc, char** argv) {
       .what_you_should_see = {
           "Directions that fill the hemisphere as their densities say: evenly, thicker towards the "
           "normal, in a narrow bundle. p-values that are neither tiny nor all close to 1.",
-          "Axes at right angles to 1e-7 for every normal, and a frame from one helper vector that "
-          "loses its digits one by one as the normal approaches the helper.",
+          "Axes at right angles to a few 1e-7 for every normal, and a frame from one helper vector "
+          "that loses its digits one by one as the normal approaches the helper.",
           "A lobe that stays right to n = 1e7, where the recipe with acos in float has some twenty "
           "angles left.",
           "Noise that falls with slope -1/2 for every technique. Cosine-weighted directions beat "

@@ -5,6 +5,7 @@
 
 #include "07_hemisphere/law.h"
 
+#include <array>
 #include <cmath>
 
 using namespace carlo::grader;
@@ -27,7 +28,7 @@ const Diagnosis thrown_away{
 const Diagnosis not_counted{"accepted-dart-not-counted",
                             "the dart that is accepted counts as well."};
 const Diagnosis disc{"a-disc-not-a-ball", "darts are rejected by two of their coordinates only."};
-const Diagnosis order{
+const Diagnosis order_of_numbers{
     "order-of-the-numbers",
     "x, y, z are drawn in this order, a statement each: the order in which a function's "
     "arguments are evaluated is the compiler's choice."};
@@ -51,6 +52,27 @@ bool in_one_octant(const std::vector<Double3>& directions) {
 std::size_t count_below(const std::vector<Double3>& local) {
   return static_cast<std::size_t>(
       std::count_if(local.begin(), local.end(), [](Double3 w) { return w.z < -1e-6; }));
+}
+
+/// The dart's direction with its coordinates in another order, above the horizon.
+Double3 reordered(Double3 dart, const std::array<int, 3>& order) {
+  const Double3 w(dart[order[0]], dart[order[1]], dart[order[2]]);
+  return w.z < 0 ? -w : w;
+}
+
+/// Whether nearly all answers are the right ones but for the order in which x, y, z were drawn.
+bool in_another_order(const Rows& rows) {
+  for (const std::array<int, 3>& order :
+       std::array<std::array<int, 3>, 5>{{{0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}}) {
+    std::size_t same = 0;
+    for (std::size_t i = 0; i < rows.count(); ++i) {
+      const Double3 w(rows.at(i, 2), rows.at(i, 3), rows.at(i, 4));
+      const Double3 first(rows.at(i, 5), rows.at(i, 6), rows.at(i, 7));
+      if (glm::length(w - reordered(first, order)) <= 1e-5) ++same;
+    }
+    if (same > rows.count() * 9 / 10) return true;
+  }
+  return false;
 }
 
 /// Of trials with success probability p, until the first success.
@@ -115,5 +137,7 @@ TEST_CASE("Lab 7.2: a dart is three fresh numbers, x, y and z, and the first in 
   judge(holds("the direction", wrong_direction == 0,
               fmt::format("not that of the first dart in the ball, {} times of {}", wrong_direction,
                           repetitions),
-              "that of the first dart in the ball", {order}));
+              "that of the first dart in the ball",
+              in_another_order(rows) ? std::vector<Diagnosis>{order_of_numbers}
+                                     : std::vector<Diagnosis>{}));
 }

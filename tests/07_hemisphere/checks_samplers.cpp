@@ -62,11 +62,6 @@ const Diagnosis not_normalised{"lobe-not-normalised",
 const Diagnosis back_counts{"back-of-the-lobe",
                             "beyond 90 degrees the lobe is 0; there cos^n is a power of a negative "
                             "number."};
-const Diagnosis cosine_rounded{
-    "cosine-has-rounded",
-    "the n-th power of a float cosine: a step of 6e-8 in the cosine is a "
-    "factor e^0.6 for n = 1e7. w.x and w.y know the angle."};
-
 constexpr std::size_t n_directions = 200'000;
 
 double upper(double value, Double3 w) {
@@ -199,14 +194,9 @@ TEST_CASE("Lab 7.5: the density is right across the narrowest lobes", "[lab07][e
     const Rows rows = probe("Lab 7.5 to 7.6 lobe density", subject.params(),
                             {.rows = lobe_steps, .finite = false});
     std::vector<Double3> places;
-    bool near = true;
     for (int step = 0; step < lobe_steps; ++step) {
       places.emplace_back(lobe_place(step, n, {0, 0, 1}));
-      const double ratio = rows.values[static_cast<std::size_t>(step)] / subject.pdf(places.back());
-      near = near && ratio > 1e-4 && ratio < 20;
     }
-    Verdict verdict = density_is("the density of " + subject.name, subject, places, rows.values);
-    if (!verdict.passed && near && n > 1e4) verdict.diagnoses.push_back(cosine_rounded);
-    judge(verdict);
+    judge(narrow_density_is(subject, places, rows.values));
   }
 }

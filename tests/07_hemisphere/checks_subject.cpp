@@ -2,6 +2,8 @@
 
 #include "07_hemisphere/subject.h"
 
+#include <algorithm>
+
 namespace lab07_tests {
 
 using namespace carlo::grader;
@@ -9,7 +11,8 @@ using namespace carlo::grader;
 void judge_density(const Subject& subject, const std::vector<OtherPdf>& others,
                    const Suspects& integrals) {
   constexpr std::size_t count = std::size_t{density_rings} * density_sectors;
-  const Rows rows = probe("Lab 7.3 to 7.6 density", subject.params(), {.rows = count});
+  const Rows rows = probe("Lab 7.3 to 7.6 density", subject.params(),
+                          {.rows = count, .finite = false, .of = subject.name});
   std::vector<Double3> places;
   double sum = 0;
   for (int ring = 0; ring < density_rings; ++ring) {
@@ -24,19 +27,50 @@ void judge_density(const Subject& subject, const std::vector<OtherPdf>& others,
                integrals));
 }
 
+namespace {
+
+const Diagnosis on_horizon{"direction-on-horizon",
+                           "there are u whose direction lies on the horizon, where the density is "
+                           "0: keep the cosine above 0."};
+/// Whether only numbers u with a coordinate 0 are bad, and all of them.
+bool bad_at_zero_only(const std::vector<Vec2>& u, const std::vector<bool>& bad) {
+  bool x = true, y = true;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    x = x && bad[i] == (u[i].x == 0);
+    y = y && bad[i] == (u[i].y == 0);
+  }
+  return x || y;
+}
+
+}  // namespace
+
 void judge_edges(const Subject& subject, const std::vector<Diagnosis>& at_zero) {
   const std::vector<Vec2> u = edge_numbers();
   const Rows rows = probe("Lab 7.3 to 7.6 edges", subject.params(),
                           {.rows = u.size(), .columns = 4, .finite = false});
   const std::vector<Double3> directions = directions_in(rows);
   judge(all_unit(directions));
+  std::vector<bool> bad;
   for (std::size_t i = 0; i < u.size(); ++i) {
     const double pdf = rows.at(i, 3);
     const bool above = subject.sampler == Sampler::mirror || directions[i].z > 0;
-    if (std::isfinite(pdf) && pdf > 0 && above) continue;
-    judge(holds(fmt::format("the direction of u = ({:.8g}, {:.8g})", u[i].x, u[i].y), false,
-                fmt::format("cos(theta) = {:.3g}, density {:.3g}", directions[i].z, pdf),
-                "a density above 0, and finite", at_zero));
+    bad.push_back(!(std::isfinite(pdf) && pdf > 0 && above));
+  }
+  const auto first = std::find(bad.begin(), bad.end(), true) - bad.begin();
+  if (const auto i = static_cast<std::size_t>(first); i < bad.size()) {
+    const double cosine = subject.axes().local(directions[i]).z;
+    const bool has_exponent =
+        subject.sampler == Sampler::lobe || subject.sampler == Sampler::mirror;
+    std::vector<Diagnosis> diagnoses;
+    if (has_exponent && cosine > 1e-8 && cosine < 0.01) {
+      diagnoses = {near_horizon};
+    } else if (subject.sampler != Sampler::mirror && std::abs(cosine) < 1e-6) {
+      diagnoses = bad_at_zero_only(u, bad) ? at_zero : std::vector<Diagnosis>{on_horizon};
+    }
+    judge(holds(
+        fmt::format("{}: the direction of u = ({:.8g}, {:.8g})", subject.name, u[i].x, u[i].y),
+        false, fmt::format("cosine {:.3g}, density {}", cosine, number_or_nan(rows.at(i, 3))),
+        "a density above 0, and finite", diagnoses));
     return;
   }
   judge(holds("directions at the edges of [0, 1)^2", true, "all with a density above 0",
@@ -46,7 +80,10 @@ void judge_edges(const Subject& subject, const std::vector<Diagnosis>& at_zero) 
 Drawn draw(const Subject& subject, std::size_t count) {
   const Rows rows =
       probe("Lab 7.3 to 7.6 directions", subject.params(static_cast<std::int64_t>(count)),
-            {.rows = count, .columns = 4});
+            {.rows = count,
+             .columns = 4,
+             .finite = false,
+             .of = fmt::format("{} directions of {}", count, subject.name)});
   return {directions_in(rows), column(rows, 3)};
 }
 
@@ -56,19 +93,24 @@ void judge_drawn(const Subject& subject, const Drawn& drawn) {
     std::size_t lost = 0;
     for (const Double3 w : drawn.directions)
       lost += w.z > 0 ? 0 : 1;
-    judge(holds("directions below the horizon", lost == 0,
+    judge(holds("directions of " + subject.name + " below the horizon", lost == 0,
                 fmt::format("{} of {}", lost, drawn.directions.size()), "none", {below_kept}));
   }
   std::size_t wrong = 0;
+  std::string example;
   for (std::size_t i = 0; i < drawn.pdf.size(); ++i) {
     const Double3 w = drawn.directions[i];
     // A density is asked for elsewhere; here that it belongs to the samples. A direction on the
     // very edge may be rounded out of the lobe.
     const bool edge = subject.axes().local(w).z < 1e-6;
-    if (!edge && !agree(drawn.pdf[i], subject.pdf(w), 2 * subject.tolerance(w))) ++wrong;
+    if (edge || agree(drawn.pdf[i], subject.pdf(w), 2 * subject.tolerance(w))) continue;
+    if (++wrong > 1) continue;
+    example =
+        fmt::format("; the first is {} at w = ({:.6g}, {:.6g}, {:.6g}), where {:.6g} is right",
+                    number_or_nan(drawn.pdf[i]), w.x, w.y, w.z, subject.pdf(w));
   }
-  judge(holds("the density that goes with each direction", wrong == 0,
-              fmt::format("wrong for {} of {}", wrong, drawn.pdf.size()), "theory's"));
+  judge(holds("the density that goes with each direction of " + subject.name, wrong == 0,
+              fmt::format("wrong for {} of {}{}", wrong, drawn.pdf.size(), example), "theory's"));
 }
 
 }  // namespace lab07_tests

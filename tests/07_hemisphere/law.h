@@ -5,6 +5,7 @@
 #include "stats/distributions.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -84,14 +85,22 @@ inline carlo::grader::Verdict distributed(const std::string& what,
   return verdict;
 }
 
-/// Whether nearly all directions show one number in both coordinates.
+/// Whether the directions lie on a curve: at (nearly) every angle they have a few azimuths only,
+/// wherever phi starts.
 inline bool number_reused(const std::vector<Double3>& directions, const Share& share) {
-  std::size_t same = 0;
+  std::array<std::array<bool, cells_a_side>, cells_a_side> seen{};
   for (const Double3 w : directions) {
-    const double a = share(w), b = azimuth_share(w);
-    same += std::abs(a - b) < 1e-3 || std::abs(1 - a - b) < 1e-3 ? 1 : 0;
+    const double a = share(w) * cells_a_side, b = azimuth_share(w) * cells_a_side;
+    if (!(w.z > 1e-6 && a >= 0 && a < cells_a_side && b >= 0 && b < cells_a_side)) continue;
+    seen[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)] = true;
   }
-  return same > directions.size() * 9 / 10;
+  int angles = 0;
+  for (const auto& azimuths : seen) {
+    const auto count = std::count(azimuths.begin(), azimuths.end(), true);
+    if (count > 4) return false;
+    angles += count > 0 ? 1 : 0;
+  }
+  return angles > cells_a_side / 2;
 }
 
 /// Columns first to first + 2 as directions.

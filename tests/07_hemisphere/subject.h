@@ -80,10 +80,15 @@ struct OtherPdf {
 
 inline const Diagnosis reused_number{"reused-number",
                                      "the angle and the azimuth come from one random number: the "
-                                     "directions lie on a spiral."};
+                                     "directions lie on a curve."};
 inline const Diagnosis half_turn{"half-a-turn",
                                  "phi covers half a turn only: it runs from 0 to 2 pi."};
 inline const Diagnosis below_kept{"below-horizon-kept", "there are directions below the horizon."};
+
+inline const Diagnosis near_horizon{
+    "no-density-near-horizon",
+    "near the horizon x^2 + y^2 rounds to 1 or more, and 1 minus it to 0 or less, which has no "
+    "logarithm: there w.z is what knows the angle."};
 
 /// Chi-square of directions; says what they look like when they are wrong.
 inline Verdict samples_follow(const Subject& subject, const std::vector<Double3>& world,
@@ -103,6 +108,11 @@ inline Verdict samples_follow(const Subject& subject, const std::vector<Double3>
   return verdict;
 }
 
+/// Six digits, or in words that it is no number.
+inline std::string number_or_nan(double value) {
+  return std::isnan(value) ? "NaN, which is no number" : fmt::format("{:.6g}", value);
+}
+
 inline bool agree(double a, double b, double relative) {
   return std::abs(a - b) <= relative * std::abs(b) + 1e-30;
 }
@@ -117,6 +127,14 @@ inline Verdict density_is(const std::string& what, const Subject& subject,
     }
     return true;
   };
+  const auto wrong_near_horizon_only = [&] {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const double z = subject.axes().local(places[i]).z;
+      const bool right = agree(measured[i], subject.pdf(places[i]), subject.tolerance(places[i]));
+      if (!right && !(z > 0 && z < 0.2)) return false;
+    }
+    return true;
+  };
   for (std::size_t i = 0; i < places.size(); ++i) {
     const double exact = subject.pdf(places[i]);
     const double tolerance = subject.tolerance(places[i]);
@@ -128,10 +146,33 @@ inline Verdict density_is(const std::string& what, const Subject& subject,
     for (const OtherPdf& other : others) {
       if (fits(other.pdf)) verdict.diagnoses.push_back(other.diagnosis);
     }
+    const bool has_exponent =
+        subject.sampler == Sampler::lobe || subject.sampler == Sampler::mirror;
+    if (verdict.diagnoses.empty() && has_exponent && wrong_near_horizon_only()) {
+      verdict.diagnoses.push_back(near_horizon);
+    }
     return verdict;
   }
   return carlo::grader::holds(what, true, fmt::format("right at all {} places", places.size()),
                               "right everywhere");
+}
+
+inline const Diagnosis cosine_rounded{
+    "cosine-has-rounded",
+    "the n-th power of a float cosine: a step of 6e-8 in the cosine is a "
+    "factor e^0.6 for n = 1e7. w.x and w.y know the angle."};
+
+/// density_is() across a narrow lobe, where cosines round to 1.
+inline Verdict narrow_density_is(const Subject& subject, const std::vector<Double3>& places,
+                                 const std::vector<double>& measured) {
+  Verdict verdict = density_is("the density of " + subject.name, subject, places, measured);
+  bool near = true;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double ratio = measured[i] / subject.pdf(places[i]);
+    near = near && ratio > 1e-4 && ratio < 20;
+  }
+  if (!verdict.passed && near && subject.n > 1e4) verdict.diagnoses.push_back(cosine_rounded);
+  return verdict;
 }
 
 /// All over the sphere: against theory, and its integral, which must be 1.
