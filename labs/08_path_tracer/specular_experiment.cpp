@@ -46,9 +46,10 @@ carlo::Table closed_forms(Notebook& notebook) {
   for (const Known& known : worlds) {
     const World world(known.scene);
     Rng rng = notebook.rng();
-    const auto count = static_cast<double>(notebook.options().n / 4);
+    const std::int64_t n = notebook.options().n / 4;
+    const auto count = static_cast<double>(n);
     double sum = 0, squares = 0;
-    for (double i = 0; i < count; ++i) {
+    for (std::int64_t i = 0; i < n; ++i) {
       // Rays that meet the ball all over.
       const Vec3 target(0.4f * rng.uniform_float(), 0, 0);
       const Ray ray{{0, 0, 1.5f}, glm::normalize(target - Vec3(0, 0, 1.5f))};
