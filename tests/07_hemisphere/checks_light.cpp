@@ -229,7 +229,7 @@ bool others_are_right(const Case& c, Vec3 normal) {
 Verdict mean_verdict(const std::string& what, const Case& c, Vec3 normal,
                      const std::vector<double>& values, double scale = 1) {
   const Theory theory = theory_of(c, scale);
-  const Verdict verdict = mean_is(what, values, theory);
+  Verdict verdict = mean_is(what, values, theory);
   if (verdict.passed) return verdict;
   const Suspects suspects = suspects_of(c, normal, scale);
   if (c.technique != Technique::lobe || !others_are_right(c, normal)) {

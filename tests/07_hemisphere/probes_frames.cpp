@@ -64,13 +64,15 @@ Region look_around(Double3 centre, double radius, carlo::Rng& rng) {
 }
 
 constexpr double first_radius = 0.06;
+constexpr int radii = 30;  ///< each 0.6 of the one before: the last is 2e-8
 
 /// To where s turns most, in ever smaller regions, down to the spacing of floats; the worst on the
 /// way.
 Found climb(Region region, carlo::Rng& rng) {
   constexpr int neighbours = 24;
   Found worst = region.worst;
-  for (double radius = first_radius; radius > 2e-8; radius *= 0.6) {
+  double radius = first_radius;
+  for (int step = 0; step < radii; ++step) {
     Region best = look_around(region.centre, 0.6 * radius, rng);
     for (int i = 0; i < neighbours; ++i) {
       const Region next = look_around(beside(region.centre, radius, rng), 0.6 * radius, rng);
@@ -78,6 +80,7 @@ Found climb(Region region, carlo::Rng& rng) {
       if (next.spread > best.spread) best = next;
     }
     region = best;
+    radius *= 0.6;
   }
   return worst;
 }

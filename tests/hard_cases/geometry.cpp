@@ -15,7 +15,6 @@ namespace hard_cases {
 namespace {
 
 using carlo::Hit;
-using carlo::Ray;
 using carlo::Scene;
 using carlo::Vec3;
 
@@ -168,7 +167,8 @@ HardCase edge_leaks() {
 HardCase frames() {
   double naive = 0, ours = 0;
   for (int i = 0; i < 200'000; ++i) {
-    const float x = 1e-6f * static_cast<float>(i % 449), y = 1e-6f * static_cast<float>(i / 449);
+    const int row = i / 449;
+    const float x = 1e-6f * static_cast<float>(i % 449), y = 1e-6f * static_cast<float>(row);
     const Vec3 n = glm::normalize(Vec3(x, y, -1));
     const renderer::Frame frame(n);
     ours = std::max({ours, std::abs(static_cast<double>(glm::length(frame.s)) - 1),
