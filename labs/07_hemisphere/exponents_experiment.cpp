@@ -1,6 +1,6 @@
 #include "experiments.h"
 #include "numeric/robust.h"
-#include "stopwatch.h"
+#include "report/stopwatch.h"
 
 #include <fmt/core.h>
 
@@ -27,7 +27,7 @@ Found look_at(float n, std::int64_t count, carlo::Rng rng) {
   const Radiance sky = [](Vec3) { return 1.0f; };
   Found found;
   double squares = 0;
-  const Stopwatch watch;
+  const carlo::Stopwatch watch;
   for (std::int64_t i = 0; i < count; ++i) {
     const double y = irradiance(sky, {0, 0, 1}, sampling, 1, rng) / carlo::pi;
     found.mean += y;

@@ -1,5 +1,5 @@
 #include "experiments.h"
-#include "stopwatch.h"
+#include "report/stopwatch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +56,7 @@ double seconds_a_frame(const std::function<AxesOf(Vec3)>& make) {
   constexpr int count = 100'000, rounds = 5;
   double best = 1;
   for (int round = 0; round < rounds; ++round) {
-    const Stopwatch watch;
+    const carlo::Stopwatch watch;
     volatile float sink = 0;
     for (int i = 0; i < count; ++i) {
       const float x = static_cast<float>(i) / count;

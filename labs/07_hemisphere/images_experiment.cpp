@@ -2,8 +2,8 @@
 #include "numeric/robust.h"
 #include "pictures.h"
 #include "report/format.h"
+#include "report/stopwatch.h"
 #include "scenes.h"
-#include "stopwatch.h"
 
 #include <fmt/core.h>
 
@@ -107,7 +107,7 @@ Result measure(Notebook& notebook, const Scene& scene, const Method& method,
     double seconds = INFINITY;
     // Short renders are timed by the best of a few.
     for (int round = 0; round < (count <= shown_count ? 4 : 1); ++round) {
-      const Stopwatch watch;
+      const carlo::Stopwatch watch;
       image = render(scene, method, count, notebook.rng());
       const double spent = watch.seconds();
       seconds = std::min(seconds, spent);

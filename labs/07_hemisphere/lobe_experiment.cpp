@@ -1,6 +1,6 @@
 #include "experiments.h"
 #include "numeric/robust.h"
-#include "stopwatch.h"
+#include "report/stopwatch.h"
 
 #include <cmath>
 #include <functional>
@@ -29,7 +29,7 @@ struct Found {
 Found look_at(const Sample& sample, double n, std::int64_t count, carlo::Rng rng) {
   std::vector<Vec3> directions;
   directions.reserve(static_cast<std::size_t>(count));
-  const Stopwatch watch;
+  const carlo::Stopwatch watch;
   for (std::int64_t i = 0; i < count; ++i) {
     const float x = rng.uniform_float();
     const float y = rng.uniform_float();

@@ -1,6 +1,6 @@
 #include "experiments.h"
 #include "numeric/robust.h"
-#include "stopwatch.h"
+#include "report/stopwatch.h"
 
 #include <fmt/core.h>
 
@@ -45,7 +45,7 @@ void mirror_experiment(Notebook& notebook) {
         const Vec3 wo(std::sin(theta), 0, std::cos(theta));
         carlo::Rng rng = notebook.rng();
         std::int64_t below = 0;
-        const Stopwatch watch;
+        const carlo::Stopwatch watch;
         for (std::int64_t i = 0; i < count; ++i) {
           const float x = rng.uniform_float();
           const float y = rng.uniform_float();

@@ -3,8 +3,8 @@
 #include "numeric/robust.h"
 #include "pictures.h"
 #include "report/format.h"
+#include "report/stopwatch.h"
 #include "report/turntable.h"
-#include "stopwatch.h"
 
 #include <fmt/core.h>
 
@@ -112,7 +112,7 @@ struct Drawn {
 Drawn draw(const Sampler& sampler, std::int64_t count, carlo::Rng rng) {
   Drawn drawn;
   drawn.directions.reserve(static_cast<std::size_t>(count));
-  const Stopwatch watch;
+  const carlo::Stopwatch watch;
   for (std::int64_t i = 0; i < count; ++i)
     drawn.directions.push_back(sampler.draw(rng));
   const double spent = watch.seconds();

@@ -2,7 +2,7 @@
 #include "numeric/robust.h"
 #include "pictures.h"
 #include "report/format.h"
-#include "stopwatch.h"
+#include "report/stopwatch.h"
 
 #include <fmt/core.h>
 
@@ -67,7 +67,7 @@ Coverage coverage(Notebook& notebook, const World& world, const Method& method, 
     Rng rng = notebook.rng();
     std::vector<double> errors;
     double square = 0, missed = 0;
-    const Stopwatch watch;
+    const carlo::Stopwatch watch;
     Running run;
     for (int i = 0; i < runs; ++i) {
       run = {};

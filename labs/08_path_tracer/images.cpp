@@ -2,7 +2,7 @@
 
 #include "pictures.h"
 #include "report/format.h"
-#include "stopwatch.h"
+#include "report/stopwatch.h"
 
 #include <fmt/core.h>
 #include <tbb/parallel_for.h>
@@ -97,7 +97,7 @@ Result measure(Notebook& notebook, const std::string& name, const Reference& ref
     const int rounds = samples <= 4 ? 3 : 1;
     for (int round = 0; round < rounds; ++round) {
       const std::uint64_t seed = notebook.rng().next_u64();
-      const Stopwatch watch;
+      const carlo::Stopwatch watch;
       image = render(
           reference.image.width, reference.image.height, seed,
           [&](int x, int y, Rng& rng) { return pixel(x, y, static_cast<int>(samples), rng); });

@@ -1,5 +1,5 @@
 #include "pictures.h"
-#include "stopwatch.h"
+#include "report/stopwatch.h"
 #include "views.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ std::string equal_time(Notebook& notebook, const View& view, const std::vector<M
         std::max(1, static_cast<int>(std::lround(seconds / results[i].seconds_a_sample())));
     Result result{{results[i].curve.name, {}}, {}, {}};
     const std::uint64_t seed = notebook.rng().next_u64();
-    const Stopwatch watch;
+    const carlo::Stopwatch watch;
     result.shown = render(view.size, view.size, seed, [&](int x, int y, Rng& rng) {
       return methods[i].pixel(x, y, samples, rng);
     });

@@ -4,10 +4,12 @@
 #include "05_inversion_rejection/inputs.h"
 #include "05_inversion_rejection/refusal.h"
 #include "grader/worker/probe.h"
+#include "grader/worker/refusal.h"
 #include "inversion_rejection.h"
 
 using namespace lab05_tests;
 using carlo::grader::Params;
+using carlo::grader::refusal;
 using carlo::grader::Rows;
 using carlo::grader::RowWriter;
 

@@ -3,6 +3,7 @@
 #include "05_inversion_rejection/inputs.h"
 #include "05_inversion_rejection/refusal.h"
 #include "grader/worker/probe.h"
+#include "grader/worker/refusal.h"
 #include "inversion_rejection.h"
 
 #include <cmath>
@@ -10,6 +11,7 @@
 
 using namespace lab05_tests;
 using carlo::grader::Params;
+using carlo::grader::refusal;
 using carlo::grader::RowWriter;
 
 namespace {

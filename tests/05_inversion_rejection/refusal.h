@@ -1,7 +1,6 @@
 #pragma once
 
 #include "cli/error.h"
-#include "course/not_implemented.h"
 #include "grader/protocol/frame.h"
 
 #include <cstddef>
@@ -10,21 +9,6 @@
 #include <vector>
 
 namespace lab05_tests {
-
-/// 1: carlo::Error, as asked for; 0: nothing was thrown; 2: something else was.
-template <class Work>
-double refusal(const Work& work) {
-  try {
-    work();
-  } catch (const carlo::Error&) {
-    return 1;
-  } catch (const carlo::NotImplemented&) {
-    throw;
-  } catch (...) {
-    return 2;
-  }
-  return 0;
-}
 
 /// The rows that `work` returns; where it is refused, rows of NaN, so that the check can go on.
 template <class Work>

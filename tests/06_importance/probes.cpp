@@ -1,8 +1,8 @@
 // Probes of lab 06's exercises 6.1 to 6.4.
 
 #include "06_importance/inputs.h"
-#include "06_importance/refusal.h"
 #include "grader/worker/probe.h"
+#include "grader/worker/refusal.h"
 #include "importance.h"
 
 #include <cmath>
@@ -10,6 +10,7 @@
 
 using namespace lab06_tests;
 using carlo::grader::Params;
+using carlo::grader::refusal;
 using carlo::grader::RowWriter;
 
 namespace {

@@ -1,9 +1,9 @@
 // Probes of lab 06's exercises 6.5 to 6.7.
 
 #include "06_importance/inputs.h"
-#include "06_importance/refusal.h"
 #include "06_importance/steps.h"
 #include "grader/worker/probe.h"
+#include "grader/worker/refusal.h"
 #include "importance.h"
 
 #include <cmath>
@@ -11,6 +11,7 @@
 
 using namespace lab06_tests;
 using carlo::grader::Params;
+using carlo::grader::refusal;
 using carlo::grader::RowWriter;
 
 namespace {

@@ -3,9 +3,10 @@
 #include "cli/error.h"
 #include "course/not_implemented.h"
 
-namespace lab06_tests {
+namespace carlo::grader {
 
-/// 1: carlo::Error, as asked for; 0: nothing was thrown; 2: something else was.
+/// For probes of what an exercise must refuse. 1: carlo::Error, as asked for; 0: nothing was
+/// thrown; 2: something else was.
 template <class Work>
 double refusal(const Work& work) {
   try {
@@ -20,4 +21,4 @@ double refusal(const Work& work) {
   return 0;
 }
 
-}  // namespace lab06_tests
+}  // namespace carlo::grader

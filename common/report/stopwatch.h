@@ -2,7 +2,7 @@
 
 #include <ctime>
 
-namespace lab08 {
+namespace carlo {
 
 /// Processor seconds that this program has used since the stopwatch was made: what one thread's
 /// work takes, whatever else the machine is busy with.
@@ -16,4 +16,4 @@ class Stopwatch {
   std::clock_t start_ = std::clock();
 };
 
-}  // namespace lab08
+}  // namespace carlo
