@@ -10,7 +10,6 @@
 using namespace lab05_tests;
 using carlo::grader::Params;
 using carlo::grader::refusal;
-using carlo::grader::Rows;
 using carlo::grader::RowWriter;
 
 namespace {
