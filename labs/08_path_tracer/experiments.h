@@ -15,6 +15,8 @@ using carlo::Curve, carlo::Measurement, carlo::Notebook;
 void camera_experiment(Notebook& notebook);
 /// Step b, Lab 8.2: the soft shadow of a square under a square lamp, in both forms.
 void direct_experiment(Notebook& notebook);
+/// Step b: one scene at six scales, and shadow rays with a fixed offset.
+void scales_experiment(Notebook& notebook);
 /// Step c, Lab 8.3: glossy balls under the sky.
 void phong_experiment(Notebook& notebook);
 /// Step d, Lab 8.4: a furnace, and error bars that lie.

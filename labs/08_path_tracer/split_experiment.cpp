@@ -118,6 +118,40 @@ void add_point(Notebook& notebook, carlo::Table& table, const std::string& name,
   row("as printed, divided", carlo::Cell(over), over);
 }
 
+/// The same mean with light rays alone: what the ball brings, for a cone as given.
+double ball_mean(Notebook& notebook, const Place& place, const Cone& cone) {
+  const Incoming incoming = [&](Vec3 wi) { return Rgb(cone.contains(wi) ? place.radiance : 0.0f); };
+  Rng rng = notebook.rng();
+  double sum = 0;
+  constexpr int n = 4096;
+  for (int i = 0; i < n; ++i)
+    sum += static_cast<double>(reflect_split(cone, up, lambert, incoming, rng).r);
+  return sum / n;
+}
+
+/// The ball shrinks at constant power. 1 - cos(beta), taken as it is written, is a difference of
+/// two floats that are nearly 1.
+void shrinking_ball(Notebook& notebook) {
+  carlo::Table table({"radius / distance", "1 - cos in float", "as given"},
+                     {"ratio", "naive", "given"});
+  for (const float radius : {1e-1f, 1e-2f, 1e-3f, 5e-4f, 2e-4f, 1e-4f, 1e-5f}) {
+    const Place place{{0, 0, 1}, radius, 1 / (radius * radius)};
+    const double truth = exact(place, Vec3(0)).ball;
+    const Cone given = place.cone(Vec3(0));
+    Cone naive = given;
+    naive.one_minus_cos = 1 - std::sqrt(1 - radius * radius);
+    const auto cell = [&](const Cone& cone) {
+      const double ratio = ball_mean(notebook, place, cone) / truth;
+      return carlo::Cell(carlo::number_text(ratio, 4), ratio);
+    };
+    table.add_row({carlo::Cell(fmt::format("{:g}", radius), static_cast<double>(radius)),
+                   cell(naive), cell(given)});
+  }
+  notebook.table("shrinking", table,
+                 "A ball that shrinks at constant power: what the floor under it shows, over what "
+                 "it should. 4096 rays each");
+}
+
 }  // namespace
 
 void split_experiment(Notebook& notebook) {
@@ -163,6 +197,7 @@ void split_experiment(Notebook& notebook) {
       "split_means", means,
       "Means at one point; what the lecture's weights would give if taken as printed, on "
       "average, with the solid angle as p_light says");
+  notebook.attempt([&] { shrinking_ball(notebook); });
 }
 
 }  // namespace lab08
