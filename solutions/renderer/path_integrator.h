@@ -8,9 +8,13 @@
 
 namespace renderer {
 
+/// Which code renders: the one that suits the scene best, or the scalar one, which renders all.
+enum class Kernel { best, scalar };
+
 struct PathOptions {
   std::uint64_t seed = 1;
   std::uint32_t spp = 64;  ///< planned samples a pixel, for the stratified sampler
+  Kernel kernel = Kernel::best;
 };
 
 /// The iterative path tracer: emission added at every hit, next-event estimation and BRDF sampling
