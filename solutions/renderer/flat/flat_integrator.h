@@ -8,7 +8,8 @@
 
 namespace renderer {
 
-/// The path tracer for scenes that FlatScene suits, with Sobol' points: brute force over all
+/// The path tracer for scenes that FlatScene suits, with Sobol' or independent
+/// points: brute force over all
 /// parallelograms, a path in each lane of a vector register.
 std::unique_ptr<carlo::Integrator> make_flat_integrator(const carlo::Scene& scene,
                                                         std::uint64_t seed);

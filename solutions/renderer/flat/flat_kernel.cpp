@@ -11,6 +11,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+// After the two above, which compile it anew.
 #include "renderer/flat/vector_math-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -125,10 +126,9 @@ HWY_INLINE Bsdfs evaluate(const Surfaces& s, V3 wi, V cosine) {
   const V h = hn::Mul(set(0.5f), dot(apart, apart));
   const M front = hn::Lt(h, set(1));
   const V inside = select(front, h, set(0.5f));
-  const V power = hn::IfThenElseZero(
-      front, hn::Exp(d_, hn::Mul(s.exponent, hn::Log1p(d_, hn::Neg(inside)))));
-  const V lobe_pdf =
-      hn::Mul(hn::Mul(hn::Add(s.exponent, set(1)), set(0.5f / pi)), power);
+  const V power =
+      hn::IfThenElseZero(front, hn::Exp(d_, hn::Mul(s.exponent, hn::Log1p(d_, hn::Neg(inside)))));
+  const V lobe_pdf = hn::Mul(hn::Mul(hn::Add(s.exponent, set(1)), set(0.5f / pi)), power);
   return {add_scaled(s.kd, power, s.ks),
           hn::MulAdd(s.diffuse, hn::Sub(cosine_pdf, lobe_pdf), lobe_pdf)};
 }
@@ -143,14 +143,13 @@ HWY_INLINE V3 sample_direction(const Surfaces& s, V2 u) {
                               hn::Sqrt(hn::Sub(set(1), u.x))));
   }
   const M is_diffuse = hn::Lt(u.x, s.diffuse);
-  const V stretched =
-      hn::Div(select(is_diffuse, u.x, hn::Sub(u.x, s.diffuse)),
-              select(is_diffuse, s.diffuse, hn::Sub(set(1), s.diffuse)));
+  const V stretched = hn::Div(select(is_diffuse, u.x, hn::Sub(u.x, s.diffuse)),
+                              select(is_diffuse, s.diffuse, hn::Sub(set(1), s.diffuse)));
   const V x = hn::Min(stretched, set(0x1.fffffep-1f));
   const SinCos azimuth = turn(u.y);
   // cos^2 = 1 - x for the cosine's lobe, (1 - x)^(2/(n+1)) for cos^n.
-  const V log_cos2 = hn::Mul(hn::Log1p(d_, hn::Neg(x)),
-                             hn::Div(set(2), hn::Add(s.exponent, set(1))));
+  const V log_cos2 =
+      hn::Mul(hn::Log1p(d_, hn::Neg(x)), hn::Div(set(2), hn::Add(s.exponent, set(1))));
   const V sin2 = select(is_diffuse, x, hn::Neg(hn::Expm1(d_, log_cos2)));
   const V cos2 = select(is_diffuse, hn::Sub(set(1), x), hn::Exp(d_, log_cos2));
   const V r = hn::Sqrt(hn::Max(sin2, set(0)));
@@ -199,14 +198,17 @@ HWY_INLINE LightPoints sample_light(const FlatScene& s, V2 u) {
 /// The lanes' work on one tile.
 class Lanes {
  public:
-  HWY_ATTR Lanes(const FlatJob& job, carlo::Counts& counts) : job_(job), s_(job.scene), counts_(counts) {
+  HWY_ATTR Lanes(const FlatJob& job, carlo::Counts& counts)
+      : job_(job), s_(job.scene), counts_(counts) {
     columns_ = job.tile.x1 - job.tile.x0;
     pixels_ = static_cast<std::uint32_t>(columns_ * (job.tile.y1 - job.tile.y0));
     sums_.resize(pixels_);
     paths_.alive = hn::FirstN(d_, 0);
     for (std::uint32_t i = 0; i < pixels_; ++i) {
-      const auto x = static_cast<std::uint64_t>(job.tile.x0) + i % static_cast<std::uint32_t>(columns_);
-      const auto y = static_cast<std::uint64_t>(job.tile.y0) + i / static_cast<std::uint32_t>(columns_);
+      const auto x =
+          static_cast<std::uint64_t>(job.tile.x0) + i % static_cast<std::uint32_t>(columns_);
+      const auto y =
+          static_cast<std::uint64_t>(job.tile.y0) + i / static_cast<std::uint32_t>(columns_);
       keys_.push_back(static_cast<std::uint32_t>(
           carlo::hash(job.seed, y * static_cast<std::uint64_t>(job.width) + x)));
     }
@@ -237,7 +239,8 @@ class Lanes {
     alignas(64) std::array<std::uint32_t, lanes> fresh{}, key{}, index{};
     alignas(64) std::array<float, lanes> x{}, y{};
     alignas(64) std::array<std::uint32_t, lanes> alive;
-    hn::Store(hn::IfThenElseZero(hn::RebindMask(du_, paths_.alive), set_word(1)), du_, alive.data());
+    hn::Store(hn::IfThenElseZero(hn::RebindMask(du_, paths_.alive), set_word(1)), du_,
+              alive.data());
     for (std::size_t lane = 0; lane < lanes && next_ < total; ++lane) {
       if (alive[lane] != 0) continue;
       const auto pixel = static_cast<std::uint32_t>(next_ / job_.tile.samples);
@@ -253,7 +256,7 @@ class Lanes {
     const M starts = hn::RebindMask(d_, hn::Ne(hn::Load(du_, fresh.data()), set_word(0)));
     if (hn::AllFalse(d_, starts)) return;
     const U keys = hn::Load(du_, key.data()), reversed = reverse_bits(hn::Load(du_, index.data()));
-    const V2 jitter = sobol_2d(reversed, keys);
+    const V2 jitter = points(reversed, keys);
     const V3 d = camera_direction(hn::Add(hn::Load(d_, x.data()), jitter.x),
                                   hn::Add(hn::Load(d_, y.data()), jitter.y));
     const auto starts_u = hn::RebindMask(du_, starts);
@@ -268,6 +271,10 @@ class Lanes {
     paths_.key = hn::IfThenElse(starts_u, hn::Add(keys, set_word(pair_step)), paths_.key);
     paths_.reversed_index = hn::IfThenElse(starts_u, reversed, paths_.reversed_index);
     paths_.alive = hn::Or(paths_.alive, starts);
+  }
+
+  HWY_ATTR V2 points(U reversed_index, U key) const {
+    return job_.sobol ? sobol_2d(reversed_index, key) : random_2d(reversed_index, key);
   }
 
   /// Through the film's point (x, y), in pixels; of length 1. Camera::ray() in lanes.
@@ -320,8 +327,7 @@ class Lanes {
     const V3 Le = gather(s_.le_r, s_.le_g, s_.le_b, quad);
     const M bright = hn::And(seen, hn::Gt(max_element(Le), set(0)));
     if (hn::AllFalse(d_, bright)) return;
-    const V light_pdf =
-        hn::Div(hn::Mul(gather(s_.light_density, quad), hn::Mul(t, t)), cosine);
+    const V light_pdf = hn::Div(hn::Mul(gather(s_.light_density, quad), hn::Mul(t, t)), cosine);
     const M whole = hn::Lt(paths_.pdf, set(0));
     const V weight = select(whole, set(1), power_heuristic(paths_.pdf, light_pdf));
     paths_.L = select(bright, paths_.L + weight * (paths_.beta * Le), paths_.L);
@@ -351,7 +357,7 @@ class Lanes {
   HWY_ATTR void scatter(const Surfaces& surface, U quad) {
     if (s_.lights > 0) add_direct<phong>(surface, quad);
     paths_.key = hn::Add(paths_.key, set_word(pair_step));
-    const V3 wi = sample_direction<phong>(surface, sobol_2d(paths_.reversed_index, paths_.key));
+    const V3 wi = sample_direction<phong>(surface, points(paths_.reversed_index, paths_.key));
     paths_.key = hn::Add(paths_.key, set_word(pair_step));
     const V cosine = dot(surface.n, wi);
     const Bsdfs bsdf = evaluate<phong>(surface, wi, cosine);
@@ -368,7 +374,7 @@ class Lanes {
 
   template <bool phong>
   HWY_ATTR void add_direct(const Surfaces& surface, U quad) {
-    const LightPoints light = sample_light(s_, sobol_2d(paths_.reversed_index, paths_.key));
+    const LightPoints light = sample_light(s_, points(paths_.reversed_index, paths_.key));
     const V3 to_light = light.p - surface.p;
     const V distance2 = dot(to_light, to_light);
     const V3 wi = hn::Div(set(1), hn::Sqrt(distance2)) * to_light;
@@ -380,11 +386,10 @@ class Lanes {
     if (hn::AllFalse(d_, faces)) return;
     counts_.rays += hn::CountTrue(d_, faces);
     const M clear = unoccluded(s_, surface.p, to_light, quad, light.quad, faces);
-    const V light_pdf = hn::Div(hn::Mul(gather(s_.light_density, light.quad), distance2),
-                                light_cosine);
+    const V light_pdf =
+        hn::Div(hn::Mul(gather(s_.light_density, light.quad), distance2), light_cosine);
     const Bsdfs bsdf = evaluate<phong>(surface, wi, cosine);
-    const V weight =
-        hn::Div(hn::Mul(cosine, power_heuristic(light_pdf, bsdf.pdf)), light_pdf);
+    const V weight = hn::Div(hn::Mul(cosine, power_heuristic(light_pdf, bsdf.pdf)), light_pdf);
     const V3 Le = gather(s_.le_r, s_.le_g, s_.le_b, light.quad);
     paths_.L = select(clear, paths_.L + weight * (paths_.beta * (bsdf.f * Le)), paths_.L);
   }
@@ -392,8 +397,8 @@ class Lanes {
   HWY_ATTR void roulette() {
     const V q = hn::Mul(max_element(paths_.beta), set(1 / roulette_threshold));
     const M risky = hn::Lt(q, set(1));
-    const V u = to_unit(mix(hn::Xor(mix(hn::Add(paths_.key, set_word(0x85EBCA6B))),
-                                    paths_.reversed_index)));
+    const V u = to_unit(
+        mix(hn::Xor(mix(hn::Add(paths_.key, set_word(0x85EBCA6B))), paths_.reversed_index)));
     const M ended = hn::And(risky, hn::Ge(u, q));
     paths_.alive = hn::AndNot(ended, paths_.alive);
     paths_.beta = hn::Div(set(1), select(risky, q, set(1))) * paths_.beta;

@@ -30,7 +30,8 @@ struct FlatScene {
   Column<float> kd_r{}, kd_g{}, kd_b{}, ks_r{}, ks_g{}, ks_b{}, exponent{}, diffuse{};
   Column<std::uint32_t> two_sided{};
   Column<float> le_r{}, le_g{}, le_b{};
-  Column<float> light_density{};  ///< per area, of the points that light sampling draws; 0: no light
+  Column<float>
+      light_density{};  ///< per area, of the points that light sampling draws; 0: no light
 
   std::uint32_t lights = 0;
   /// Light i: corner, edges, normal, radiance over its density, its quad, and the running sum of

@@ -100,7 +100,8 @@ struct SinCos {
 HWY_INLINE SinCos turn(V u) {
   // The nearest quarter turn, and at most an eighth of a turn from there.
   const V quarters = hn::Round(hn::Mul(u, set(4)));
-  const V x = hn::Mul(hn::NegMulAdd(quarters, set(0.25f), u), set(6.283185307f)), x2 = hn::Mul(x, x);
+  const V x = hn::Mul(hn::NegMulAdd(quarters, set(0.25f), u), set(6.283185307f)),
+          x2 = hn::Mul(x, x);
   // Taylor's polynomials to x^9 and x^8: the next terms are below 2e-9 and 3e-8 at pi/4.
   V s = hn::MulAdd(x2, set(2.755731922e-6f), set(-1.984126984e-4f));
   s = hn::MulAdd(hn::MulAdd(hn::MulAdd(s, x2, set(8.333333333e-3f)), x2, set(-1.666666667e-1f)),
@@ -111,8 +112,7 @@ HWY_INLINE SinCos turn(V u) {
   const M odd = hn::RebindMask(d_, hn::Ne(hn::And(q, hn::Set(di_, 1)), hn::Zero(di_)));
   // Signs: the sine changes in quarters 2 and 3, the cosine in 1 and 2.
   const auto sine_sign = hn::ShiftLeft<30>(hn::And(q, hn::Set(di_, 2)));
-  const auto cosine_sign =
-      hn::ShiftLeft<30>(hn::And(hn::Add(q, hn::Set(di_, 1)), hn::Set(di_, 2)));
+  const auto cosine_sign = hn::ShiftLeft<30>(hn::And(hn::Add(q, hn::Set(di_, 1)), hn::Set(di_, 2)));
   return {hn::Xor(select(odd, c, s), hn::BitCast(d_, sine_sign)),
           hn::Xor(select(odd, s, c), hn::BitCast(d_, cosine_sign))};
 }
@@ -131,9 +131,10 @@ HWY_INLINE U reverse_bits(U x) {
   const auto from_low = hn::TableLookupBytes(table, hn::BitCast(db, hn::And(x, low)));
   const auto from_high =
       hn::TableLookupBytes(table, hn::BitCast(db, hn::And(hn::ShiftRight<4>(x), low)));
-  const U swapped = hn::Or(hn::ShiftLeft<4>(hn::BitCast(du_, from_low)), hn::BitCast(du_, from_high));
-  return hn::BitCast(
-      du_, hn::TableLookupBytes(hn::BitCast(db, swapped), hn::LoadDup128(db, bytes)));
+  const U swapped =
+      hn::Or(hn::ShiftLeft<4>(hn::BitCast(du_, from_low)), hn::BitCast(du_, from_high));
+  return hn::BitCast(du_,
+                     hn::TableLookupBytes(hn::BitCast(db, swapped), hn::LoadDup128(db, bytes)));
 }
 
 HWY_INLINE U nested_hash(U x, U seed) {
@@ -169,14 +170,20 @@ struct V2 {
   V x, y;
 };
 
-/// The points of one dimension pair: shuffled, scrambled Sobol' points, whose index within the pixel
-/// is given with its bits reversed. `key` stands for the pixel and the pair.
+/// The points of one dimension pair: shuffled, scrambled Sobol' points, whose index within the
+/// pixel is given with its bits reversed. `key` stands for the pixel and the pair.
 HWY_INLINE V2 sobol_2d(U reversed_index, U key) {
   const U k1 = mix(key), k2 = mix(hn::Add(k1, set_word(0x9E3779B9))),
           k3 = mix(hn::Add(k2, set_word(0x9E3779B9)));
   const U shuffled = reverse_bits(nested_hash(reversed_index, k1));
   return {to_unit(reverse_bits(nested_hash(shuffled, k2))),
           to_unit(reverse_bits(nested_hash(pascal(shuffled), k3)))};
+}
+
+/// Independent points instead.
+HWY_INLINE V2 random_2d(U reversed_index, U key) {
+  const U k = mix(hn::Xor(mix(key), mix(hn::Add(reversed_index, set_word(0x85EBCA6B)))));
+  return {to_unit(k), to_unit(mix(hn::Add(k, set_word(0x9E3779B9))))};
 }
 
 }  // namespace HWY_NAMESPACE
