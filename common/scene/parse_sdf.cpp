@@ -101,9 +101,9 @@ sdf::Combine parse_combine(Properties& group) {
 }
 
 /// Appends the steps of all shapes inside `group`, with `frame` from its coordinates to the whole
-/// sdf's; `waiting` results wait for theirs.
-void parse_group(Properties& group, const Similarity& frame, std::size_t waiting,
-                 std::vector<sdf::Step>& steps) {
+/// sdf's. At most one result waits for each sdf around: fewer than sdf::most_waiting, since
+/// elements of a scene file are nested 16 deep at the most.
+void parse_group(Properties& group, const Similarity& frame, std::vector<sdf::Step>& steps) {
   const std::vector<const XmlElement*> children = group.objects("shape");
   sdf::Combine combine = parse_combine(group);
   combine.smoothing *= frame.scale;
@@ -116,14 +116,9 @@ void parse_group(Properties& group, const Similarity& frame, std::size_t waiting
     const bool nested = children[i]->get("type").value == "sdf";
     Properties child(*children[i],
                      nested ? std::vector<std::string>{"shape"} : std::vector<std::string>{});
-    const std::size_t ahead = waiting + (i > 0 ? 1 : 0);
-    if (ahead >= sdf::most_waiting) {
-      fail(children[i]->at, "sdfs are nested more than {} deep; put the inner sdf first",
-           sdf::most_waiting - 1);
-    }
     const Similarity place = frame * parse_place(child);
     if (nested) {
-      parse_group(child, place, ahead, steps);
+      parse_group(child, place, steps);
     } else {
       sdf::Solid solid = parse_solid(child);
       solid.place = place * solid.place;
@@ -165,7 +160,7 @@ Sdf parse_sdf(Properties& shape) {
   Sdf sdf;
   sdf.place = parse_place(shape);
   sdf.flipped = shape.boolean("flipNormals").value_or(false);
-  parse_group(shape, {}, 0, sdf.steps);
+  parse_group(shape, {}, sdf.steps);
   check_bounds(sdf, shape);
   return sdf;
 }
