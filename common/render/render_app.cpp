@@ -188,6 +188,11 @@ double extent2(const Scene& scene) {
       for (const Vec3 p : s->positions)
         include(p);
     }
+    if (const auto* s = std::get_if<Sdf>(&shape.geometry)) {
+      const sdf::Box box = sdf::bounds(*s, s->place);
+      include(Vec3(box.lower));
+      include(Vec3(box.upper));
+    }
   }
   for (const PointLight& light : scene.points)
     include(light.position);

@@ -49,6 +49,9 @@ void enlarge(Scene& scene, float factor) {
     } else if (auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
       sphere->center *= factor;
       sphere->radius *= factor;
+    } else if (auto* sdf = std::get_if<Sdf>(&shape.geometry)) {
+      sdf->place.origin *= static_cast<double>(factor);
+      sdf->place.scale *= static_cast<double>(factor);
     }
   }
 }
@@ -82,7 +85,7 @@ TEST_CASE("Scenes with a closed form show it") {
 
 TEST_CASE("A scene looks the same at every scale from 1e-4 to 1e6") {
   // Independent seeds: means differ by their standard errors alone.
-  for (const char* name : {"soft_shadows.xml", "caustics.xml"}) {
+  for (const char* name : {"soft_shadows.xml", "caustics.xml", "procedural.xml"}) {
     const MeanRadiance one = mean_radiance(render_scene(small(name, 48), 64, 1).film);
     std::uint64_t seed = 2;
     for (const float factor : {1e-4f, 1e-2f, 1e2f, 1e4f, 1e6f}) {
