@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# make.sh [SCENE ...]: makes the reference images of common/scenes again (all of them, or those
-# named) and prints their table; of all of them, it puts the table into README.md. --help tells more.
+# make.sh [--OPTION=VALUE ...] [SCENE ...]: makes the reference images of common/scenes again (all of
+# them, or those named) and prints their table; of all of them, it puts the table into README.md.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 root=$here/../..
@@ -12,7 +12,15 @@ table=$(mktemp)
 trap 'rm -f "$table" "$table.md"' EXIT
 nice "$build/bin/carlo_references" --folder "$here" "$@" | tee "$table"
 
-if [ $# = 0 ]; then
+named=
+for argument in "$@"; do
+  case $argument in
+    --help | -h) named=1 ;;
+    -*) ;;
+    *) named=1 ;;
+  esac
+done
+if [ -z "$named" ]; then
   awk -v table="$table" '
     /^<!-- table -->$/ { print; while ((getline line < table) > 0) print line; skip = 1; next }
     /^<!-- end of table -->$/ { skip = 0 }
