@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # student_tree_test.sh SOURCE CMAKE_ARGUMENT...: the tree as students get it (without the solutions,
-# without what is tested with them) configures, builds lab 01's judge and worker, and judges the stub
-# as one that has been begun nowhere.
+# without what is tested with them) configures, builds lab 01's judge and worker, judges the stub as
+# one that has been begun nowhere, and renders by lab 08, which says that it has not been begun either.
 set -euo pipefail
 source=$1
 shift
@@ -20,15 +20,25 @@ fail() {
 }
 
 export CCACHE_BASEDIR=$scratch
-cmake -G Ninja -S "$tree" -B "$scratch/build" "$@" >"$scratch/log" 2>&1 ||
+build=$tree/build/release
+cmake -G Ninja -S "$tree" -B "$build" "$@" >"$scratch/log" 2>&1 ||
   { cat "$scratch/log" && fail "a student's tree does not configure"; }
-ninja -C "$scratch/build" lab01_judge lab01_worker >"$scratch/log" 2>&1 ||
+ninja -C "$build" lab01_judge lab01_worker lab08_render >"$scratch/log" 2>&1 ||
   { tail -40 "$scratch/log" && fail "a student's tree does not build"; }
 
 code=0
-report=$("$scratch/build/bin/lab01_judge" --lab "$tree/labs/01_integration/lab.json" \
-  --worker "$scratch/build/bin/lab01_worker") || code=$?
+report=$("$build/bin/lab01_judge" --lab "$tree/labs/01_integration/lab.json" \
+  --worker "$build/bin/lab01_worker") || code=$?
 printf '%s\n' "$report"
 [ "$code" = 1 ] || fail "the stub's exit code is $code, expected 1"
 grep -q 'Lab 01: 0 of 20 points' <<<"$report" || fail "the stub has points"
 grep -q 'start with Lab 1.1, ./carlo hint 1.1' <<<"$report" || fail "nobody says where to start"
+
+code=0
+message=$(CARLO_PRESET=release "$tree/carlo" render --size 8x8 --spp 1 -o "$scratch/image" 2>&1) || code=$?
+printf '%s\n' "$message"
+[ "$code" = 1 ] || fail "rendering by the stub gives exit code $code, expected 1"
+grep -q 'Lab 8.8 is not implemented yet: run ./carlo hint 8.8' <<<"$message" ||
+  fail "nobody says which exercise the image waits for"
+[ "$(wc -l <<<"$message")" = 1 ] || fail "more than one line"
+[ -z "$(find "$scratch" -maxdepth 1 -name 'image*')" ] || fail "the stub's render left files"

@@ -3,6 +3,7 @@
 #include "cli/error.h"
 #include "geometry/analytic.h"
 #include "geometry/embree.h"
+#include "geometry/sphere_tracer.h"
 #include "numeric/robust.h"
 
 #include <cstring>
@@ -31,8 +32,8 @@ struct Flat {
         shape(index) {}
 };
 
-/// Callbacks for surfaces with an analytic intersection. Embree calls them for single rays only,
-/// since we make no others.
+/// Callbacks for surfaces that Embree does not know. It calls them for single rays only, since we
+/// make no others. What tfar loses of the distance by rounding to float goes into the hit's u.
 template <class S, double (*meet)(const S&, Vec3, Vec3, float, float)>
 struct UserGeometry {
   static const S& surface(const void* user, unsigned primitive) {
@@ -50,6 +51,7 @@ struct UserGeometry {
     const double t = find(query->ray, surface(args->geometryUserPtr, args->primID));
     if (t < 0) return;
     query->ray.tfar = static_cast<float>(t);
+    query->hit.u = static_cast<float>(t - static_cast<double>(query->ray.tfar));
     query->hit.geomID = args->geomID;
     query->hit.primID = args->primID;
     query->hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
@@ -64,7 +66,11 @@ struct UserGeometry {
   }
 };
 
-/// The half-extent of a surface's bounds, widened by rounding.
+double intersect_sdf(const SphereTracer& tracer, Vec3 o, Vec3 d, float tnear, float tfar) {
+  return tracer.intersect(o, d, tnear, tfar);
+}
+
+/// The half-extent of a surface's bounds, without rounding.
 Vec3 half_extent(const Sphere& sphere) {
   return Vec3(sphere.radius);
 }
@@ -72,14 +78,23 @@ Vec3 half_extent(const Disk& disk) {
   return disk.radius * glm::sqrt(glm::max(Vec3(0), 1.0f - disk.normal * disk.normal));
 }
 
+struct Bounds {
+  Vec3 lower, upper;
+};
+
+template <class S>
+Bounds bounds_of(const S& s) {
+  const Vec3 half = half_extent(s) + (glm::abs(s.center) + Vec3(s.radius)) * rounding_bound(8);
+  return {s.center - half, s.center + half};
+}
+Bounds bounds_of(const SphereTracer& tracer) {
+  return {tracer.lower(), tracer.upper()};
+}
+
 template <class S>
 void bounds(const RTCBoundsFunctionArguments* args) {
-  const S& s =
-      *(*static_cast<const std::vector<Primitive<S>>*>(args->geometryUserPtr))[args->primID]
-           .surface;
-  const Vec3 margin = (glm::abs(s.center) + Vec3(s.radius)) * rounding_bound(8);
-  const Vec3 lower = s.center - half_extent(s) - margin;
-  const Vec3 upper = s.center + half_extent(s) + margin;
+  const auto& primitives = *static_cast<const std::vector<Primitive<S>>*>(args->geometryUserPtr);
+  const auto [lower, upper] = bounds_of(*primitives[args->primID].surface);
   *args->bounds_o = {lower.x, lower.y, lower.z, 0, upper.x, upper.y, upper.z, 0};
 }
 
@@ -108,6 +123,8 @@ struct Intersector::Impl {
   std::vector<Flat> parallelograms;
   std::vector<Primitive<Sphere>> spheres;
   std::vector<Primitive<Disk>> disks;
+  std::vector<SphereTracer> tracers;
+  std::vector<Primitive<SphereTracer>> sdfs;
   std::vector<Primitive<Mesh>> meshes;
 
   explicit Impl(const Scene& s) : scene(s) {
@@ -122,7 +139,9 @@ struct Intersector::Impl {
     using SphereCallbacks = UserGeometry<Sphere, intersect_sphere>;
     using DiskCallbacks = UserGeometry<Disk, intersect_disk>;
     add_user<SphereCallbacks>(spheres, sphere_geometry);
+    using SdfCallbacks = UserGeometry<SphereTracer, intersect_sdf>;
     add_user<DiskCallbacks>(disks, disk_geometry);
+    add_user<SdfCallbacks>(sdfs, sdf_geometry);
     for (std::size_t i = 0; i < meshes.size(); ++i)
       add_mesh(i);
     rtcCommitScene(embree);
@@ -136,18 +155,25 @@ struct Intersector::Impl {
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
-  // Embree's geometry numbers: three for the kinds that share one, then the meshes.
+  // Embree's geometry numbers: one for each kind that shares one, then the meshes.
   static constexpr unsigned quad_geometry = 0, sphere_geometry = 1, disk_geometry = 2,
-                            first_mesh = 3;
+                            sdf_geometry = 3, first_mesh = 4;
 
   void sort_shapes() {
+    std::vector<std::uint32_t> sdf_shapes;
     for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
       const auto& g = scene.shapes[i].geometry;
       if (const auto* quad = std::get_if<Parallelogram>(&g)) parallelograms.emplace_back(*quad, i);
       if (const auto* sphere = std::get_if<Sphere>(&g)) spheres.push_back({sphere, i});
       if (const auto* disk = std::get_if<Disk>(&g)) disks.push_back({disk, i});
       if (const auto* mesh = std::get_if<Mesh>(&g)) meshes.push_back({mesh, i});
+      if (const auto* sdf = std::get_if<Sdf>(&g)) {
+        tracers.emplace_back(*sdf);
+        sdf_shapes.push_back(i);
+      }
     }
+    for (std::size_t i = 0; i < tracers.size(); ++i)
+      sdfs.push_back({&tracers[i], sdf_shapes[i]});
   }
 
   void attach(RTCGeometry geometry, unsigned id) {
@@ -236,6 +262,12 @@ void fill_analytic(const SurfacePoint& point, Hit& hit) {
   hit.n = point.n;
 }
 
+void fill_sdf(const SphereTracer::Point& point, Hit& hit) {
+  hit.p = point.p;
+  hit.p_error = point.p_error;
+  hit.n = point.n;
+}
+
 }  // namespace
 
 void Intersector::Impl::fill(const RTCRayHit& query, const Ray& ray, Hit& hit) const {
@@ -254,6 +286,12 @@ void Intersector::Impl::fill(const RTCRayHit& query, const Ray& ray, Hit& hit) c
       hit.shape = disks[primitive].shape;
       fill_analytic(disk_point(*disks[primitive].surface, ray.o, ray.d, hit.t), hit);
       return;
+    case sdf_geometry: {
+      hit.shape = sdfs[primitive].shape;
+      const double t = static_cast<double>(hit.t) + static_cast<double>(query.hit.u);
+      fill_sdf(sdfs[primitive].surface->point(ray.o, ray.d, t), hit);
+      return;
+    }
     default:
       hit.shape = meshes[id - first_mesh].shape;
       hit.primitive = primitive;

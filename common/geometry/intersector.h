@@ -19,7 +19,7 @@ struct Hit {
 };
 
 /// Answers ray queries against a scene's shapes, through Embree in its robust (watertight) mode;
-/// spheres and disks are intersected in double precision. Queries may come from any thread.
+/// spheres, disks and sdfs are intersected in double precision. Queries may come from any thread.
 class Intersector {
  public:
   /// Keeps a reference to `scene`, which must outlive it. Throws Error if Embree fails.

@@ -1,6 +1,7 @@
 #include "render/driver.h"
 
 #include "cli/progress.h"
+#include "render/interrupt.h"
 
 #include <tbb/global_control.h>
 #include <tbb/info.h>
@@ -11,7 +12,6 @@
 #include <atomic>
 #include <bit>
 #include <chrono>
-#include <csignal>
 #include <mutex>
 
 namespace carlo {
@@ -19,29 +19,6 @@ namespace {
 
 constexpr int tile_size = 16;
 constexpr std::size_t max_threads = 1024;
-
-/// Set by Ctrl-C. A second Ctrl-C ends the program at once.
-volatile std::sig_atomic_t interrupt_seen = 0;
-extern "C" void carlo_on_interrupt(int) {
-  interrupt_seen = 1;
-}
-
-class InterruptGuard {
- public:
-  InterruptGuard() {
-    interrupt_seen = 0;
-    struct sigaction action {};
-    action.sa_handler = carlo_on_interrupt;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigaction(SIGINT, &action, &old_);
-  }
-  ~InterruptGuard() { sigaction(SIGINT, &old_, nullptr); }
-  InterruptGuard(const InterruptGuard&) = delete;
-  InterruptGuard& operator=(const InterruptGuard&) = delete;
-
- private:
-  struct sigaction old_ {};
-};
 
 class Job {
  public:
@@ -71,7 +48,7 @@ class Job {
  private:
   /// With a time limit every pixel still gets two blocks, or there would be no error estimate.
   bool stopped(std::uint32_t pass) const {
-    return interrupt_seen != 0 || (options_.seconds && pass >= 2 && elapsed() >= *options_.seconds);
+    return interrupt_noted() || (options_.seconds && pass >= 2 && elapsed() >= *options_.seconds);
   }
 
   void run_tile(int number, std::uint32_t pass, std::uint32_t passes) {
@@ -86,7 +63,7 @@ class Job {
     std::array<std::array<double, 3>, tile_size * tile_size> means;
     Counts counts;
     integrator_.render(tile, means, counts);
-    if (interrupt_seen != 0) return;  // it may have been cut short
+    if (interrupt_noted()) return;  // it may have been cut short
     std::size_t i = 0;
     for (int y = tile.y0; y < tile.y1; ++y) {
       for (int x = tile.x0; x < tile.x1; ++x)
@@ -118,7 +95,7 @@ class Job {
 }  // namespace
 
 bool render_interrupted() {
-  return interrupt_seen != 0;
+  return interrupt_noted();
 }
 
 std::uint32_t block_size(std::uint32_t spp) {
@@ -140,7 +117,7 @@ RenderResult render(const Integrator& integrator, int width, int height, double 
   Job job(integrator, result.film, options);
   arena.execute([&] { result.counts = job.run(); });
   result.seconds = job.elapsed();
-  result.interrupted = interrupt_seen != 0;
+  result.interrupted = interrupt_noted();
   return result;
 }
 

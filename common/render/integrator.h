@@ -19,7 +19,7 @@ struct Tile {
 
 struct Counts {
   std::uint64_t paths = 0;
-  std::uint64_t rays = 0;  ///< of all kinds, shadow rays among them
+  std::uint64_t rays = 0;  ///< of all kinds, shadow rays among them; 0 where nobody counts them
   std::uint64_t cut = 0;   ///< paths that were ended for their length alone
   std::uint64_t bad = 0;   ///< samples that were NaN, infinite or negative; they count as black
 

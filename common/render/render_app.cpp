@@ -38,7 +38,7 @@ struct Arguments {
   bool quiet = false;
 };
 
-void add_options(CLI::App& app, Arguments& a) {
+void add_common_options(CLI::App& app, Arguments& a) {
   app.add_option("scene", a.scene, "scene file, Mitsuba 0.6-style XML (default: the Cornell box)");
   app.add_option("--default-scene", a.default_scene)->group("");  // for the script ./carlo
   auto* spp = app.add_option("--spp", a.spp, "samples a pixel (default: the scene's)")
@@ -188,6 +188,11 @@ double extent2(const Scene& scene) {
       for (const Vec3 p : s->positions)
         include(p);
     }
+    if (const auto* s = std::get_if<Sdf>(&shape.geometry)) {
+      const sdf::Box box = sdf::bounds(*s, s->place);
+      include(Vec3(box.lower));
+      include(Vec3(box.upper));
+    }
   }
   for (const PointLight& light : scene.points)
     include(light.position);
@@ -219,11 +224,13 @@ void resize(Scene& scene, int width, int height) {
   scene.camera.fit_film(width, height);
 }
 
-int render_app(int argc, char** argv, const IntegratorFactory& factory) {
+int render_app(int argc, char** argv, const IntegratorFactory& factory,
+               const std::function<void(CLI::App&)>& add_options) {
   Arguments arguments;
   CLI::App app("Renders a scene by path tracing: PNG, EXR and a report of error against time.",
                "./carlo render");
-  add_options(app, arguments);
+  add_common_options(app, arguments);
+  if (add_options) add_options(app);
   if (const auto code = parse_arguments(app, argc, argv)) return *code;
   if (arguments.scene.empty()) arguments.scene = arguments.default_scene;
   if (arguments.scene.empty()) throw Error("which scene? (see ./carlo render --help)");

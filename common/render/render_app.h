@@ -7,6 +7,10 @@
 #include <functional>
 #include <memory>
 
+namespace CLI {
+class App;
+}
+
 namespace carlo {
 
 /// Makes an integrator for a scene; `spp` is the planned number of samples a pixel.
@@ -14,8 +18,10 @@ using IntegratorFactory = std::function<std::unique_ptr<Integrator>(
     const Scene& scene, std::uint64_t seed, std::uint32_t spp)>;
 
 /// The command `render SCENE ...`, whatever integrator it drives: loads the scene, renders, writes
-/// PNG, EXR and JSON and prints the report. Returns the exit code; throws Error.
-int render_app(int argc, char** argv, const IntegratorFactory& factory);
+/// PNG, EXR and JSON and prints the report. `add_options` may add options of the integrator's own;
+/// they are read before the factory is called. Returns the exit code; throws Error.
+int render_app(int argc, char** argv, const IntegratorFactory& factory,
+               const std::function<void(CLI::App&)>& add_options = {});
 
 /// A radiance of the order of the brightest light of the scene (film.h).
 double radiance_scale(const Scene& scene);

@@ -60,6 +60,16 @@ std::string millions(double per_second) {
   return fmt::format("{:.2f} M", per_second / 1e6);
 }
 
+std::string time_text(const RenderReport& r) {
+  const auto rate = [&r](std::uint64_t count) {
+    return millions(static_cast<double>(count) / r.seconds);
+  };
+  std::string text = fmt::format("{} on {} thread{}: {} paths/s", format_seconds(r.seconds),
+                                 r.threads, r.threads == 1 ? "" : "s", rate(r.counts.paths));
+  if (r.counts.rays > 0) text += fmt::format(", {} rays/s", rate(r.counts.rays));
+  return text;
+}
+
 /// JSON has no infinity: what cannot be told is null.
 nlohmann::json number(double x) {
   return std::isfinite(x) ? nlohmann::json(x) : nlohmann::json();
@@ -118,10 +128,7 @@ std::string to_text(const RenderReport& r) {
                                     "means are over the former",
                                     100 * r.finished));
   }
-  line("time", fmt::format("{} on {} thread{}: {} paths/s, {} rays/s", format_seconds(r.seconds),
-                           r.threads, r.threads == 1 ? "" : "s",
-                           millions(static_cast<double>(r.counts.paths) / r.seconds),
-                           millions(static_cast<double>(r.counts.rays) / r.seconds)));
+  line("time", time_text(r));
   line("mean radiance", fmt::format("R {:.6g}, G {:.6g}, B {:.6g}", r.mean.value[0],
                                     r.mean.value[1], r.mean.value[2]));
   line("standard error", error_text(r));
@@ -160,7 +167,8 @@ std::string to_json(const RenderReport& r) {
                                  {"interrupted", r.interrupted},
                                  {"seconds", r.seconds},
                                  {"paths", r.counts.paths},
-                                 {"rays", r.counts.rays},
+                                 {"rays", r.counts.rays > 0 ? nlohmann::ordered_json(r.counts.rays)
+                                                            : nlohmann::ordered_json()},
                                  {"bad_samples", r.counts.bad},
                                  {"cut_paths", r.counts.cut},
                                  {"finished_pixels", r.finished},

@@ -103,7 +103,7 @@ class Loader {
   }
 
   void add_shape(const XmlElement& element) {
-    Properties shape(element, {"bsdf", "ref", "emitter"});
+    Properties shape(element, objects_inside(element.get("type").value));
     std::vector<Geometry> geometry = parse_geometry(shape, scene_.notes);
     shape.finish();
     const XmlElement* emitter = shape.object("emitter");

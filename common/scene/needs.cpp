@@ -24,6 +24,8 @@ void count(const Shape& shape, Needs& n) {
     ++n.meshes;
     n.triangles += mesh->triangles.size();
     n.triangle_lights += light * mesh->triangles.size();
+  } else if (std::holds_alternative<Sdf>(shape.geometry)) {
+    ++n.sdfs;
   }
 }
 
@@ -79,6 +81,7 @@ std::string describe(const Needs& n) {
   shapes.add(n.spheres, "sphere");
   shapes.add(n.disks, "disk");
   shapes.add(n.triangles, "triangle");
+  shapes.add(n.sdfs, "sdf");
   materials.add(n.diffuse, "diffuse");
   materials.add(n.phong, "phong");
   materials.add(n.mirror, "mirror");

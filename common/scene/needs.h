@@ -10,7 +10,7 @@ namespace carlo {
 /// What a scene asks of a renderer: how many of each shape and light, and which materials occur on
 /// a shape. "Only what a scene needs is modelled": a renderer picks its kernel by this.
 struct Needs {
-  std::size_t parallelograms = 0, spheres = 0, disks = 0, meshes = 0, triangles = 0;
+  std::size_t parallelograms = 0, spheres = 0, disks = 0, meshes = 0, triangles = 0, sdfs = 0;
   bool diffuse = false, phong = false, mirror = false, dielectric = false;
   bool one_sided = false, two_sided = false;  ///< among surfaces that are no dielectric
   std::size_t parallelogram_lights = 0, sphere_lights = 0, disk_lights = 0, triangle_lights = 0;
@@ -18,7 +18,7 @@ struct Needs {
   bool environment = false;
   bool depth_limit = false;
 
-  std::size_t primitives() const { return parallelograms + spheres + disks + triangles; }
+  std::size_t primitives() const { return parallelograms + spheres + disks + triangles + sdfs; }
   std::size_t area_lights() const {
     return parallelogram_lights + sphere_lights + disk_lights + triangle_lights;
   }

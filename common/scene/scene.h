@@ -2,6 +2,7 @@
 
 #include "numeric/vec.h"
 #include "scene/camera.h"
+#include "scene/sdf.h"
 
 #include <cstdint>
 #include <optional>
@@ -70,9 +71,9 @@ struct Mesh {
 };
 
 struct Shape {
-  std::variant<Parallelogram, Sphere, Disk, Mesh> geometry;
+  std::variant<Parallelogram, Sphere, Disk, Mesh, Sdf> geometry;
   std::uint32_t material = 0;  ///< index into Scene::materials
-  Rgb radiance{0};             ///< emitted on the side of the normal; 0 for most
+  Rgb radiance{0};             ///< emitted on the side of the normal; 0 for most, and each Sdf
   bool emits() const { return radiance != Rgb(0); }
 };
 

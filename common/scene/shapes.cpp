@@ -78,6 +78,11 @@ Disk parse_disk(Properties& shape) {
 
 }  // namespace
 
+std::vector<std::string> objects_inside(const std::string& shape_type) {
+  if (shape_type == "sdf") return {"bsdf", "ref", "emitter", "shape"};
+  return {"bsdf", "ref", "emitter"};
+}
+
 std::vector<Geometry> parse_geometry(Properties& shape, std::vector<std::string>& notes) {
   const std::string& type = shape.type();
   if (type == "rectangle") return {parallelogram(shape, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0})};
@@ -85,8 +90,9 @@ std::vector<Geometry> parse_geometry(Properties& shape, std::vector<std::string>
   if (type == "sphere") return {parse_sphere(shape)};
   if (type == "disk") return {parse_disk(shape)};
   if (type == "obj" || type == "ply") return {parse_mesh(shape, notes)};
+  if (type == "sdf") return {parse_sdf(shape)};
   fail(shape.type_at(), "shape {} is not supported{}", in_quotes(type),
-       suggest(type, {"rectangle", "cube", "sphere", "disk", "obj", "ply"}));
+       suggest(type, {"rectangle", "cube", "sphere", "disk", "obj", "ply", "sdf"}));
 }
 
 bool is_degenerate(Vec3 edge1, Vec3 edge2) {

@@ -19,6 +19,12 @@ std::vector<Geometry> parse_geometry(Properties& shape, std::vector<std::string>
 /// be computed in float.
 bool is_degenerate(Vec3 edge1, Vec3 edge2);
 
+/// What besides properties may stand inside a <shape> of the given type.
+std::vector<std::string> objects_inside(const std::string& shape_type);
+
+/// <shape type="sdf"> with the shapes inside it.
+Sdf parse_sdf(Properties& shape);
+
 /// <shape type="obj"> and <shape type="ply">.
 Mesh parse_mesh(Properties& shape, std::vector<std::string>& notes);
 

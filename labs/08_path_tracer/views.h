@@ -1,7 +1,7 @@
 #pragma once
 
+#include "given/sampled.h"
 #include "images.h"
-#include "sampling/samplers.h"
 
 namespace lab08 {
 
@@ -25,19 +25,6 @@ using Trace = std::function<Rgb(const Ray& ray, Rng& rng)>;
 
 /// Pixels by independent calls of a tracer.
 SampledPixel traced(const View& view, const Trace& trace);
-
-/// One of the samplers of common/sampling as lab 08's dimensions.
-template <class Sampler>
-class Sampled final : public Dimensions {
- public:
-  explicit Sampled(const carlo::SampleId& id) : sampler_(id) {}
-  void seek(unsigned place) override { sampler_.seek(place); }
-  float next_1d() override { return sampler_.next_1d(); }
-  Vec2 next_2d() override { return sampler_.next_2d(); }
-
- private:
-  Sampler sampler_;
-};
 
 /// Pixels by path_radiance() with the points of a sampler; each call has a seed of its own.
 template <class Sampler>

@@ -69,6 +69,7 @@ double area_of(const Shape& shape) {
       return carlo::pi * static_cast<double>(s.radius) * static_cast<double>(s.radius);
     }
     double operator()(const Mesh& s) const { return mesh_areas(s).back(); }
+    double operator()(const carlo::Sdf&) const { return 0; }  // never emits
   };
   return std::visit(Visitor{}, shape.geometry);
 }

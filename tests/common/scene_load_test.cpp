@@ -251,6 +251,32 @@ TEST_CASE("needs count what stands in the scene, and say it in a line", "[scene]
         "1 disk light, constant environment");
 }
 
+TEST_CASE("an sdf is read into steps in postfix order", "[scene]") {
+  const Scene scene = load_elements(
+      "<shape type=\"sdf\"><string name=\"operation\" value=\"difference\"/>"
+      "<float name=\"smoothing\" value=\"0.5\"/><shape type=\"roundedBox\"/>"
+      "<shape type=\"sdf\"><shape type=\"torus\"/><shape type=\"sphere\"/>"
+      "<transform name=\"toWorld\"><scale value=\"3\"/></transform></shape>"
+      "<transform name=\"toWorld\"><scale value=\"2\"/><translate x=\"1\"/></transform></shape>");
+  Needs expected;
+  expected.sdfs = 1;
+  expected.diffuse = expected.one_sided = true;
+  CHECK(needs(scene) == expected);
+  CHECK(needs(scene).primitives() == 1);
+  CHECK(describe(needs(scene)) == "1 sdf; diffuse, one-sided; no lights");
+  const auto& sdf = std::get<Sdf>(scene.shapes.at(0).geometry);
+  CHECK(sdf.place.scale == Catch::Approx(2));
+  CHECK(sdf.place.origin.x == 1);
+  REQUIRE(sdf.steps.size() == 5);
+  CHECK(std::get<sdf::Solid>(sdf.steps[1]).place.scale == Catch::Approx(3));
+  CHECK(std::holds_alternative<sdf::Torus>(std::get<sdf::Solid>(sdf.steps[1]).form));
+  CHECK(std::get<sdf::Combine>(sdf.steps[3]).operation == sdf::Operation::unite);
+  CHECK(std::get<sdf::Combine>(sdf.steps[4]).operation == sdf::Operation::subtract);
+  CHECK(std::get<sdf::Combine>(sdf.steps[4]).smoothing == 0.5);
+  // Half a way along x: outside the ball of radius 3, within smoothing of no edge.
+  CHECK(sdf::distance(sdf, {0.9, 0, 0}) == Catch::Approx(2.1));
+}
+
 TEST_CASE("the Cornell boxes we bring are closed rooms lit from the ceiling", "[scene]") {
   for (const char* name : {"cornell_lambert.xml", "cornell_phong.xml"}) {
     const Scene scene = load_scene(source_dir / "common/scenes" / name);

@@ -2,37 +2,23 @@
 // closed form show it (4 standard errors, as in closed_form_scenes_test.cpp); one of them looks the
 // same at every scale.
 
-#include "scene/load_scene.h"
+#include "lab_scenes.h"
 #include "scene_tools.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/generators/catch_generators_range.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <string>
 #include <variant>
-#include <vector>
 
 namespace {
 
 using namespace scene_tools;
 
-const std::filesystem::path folder = CARLO_SCENES;
-
-std::vector<std::string> scene_files() {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() == ".xml") names.push_back(entry.path().filename().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 Scene small(const std::string& name, int size) {
-  Scene scene = load_scene(folder / name);
+  Scene scene = lab_scenes::load(name);
   resize(scene, size, size);
   scene.sampler = SamplerKind::independent;
   return scene;
@@ -49,6 +35,9 @@ void enlarge(Scene& scene, float factor) {
     } else if (auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
       sphere->center *= factor;
       sphere->radius *= factor;
+    } else if (auto* sdf = std::get_if<Sdf>(&shape.geometry)) {
+      sdf->place.origin *= static_cast<double>(factor);
+      sdf->place.scale *= static_cast<double>(factor);
     }
   }
 }
@@ -56,8 +45,8 @@ void enlarge(Scene& scene, float factor) {
 }  // namespace
 
 TEST_CASE("Every scene renders, without a sample that is no radiance") {
-  REQUIRE(scene_files().size() >= 13);
-  for (const std::string& name : scene_files()) {
+  REQUIRE(lab_scenes::names().size() >= 13);
+  for (const std::string& name : lab_scenes::names()) {
     INFO(name);
     const RenderResult result = render_scene(small(name, 48), 16);
     CHECK(result.counts.bad == 0);
@@ -72,7 +61,7 @@ TEST_CASE("Scenes with a closed form show it") {
     double exact;
   };
   for (const Case& c :
-       {Case{"furnace.xml", 1}, {"integrating_sphere.xml", 0.8 * 0.04 * 5 / (1 - 0.8 * 0.96)}}) {
+       {Case{"furnace", 1}, {"integrating_sphere", 0.8 * 0.04 * 5 / (1 - 0.8 * 0.96)}}) {
     const MeanRadiance mean = mean_radiance(render_scene(small(c.name, 32), 1024).film);
     INFO(c.name << ": " << mean.value[0] << " +- " << mean.standard_error[0] << " for " << c.exact);
     CHECK(std::abs(mean.value[0] - c.exact) <= 4 * mean.standard_error[0]);
@@ -82,7 +71,7 @@ TEST_CASE("Scenes with a closed form show it") {
 
 TEST_CASE("A scene looks the same at every scale from 1e-4 to 1e6") {
   // Independent seeds: means differ by their standard errors alone.
-  for (const char* name : {"soft_shadows.xml", "caustics.xml"}) {
+  for (const char* name : {"soft_shadows", "caustics", "procedural"}) {
     const MeanRadiance one = mean_radiance(render_scene(small(name, 48), 64, 1).film);
     std::uint64_t seed = 2;
     for (const float factor : {1e-4f, 1e-2f, 1e2f, 1e4f, 1e6f}) {

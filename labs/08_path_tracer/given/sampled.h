@@ -1,0 +1,21 @@
+#pragma once
+
+#include "path_tracer.h"
+#include "sampling/samplers.h"
+
+namespace lab08 {
+
+/// One of the samplers of common/sampling as lab 08's dimensions.
+template <class Sampler>
+class Sampled final : public Dimensions {
+ public:
+  explicit Sampled(const carlo::SampleId& id) : sampler_(id) {}
+  void seek(unsigned place) override { sampler_.seek(place); }
+  float next_1d() override { return sampler_.next_1d(); }
+  Vec2 next_2d() override { return sampler_.next_2d(); }
+
+ private:
+  Sampler sampler_;
+};
+
+}  // namespace lab08

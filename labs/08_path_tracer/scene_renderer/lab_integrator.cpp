@@ -1,0 +1,110 @@
+#include "scene_renderer/lab_integrator.h"
+
+#include "cli/error.h"
+#include "given/sampled.h"
+#include "given/world.h"
+#include "path_tracer.h"
+#include "random/hash.h"
+
+#include <algorithm>
+#include <string>
+#include <variant>
+
+namespace lab08 {
+namespace {
+
+using carlo::Scene;
+
+bool specular(const carlo::Material& material) {
+  return std::holds_alternative<carlo::Mirror>(material.model) ||
+         std::holds_alternative<carlo::Dielectric>(material.model);
+}
+
+/// Refuses what the method would get wrong.
+const Scene& checked(const Scene& scene, Method method) {
+  if (method == Method::iterative) return scene;
+  if (scene.max_depth != 0) {
+    throw carlo::Error(
+        "the recursive tracers follow paths of any length, the scene's end after {} segments: give "
+        "--max-depth 0, or no --method",
+        scene.max_depth);
+  }
+  const auto shows_specular = [&](const carlo::Shape& shape) {
+    return specular(scene.materials[shape.material]);
+  };
+  if (method == Method::recursive &&
+      std::any_of(scene.shapes.begin(), scene.shapes.end(), shows_specular)) {
+    throw carlo::Error("Lab 8.4 knows no mirrors and no glass: use --method direct");
+  }
+  return scene;
+}
+
+template <class Sampler>
+class LabIntegrator final : public carlo::Integrator {
+ public:
+  LabIntegrator(const Scene& scene, const LabOptions& options)
+      : world_(checked(scene, options.method)), options_(options) {}
+
+  std::string name() const override {
+    switch (options_.method) {
+      case Method::iterative:
+        return "path_radiance of Lab 8.8";
+      case Method::recursive:
+        return "trace_path of Lab 8.4";
+      case Method::direct:
+        return "trace_specular of Lab 8.7";
+    }
+    return "";
+  }
+
+  void render(const carlo::Tile& tile, std::span<std::array<double, 3>> means,
+              carlo::Counts& counts) const override {
+    std::size_t i = 0;
+    for (int y = tile.y0; y < tile.y1; ++y) {
+      for (int x = tile.x0; x < tile.x1; ++x) {
+        carlo::BlockSum sum;
+        for (std::uint32_t s = 0; s < tile.samples && !carlo::render_interrupted(); ++s)
+          sum.add(sample(x, y, tile.first_sample + s), counts);
+        counts.paths += tile.samples;
+        means[i++] = sum.mean(tile.samples);
+      }
+    }
+  }
+
+ private:
+  Rgb sample(int x, int y, std::uint32_t index) const {
+    const Scene& scene = world_.scene();
+    const auto pixel = static_cast<std::uint32_t>(y * scene.width + x);
+    Sampled<Sampler> numbers({options_.seed, pixel, index, options_.spp});
+    const Vec2 jitter = numbers.next_2d();
+    const Ray ray =
+        scene.camera.ray({(static_cast<float>(x) + jitter.x) / static_cast<float>(scene.width),
+                          (static_cast<float>(y) + jitter.y) / static_cast<float>(scene.height)});
+    if (options_.method == Method::iterative) {
+      return path_radiance(world_, ray, scene.max_depth, numbers);
+    }
+    Rng rng(carlo::hash(options_.seed, pixel), index);
+    return options_.method == Method::recursive ? trace_path(world_, ray, rng)
+                                                : trace_specular(world_, ray, true, rng);
+  }
+
+  World world_;
+  LabOptions options_;
+};
+
+}  // namespace
+
+std::unique_ptr<carlo::Integrator> make_lab_integrator(const Scene& scene,
+                                                       const LabOptions& options) {
+  switch (scene.sampler) {
+    case carlo::SamplerKind::independent:
+      return std::make_unique<LabIntegrator<carlo::IndependentSampler>>(scene, options);
+    case carlo::SamplerKind::stratified:
+      return std::make_unique<LabIntegrator<carlo::StratifiedSampler>>(scene, options);
+    case carlo::SamplerKind::sobol:
+      return std::make_unique<LabIntegrator<carlo::SobolSampler>>(scene, options);
+  }
+  return nullptr;
+}
+
+}  // namespace lab08

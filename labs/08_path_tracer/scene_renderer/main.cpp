@@ -1,0 +1,38 @@
+// `./carlo render` in a student's tree, and `./carlo render --mine`: scenes by lab 08's tracers.
+
+#include "cli/main_guard.h"
+#include "render/render_app.h"
+#include "scene_renderer/lab_integrator.h"
+
+#include <CLI/CLI.hpp>
+
+#include <map>
+#include <string>
+
+namespace {
+
+const std::map<std::string, lab08::Method> methods = {{"iterative", lab08::Method::iterative},
+                                                      {"recursive", lab08::Method::recursive},
+                                                      {"direct", lab08::Method::direct}};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return carlo::run_main([&] {
+    std::string method = "iterative";
+    return carlo::render_app(
+        argc, argv,
+        [&](const carlo::Scene& scene, std::uint64_t seed, std::uint32_t spp) {
+          return lab08::make_lab_integrator(
+              scene, {.method = methods.at(method), .seed = seed, .spp = spp});
+        },
+        [&](CLI::App& app) {
+          app.add_option("--method", method,
+                         "iterative (Lab 8.8), recursive (Lab 8.4: no mirrors, no glass) or direct "
+                         "(Lab 8.7)")
+              ->check(CLI::IsMember({"iterative", "recursive", "direct"}))
+              ->capture_default_str();
+          app.footer("The image is your own lab 08's.");
+        });
+  });
+}

@@ -1,0 +1,143 @@
+// `./carlo bench paths`: very many paths through every scene, each of which must bring a radiance.
+
+#include "cli/arguments.h"
+#include "cli/error.h"
+#include "cli/main_guard.h"
+#include "cli/progress.h"
+#include "random/rng.h"
+#include "render/driver.h"
+#include "render/interrupt.h"
+#include "render/render_app.h"
+#include "renderer/path_integrator.h"
+#include "scene/load_scene.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string folder = "common/scenes";
+  std::vector<std::string> scenes;
+  double paths = 1e6;
+  std::uint64_t seed = 1;
+  int threads = 0;
+};
+
+struct Row {
+  carlo::Counts counts;
+  double seconds = 0;
+};
+
+/// A film's side, its logarithm uniform: 32 to 512 pixels, fewer where few paths are wanted.
+int random_side(double paths, carlo::Rng& rng) {
+  const double most = std::min(512.0, std::sqrt(paths)), least = std::min(32.0, most);
+  return static_cast<int>(least * std::pow(most / least, rng.uniform()));
+}
+
+/// One render of about `paths` paths, 2^20 at most: a film of random sides, a random seed
+/// and sampler. Film positions are those of the pixels' samples, so they are new in every render.
+void add_render(carlo::Scene& scene, double paths, carlo::Rng& rng, int threads, Row& row) {
+  const int width = random_side(paths, rng);
+  const int height = random_side(paths, rng);
+  const double most = std::min(paths, 0x1p20) / (1.0 * width * height);
+  const auto spp = static_cast<std::uint32_t>(std::clamp(std::ceil(most), 1.0, 4096.0));
+  const std::uint64_t seed = rng.next_u64();
+  constexpr carlo::SamplerKind kinds[] = {
+      carlo::SamplerKind::independent, carlo::SamplerKind::stratified, carlo::SamplerKind::sobol};
+  scene.sampler = kinds[rng.next_u32() % 3];
+  carlo::resize(scene, width, height);
+  const auto integrator = renderer::make_path_integrator(scene, {.seed = seed, .spp = spp});
+  const carlo::RenderResult result =
+      carlo::render(*integrator, width, height, carlo::radiance_scale(scene),
+                    {.spp = spp, .seconds = {}, .threads = threads, .progress = false});
+  row.counts += result.counts;
+  row.seconds += result.seconds;
+}
+
+Row trace(const fs::path& path, std::uint64_t number, const Arguments& a) {
+  carlo::Scene scene = carlo::load_scene(path);
+  carlo::Rng rng(a.seed, number);
+  carlo::Progress progress(path.stem().string(), true);
+  Row row;
+  while (static_cast<double>(row.counts.paths) < a.paths && !carlo::interrupt_noted()) {
+    add_render(scene, a.paths - static_cast<double>(row.counts.paths), rng, a.threads, row);
+    progress.update(static_cast<double>(row.counts.paths) / a.paths);
+  }
+  return row;
+}
+
+void print_row(const std::string& name, const Row& row) {
+  const double rate = row.seconds > 0 ? static_cast<double>(row.counts.paths) / row.seconds : 0;
+  fmt::print("{:<24} {:>14} {:>10.1f} {:>12.0f} {:>8} {:>8}\n", name, row.counts.paths, row.seconds,
+             rate, row.counts.bad, row.counts.cut);
+  std::fflush(stdout);
+}
+
+std::vector<fs::path> scene_files(const Arguments& a) {
+  std::vector<fs::path> files(a.scenes.begin(), a.scenes.end());
+  if (!files.empty()) return files;
+  for (const auto& entry : fs::directory_iterator(a.folder)) {
+    if (entry.path().extension() == ".xml") files.push_back(entry.path());
+  }
+  if (files.empty()) throw carlo::Error("there is no scene, no .xml file, in {}", a.folder);
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+int bench(const Arguments& a) {
+  const std::vector<fs::path> files = scene_files(a);
+  const carlo::InterruptGuard guard;
+  fmt::print("{:<24} {:>14} {:>10} {:>12} {:>8} {:>8}\n", "scene", "paths", "seconds", "paths/s",
+             "bad", "cut");
+  Row all;
+  std::uint64_t number = 0;
+  for (const fs::path& file : files) {
+    const Row row = trace(file, number++, a);
+    print_row(file.stem().string(), row);
+    all.counts += row.counts;
+    all.seconds += row.seconds;
+    if (carlo::interrupt_noted()) break;
+  }
+  print_row("all", all);
+  if (carlo::interrupt_noted()) fmt::print("interrupted: the table holds what was finished\n");
+  if (all.counts.bad > 0) {
+    throw carlo::Error("{} samples are no radiance: not finite, or negative", all.counts.bad);
+  }
+  return carlo::interrupt_noted() ? 130 : 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return carlo::run_main([&] {
+    Arguments a;
+    CLI::App app(
+        "Traces paths through every scene, on films of random sizes with ever new seeds and all "
+        "samplers, and counts those that bring no radiance. Exit code 1 if there is one.",
+        "./carlo bench paths");
+    app.add_option("--paths", a.paths, "paths a scene, such as 1e9")
+        ->check(CLI::Range(1.0, 1e15))
+        ->capture_default_str();
+    app.add_option("--scene", a.scenes, "scene files (default: all in the folder)")
+        ->check(CLI::ExistingFile);
+    app.add_option("--folder", a.folder, "folder of scenes")
+        ->check(CLI::ExistingDirectory)
+        ->capture_default_str();
+    app.add_option("--seed", a.seed, "another seed gives other films and paths")
+        ->capture_default_str();
+    app.add_option("--threads", a.threads, "default: one for each core")
+        ->check(CLI::Range(1, 1024));
+    if (const auto code = carlo::parse_arguments(app, argc, argv)) return *code;
+    return bench(a);
+  });
+}

@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# bench_paths_test.sh BENCH SOURCE: `./carlo bench paths` has a row for every scene, and Ctrl-C prints
+# what was done.
+set -euo pipefail
+bench=$1 scenes=$2/common/scenes
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+fail() {
+  printf 'FAILED: %s\n' "$*"
+  exit 1
+}
+
+"$bench" --folder "$scenes" --paths 5000 >"$scratch/table" || fail "exit code $?"
+for scene in "$scenes"/*.xml; do
+  awk -v name="$(basename "$scene" .xml)" '$1 == name && $2 >= 5000 && $5 == 0 { found = 1 }
+    END { exit !found }' "$scratch/table" || fail "no row for $scene: $(cat "$scratch/table")"
+done
+
+code=0
+timeout --signal=INT 2 "$bench" --folder "$scenes" --paths 1e12 >"$scratch/table" || code=$?
+[ "$code" = 124 ] || fail "Ctrl-C did not end it: exit code $code"
+grep -q '^all .*[1-9]' "$scratch/table" || fail "nothing was printed: $(cat "$scratch/table")"
+grep -q '^interrupted' "$scratch/table" || fail "nobody says that it was interrupted"

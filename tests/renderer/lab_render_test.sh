@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# lab_render_test.sh SOLUTION STUB SOURCE: `./carlo render` by lab 08: the solution's renders each
+# kind of scene, the stub's and what lab 08 does not know give one line, exit code 1, and no file.
+set -euo pipefail
+solution=$1 stub=$2 scenes=$3/common/scenes
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+failures=0
+
+complain() {
+  printf 'FAILED: %s\n' "$*"
+  failures=$((failures + 1))
+}
+
+# expect_error PATTERN PROGRAM ARGUMENTS...
+expect_error() {
+  local pattern=$1 program=$2 code=0 out=$scratch/out
+  shift 2
+  rm -rf "$out" && mkdir "$out"
+  (cd "$out" && "$program" "$@") >"$scratch/stdout" 2>"$scratch/stderr" || code=$?
+  [ "$code" = 1 ] || complain "exit code $code for: $*"
+  [ "$(wc -l <"$scratch/stderr")" = 1 ] || complain "not one line for: $*: $(cat "$scratch/stderr")"
+  grep -Eq "$pattern" "$scratch/stderr" || complain "'$(cat "$scratch/stderr")' is not '$pattern'"
+  [ ! -s "$scratch/stdout" ] || complain "output on stdout for: $*"
+  [ -z "$(find "$out" -type f)" ] || complain "files were left by: $*"
+}
+
+# expect_image KERNEL ARGUMENTS...
+expect_image() {
+  local kernel=$1 suffix
+  shift
+  rm -rf "$scratch/image" && mkdir "$scratch/image"
+  "$solution" "$@" --size 16x16 --spp 8 -o "$scratch/image/a" >"$scratch/stdout" ||
+    complain "exit code $? for: $*"
+  for suffix in png exr error.png json; do
+    [ -s "$scratch/image/a.$suffix" ] || complain "a.$suffix is missing for: $*"
+  done
+  grep -q "kernel .*$kernel" "$scratch/stdout" || complain "not by $kernel: $*"
+  grep -q '"bad_samples": 0' "$scratch/image/a.json" || complain "bad samples for: $*"
+  # Lab 08 does not count its rays: none is not what a report should say.
+  grep -q '"rays": null' "$scratch/image/a.json" || complain "rays for: $*"
+}
+
+box=$scenes/cornell_phong.xml
+expect_image 'Lab 8.8' "$box"
+expect_image 'Lab 8.8' "$scenes/caustics.xml" --max-depth 5
+expect_image 'Lab 8.4' "$box" --method recursive
+expect_image 'Lab 8.7' "$scenes/caustics.xml" --method direct
+
+expect_error 'Lab 8\.8 is not implemented yet: run ./carlo hint 8.8' "$stub" "$box" --spp 4
+expect_error 'Lab 8\.4 is not implemented yet: run ./carlo hint 8.4' "$stub" "$box" --method recursive
+expect_error 'Lab 8\.7 is not implemented yet: run ./carlo hint 8.7' "$stub" "$box" --method direct
+expect_error 'no mirrors and no glass' "$solution" "$scenes/caustics.xml" --method recursive
+expect_error 'end after 4 segments' "$solution" "$box" --max-depth 4 --method direct
+expect_error 'method' "$solution" "$box" --method best
+expect_error 'no_such.xml' "$solution" no_such.xml
+
+cat >"$scratch/point.xml" <<'XML'
+<scene version="0.6.0">
+  <sensor type="perspective"><float name="fov" value="40"/></sensor>
+  <shape type="sphere"/>
+  <emitter type="point"><rgb name="intensity" value="1"/></emitter>
+</scene>
+XML
+expect_error 'no point lights' "$solution" "$scratch/point.xml"
+
+printf '%d failures\n' "$failures"
+[ "$failures" = 0 ]

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "scene/load_scene.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lab_scenes {
+
+/// The scenes of common/scenes, in alphabetical order, without their suffix.
+inline std::vector<std::string> names() {
+  std::vector<std::string> result;
+  for (const auto& entry : std::filesystem::directory_iterator(CARLO_SCENES)) {
+    if (entry.path().extension() == ".xml") result.push_back(entry.path().stem().string());
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+inline carlo::Scene load(const std::string& name) {
+  return carlo::load_scene(std::filesystem::path(CARLO_SCENES) / (name + ".xml"));
+}
+
+}  // namespace lab_scenes

@@ -1,0 +1,199 @@
+// carlo_references (tests/references/make.sh): renders the reference images of common/scenes, looks
+// at them from another side, and prints the table of tests/references/README.md.
+
+#include "cli/arguments.h"
+#include "cli/error.h"
+#include "cli/main_guard.h"
+#include "image/metrics.h"
+#include "lab_scenes.h"
+#include "numeric/robust.h"
+#include "reference_image.h"
+#include "scene_renderer/lab_integrator.h"
+#include "scene_tools.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace scene_tools;
+
+struct Arguments {
+  std::string folder;
+  std::vector<std::string> scenes;
+  double target = 0.01;
+  std::uint32_t most = 16384;
+  std::uint64_t seed = 101;
+};
+
+/// An image and what it cost.
+struct Rendered {
+  Image image, error;
+  MeanRadiance mean;
+  std::uint32_t spp;
+  double seconds;  ///< of one processor
+};
+
+double processor_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+Rendered render_with(const Integrator& integrator, const Scene& scene, std::uint32_t spp) {
+  const double start = processor_seconds();
+  const RenderResult result = render(integrator, scene.width, scene.height, radiance_scale(scene),
+                                     RenderOptions{spp, {}, 0, true});
+  if (result.interrupted) throw Error("interrupted");
+  if (result.counts.bad > 0) throw Error("{} samples are no radiance", result.counts.bad);
+  return {result.film.mean(), result.film.standard_error(), mean_radiance(result.film), spp,
+          processor_seconds() - start};
+}
+
+Rendered render_reference(const Scene& scene, std::uint64_t seed, std::uint32_t spp) {
+  return render_with(*renderer::make_path_integrator(scene, {.seed = seed, .spp = spp}), scene,
+                     spp);
+}
+
+/// As many samples as the target asks for, by a short render with another seed; whole blocks of 64.
+std::uint32_t samples_for(const Scene& scene, const Arguments& a) {
+  const Rendered pilot = render_reference(scene, a.seed + 1, 64);
+  const double error = reference_image::mean_relative_error(pilot.image, pilot.error);
+  const double wanted = 64 * (error / a.target) * (error / a.target);
+  const double blocks = std::ceil(std::min(wanted, 1.0 * a.most) / 512);
+  return 512 * std::max(1u, static_cast<std::uint32_t>(blocks));
+}
+
+/// What is known about a scene's image from elsewhere.
+struct Other {
+  std::string name;
+  double image_z, tile_z;  ///< the largest, over channels; tiles of 16 x 16
+};
+
+Other compared(std::string name, const Rendered& r, const Image& image, const Image& error) {
+  return {std::move(name), reference_image::largest(bias_z(r.image, r.error, image, error)),
+          reference_image::largest(tile_z(r.image, r.error, image, error, 16))};
+}
+
+/// The mean over the film: all of a furnace is 1, all of an integrating sphere its closed form. The
+/// forty spokes, 0.96 x 0.024 from 0.04 on, overlap up to 0.012/tan 4.5 degrees from the hub, and
+/// stand on a film plane of side 6 tan 20 degrees.
+std::optional<double> closed_form(const std::string& scene) {
+  if (scene == "furnace") return 1;
+  if (scene == "integrating_sphere") return 0.8 * 0.04 * 5 / (1 - 0.8 * 0.96);
+  if (scene == "antialiasing") {
+    const double slope = std::tan(pi / 40), overlap = 0.012 / slope, side = 6 * std::tan(pi / 9);
+    const double spoke = slope * (overlap * overlap - 0.04 * 0.04) + 0.024 * (1 - overlap);
+    return 40 * spoke / (side * side);
+  }
+  return std::nullopt;
+}
+
+std::string closed_form_text(const std::string& name, const Rendered& r) {
+  const auto exact = closed_form(name);
+  if (!exact) return "";
+  double worst = 0;
+  for (std::size_t c = 0; c < 3; ++c)
+    worst = std::max(worst, std::abs(r.mean.value[c] - *exact) / r.mean.standard_error[c]);
+  return fmt::format("closed form {:.6g}: {:.1f}; ", *exact, worst);
+}
+
+void print_row(const std::string& name, const Rendered& r, const std::string& closed,
+               const Other& other) {
+  const auto& m = r.mean;
+  fmt::print(
+      "| {} | {} | {:.0f} | {:.5f} ± {:.5f}, {:.5f} ± {:.5f}, {:.5f} ± {:.5f} | {:.2g} | "
+      "{}{}: {:.1f}, {:.1f} |\n",
+      name, r.spp, r.seconds, m.value[0], m.standard_error[0], m.value[1], m.standard_error[1],
+      m.value[2], m.standard_error[2], 100 * reference_image::mean_relative_error(r.image, r.error),
+      closed, other.name, other.image_z, other.tile_z);
+  std::fflush(stdout);
+}
+
+Scene prepared(Scene scene) {
+  resize(scene, reference_image::size, reference_image::size);
+  scene.sampler = SamplerKind::independent;
+  return scene;
+}
+
+/// By lab 08's path tracer, with other random numbers.
+Other lab_view(const Scene& scene, const Rendered& r, const Arguments& a) {
+  const std::uint32_t spp = std::max(512u, r.spp / 8 / 512 * 512);
+  const auto integrator =
+      lab08::make_lab_integrator(scene, {lab08::Method::iterative, a.seed + 2, spp});
+  const Rendered lab = render_with(*integrator, scene, spp);
+  return compared(fmt::format("lab 08, {} samples", spp), r, lab.image, lab.error);
+}
+
+void make(const std::string& name, const Arguments& a) {
+  const Scene scene = prepared(lab_scenes::load(name));
+  const Rendered r = render_reference(scene, a.seed, samples_for(scene, a));
+  ExrFile file{r.image,
+               r.error,
+               {{"scene", "common/scenes/" + name + ".xml"},
+                {"seed", std::to_string(a.seed)},
+                {"spp", std::to_string(r.spp)}}};
+  reference_image::drop_noise_digits(file);
+  const fs::path scenes = fs::path(a.folder) / "scenes";
+  fs::create_directories(scenes);
+  write_exr(scenes / (name + ".exr"), file);
+  print_row(name, r, closed_form_text(name, r), lab_view(scene, r, a));
+}
+
+/// The independent renderer's scenes and images; the latter come without standard errors. At equal
+/// samples its relMSE is 2.3 times ours, and it has 8192 samples in each of four pixels for our
+/// one.
+void look_at_peer(const std::string& name, const Arguments& a) {
+  const fs::path folder(a.folder);
+  const Scene scene = prepared(load_scene(folder / (name + ".xml")));
+  const Rendered r = render_reference(scene, a.seed, samples_for(scene, a));
+  Image error = r.error;
+  for (Rgb& e : error.pixels)
+    e *= std::sqrt(2.3f * static_cast<float>(r.spp) / (4 * 8192));
+  const Image peer = reference_image::halved(read_exr(folder / (name + ".exr")).image);
+  print_row(name, r, "", compared("Tungsten's image", r, peer, error));
+}
+
+int run(int argc, char** argv) {
+  Arguments a;
+  CLI::App app("Renders the reference images and prints their table.", "tests/references/make.sh");
+  app.add_option("--folder", a.folder, "tests/references")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  app.add_option("--target", a.target, "mean relative standard error of a pixel")
+      ->check(CLI::Range(1e-4, 1.0))
+      ->capture_default_str();
+  app.add_option("--most", a.most, "samples a pixel at most")
+      ->check(CLI::Range(512u, 1u << 24))
+      ->capture_default_str();
+  app.add_option("scenes", a.scenes, "names in common/scenes, or peer_... (default: all)");
+  if (const auto code = parse_arguments(app, argc, argv)) return *code;
+  if (a.scenes.empty()) {
+    a.scenes = lab_scenes::names();
+    a.scenes.insert(a.scenes.end(), {"peer_cornell_lambert", "peer_cornell_phong"});
+  }
+  fmt::print(
+      "| scene | samples a pixel | processor seconds | mean R, G, B | pixel's error, % | agrees "
+      "with: \\|z\\| of the image, largest of a tile |\n|---|---|---|---|---|---|\n");
+  for (const std::string& name : a.scenes) {
+    if (name.starts_with("peer_")) {
+      look_at_peer(name, a);
+    } else {
+      make(name, a);
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_main([&] { return run(argc, argv); });
+}
