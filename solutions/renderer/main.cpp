@@ -6,13 +6,25 @@
 
 #include <CLI/CLI.hpp>
 
+#include <string>
+
 int main(int argc, char** argv) {
   return carlo::run_main([&] {
+    std::string kernel = "best";
     return carlo::render_app(
         argc, argv,
-        [](const carlo::Scene& scene, std::uint64_t seed, std::uint32_t spp) {
-          return renderer::make_path_integrator(scene, {.seed = seed, .spp = spp});
+        [&](const carlo::Scene& scene, std::uint64_t seed, std::uint32_t spp) {
+          const auto choice =
+              kernel == "scalar" ? renderer::Kernel::scalar : renderer::Kernel::best;
+          return renderer::make_path_integrator(scene,
+                                                {.seed = seed, .spp = spp, .kernel = choice});
         },
-        [](CLI::App& app) { app.footer("./carlo render --mine ... renders by your own lab 08."); });
+        [&](CLI::App& app) {
+          app.add_option("--kernel", kernel,
+                         "best: what suits the scene; scalar: the one that renders all scenes")
+              ->check(CLI::IsMember({"best", "scalar"}))
+              ->capture_default_str();
+          app.footer("./carlo render --mine ... renders by your own lab 08.");
+        });
   });
 }

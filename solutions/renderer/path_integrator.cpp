@@ -1,11 +1,14 @@
 #include "path_integrator.h"
 
 #include "bsdf.h"
+#include "flat/flat_integrator.h"
+#include "flat/flat_scene.h"
 #include "geometry/intersector.h"
 #include "geometry/shadow_ray.h"
 #include "lights.h"
 #include "numeric/robust.h"
 #include "sampling/samplers.h"
+#include "scene/needs.h"
 
 #include <algorithm>
 #include <variant>
@@ -240,6 +243,10 @@ class PathIntegrator final : public carlo::Integrator {
 
 std::unique_ptr<carlo::Integrator> make_path_integrator(const Scene& scene,
                                                         const PathOptions& options) {
+  if (options.kernel == Kernel::best && scene.sampler != carlo::SamplerKind::stratified &&
+      FlatScene::suits(carlo::needs(scene))) {
+    return make_flat_integrator(scene, options.seed);
+  }
   switch (scene.sampler) {
     case carlo::SamplerKind::independent:
       return std::make_unique<PathIntegrator<carlo::IndependentSampler>>(scene, options);

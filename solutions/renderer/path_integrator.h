@@ -8,14 +8,19 @@
 
 namespace renderer {
 
+/// Which code renders: the one that suits the scene best, or the scalar one, which renders all.
+enum class Kernel { best, scalar };
+
 struct PathOptions {
   std::uint64_t seed = 1;
   std::uint32_t spp = 64;  ///< planned samples a pixel, for the stratified sampler
+  Kernel kernel = Kernel::best;
 };
 
 /// The iterative path tracer: emission added at every hit, next-event estimation and BRDF sampling
 /// combined by the power heuristic, Russian roulette on the throughput (so absorption ends paths),
-/// mirrors and glass by their deterministic directions.
+/// mirrors and glass by their deterministic directions. Scenes of a few parallelograms go to the
+/// vector kernel (flat/), unless options ask for the scalar one.
 /// Keeps a reference to `scene`, which must outlive the integrator.
 std::unique_ptr<carlo::Integrator> make_path_integrator(const carlo::Scene& scene,
                                                         const PathOptions& options);

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "render/integrator.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace renderer {
+
+/// The path tracer for scenes that FlatScene suits, with Sobol' or independent
+/// points: brute force over all
+/// parallelograms, a path in each lane of a vector register.
+std::unique_ptr<carlo::Integrator> make_flat_integrator(const carlo::Scene& scene,
+                                                        std::uint64_t seed);
+
+}  // namespace renderer

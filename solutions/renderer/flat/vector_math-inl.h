@@ -1,0 +1,193 @@
+// Vectors of floats, one lane a path: directions, angles, sample points. Included once for each
+// instruction set (Highway's foreach_target).
+
+#if defined(CARLO_VECTOR_MATH_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef CARLO_VECTOR_MATH_INL
+#undef CARLO_VECTOR_MATH_INL
+#else
+#define CARLO_VECTOR_MATH_INL
+#endif
+
+#include <hwy/contrib/math/math-inl.h>
+#include <hwy/highway.h>
+
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace renderer {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::ScalableTag<float>;
+using DU = hn::RebindToUnsigned<D>;
+using DI = hn::RebindToSigned<D>;
+using V = hn::Vec<D>;
+using U = hn::Vec<DU>;
+using M = hn::Mask<D>;
+constexpr D d_;
+constexpr DU du_;
+constexpr DI di_;
+constexpr std::size_t lanes = hn::MaxLanes(d_);
+
+HWY_INLINE V set(float x) {
+  return hn::Set(d_, x);
+}
+HWY_INLINE U set_word(std::uint32_t x) {
+  return hn::Set(du_, x);
+}
+HWY_INLINE V select(M m, V yes, V no) {
+  return hn::IfThenElse(m, yes, no);
+}
+
+struct V3 {
+  V x, y, z;
+};
+HWY_INLINE V3 operator+(V3 a, V3 b) {
+  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+HWY_INLINE V3 operator-(V3 a, V3 b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+HWY_INLINE V3 operator*(V3 a, V3 b) {
+  return {hn::Mul(a.x, b.x), hn::Mul(a.y, b.y), hn::Mul(a.z, b.z)};
+}
+HWY_INLINE V3 operator*(V s, V3 a) {
+  return {hn::Mul(s, a.x), hn::Mul(s, a.y), hn::Mul(s, a.z)};
+}
+/// a + s b
+HWY_INLINE V3 add_scaled(V3 a, V s, V3 b) {
+  return {hn::MulAdd(s, b.x, a.x), hn::MulAdd(s, b.y, a.y), hn::MulAdd(s, b.z, a.z)};
+}
+HWY_INLINE V dot(V3 a, V3 b) {
+  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+}
+HWY_INLINE V3 normalize(V3 a) {
+  return hn::Div(set(1), hn::Sqrt(dot(a, a))) * a;
+}
+HWY_INLINE V3 select(M m, V3 yes, V3 no) {
+  return {select(m, yes.x, no.x), select(m, yes.y, no.y), select(m, yes.z, no.z)};
+}
+HWY_INLINE V3 set(float x, float y, float z) {
+  return {set(x), set(y), set(z)};
+}
+HWY_INLINE V max_element(V3 a) {
+  return hn::Max(a.x, hn::Max(a.y, a.z));
+}
+
+/// Two vectors at right angles to n and each other, all of length 1.
+/// Source: Duff et al., "Building an orthonormal basis, revisited", JCGT 6(1), 2017.
+struct FrameV {
+  V3 s, t, n;
+};
+HWY_INLINE FrameV frame_about(V3 n) {
+  const V sign = hn::CopySign(set(1), n.z);
+  const V a = hn::Neg(hn::Div(set(1), hn::Add(sign, n.z)));
+  const V b = hn::Mul(hn::Mul(n.x, n.y), a);
+  const V sx = hn::Mul(sign, n.x);
+  return {{hn::MulAdd(hn::Mul(sx, n.x), a, set(1)), hn::Mul(sign, b), hn::Neg(sx)},
+          {b, hn::MulAdd(hn::Mul(n.y, n.y), a, sign), hn::Neg(n.y)},
+          n};
+}
+HWY_INLINE V3 to_world(const FrameV& f, V x, V y, V z) {
+  return add_scaled(add_scaled(x * f.s, y, f.t), z, f.n);
+}
+
+/// Sine and cosine of u whole turns, u in [0, 1). Absolute error below 1e-7.
+struct SinCos {
+  V sin, cos;
+};
+HWY_INLINE SinCos turn(V u) {
+  // The nearest quarter turn, and at most an eighth of a turn from there.
+  const V quarters = hn::Round(hn::Mul(u, set(4)));
+  const V x = hn::Mul(hn::NegMulAdd(quarters, set(0.25f), u), set(6.283185307f)),
+          x2 = hn::Mul(x, x);
+  // Taylor's polynomials to x^9 and x^8: the next terms are below 2e-9 and 3e-8 at pi/4.
+  V s = hn::MulAdd(x2, set(2.755731922e-6f), set(-1.984126984e-4f));
+  s = hn::MulAdd(hn::MulAdd(hn::MulAdd(s, x2, set(8.333333333e-3f)), x2, set(-1.666666667e-1f)),
+                 hn::Mul(x2, x), x);
+  V c = hn::MulAdd(x2, set(2.480158730e-5f), set(-1.388888889e-3f));
+  c = hn::MulAdd(hn::MulAdd(hn::MulAdd(c, x2, set(4.166666667e-2f)), x2, set(-0.5f)), x2, set(1));
+  const auto q = hn::ConvertTo(di_, quarters);
+  const M odd = hn::RebindMask(d_, hn::Ne(hn::And(q, hn::Set(di_, 1)), hn::Zero(di_)));
+  // Signs: the sine changes in quarters 2 and 3, the cosine in 1 and 2.
+  const auto sine_sign = hn::ShiftLeft<30>(hn::And(q, hn::Set(di_, 2)));
+  const auto cosine_sign = hn::ShiftLeft<30>(hn::And(hn::Add(q, hn::Set(di_, 1)), hn::Set(di_, 2)));
+  return {hn::Xor(select(odd, c, s), hn::BitCast(d_, sine_sign)),
+          hn::Xor(select(odd, s, c), hn::BitCast(d_, cosine_sign))};
+}
+
+// Sample points: sampling/sobol.h, a lane a point ------------------------------------------------
+
+HWY_INLINE U reverse_bits(U x) {
+  using DB = hn::Repartition<std::uint8_t, DU>;
+  constexpr DB db;
+  alignas(16) static constexpr std::uint8_t nibbles[16] = {0, 8, 4, 12, 2, 10, 6, 14,
+                                                           1, 9, 5, 13, 3, 11, 7, 15};
+  alignas(16) static constexpr std::uint8_t bytes[16] = {3,  2,  1, 0, 7,  6,  5,  4,
+                                                         11, 10, 9, 8, 15, 14, 13, 12};
+  const U low = set_word(0x0F0F0F0F);
+  const auto table = hn::LoadDup128(db, nibbles);
+  const auto from_low = hn::TableLookupBytes(table, hn::BitCast(db, hn::And(x, low)));
+  const auto from_high =
+      hn::TableLookupBytes(table, hn::BitCast(db, hn::And(hn::ShiftRight<4>(x), low)));
+  const U swapped =
+      hn::Or(hn::ShiftLeft<4>(hn::BitCast(du_, from_low)), hn::BitCast(du_, from_high));
+  return hn::BitCast(du_,
+                     hn::TableLookupBytes(hn::BitCast(db, swapped), hn::LoadDup128(db, bytes)));
+}
+
+HWY_INLINE U nested_hash(U x, U seed) {
+  x = hn::Xor(x, hn::Mul(x, set_word(0x3D20ADEA)));
+  x = hn::Add(x, seed);
+  x = hn::Mul(x, hn::Or(hn::ShiftRight<16>(seed), set_word(1)));
+  x = hn::Xor(x, hn::Mul(x, set_word(0x05526C56)));
+  return hn::Xor(x, hn::Mul(x, set_word(0x53A22864)));
+}
+
+/// Pascal's triangle modulo 2 times x: the second Sobol' coordinate, bits still reversed.
+HWY_INLINE U pascal(U x) {
+  x = hn::Xor(x, hn::And(hn::ShiftRight<1>(x), set_word(0x55555555)));
+  x = hn::Xor(x, hn::And(hn::ShiftRight<2>(x), set_word(0x33333333)));
+  x = hn::Xor(x, hn::And(hn::ShiftRight<4>(x), set_word(0x0F0F0F0F)));
+  x = hn::Xor(x, hn::And(hn::ShiftRight<8>(x), set_word(0x00FF00FF)));
+  return hn::Xor(x, hn::ShiftRight<16>(x));
+}
+
+/// A bijection of words whose output bits depend on all input bits (C. Wellons' "lowbias32").
+HWY_INLINE U mix(U x) {
+  x = hn::Mul(hn::Xor(x, hn::ShiftRight<16>(x)), set_word(0x7FEB352D));
+  x = hn::Mul(hn::Xor(x, hn::ShiftRight<15>(x)), set_word(0x846CA68B));
+  return hn::Xor(x, hn::ShiftRight<16>(x));
+}
+
+/// In [0, 1), never 1.
+HWY_INLINE V to_unit(U x) {
+  return hn::Mul(hn::ConvertTo(d_, hn::BitCast(di_, hn::ShiftRight<8>(x))), set(0x1p-24f));
+}
+
+struct V2 {
+  V x, y;
+};
+
+/// The points of one dimension pair: shuffled, scrambled Sobol' points, whose index within the
+/// pixel is given with its bits reversed. `key` stands for the pixel and the pair.
+HWY_INLINE V2 sobol_2d(U reversed_index, U key) {
+  const U k1 = mix(key), k2 = mix(hn::Add(k1, set_word(0x9E3779B9))),
+          k3 = mix(hn::Add(k2, set_word(0x9E3779B9)));
+  const U shuffled = reverse_bits(nested_hash(reversed_index, k1));
+  return {to_unit(reverse_bits(nested_hash(shuffled, k2))),
+          to_unit(reverse_bits(nested_hash(pascal(shuffled), k3)))};
+}
+
+/// Independent points instead.
+HWY_INLINE V2 random_2d(U reversed_index, U key) {
+  const U k = mix(hn::Xor(mix(key), mix(hn::Add(reversed_index, set_word(0x85EBCA6B)))));
+  return {to_unit(k), to_unit(mix(hn::Add(k, set_word(0x9E3779B9))))};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace renderer
+HWY_AFTER_NAMESPACE();
+
+#endif  // CARLO_VECTOR_MATH_INL
