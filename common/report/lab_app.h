@@ -25,7 +25,7 @@ struct LabApp {
   std::int64_t quick_n = 1 << 14;  ///< and in a quick run
   std::vector<Experiment> experiments;
   std::vector<std::string> what_you_should_see;  ///< the last section, a paragraph each
-  /// The part of the lab that runs alone, if one does: it has a page of its own, out/labNN_PART.html.
+  /// The part of the lab that runs alone, if one does: its page is out/labNN_PART.html.
   std::string part = {};
   /// Adds options of this lab alone to the common ones.
   std::function<void(CLI::App& app)> add_options = nullptr;
