@@ -97,13 +97,17 @@ int run_lab(const LabApp& lab, int argc, char** argv) {
         ->capture_default_str();
     app.add_flag("--quick", arguments.options.quick, "fewer points and repetitions");
     app.add_option("--json", arguments.json, "write all tables to this file");
-    app.add_option("--page", arguments.page, "where the page goes")->capture_default_str();
+    auto* page = app.add_option("--page", arguments.page, "where the page goes");
+    page->capture_default_str();
     app.add_flag("--no-page", arguments.no_page, "write no page");
     if (lab.add_options) lab.add_options(app);
     if (const auto code = parse_arguments(app, argc, argv)) return *code;
     if (arguments.options.quick && n->count() == 0) arguments.options.n = lab.quick_n;
     if (lab.instead) {
       if (const auto code = lab.instead(arguments.options)) return *code;
+    }
+    if (page->count() == 0 && !lab.part.empty()) {
+      arguments.page = fmt::format("out/lab{:02}_{}.html", lab.number, lab.part);
     }
     run(lab, arguments, command_line(lab.number, argc, argv));
     return 0;

@@ -25,6 +25,8 @@ struct LabApp {
   std::int64_t quick_n = 1 << 14;  ///< and in a quick run
   std::vector<Experiment> experiments;
   std::vector<std::string> what_you_should_see;  ///< the last section, a paragraph each
+  /// The part of the lab that runs alone, if one does: its page is out/labNN_PART.html.
+  std::string part = {};
   /// Adds options of this lab alone to the common ones.
   std::function<void(CLI::App& app)> add_options = nullptr;
   /// Called once the command line has been read; an exit code takes the place of the experiments.
@@ -32,7 +34,8 @@ struct LabApp {
 };
 
 /// main() of a lab: takes --n, --seed, --quick, --json, --page and --no-page, runs the experiments
-/// on the exercises that are done, prints tables and writes the page (default: out/labNN.html).
+/// on the exercises that are done, prints tables and writes the page (default: out/labNN.html;
+/// of a part alone out/labNN_PART.html).
 /// Returns the exit code; errors are printed as one line.
 int run_lab(const LabApp& lab, int argc, char** argv);
 

@@ -32,7 +32,7 @@ using Radiance = std::function<Rgb(const Ray&)>;
 
 /// Lab 8.1. The mean radiance of pixel (x, y), counted from the top left, of a width x height film.
 /// The pixel is cut into strata x strata equal squares; each gets one ray through a uniform point
-/// of it (two rng.uniform_float(): across, then down), and the mean is returned. strata >= 1.
+/// of it (two rng.uniform_float()), and the mean is returned. strata >= 1.
 Rgb pixel_radiance(const carlo::Camera& camera, int width, int height, int x, int y, int strata,
                    const Radiance& radiance, Rng& rng);
 
@@ -72,7 +72,7 @@ struct BsdfSample {
 };
 
 /// Lab 8.3. Draws a direction: u_lobe decides between cosine-weighted directions, the lobe around
-/// the mirror direction, and absorption, in this order; u makes the direction, as in lab 07.
+/// the mirror direction, and absorption; u makes the direction, as in lab 07.
 /// weight = f cos(theta) / pdf. Nothing is returned for an absorbed path, and for a direction below
 /// the horizon: that is not drawn again.
 std::optional<BsdfSample> sample(const carlo::Phong& phong, Vec3 normal, Vec3 wo, float u_lobe,
@@ -111,8 +111,7 @@ using Incoming = std::function<Rgb(Vec3 wi)>;
 Rgb reflect_split(const Cone& light, Vec3 normal, const Brdf& f, const Incoming& incoming,
                   Rng& rng);
 
-/// Lab 8.5. The same with one direction: a fair coin (rng.uniform_float() < 0.5: the light) says
-/// which of the two is traced.
+/// Lab 8.5. The same with one direction: a fair coin says which of the two is traced.
 Rgb reflect_split_one(const Cone& light, Vec3 normal, const Brdf& f, const Incoming& incoming,
                       Rng& rng);
 

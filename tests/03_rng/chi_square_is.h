@@ -1,7 +1,6 @@
 #pragma once
 
 #include "grader/judge/compare.h"
-#include "stats/distributions.h"
 
 #include <fmt/core.h>
 
@@ -19,14 +18,7 @@ inline carlo::grader::Verdict chi_square_is(const std::string& what,
   for (std::size_t i = 0; i < counts.size(); ++i)
     statistic += (counts[i] - expected[i]) * (counts[i] - expected[i]) / expected[i];
   const auto freedom = static_cast<double>(counts.size() - 1);
-  carlo::grader::Verdict verdict;
-  verdict.what = what;
-  verdict.p = carlo::chi_square_two_sided(statistic, freedom);
-  verdict.passed = *verdict.p >= carlo::grader::comparison_alpha();
-  verdict.measured = fmt::format("chi-square {:.4g}", statistic);
-  verdict.expected = fmt::format("{} or so", freedom);
-  verdict.certainty = fmt::format("p = {:.2g}", *verdict.p);
-  return verdict;
+  return carlo::grader::chi_square_fits(what, statistic, freedom);
 }
 
 }  // namespace lab03_tests

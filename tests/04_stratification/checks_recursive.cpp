@@ -181,7 +181,7 @@ void judge_boxes(const Case& of, std::int64_t n) {
     for (std::size_t j = 0; j < i && !overlap; ++j)
       overlap = boxes[i].overlaps(boxes[j]);
   }
-  judge(holds("the strata are boxes of the cube and none overlaps another, " + which,
+  judge(is_so("the strata are boxes of the cube and none overlaps another, " + which,
               proper && !overlap, "not so", "so", {does_not_tile}));
   judge(holds("the volume of all strata, " + which, std::abs(volume - 1) <= 1e-9,
               fmt::format("{:.6g}", volume), "1",

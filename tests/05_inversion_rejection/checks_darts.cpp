@@ -135,13 +135,13 @@ TEST_CASE("Lab 5.7: f outside its promised range is an error, and so is a search
                                    "f that is NaN above x = 1/2"};
   for (int kind = 0; kind < 4; ++kind) {
     const Rows rows = probe("Lab 5.7 broken promise", {.numbers = {{"kind", kind}}}, {});
-    judge(holds(names[kind], rows.at(0, 0) == 1,
+    judge(is_so(names[kind], rows.at(0, 0) == 1,
                 rows.at(0, 0) == 0 ? "accepted" : "an exception of another kind", "carlo::Error",
                 {promise_unchecked}));
   }
   const Rows rows = probe("Lab 5.7 in vain", {}, {.columns = 2});
   judge(
-      holds("f = 0 everywhere", rows.at(0, 0) == 1, "no carlo::Error", "carlo::Error", {endless}));
+      is_so("f = 0 everywhere", rows.at(0, 0) == 1, "no carlo::Error", "carlo::Error", {endless}));
   judge(equals("the darts thrown in vain", rows.at(0, 1), 1e7, 0));
 }
 

@@ -158,7 +158,7 @@ std::vector<double> probabilities(const std::vector<double>& weights) {
 void judge_refusal(const char* probe_name, const char* name, int kind) {
   const Rows rows = probe(probe_name, {.numbers = {{"kind", kind}}}, {});
   const double answer = rows.at(0, 0);
-  judge(holds(name, answer == 1, answer == 0 ? "accepted" : "an exception of another kind",
+  judge(is_so(name, answer == 1, answer == 0 ? "accepted" : "an exception of another kind",
               "carlo::Error", {accepts_nonsense}));
 }
 

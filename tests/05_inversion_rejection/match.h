@@ -1,7 +1,6 @@
 #pragma once
 
 #include "grader/judge/compare.h"
-#include "stats/distributions.h"
 
 #include <fmt/core.h>
 
@@ -87,14 +86,8 @@ inline carlo::grader::Verdict counts_are(const std::string& what, std::span<cons
   for (std::size_t i = 0; i < found.size(); ++i)
     statistic += (found[i] - expected[i]) * (found[i] - expected[i]) / expected[i];
   const auto freedom = static_cast<double>(found.size() - 1);
-  carlo::grader::Verdict verdict;
-  verdict.what = what;
-  verdict.p = carlo::chi_square_two_sided(statistic, freedom);
-  verdict.passed = *verdict.p >= carlo::grader::comparison_alpha();
-  verdict.measured = fmt::format("chi-square {:.5g} from {:g} samples", statistic, n);
-  verdict.expected = fmt::format("{:g} ± {:.3g}", freedom, std::sqrt(2 * freedom));
-  verdict.certainty = fmt::format("p = {:.2g}", *verdict.p);
-  return verdict;
+  return carlo::grader::chi_square_fits(what, statistic, freedom,
+                                        fmt::format(" from {:g} samples", n));
 }
 
 /// `values` counted in `cells` equal cells of [first, last], the last one closed; those outside are

@@ -104,7 +104,7 @@ void judge_darts(Profile profile) {
   judge(verdict);
   judge(equals(fmt::format("evaluations of f, {}", name_of(profile)), rows.at(n, 1), kept, 0,
                {{n, asked_everywhere}}));
-  judge(holds(fmt::format("numbers drawn, {}", name_of(profile)), rows.at(n, 2) == 1,
+  judge(is_so(fmt::format("numbers drawn, {}", name_of(profile)), rows.at(n, 2) == 1,
               "not two a dart", "two a dart"));
 }
 
@@ -133,7 +133,7 @@ TEST_CASE("Lab 6.5: a shape that breaks its promise is an error", "[lab06][ex5]"
   for (const int kind : {0, 1, 2}) {
     const double refused =
         probe("Lab 6.5 broken promise", {.numbers = {{"kind", kind}}}, {}).at(0, 0);
-    judge(holds(kinds[kind], refused == 1, refused == 0 ? "accepted" : "another exception",
+    judge(is_so(kinds[kind], refused == 1, refused == 0 ? "accepted" : "another exception",
                 "a carlo::Error", {promise_unchecked}));
   }
 }

@@ -155,7 +155,7 @@ TEST_CASE("Lab 6.1: pdfs that are 0, tiny, infinite or no density at all", "[lab
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::string what = fmt::format("f = {:g} where the pdf is {:g}", all[i].f, all[i].pdf);
     if (i >= proper_answers) {
-      judge(holds(what, rows.at(i, 1) == 1,
+      judge(is_so(what, rows.at(i, 1) == 1,
                   rows.at(i, 1) == 0 ? fmt::format("{:g}", rows.at(i, 0)) : "another exception",
                   "a carlo::Error", {bad_pdf_accepted}));
       continue;
@@ -179,7 +179,7 @@ TEST_CASE("Lab 6.1: one number a point, in the order drawn", "[lab06][ex1]") {
   judge(equals("calls of p.sample", rows.at(n, 1), n, 0,
                {{0, not_sampled}, {2 * n, more_numbers}, {2 * n - 1, more_numbers}}));
   judge(
-      holds("numbers drawn", rows.at(n, 2) == 1, "not one a point", "one a point", {more_numbers}));
+      is_so("numbers drawn", rows.at(n, 2) == 1, "not one a point", "one a point", {more_numbers}));
   std::vector<double> expected(column(rows, 1));
   expected.pop_back();
   std::vector<double> given(column(rows, 2)), values(column(rows, 0));

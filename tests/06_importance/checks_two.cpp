@@ -128,7 +128,7 @@ void judge_record(const Plan& plan) {
   if (!verdict.passed && !std::isfinite(rows.at(0, 0)) && (plan.n_first == 0 || plan.n_second == 0))
     verdict.diagnoses = {no_samples};
   judge(verdict);
-  judge(holds(fmt::format("numbers drawn, {}", plan.name()), rows.at(n + 1, 0) == 1,
+  judge(is_so(fmt::format("numbers drawn, {}", plan.name()), rows.at(n + 1, 0) == 1,
               "not one a sample", "one a sample"));
 }
 
@@ -234,7 +234,7 @@ TEST_CASE("Lab 6.7: a technique without samples leaves the other as it is", "[la
   const auto values = probe("Lab 6.7 multi", plan.params(n), {.rows = n, .finite = false}).values;
   const bool finite =
       std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
-  judge(holds("estimates that are no numbers", finite, "some", "none", {no_samples}));
+  judge(is_so("estimates that are no numbers", finite, "some", "none", {no_samples}));
   if (finite) {
     judge(mean_is(plan.name(), values,
                   multi_theory(plan.kind, plan.first(), plan.n_first, step_second, 0)));

@@ -81,7 +81,7 @@ bool wrong_only_below(const Subject& subject) {
 }
 
 void judge_zero_below(const Subject& subject, const Diagnosis& diagnosis) {
-  judge(holds("the density below the horizon", !wrong_only_below(subject), "is not 0", "0",
+  judge(is_so("the density below the horizon", !wrong_only_below(subject), "is not 0", "0",
               {diagnosis}));
 }
 

@@ -2,7 +2,6 @@
 
 #include "07_hemisphere/places.h"
 #include "grader/judge/judge.h"
-#include "stats/distributions.h"
 
 #include <algorithm>
 #include <array>
@@ -74,15 +73,9 @@ inline carlo::grader::Verdict distributed(const std::string& what,
   double statistic = 0;
   for (const double count : counts)
     statistic += (count - n / cells) * (count - n / cells) / (n / cells);
-  carlo::grader::Verdict verdict;
-  verdict.what = what;
-  verdict.p = carlo::chi_square_two_sided(statistic, cells - 1);
-  verdict.passed = *verdict.p >= carlo::grader::comparison_alpha();
-  verdict.measured = fmt::format("chi-square {:.5g} over {} cells, from {} directions", statistic,
-                                 cells, directions.size());
-  verdict.expected = fmt::format("{} ± {:.3g}", cells - 1, std::sqrt(2.0 * (cells - 1)));
-  verdict.certainty = fmt::format("p = {:.2g}", *verdict.p);
-  return verdict;
+  return carlo::grader::chi_square_fits(
+      what, statistic, cells - 1,
+      fmt::format(" over {} cells, from {} directions", cells, directions.size()));
 }
 
 /// Whether the directions lie on a curve: at (nearly) every angle they have a few azimuths only,

@@ -120,7 +120,7 @@ TEST_CASE("Lab 8.7: mirrors and glass, from both sides", "[lab08][ex7]") {
       };
       const Double3 mirrored(-sine, 0, cosine);
       if (front == 1) {
-        judge(holds("the mirror's direction, " + side, glm::length(direction(0) - mirrored) <= 1e-5,
+        judge(is_so("the mirror's direction, " + side, glm::length(direction(0) - mirrored) <= 1e-5,
                     "another", "2 (n.wo) n - wo", {not_mirrored}));
         judge(all_equal("the mirror's weight and pdf, " + side,
                         std::vector{rows.at(0, 3), rows.at(0, 4), rows.at(0, 5), rows.at(0, 6)},

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "08_path_tracer/places.h"
 #include "scene/scene.h"
 
 #include <cmath>
+#include <variant>
 
 // The worlds that lab 08's probes build; each has a closed form (theory.h).
 
@@ -16,18 +18,47 @@ inline std::uint32_t add_phong(carlo::Scene& scene, Rgb kd, Rgb ks = Rgb(0), flo
   return static_cast<std::uint32_t>(scene.materials.size() - 1);
 }
 
-/// Lights over the point (0, 0, 0) of a floor whose normal is +z.
+/// Lights over the point (0, 0, 0) of a floor whose normal is +z. The world of `disk` is moved as a
+/// whole, see pose_of().
 enum class Lamp {
   rectangle = 0,  ///< the unit square, centred at height 1, facing down
   disk = 1,       ///< radius 1, centred at height 1, facing down
   sphere = 2,     ///< radius 1, centre at distance 2, 50 degrees from the normal
   wall = 3,       ///< the unit square standing at distance 1, its lower edge on the floor
-  two = 4,        ///< two halves of `rectangle`, radiances 1 and 3
+  two = 4,        ///< two halves of `rectangle`: one is red, radiance 1, the other green, 3;
+                  ///< the floor glows in blue
   covered = 5,    ///< `rectangle`, half of it behind a black screen
-  behind = 6,     ///< `rectangle`, facing up
-  none = 7,
+  behind = 6,     ///< `rectangle`, facing up, over a floor that emits, under a sky
+  none = 7,       ///< no light but a sky
   count = 8
 };
+
+/// What floors emit that glow, and the skies: no estimate of direct light has any of it.
+constexpr float floor_glow = 16, sky_glow = 3;
+
+/// Tilted, and far from the origin: no coordinate of a point of the floor is exact there, and rays
+/// that start on it meet it again, from about half of its points.
+struct Pose {
+  Frame3 frame{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  Vec3 origin{0};
+  Vec3 direction(Vec3 v) const { return v.x * frame.s + v.y * frame.t + v.z * frame.n; }
+  Vec3 point(Vec3 v) const { return origin + direction(v); }
+};
+
+inline Pose pose_of(Lamp lamp) {
+  if (lamp != Lamp::disk) return {};
+  return {tilted_frame(), {37.3f, -21.7f, 55.1f}};
+}
+
+inline void move(carlo::Scene& scene, const Pose& pose) {
+  for (carlo::Shape& shape : scene.shapes) {
+    if (auto* disk = std::get_if<carlo::Disk>(&shape.geometry)) {
+      *disk = {pose.point(disk->center), pose.direction(disk->normal), disk->radius};
+    } else if (auto* quad = std::get_if<carlo::Parallelogram>(&shape.geometry)) {
+      *quad = {pose.point(quad->origin), pose.direction(quad->u), pose.direction(quad->v)};
+    }
+  }
+}
 
 inline carlo::Parallelogram facing_down(float x0, float x1) {
   return {Vec3(x0, 0.5f, 1), Vec3(x1 - x0, 0, 0), Vec3(0, -1, 0)};
@@ -57,8 +88,9 @@ inline carlo::Scene lamp_scene(Lamp lamp) {
       emit(carlo::Parallelogram{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}}, Rgb(1, 2, 4));
       break;
     case Lamp::two:
-      emit(facing_down(-0.5f, 0), Rgb(1));
-      emit(facing_down(0, 0.5f), Rgb(3));
+      emit(facing_down(-0.5f, 0), Rgb(1, 0, 0));
+      emit(facing_down(0, 0.5f), Rgb(0, 3, 0));
+      scene.shapes[0].radiance = Rgb(0, 0, floor_glow);
       break;
     case Lamp::covered:
       emit(facing_down(-0.5f, 0.5f), Rgb(1, 2, 4));
@@ -67,11 +99,16 @@ inline carlo::Scene lamp_scene(Lamp lamp) {
       break;
     case Lamp::behind:
       emit(carlo::Parallelogram{{-0.5f, -0.5f, 1}, {1, 0, 0}, {0, 1, 0}}, Rgb(1, 2, 4));
+      scene.shapes[0].radiance = Rgb(floor_glow);
+      scene.environment = Rgb(sky_glow);
       break;
     case Lamp::none:
+      scene.environment = Rgb(sky_glow);
+      break;
     case Lamp::count:
       break;
   }
+  if (lamp == Lamp::disk) move(scene, pose_of(lamp));
   return scene;
 }
 

@@ -36,7 +36,16 @@ inline void over_square(int n,
 }
 
 /// What one estimate by area leaves out, as a typical mistake.
-enum class Slip { none, cos_surface, cos_light, distance, area };
+enum class Slip {
+  none,
+  cos_surface,
+  cos_light,
+  distance,
+  distance_once,
+  area,
+  shadow,
+  cosine_twice  ///< not left out: one more cosine at the surface
+};
 
 /// One estimate of the radiance that a floor of albedo 1/2 at the origin reflects from a lamp of
 /// radiance 1, by a point of the lamp that is uniform by area. Points on the screened half (x > 0)
@@ -47,10 +56,16 @@ inline Moments by_area(Lamp lamp, Slip slip = Slip::none) {
     const double d2 = glm::dot(p, p), d = std::sqrt(d2);
     const double cos_surface = p.z / d, cos_light = -glm::dot(n, p) / d;
     if (!(cos_surface > 0 && cos_light > 0)) return;
-    if (lamp == Lamp::covered && p.x > 0) return;
-    const double value = 0.5 / pi * (slip == Slip::cos_surface ? 1 : cos_surface) *
+    if (lamp == Lamp::covered && p.x > 0 && slip != Slip::shadow) return;
+    const double value = 0.5 / pi *
+                         (slip == Slip::cos_surface    ? 1
+                          : slip == Slip::cosine_twice ? cos_surface * cos_surface
+                                                       : cos_surface) *
                          (slip == Slip::cos_light ? 1 : cos_light) /
-                         (slip == Slip::distance ? 1 : d2) * (slip == Slip::area ? 1 : area);
+                         (slip == Slip::distance        ? 1
+                          : slip == Slip::distance_once ? d
+                                                        : d2) *
+                         (slip == Slip::area ? 1 : area);
     m.mean += value * weight;
     m.square += value * value * weight;
   };

@@ -30,7 +30,7 @@ LobeChances lobe_chances(const carlo::Phong& phong) {
 
 std::optional<BsdfSample> sample(const carlo::Phong& phong, Vec3 normal, Vec3 wo, float u_lobe,
                                  Vec2 u) {
-  // 1. u_lobe decides, in this order: diffuse, specular, absorbed.
+  // 1. u_lobe decides: diffuse, specular or absorbed, each with its chance.
   // 2. Make the direction by lab 07, in the normal's frame: its lobe wants wo there too.
   // 3. Back to the world, of length 1. Below the horizon: nothing.
   // 4. The weight divides by the density with which this direction is drawn by either lobe.

@@ -175,4 +175,20 @@ Verdict holds(const std::string& what, bool passed, const std::string& measured,
   return verdict;
 }
 
+Verdict is_so(const std::string& what, bool passed, const std::string& otherwise,
+              const std::string& expected, const std::vector<Diagnosis>& diagnosis) {
+  return holds(what, passed, passed ? expected : otherwise, expected, diagnosis);
+}
+
+Verdict chi_square_fits(const std::string& what, double statistic, double freedom,
+                        const std::string& of) {
+  Verdict verdict;
+  verdict.what = what;
+  verdict.measured = fmt::format("chi-square {:.5g}{}", statistic, of);
+  verdict.expected = fmt::format("{:g} ± {:.3g}", freedom, std::sqrt(2 * freedom));
+  conclude(verdict, fmt::format("{:.3g} times what is expected", statistic / freedom),
+           chi_square_two_sided(statistic, freedom));
+  return verdict;
+}
+
 }  // namespace carlo::grader

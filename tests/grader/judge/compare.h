@@ -52,4 +52,14 @@ Verdict all_equal(const std::string& what, std::span<const double> measured,
 Verdict holds(const std::string& what, bool passed, const std::string& measured,
               const std::string& expected, const std::vector<Diagnosis>& diagnosis = {});
 
+/// The same where there is nothing to tell but whether: what holds is measured to be as expected,
+/// what does not is `otherwise`.
+Verdict is_so(const std::string& what, bool passed, const std::string& otherwise,
+              const std::string& expected, const std::vector<Diagnosis>& diagnosis = {});
+
+/// Chi-square test, two-sided: too good a fit fails as well. `of` says what the statistic was made
+/// of (" over 64 cells").
+Verdict chi_square_fits(const std::string& what, double statistic, double freedom,
+                        const std::string& of = {});
+
 }  // namespace carlo::grader
