@@ -58,7 +58,7 @@ TEST_CASE("an exercise without a test and a test without an exercise are errors"
 }
 
 TEST_CASE("a test without a verdict, or of a framework that failed, does not pass", "[run]") {
-  Run run(Sandbox(FIXTURE_WORKER, Level::limits), 1, {});
+  Run run(Worker(FIXTURE_WORKER, Level::limits), 1, {});
   run.begin_test("Lab 1.1: says nothing");
   run.end_test(true);
   run.begin_test("Lab 1.1: passes, but something else went wrong");
@@ -74,7 +74,7 @@ TEST_CASE("a test without a verdict, or of a framework that failed, does not pas
 }
 
 TEST_CASE("the budget of statistical comparisons is kept", "[run]") {
-  Run run(Sandbox(FIXTURE_WORKER, Level::limits), 1, {});
+  Run run(Worker(FIXTURE_WORKER, Level::limits), 1, {});
   run.begin_test("Lab 1.1: judges without end");
   const std::vector<double> values{0};
   for (int i = 0; i < lab_budget; ++i)
@@ -84,7 +84,7 @@ TEST_CASE("the budget of statistical comparisons is kept", "[run]") {
 
 TEST_CASE("after a deadline or a missing implementation an exercise starts no more workers",
           "[run]") {
-  Run run(Sandbox(FIXTURE_WORKER, Level::limits), 1, {});
+  Run run(Worker(FIXTURE_WORKER, Level::limits), 1, {});
   for (const char* test : {"Lab 1.1: first", "Lab 1.1: second"}) {
     run.begin_test(test);
     CHECK_THROWS_AS(run.probe("not implemented", {}, {}), ProbeFailure);
