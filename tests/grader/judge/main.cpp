@@ -26,7 +26,7 @@ namespace {
 struct Options {
   std::string lab, worker, exercise, json, handout;
   std::vector<std::string> stub;  ///< its files
-  std::string secret = "public", submission = "local", sandbox = "auto";
+  std::string secret_file, submission = "local", sandbox = "auto";
   std::uint64_t seed = 0;
   double deadline = 10;
   bool verbose = false;
@@ -39,8 +39,8 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--exercise", options.exercise, "judge only this exercise, such as 1.2");
   app.add_option("--json", options.json, "write the verdicts to this file");
   app.add_option("--seed", options.seed, "use the numbers of this seed");
-  app.add_option("--secret", options.secret, "seeds follow from this and the submission")
-      ->capture_default_str();
+  app.add_option("--secret-file", options.secret_file,
+                 "seeds follow from this file's text and the submission (default: a public one)");
   app.add_option("--submission", options.submission, "the submission's name")
       ->capture_default_str();
   app.add_option("--deadline", options.deadline, "seconds that one probe may take")
@@ -62,7 +62,10 @@ Worker make_worker(const Options& options) {
 
 std::uint64_t run_seed(const Options& options) {
   if (options.seed_given) return options.seed;
-  return hash(word_of(options.secret), word_of(options.submission));
+  // From a file, because everybody may read a command line.
+  const std::string secret =
+      options.secret_file.empty() ? "public" : read_file(options.secret_file);
+  return hash(word_of(secret), word_of(options.submission));
 }
 
 /// Runs the test cases of one exercise (a tag such as "Lab 1.2") or, for "", of all.

@@ -124,12 +124,13 @@ Rows run_probe(const Worker& worker, const std::string& name, const Params& para
   return frame->rows;
 }
 
-void Run::begin_test(const std::string& name) {
+void Run::begin_test(const std::string& name, Aspect aspect) {
   const auto colon = name.find(": ");
   if (colon == std::string::npos) throw Error("the test \"{}\" names no exercise", name);
   TestRecord record;
   record.tag = name.substr(0, colon);
   record.sentence = name.substr(colon + 2);
+  record.aspect = aspect;
   records_.push_back(record);
   probes_in_test_ = 0;
 }
@@ -155,8 +156,8 @@ void Run::end_test(bool clean) {
 
 const TestRecord* Run::hopeless(const std::string& tag) const {
   const auto found = std::find_if(records_.begin(), records_.end(), [&](const TestRecord& test) {
-    return test.tag == tag && !test.skipped &&
-           (test.status == Status::not_implemented || test.status == Status::timeout);
+    const bool too_slow = test.status == Status::timeout && test.aspect == Aspect::correctness;
+    return test.tag == tag && !test.skipped && (test.status == Status::not_implemented || too_slow);
   });
   return found == records_.end() ? nullptr : &*found;
 }

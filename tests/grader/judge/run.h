@@ -40,13 +40,14 @@ class Run {
   Run(Worker worker, std::uint64_t seed, Limits limits)
       : worker_(std::move(worker)), seed_(seed), limits_(limits) {}
 
-  void begin_test(const std::string& name);
+  void begin_test(const std::string& name, Aspect aspect = Aspect::correctness);
   /// `clean`: the test framework saw no failure.
   void end_test(bool clean);
 
   /// A probe of the current test; its seed follows from the run's, the test's name and the number
   /// of probes before it. A failure is noted and ends the test. Once an exercise is known to be not
-  /// implemented or to run into the deadline, its probes are not started any more.
+  /// implemented or to run into the deadline, its probes are not started any more; but what is too
+  /// slow where only its cost is judged may still be right.
   Rows probe(const std::string& name, Params params, Shape shape);
 
   /// Notes a verdict. Throws Error when the budget of statistical ones is used up.
