@@ -144,6 +144,19 @@ std::string right_but(const ExerciseResult& result) {
                      result.exercise.points);
 }
 
+/// What keeps an exercise from all its points; `tests`: with the tests that failed.
+std::string details(const ExerciseResult& result, const LabResult& lab, bool tests) {
+  std::string out = right_but(result) + unsound_ground(result, lab);
+  if (tests) out += failed_tests(result);
+  std::vector<Diagnosis> likely = diagnoses(result);
+  if (likely.size() > shown_diagnoses) likely.resize(shown_diagnoses);
+  for (const Diagnosis& diagnosis : likely) {
+    out += fmt::format("    {} {}\n", coloured(Colour::bold, "It looks like this:"),
+                       diagnosis.sentence);
+  }
+  return out + fmt::format("    For help: ./carlo hint {}\n", result.exercise.number());
+}
+
 std::string exercise_text(const ExerciseResult& result, const LabResult& lab, std::size_t titles,
                           bool verbose) {
   std::string out = heading(result, titles);
@@ -156,15 +169,7 @@ std::string exercise_text(const ExerciseResult& result, const LabResult& lab, st
       out += whole_test(test);
   }
   if (result.status == Status::passed) return out;
-  out += right_but(result) + unsound_ground(result, lab);
-  if (!verbose) out += failed_tests(result);
-  std::vector<Diagnosis> likely = diagnoses(result);
-  if (likely.size() > shown_diagnoses) likely.resize(shown_diagnoses);
-  for (const Diagnosis& diagnosis : likely) {
-    out += fmt::format("    {} {}\n", coloured(Colour::bold, "It looks like this:"),
-                       diagnosis.sentence);
-  }
-  return out + fmt::format("    For help: ./carlo hint {}\n", result.exercise.number());
+  return out + details(result, lab, !verbose);
 }
 
 /// What to do next, below the total.
@@ -182,6 +187,12 @@ std::string advice(const LabResult& result) {
 }
 
 }  // namespace
+
+std::string shortfall(const ExerciseResult& result, const LabResult& lab) {
+  if (result.status == Status::passed) return "";
+  if (result.status == Status::not_implemented) return open_text(result) + "\n";
+  return details(result, lab, true);
+}
 
 std::string report_text(const LabResult& result, bool verbose) {
   std::size_t titles = 0;

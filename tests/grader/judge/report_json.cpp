@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -63,7 +64,20 @@ json aspects_json(const ExerciseResult& result) {
   return aspects;
 }
 
-json exercise_json(const ExerciseResult& result) {
+/// Without the colours of a terminal. What a program said is free of escapes already.
+std::string plain(const std::string& text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\x1b') {
+      out += text[i];
+    } else {
+      i = std::min(text.find('m', i), text.size());
+    }
+  }
+  return out;
+}
+
+json exercise_json(const ExerciseResult& result, const LabResult& lab) {
   std::vector<std::string> ids;
   for (const Diagnosis& diagnosis : diagnoses(result))
     ids.push_back(diagnosis.id);
@@ -83,6 +97,7 @@ json exercise_json(const ExerciseResult& result) {
           {"aspects", aspects_json(result)},
           {"diagnoses", ids},
           {"message", message(result)},
+          {"text", plain(shortfall(result, lab))},
           {"p_values", p_values},
           {"tests", tests}};
 }
@@ -98,7 +113,7 @@ std::string report_json(const LabResult& result) {
                 {"sandbox", result.sandbox},
                 {"exercises", json::array()}};
   for (const ExerciseResult& entry : result.exercises)
-    document["exercises"].push_back(exercise_json(entry));
+    document["exercises"].push_back(exercise_json(entry, result));
   // A message may hold what a student's program said: bytes that are no UTF-8 are replaced.
   return document.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
