@@ -108,7 +108,7 @@ TEST_CASE("Lab 1.1: the average from 0 to 1 is unbiased", "[lab01][ex1]") {
 }
 
 TEST_CASE("Lab 1.1: the variance of the average is that of one value divided by n",
-          "[lab01][ex1]") {
+          "[lab01][ex1][variance]") {
   for (const std::int64_t n : {1, 16, 256}) {
     const Rows rows =
         probe("Lab 1.1 estimates", {.n = n, .numbers = {{"repetitions", 20'000}, {"k", 2}}},

@@ -70,7 +70,8 @@ TEST_CASE("Lab 2.5: any range counts, whatever dart it begins and ends with", "[
 
 // The least of eight times each: what disturbs a loop makes it slower, never faster. Sanitizers and
 // builds without optimisation change the ratio, and it is not judged there.
-TEST_CASE("Lab 2.5: a dart takes at most a third of a dart by std::mt19937", "[lab02][ex5]") {
+TEST_CASE("Lab 2.5: a dart takes at most a third of a dart by std::mt19937",
+          "[lab02][ex5][efficiency]") {
   constexpr std::size_t repetitions = 8;
   const Rows rows =
       probe("Lab 2.5 speed", {.n = 1'000'000, .numbers = {{"repetitions", double{repetitions}}}},

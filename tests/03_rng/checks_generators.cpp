@@ -215,7 +215,7 @@ TEST_CASE("Lab 3.1: x_{n+1} = (a x_n + b) mod 2^32 from any seed", "[lab03][ex1]
 
 // 2^28 steps one by one take a quarter of a second; jumps take microseconds. The limit is far from
 // both.
-TEST_CASE("Lab 3.2: a jump takes O(log n) steps", "[lab03][ex2]") {
+TEST_CASE("Lab 3.2: a jump takes O(log n) steps", "[lab03][ex2][efficiency]") {
   const Rows rows = probe("Lab 3.2 cost", {}, {});
   judge(holds("the time of jumps over 2^28 numbers", rows.at(0, 0) <= 0.05,
               fmt::format("{:.3g} s", rows.at(0, 0)), "less than 0.05 s", {step_by_step}));

@@ -279,7 +279,7 @@ TEST_CASE("Lab 3.3: every bit of the first words is 0 or 1 equally often", "[lab
 
 // erase() at the front of a vector moves all other words. 4000 numbers take half a second then with
 // a million words; with a ring they take less than a millisecond, whatever k is.
-TEST_CASE("Lab 3.3: a number takes the same time for every k", "[lab03][ex3]") {
+TEST_CASE("Lab 3.3: a number takes the same time for every k", "[lab03][ex3][efficiency]") {
   const Rows rows = probe("Lab 3.3 cost", {.n = 4000, .numbers = {{"k", 1e6}}}, {});
   judge(holds("the time of 4000 numbers, k = 1 000 000", rows.at(0, 0) <= 0.1,
               fmt::format("{:.3g} s", rows.at(0, 0)), "less than 0.1 s", {moves_all}));

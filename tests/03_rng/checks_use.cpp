@@ -310,7 +310,8 @@ TEST_CASE("Lab 3.6: exactly the words left over are refused", "[lab03][ex6]") {
 }
 
 // Half of the words are left over here, the worst case: 2 draws a number on average, sd 1.41.
-TEST_CASE("Lab 3.6: fewer than two words are drawn for a number, on average", "[lab03][ex6]") {
+TEST_CASE("Lab 3.6: fewer than two words are drawn for a number, on average",
+          "[lab03][ex6][efficiency]") {
   const double u = -2147483648.0;
   const Rows wide = integers(u, 0, 20'000);
   judge_range(wide, u, 0);

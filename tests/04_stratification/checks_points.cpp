@@ -272,7 +272,7 @@ TEST_CASE("Lab 4.4: within its strata a point may lie anywhere, equally likely",
 // 20 000 estimates catch a bias of 4e-4 and variances that are off by 8 %; plain points' is 256
 // times as large.
 TEST_CASE("Lab 4.4: sums of functions of one coordinate are estimated with a stratum's variance",
-          "[lab04][ex4]") {
+          "[lab04][ex4][variance]") {
   constexpr std::size_t n = 16, repetitions = 20'000;
   const Rows rows = hypercubes(n, 2, repetitions);
   std::vector<double> estimates;

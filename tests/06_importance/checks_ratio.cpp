@@ -112,7 +112,8 @@ TEST_CASE("Lab 6.1: the mean is f's integral, whatever p is", "[lab06][ex1]") {
 
 // Relative sizes caught with power .999, n = 400 000: 2.5 % (uniform, excess kurtosis 1.3) and
 // less.
-TEST_CASE("Lab 6.1: the variance falls as theory says while p approaches f", "[lab06][ex1]") {
+TEST_CASE("Lab 6.1: the variance falls as theory says while p approaches f",
+          "[lab06][ex1][variance]") {
   for (const double n : {0.0, 2.0, 3.0}) {
     const auto values = contributions(4, n, 400'000);
     judge(variance_is(fmt::format("the variance of 5 x^4 with p as x^{:g}", n), values,

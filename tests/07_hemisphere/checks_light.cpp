@@ -302,7 +302,7 @@ TEST_CASE("Lab 7.7: the lobe may point at the light, and partly below the horizo
   }
 }
 
-TEST_CASE("Lab 7.7: each technique has its own variance", "[lab07][ex7]") {
+TEST_CASE("Lab 7.7: each technique has its own variance", "[lab07][ex7][variance]") {
   for (const Case& c :
        {make(Light::sky, Technique::rejection), make(Light::sky, Technique::uniform),
         make(Light::ball, Technique::cosine), make(Light::ball, Technique::lobe, 4, true)}) {

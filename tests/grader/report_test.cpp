@@ -49,6 +49,37 @@ TEST_CASE("an exercise earns its points when all its tests pass", "[report]") {
   CHECK(one.possible() == 3);
 }
 
+TEST_CASE("variance and efficiency earn the second half of the points", "[report]") {
+  const auto with = [](TestRecord record, Aspect aspect) {
+    record.aspect = aspect;
+    return record;
+  };
+  const auto earned = [&](const std::vector<TestRecord>& records) {
+    return collect(demo_lab(), records, "Lab 1.1").earned();
+  };
+  const TestRecord good = passed("Lab 1.1"), bad = failed("Lab 1.1");
+  CHECK(earned({good, with(good, Aspect::variance)}) == 2);
+  CHECK(earned({good, with(bad, Aspect::variance)}) == 1);
+  CHECK(earned({good, with(good, Aspect::variance), with(bad, Aspect::variance)}) == 1);
+  CHECK(earned({good, with(good, Aspect::variance), with(bad, Aspect::efficiency)}) == 1.5);
+  CHECK(earned({good, with(bad, Aspect::variance), with(bad, Aspect::efficiency)}) == 1);
+  // What is wrong earns nothing, however fast.
+  CHECK(earned({bad, with(good, Aspect::variance)}) == 0);
+  CHECK(earned({good, bad, with(good, Aspect::efficiency)}) == 0);
+  CHECK_THROWS_AS(earned({with(good, Aspect::variance)}), carlo::Error);
+  const std::string text =
+      report_text(collect(demo_lab(), {good, with(bad, Aspect::variance)}, "Lab 1.1"));
+  CHECK(has(text, "right, but its variance is too large: 1 of 2 points"));
+  CHECK(has(text, "✗ 1.1"));
+}
+
+TEST_CASE("a test's tags name its aspect", "[report]") {
+  CHECK(aspect_of({"lab01", "ex1"}) == Aspect::correctness);
+  CHECK(aspect_of({"lab01", "variance"}) == Aspect::variance);
+  CHECK(aspect_of({"efficiency", "ex1"}) == Aspect::efficiency);
+  CHECK_THROWS_AS(aspect_of({"efficiency", "variance"}), carlo::Error);
+}
+
 TEST_CASE("an exercise without a test and a test without an exercise are errors", "[report]") {
   const carlo::Lab lab = demo_lab();
   CHECK_THROWS_AS(collect(lab, {passed("Lab 1.1")}, ""), carlo::Error);
@@ -58,7 +89,7 @@ TEST_CASE("an exercise without a test and a test without an exercise are errors"
 }
 
 TEST_CASE("a test without a verdict, or of a framework that failed, does not pass", "[run]") {
-  Run run(Sandbox(FIXTURE_WORKER, Level::limits), 1, {});
+  Run run(Worker(FIXTURE_WORKER, Level::limits), 1, {});
   run.begin_test("Lab 1.1: says nothing");
   run.end_test(true);
   run.begin_test("Lab 1.1: passes, but something else went wrong");
@@ -74,7 +105,7 @@ TEST_CASE("a test without a verdict, or of a framework that failed, does not pas
 }
 
 TEST_CASE("the budget of statistical comparisons is kept", "[run]") {
-  Run run(Sandbox(FIXTURE_WORKER, Level::limits), 1, {});
+  Run run(Worker(FIXTURE_WORKER, Level::limits), 1, {});
   run.begin_test("Lab 1.1: judges without end");
   const std::vector<double> values{0};
   for (int i = 0; i < lab_budget; ++i)
@@ -84,7 +115,7 @@ TEST_CASE("the budget of statistical comparisons is kept", "[run]") {
 
 TEST_CASE("after a deadline or a missing implementation an exercise starts no more workers",
           "[run]") {
-  Run run(Sandbox(FIXTURE_WORKER, Level::limits), 1, {});
+  Run run(Worker(FIXTURE_WORKER, Level::limits), 1, {});
   for (const char* test : {"Lab 1.1: first", "Lab 1.1: second"}) {
     run.begin_test(test);
     CHECK_THROWS_AS(run.probe("not implemented", {}, {}), ProbeFailure);
@@ -93,6 +124,9 @@ TEST_CASE("after a deadline or a missing implementation an exercise starts no mo
   CHECK(run.records()[1].status == Status::not_implemented);
   CHECK(run.records()[1].skipped);
   CHECK(run.records()[1].problem == "not run: the worker ended in \"first\"");
+  run.begin_test("Lab 1.2: is quick", Aspect::efficiency);
+  run.end_test(false);
+  CHECK(run.records()[2].aspect == Aspect::efficiency);
   CHECK(run.records()[0].needs == "Lab 0.1");  // the fixture throws the tag of another exercise
 }
 
@@ -174,4 +208,6 @@ TEST_CASE("the JSON report is valid whatever a program said", "[report]") {
   CHECK(document["exercises"][0]["status"] == "crashed");
   CHECK(document["exercises"][1]["status"] == "failed");
   CHECK(document["exercises"][1]["diagnoses"][0] == "off-by-one");
+  CHECK(document["exercises"][1]["aspects"]["correctness"] == false);
+  CHECK(document["exercises"][1]["tests"][0]["verdicts"][0]["expected"] == "2");
 }

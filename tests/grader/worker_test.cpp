@@ -8,6 +8,7 @@
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/generators/catch_generators_range.hpp>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
@@ -33,7 +34,7 @@ Result run(Level level, const std::string& probe, bool hangs = false) {
   Result result;
   const Clock::time_point start = Clock::now();
   try {
-    run_probe(Sandbox(FIXTURE_WORKER, level), probe, {}, {}, limits);
+    run_probe(Worker(FIXTURE_WORKER, level), probe, {}, {}, limits);
   } catch (const ProbeFailure& failure) {
     result = {failure.status, failure.what(), failure.printed};
   }
@@ -41,13 +42,32 @@ Result run(Level level, const std::string& probe, bool hangs = false) {
   return result;
 }
 
+bool works(Level level) {
+  try {
+    const Worker worker(FIXTURE_WORKER, level);
+    return true;
+  } catch (const carlo::Error&) {
+    return false;
+  }
+}
+
 /// The levels that work on this machine.
 std::vector<Level> levels() {
-  std::vector<Level> list{Level::limits};
-  if (Sandbox::strongest(FIXTURE_WORKER).level() == Level::bubblewrap) {
-    list.push_back(Level::bubblewrap);
+  std::vector<Level> list;
+  for (const Level level : {Level::limits, Level::user, Level::landlock, Level::bubblewrap}) {
+    if (works(level)) list.push_back(level);
   }
   return list;
+}
+
+/// Skips a test where the level does not work, and says so.
+void need(Level level) {
+  if (!works(level)) SKIP("the level \"" << to_string(level) << "\" does not work here");
+}
+
+/// The single value of a probe at a level.
+double value(Level level, const std::string& probe, const Params& params = {}) {
+  return run_probe(Worker(FIXTURE_WORKER, level), probe, params, {}, {}).values[0];
 }
 
 bool no_child_left() {
@@ -63,7 +83,7 @@ bool has(const std::string& text, const std::string& part) {
 TEST_CASE("a good worker's values arrive as they were sent", "[worker]") {
   const Level level = GENERATE(Catch::Generators::from_range(levels()));
   const Params params{.seed = 1, .n = 7, .numbers = {{"x", 0.1}}};
-  const Rows rows = run_probe(Sandbox(FIXTURE_WORKER, level), "good", params, {2, 3}, {});
+  const Rows rows = run_probe(Worker(FIXTURE_WORKER, level), "good", params, {2, 3}, {});
   CHECK(rows.values == std::vector<double>{1, 0.1, 7, 4, 5, 6});
   CHECK(no_child_left());
 }
@@ -128,7 +148,7 @@ TEST_CASE("100 GB are not to be had", "[worker]") {
   const Level level = GENERATE(Catch::Generators::from_range(levels()));
   Limits limits;
   limits.memory_bytes = std::size_t{256} << 20;
-  const Sandbox sandbox(FIXTURE_WORKER, level);
+  const Worker sandbox(FIXTURE_WORKER, level);
   CHECK_THROWS_AS(run_probe(sandbox, "allocates 100 GB", {}, {}, limits), ProbeFailure);
   CHECK(no_child_left());
 }
@@ -144,27 +164,85 @@ TEST_CASE("what a program printed before it failed is shown, cut to size", "[wor
 
 TEST_CASE("a worker inherits four descriptors and no environment", "[worker]") {
   const Level level = GENERATE(Catch::Generators::from_range(levels()));
-  const Sandbox sandbox(FIXTURE_WORKER, level);
+  const Worker sandbox(FIXTURE_WORKER, level);
   const Rows open = run_probe(sandbox, "open descriptors", {}, {}, {});
   CHECK(open.values[0] == 4);
   const Rows variables = run_probe(sandbox, "environment", {}, {}, {});
-  CHECK(variables.values[0] <= 4);  // PATH, LANG; PWD from bubblewrap; ASAN_OPTIONS
+  CHECK(variables.values[0] <= 5);  // PATH, LANG, TMPDIR; PWD from bubblewrap; ASAN_OPTIONS
 }
 
-TEST_CASE("inside bubblewrap there is no disk to read", "[worker]") {
-  if (levels().size() < 2) SKIP("bubblewrap does not work here");
-  const Sandbox sandbox(FIXTURE_WORKER, Level::bubblewrap);
-  CHECK(run_probe(sandbox, "reads the disk", {}, {}, {}).values[0] == 0);
+TEST_CASE("no file outside can be read, and none written", "[worker]") {
+  const Level level = GENERATE(Level::landlock, Level::bubblewrap);
+  need(level);
+  CHECK(value(level, "reads the disk") == 0);
+  const Worker worker(FIXTURE_WORKER, level);
+  const Rows written = run_probe(worker, "writes outside", {}, {1, 2}, {});
+  CHECK(written.values == std::vector<double>{0, 0});
+  for (const char* folder : {FIXTURE_FOLDER, "/tmp"})
+    CHECK_FALSE(std::filesystem::exists(std::filesystem::path(folder) / "written_by_a_worker"));
+}
+
+TEST_CASE("a worker may write into a folder of its own, which goes with it", "[worker]") {
+  const Level level = GENERATE(Catch::Generators::from_range(levels()));
+  INFO(to_string(level));
+  CHECK(value(level, "writes into its folder") == 1);
+  for (const auto& entry : std::filesystem::directory_iterator("/tmp")) {
+    const std::string name = entry.path().filename();
+    CHECK_FALSE(
+        (has(name, "carlo-scratch-") && std::filesystem::exists(entry.path() / "notes.txt")));
+  }
+}
+
+TEST_CASE("the disk cannot be filled", "[worker]") {
+  const Level level = GENERATE(Catch::Generators::from_range(levels()));
+  Limits limits;
+  limits.deadline = std::chrono::seconds(60);
+  limits.scratch_bytes = std::size_t{40} << 20;
+  try {
+    run_probe(Worker(FIXTURE_WORKER, level), "fills the disk", {}, {}, limits);
+    FAIL("no failure at level " << to_string(level));
+  } catch (const ProbeFailure& failure) {
+    CHECK(has(failure.what(), "it filled the disk"));
+  }
+}
+
+TEST_CASE("there is no network and no way to the judge", "[worker]") {
+  const Level level = GENERATE(Level::user, Level::landlock, Level::bubblewrap);
+  need(level);
+  INFO(to_string(level));
+  CHECK(value(level, "opens sockets") == 0);
+  const auto own = static_cast<double>(::getpid());
+  CHECK(value(level, "signals the judge", {.numbers = {{"judge", own}}}) == 0);
+  CHECK(value(level, "forbidden calls") == 0);
+}
+
+TEST_CASE("a fork bomb ends with its worker", "[worker]") {
+  const Level level = GENERATE(Level::user, Level::landlock, Level::bubblewrap);
+  need(level);
+  const Worker worker(FIXTURE_WORKER, level);
+  if (!has(worker.sandbox().description(), "own user")) SKIP("no user of its own to count for");
+  Limits limits;
+  limits.deadline = std::chrono::milliseconds(1500);
+  limits.processes = 64;
+  CHECK_THROWS_AS(run_probe(worker, "forks without end", {}, {}, limits), ProbeFailure);
+  CHECK(no_child_left());
+}
+
+TEST_CASE("a level is known by its name, and said with what it has", "[worker]") {
+  for (const Level level : {Level::limits, Level::user, Level::landlock, Level::bubblewrap})
+    CHECK(level_of(to_string(level)) == level);
+  CHECK_THROWS_AS(level_of("none"), carlo::Error);
+  CHECK(Worker(FIXTURE_WORKER, Level::limits).sandbox().description() == "limits only");
 }
 
 TEST_CASE("a worker that is no program is an error", "[worker]") {
-  CHECK_THROWS_AS(Sandbox("/nowhere/worker", Level::limits), carlo::Error);
-  CHECK_THROWS_AS(Sandbox("/tmp", Level::limits), carlo::Error);
+  CHECK_THROWS_AS(Worker("/nowhere/worker", Level::limits), carlo::Error);
+  CHECK_THROWS_AS(Worker("/tmp", Level::limits), carlo::Error);
 }
 
 TEST_CASE("seeds follow from the run, the test and the probe's place in it", "[run]") {
   const auto seeds = [](std::uint64_t seed, const std::string& test) {
-    Run run(Sandbox(FIXTURE_WORKER, Level::limits), seed, {});
+    Run run(Worker(FIXTURE_WORKER, Level::limits), seed, {});
     run.begin_test(test);
     const Rows first = run.probe("echo seed", {}, {});
     const Rows second = run.probe("echo seed", {}, {});

@@ -17,7 +17,10 @@ class Follower : public Catch::EventListenerBase {
   using EventListenerBase::EventListenerBase;
 
   void testCaseStarting(const Catch::TestCaseInfo& info) override {
-    current_run()->begin_test(info.name);
+    std::vector<std::string> tags;
+    for (const Catch::Tag& tag : info.tags)
+      tags.emplace_back(tag.original);
+    current_run()->begin_test(info.name, aspect_of(tags));
   }
   void testCaseEnded(const Catch::TestCaseStats& stats) override {
     current_run()->end_test(stats.totals.assertions.failed == 0 && !stats.aborting);

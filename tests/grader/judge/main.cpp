@@ -26,7 +26,7 @@ namespace {
 struct Options {
   std::string lab, worker, exercise, json, handout;
   std::vector<std::string> stub;  ///< its files
-  std::string secret = "public", submission = "local", sandbox = "auto";
+  std::string secret_file, submission = "local", sandbox = "auto";
   std::uint64_t seed = 0;
   double deadline = 10;
   bool verbose = false;
@@ -39,15 +39,14 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--exercise", options.exercise, "judge only this exercise, such as 1.2");
   app.add_option("--json", options.json, "write the verdicts to this file");
   app.add_option("--seed", options.seed, "use the numbers of this seed");
-  app.add_option("--secret", options.secret, "seeds follow from this and the submission")
-      ->capture_default_str();
+  app.add_option("--secret-file", options.secret_file,
+                 "seeds follow from this file's text and the submission (default: a public one)");
   app.add_option("--submission", options.submission, "the submission's name")
       ->capture_default_str();
   app.add_option("--deadline", options.deadline, "seconds that one probe may take")
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
-  app.add_option("--sandbox", options.sandbox, "auto, bubblewrap or limits")
-      ->check(CLI::IsMember({"auto", "bubblewrap", "limits"}))
+  app.add_option("--sandbox", options.sandbox, "auto, bubblewrap, landlock, user or limits")
       ->capture_default_str();
   app.add_flag("--verbose", options.verbose,
                "show every test and comparison, those that passed too");
@@ -55,15 +54,18 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--handout", options.handout, "the handout for --stub");
 }
 
-Sandbox make_sandbox(const Options& options) {
+Worker make_worker(const Options& options) {
   if (options.worker.empty()) throw Error("--worker is missing: which program is judged?");
-  if (options.sandbox == "auto") return Sandbox::strongest(options.worker);
-  return Sandbox(options.worker, options.sandbox == "limits" ? Level::limits : Level::bubblewrap);
+  if (options.sandbox == "auto") return Worker(options.worker);
+  return Worker(options.worker, level_of(options.sandbox));
 }
 
 std::uint64_t run_seed(const Options& options) {
   if (options.seed_given) return options.seed;
-  return hash(word_of(options.secret), word_of(options.submission));
+  // From a file, because everybody may read a command line.
+  const std::string secret =
+      options.secret_file.empty() ? "public" : read_file(options.secret_file);
+  return hash(word_of(secret), word_of(options.submission));
 }
 
 /// Runs the test cases of one exercise (a tag such as "Lab 1.2") or, for "", of all.
@@ -84,12 +86,12 @@ int judge_lab(const Options& options) {
   }
   Limits limits;
   limits.deadline = std::chrono::milliseconds(static_cast<long>(options.deadline * 1000));
-  current_run() = std::make_unique<Run>(make_sandbox(options), run_seed(options), limits);
+  current_run() = std::make_unique<Run>(make_worker(options), run_seed(options), limits);
   run_tests(tag);
 
   LabResult result = collect(lab, current_run()->records(), tag);
   result.seed = current_run()->seed();
-  result.sandbox = to_string(current_run()->sandbox().level());
+  result.sandbox = current_run()->sandbox().description();
   fmt::print("{}", report_text(result, options.verbose));
   if (!options.json.empty()) write_file(options.json, report_json(result));
   return result.earned() == result.possible() ? 0 : 1;

@@ -5,6 +5,7 @@
 #include "grader/judge/survivors.h"
 
 #include <poll.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,6 +14,8 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 
 namespace carlo::grader {
 namespace {
@@ -64,9 +67,29 @@ bool ended(pid_t pid, Outcome& outcome) {
   return true;
 }
 
+/// Whether the files below `folder` hold more than `most` bytes of disk. What cannot be looked into
+/// counts as nothing: it belongs to a process that hides it from itself too.
+bool fuller_than(const std::filesystem::path& folder, std::size_t most) {
+  namespace fs = std::filesystem;
+  constexpr auto skip = fs::directory_options::skip_permission_denied;
+  constexpr std::size_t most_files = 100'000;
+  std::size_t bytes = 0, files = 0;
+  std::error_code ec;
+  for (fs::recursive_directory_iterator it(folder, skip, ec), end; it != end && !ec;
+       it.increment(ec)) {
+    struct stat status {};
+    if (::lstat(it->path().c_str(), &status) != 0) continue;
+    bytes += static_cast<std::size_t>(status.st_blocks) * 512;
+    if (bytes > most || ++files > most_files) return true;
+  }
+  return false;
+}
+
 /// Follows the child to its end or to the first limit that it breaks.
-void follow(pid_t pid, Reader& result, Reader& output, Clock::time_point deadline,
+void follow(pid_t pid, Reader& result, Reader& output, const Command& command, const Limits& limits,
             Outcome& outcome) {
+  const Clock::time_point deadline = Clock::now() + limits.deadline;
+  Clock::time_point next_look = Clock::now() + std::chrono::milliseconds(100);
   while (true) {
     const bool over = ended(pid, outcome);  // asked first: what it wrote is there by now
     if (!result.drain()) outcome.end = Outcome::End::flooded_result;
@@ -75,6 +98,13 @@ void follow(pid_t pid, Reader& result, Reader& output, Clock::time_point deadlin
     if (Clock::now() >= deadline) {
       outcome.end = Outcome::End::deadline;
       return;
+    }
+    if (command.confinement.measured && Clock::now() >= next_look) {
+      if (fuller_than(*command.confinement.measured, limits.scratch_bytes)) {
+        outcome.end = Outcome::End::flooded_disk;
+        return;
+      }
+      next_look = Clock::now() + std::chrono::milliseconds(100);
     }
     // Closed descriptors are -1, which poll() skips. The short wait bounds how late we learn of an
     // end that a surviving grandchild hides by holding the pipes.
@@ -85,19 +115,19 @@ void follow(pid_t pid, Reader& result, Reader& output, Clock::time_point deadlin
 
 }  // namespace
 
-Outcome run_limited(const std::vector<std::string>& argv,
-                    const std::vector<std::string>& environment, const Limits& limits) {
+Outcome run_limited(const Command& command, const Limits& limits) {
   adopt_orphans();
-  const Clock::time_point deadline = Clock::now() + limits.deadline;
-  Child child = spawn(argv, environment, limits);
+  const Clock::time_point start = Clock::now();
+  Child child = spawn(command, limits);
   Reader result(std::move(child.result), limits.result_bytes, limits.result_bytes);
   Reader output(std::move(child.output), limits.output_bytes, limits.output_kept);
   Outcome outcome;
-  follow(child.pid, result, output, deadline, outcome);
+  follow(child.pid, result, output, command, limits, outcome);
   ::kill(-child.pid, SIGKILL);
-  end_orphans();
+  outcome.peak_bytes = end_orphans();
   outcome.result = result.take();
   outcome.output = output.take();
+  outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return outcome;
 }
 

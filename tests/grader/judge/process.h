@@ -1,7 +1,10 @@
 #pragma once
 
+#include "grader/judge/confinement.h"
+
 #include <chrono>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -10,28 +13,53 @@ namespace carlo::grader {
 /// What a process that we do not trust may use.
 struct Limits {
   std::chrono::milliseconds deadline{10'000};  ///< wall clock, from start to the last byte
+  std::chrono::seconds cpu{0};                 ///< processor time; 0: a second over the deadline
   std::size_t memory_bytes = std::size_t{2} << 30;
-  std::size_t file_bytes = std::size_t{16} << 20;
+  std::size_t file_bytes = std::size_t{16} << 20;      ///< the largest file
+  std::size_t scratch_bytes = std::size_t{256} << 20;  ///< all files in the scratch folder
   std::size_t open_files = 64;
+  std::size_t processes = 256;  ///< and threads; not enforced for root's own processes
   std::size_t result_bytes = std::size_t{64} << 20;
   std::size_t output_bytes = std::size_t{4} << 20;  ///< printed; of it `output_kept` is kept
   std::size_t output_kept = std::size_t{8} << 10;
 };
 
+/// The value of a limit that is none.
+constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
+
 /// How it ended. The first thing that went wrong counts.
 struct Outcome {
-  enum class End { exited, signalled, deadline, flooded_output, flooded_result, not_started };
+  enum class End {
+    exited,
+    signalled,
+    deadline,
+    flooded_output,
+    flooded_result,
+    flooded_disk,
+    not_started
+  };
   End end = End::not_started;
-  int code = 0;        ///< the exit code or the signal
-  std::string result;  ///< what came over descriptor 3
-  std::string output;  ///< the start of what it printed on stdout and stderr
+  int code = 0;                ///< the exit code or the signal
+  std::string result;          ///< what came over descriptor 3
+  std::string output;          ///< the start of what it printed on stdout and stderr
+  double seconds = 0;          ///< wall clock
+  std::size_t peak_bytes = 0;  ///< resident memory of the largest process, as far as it was reaped
+
+  bool succeeded() const { return end == End::exited && code == 0; }
 };
 
-/// Runs argv[0] (a path) with descriptor 0 from /dev/null, 1 and 2 captured, 3 the result's pipe
-/// and no other, an empty environment but for `environment`, in its own session, within `limits`.
-/// Returns when it and every process that it left behind are gone.
-Outcome run_limited(const std::vector<std::string>& argv,
-                    const std::vector<std::string>& environment, const Limits& limits);
+/// A program to run: argv[0] is its path.
+struct Command {
+  std::vector<std::string> argv;
+  std::vector<std::string> environment;
+  Confinement confinement = {};
+};
+
+/// Runs a program with descriptor 0 from /dev/null, 1 and 2 captured, 3 the result's pipe and no
+/// other, no environment but its own, in its own session, within `limits`; it ends with the thread
+/// that called. Returns when it and every process that it left behind are gone. The caller has no
+/// other child that it wants to keep.
+Outcome run_limited(const Command& command, const Limits& limits);
 
 /// "segmentation fault" for SIGSEGV; "signal 63" for one without a common name.
 std::string signal_name(int signal);

@@ -3,10 +3,8 @@
 #include "cli/terminal.h"
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <map>
 #include <sstream>
 
 namespace carlo::grader {
@@ -77,23 +75,6 @@ std::string failed_test(const TestRecord& test) {
   return out;
 }
 
-/// All diagnoses, the one that most failing comparisons fit first.
-std::vector<Diagnosis> diagnoses(const ExerciseResult& result) {
-  std::vector<Diagnosis> list;
-  std::map<std::string, int> votes;
-  for (const TestRecord& test : result.tests) {
-    for (const Verdict& verdict : test.verdicts) {
-      for (const Diagnosis& diagnosis : verdict.diagnoses) {
-        if (++votes[diagnosis.id] == 1) list.push_back(diagnosis);
-      }
-    }
-  }
-  std::stable_sort(list.begin(), list.end(), [&](const Diagnosis& a, const Diagnosis& b) {
-    return votes[a.id] > votes[b.id];
-  });
-  return list;
-}
-
 std::string heading(const ExerciseResult& result, std::size_t titles) {
   const bool passed = result.status == Status::passed;
   const bool open = result.status == Status::not_implemented;
@@ -103,7 +84,7 @@ std::string heading(const ExerciseResult& result, std::size_t titles) {
   const std::string& title = result.exercise.title;
   const std::string gap(titles - width(title), ' ');
   const std::string points =
-      fmt::format("{} of {} points", result.earned(), result.exercise.points);
+      fmt::format("{} of {} points", points_text(result.earned()), result.exercise.points);
   return fmt::format("{} {}  {}{}  {}", mark, result.exercise.number(), title, gap, points);
 }
 
@@ -152,6 +133,30 @@ std::string unsound_ground(const ExerciseResult& result, const LabResult& lab) {
   return out;
 }
 
+/// What keeps right values from all the points.
+std::string right_but(const ExerciseResult& result) {
+  if (!result.passed(Aspect::correctness)) return "";
+  const bool variance = result.has(Aspect::variance) && !result.passed(Aspect::variance);
+  const bool cost = result.has(Aspect::efficiency) && !result.passed(Aspect::efficiency);
+  return fmt::format("    right, but {}{}{}: {} of {} points\n",
+                     variance ? "its variance is too large" : "", variance && cost ? " and " : "",
+                     cost ? "it costs too much" : "", points_text(result.earned()),
+                     result.exercise.points);
+}
+
+/// What keeps an exercise from all its points; `tests`: with the tests that failed.
+std::string details(const ExerciseResult& result, const LabResult& lab, bool tests) {
+  std::string out = right_but(result) + unsound_ground(result, lab);
+  if (tests) out += failed_tests(result);
+  std::vector<Diagnosis> likely = diagnoses(result);
+  if (likely.size() > shown_diagnoses) likely.resize(shown_diagnoses);
+  for (const Diagnosis& diagnosis : likely) {
+    out += fmt::format("    {} {}\n", coloured(Colour::bold, "It looks like this:"),
+                       diagnosis.sentence);
+  }
+  return out + fmt::format("    For help: ./carlo hint {}\n", result.exercise.number());
+}
+
 std::string exercise_text(const ExerciseResult& result, const LabResult& lab, std::size_t titles,
                           bool verbose) {
   std::string out = heading(result, titles);
@@ -164,48 +169,7 @@ std::string exercise_text(const ExerciseResult& result, const LabResult& lab, st
       out += whole_test(test);
   }
   if (result.status == Status::passed) return out;
-  out += unsound_ground(result, lab);
-  if (!verbose) out += failed_tests(result);
-  std::vector<Diagnosis> likely = diagnoses(result);
-  if (likely.size() > shown_diagnoses) likely.resize(shown_diagnoses);
-  for (const Diagnosis& diagnosis : likely) {
-    out += fmt::format("    {} {}\n", coloured(Colour::bold, "It looks like this:"),
-                       diagnosis.sentence);
-  }
-  return out + fmt::format("    For help: ./carlo hint {}\n", result.exercise.number());
-}
-
-/// What went wrong in one line, for programs.
-std::string message(const ExerciseResult& result) {
-  for (const TestRecord& test : result.tests) {
-    if (test.status == Status::passed) continue;
-    if (!test.problem.empty()) return test.sentence + ": " + test.problem;
-    for (const Verdict& verdict : test.verdicts) {
-      if (verdict.passed) continue;
-      return fmt::format("{}: {}: {}; expected {}", test.sentence, verdict.what, verdict.measured,
-                         verdict.expected);
-    }
-  }
-  return "";
-}
-
-nlohmann::json exercise_json(const ExerciseResult& result) {
-  std::vector<std::string> ids;
-  for (const Diagnosis& diagnosis : diagnoses(result))
-    ids.push_back(diagnosis.id);
-  std::vector<double> p_values;
-  for (const TestRecord& test : result.tests) {
-    for (const Verdict& verdict : test.verdicts) {
-      if (verdict.p) p_values.push_back(*verdict.p);
-    }
-  }
-  return {{"tag", result.exercise.tag},
-          {"points", result.earned()},
-          {"max", result.exercise.points},
-          {"status", to_string(result.status)},
-          {"diagnoses", ids},
-          {"message", message(result)},
-          {"p_values", p_values}};
+  return out + details(result, lab, !verbose);
 }
 
 /// What to do next, below the total.
@@ -224,6 +188,12 @@ std::string advice(const LabResult& result) {
 
 }  // namespace
 
+std::string shortfall(const ExerciseResult& result, const LabResult& lab) {
+  if (result.status == Status::passed) return "";
+  if (result.status == Status::not_implemented) return open_text(result) + "\n";
+  return details(result, lab, true);
+}
+
 std::string report_text(const LabResult& result, bool verbose) {
   std::size_t titles = 0;
   for (const ExerciseResult& entry : result.exercises) {
@@ -235,22 +205,11 @@ std::string report_text(const LabResult& result, bool verbose) {
     out += exercise_text(entry, result, titles, verbose);
   const bool full = result.earned() == result.possible();
   const bool all = result.exercises.size() == result.lab.exercises.size();
-  const std::string total =
-      fmt::format("Lab {:02}{}: {} of {} points", result.lab.number,
-                  all ? "" : ", this exercise alone", result.earned(), result.possible());
+  const std::string total = fmt::format("Lab {:02}{}: {} of {} points", result.lab.number,
+                                        all ? "" : ", this exercise alone",
+                                        points_text(result.earned()), result.possible());
   out += coloured(full ? Colour::green : Colour::bold, total) + "\n";
   return out + advice(result);
-}
-
-std::string report_json(const LabResult& result) {
-  nlohmann::json document{{"lab", result.lab.number},  {"points", result.earned()},
-                          {"max", result.possible()},  {"seed", std::to_string(result.seed)},
-                          {"sandbox", result.sandbox}, {"exercises", nlohmann::json::array()}};
-  for (const ExerciseResult& entry : result.exercises) {
-    document["exercises"].push_back(exercise_json(entry));
-  }
-  // A message may hold what a student's program said: bytes that are no UTF-8 are replaced.
-  return document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace carlo::grader

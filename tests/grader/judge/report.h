@@ -10,8 +10,13 @@ namespace carlo::grader {
 /// comparison, those that passed too.
 std::string report_text(const LabResult& result, bool verbose = false);
 
+/// For the student: what keeps one exercise from all its points; empty when it passed. In colour as
+/// above.
+std::string shortfall(const ExerciseResult& result, const LabResult& lab);
+
 /// The same for programs: the lab, the seed, and for each exercise tag, points, max, status,
-/// diagnosis ids, message and p-values.
+/// aspects, diagnosis ids, message, text for the student and p-values; and its tests with all that
+/// they compared.
 std::string report_json(const LabResult& result);
 
 }  // namespace carlo::grader

@@ -3,6 +3,7 @@
 #include "cli/error.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 namespace carlo::grader {
@@ -23,14 +24,77 @@ std::string to_string(Status status) {
   throw Error("unknown status");
 }
 
-int LabResult::earned() const {
-  return std::accumulate(exercises.begin(), exercises.end(), 0,
-                         [](int sum, const ExerciseResult& e) { return sum + e.earned(); });
+std::string to_string(Aspect aspect) {
+  switch (aspect) {
+    case Aspect::correctness:
+      return "correctness";
+    case Aspect::variance:
+      return "variance";
+    case Aspect::efficiency:
+      return "efficiency";
+  }
+  throw Error("unknown aspect");
+}
+
+Aspect aspect_of(const std::vector<std::string>& tags) {
+  const auto named = [&](Aspect aspect) {
+    return std::find(tags.begin(), tags.end(), to_string(aspect)) != tags.end();
+  };
+  const bool variance = named(Aspect::variance), efficiency = named(Aspect::efficiency);
+  if (variance && efficiency) throw Error("a test judges variance or efficiency, not both");
+  return variance ? Aspect::variance : efficiency ? Aspect::efficiency : Aspect::correctness;
+}
+
+bool ExerciseResult::has(Aspect aspect) const {
+  return std::any_of(tests.begin(), tests.end(),
+                     [&](const TestRecord& test) { return test.aspect == aspect; });
+}
+
+bool ExerciseResult::passed(Aspect aspect) const {
+  return has(aspect) && std::all_of(tests.begin(), tests.end(), [&](const TestRecord& test) {
+           return test.aspect != aspect || test.status == Status::passed;
+         });
+}
+
+double ExerciseResult::earned() const {
+  if (!passed(Aspect::correctness)) return 0;
+  int judged = 0, reached = 0;
+  for (const Aspect aspect : {Aspect::variance, Aspect::efficiency}) {
+    judged += has(aspect) ? 1 : 0;
+    reached += passed(aspect) ? 1 : 0;
+  }
+  const double points = exercise.points;
+  return judged == 0 ? points : points / 2 + points / 2 * reached / judged;
+}
+
+std::string points_text(double points) {
+  return fmt::format("{:.10g}", points);
+}
+
+double LabResult::earned() const {
+  return std::accumulate(exercises.begin(), exercises.end(), 0.0,
+                         [](double sum, const ExerciseResult& e) { return sum + e.earned(); });
 }
 
 int LabResult::possible() const {
   return std::accumulate(exercises.begin(), exercises.end(), 0,
                          [](int sum, const ExerciseResult& e) { return sum + e.exercise.points; });
+}
+
+std::vector<Diagnosis> diagnoses(const ExerciseResult& result) {
+  std::vector<Diagnosis> list;
+  std::map<std::string, int> votes;
+  for (const TestRecord& test : result.tests) {
+    for (const Verdict& verdict : test.verdicts) {
+      for (const Diagnosis& diagnosis : verdict.diagnoses) {
+        if (++votes[diagnosis.id] == 1) list.push_back(diagnosis);
+      }
+    }
+  }
+  std::stable_sort(list.begin(), list.end(), [&](const Diagnosis& a, const Diagnosis& b) {
+    return votes[a.id] > votes[b.id];
+  });
+  return list;
 }
 
 LabResult collect(const Lab& lab, const std::vector<TestRecord>& records, const std::string& only) {
@@ -52,7 +116,9 @@ LabResult collect(const Lab& lab, const std::vector<TestRecord>& records, const 
     found->tests.push_back(record);
   }
   for (const ExerciseResult& entry : result.exercises) {
-    if (entry.tests.empty()) throw Error("no test has judged {}", entry.exercise.tag);
+    if (!entry.has(Aspect::correctness)) {
+      throw Error("no test has judged whether {} is right", entry.exercise.tag);
+    }
   }
   if (result.exercises.empty()) throw Error("no exercise was judged");
   return result;

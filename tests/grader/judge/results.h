@@ -13,6 +13,15 @@ namespace carlo::grader {
 enum class Status { passed, failed, crashed, timeout, not_implemented };
 std::string to_string(Status status);
 
+/// What a test case judges: whether the values are right; or, of right values, how much they
+/// scatter or what they cost.
+enum class Aspect { correctness, variance, efficiency };
+std::string to_string(Aspect aspect);
+
+/// The aspect that a test case's tags name: [variance], [efficiency], else correctness. Throws
+/// Error when they name both.
+Aspect aspect_of(const std::vector<std::string>& tags);
+
 /// One test case: its verdicts, or what kept the values from coming.
 struct TestRecord {
   std::string tag;       ///< "Lab 1.2"
@@ -23,6 +32,7 @@ struct TestRecord {
   std::string printed;             ///< what the student's program printed, when there was a problem
   bool skipped = false;            ///< not run, because an earlier test told what would come
   std::string needs = {};          ///< the tag of another exercise, when that is the one not done
+  Aspect aspect = Aspect::correctness;
 };
 
 /// One exercise after all its test cases.
@@ -31,7 +41,13 @@ struct ExerciseResult {
   Status status = Status::failed;
   std::vector<TestRecord> tests;
 
-  int earned() const { return status == Status::passed ? exercise.points : 0; }
+  /// Whether there are tests of this aspect, and whether all of them passed.
+  bool has(Aspect aspect) const;
+  bool passed(Aspect aspect) const;
+  /// Nothing unless all tests of correctness passed. An exercise whose variance or efficiency is
+  /// judged too earns half its points for being right, and the other half, split evenly, for each
+  /// of these aspects whose tests all passed.
+  double earned() const;
 };
 
 struct LabResult {
@@ -40,9 +56,15 @@ struct LabResult {
   std::uint64_t seed = 0;
   std::string sandbox;
 
-  int earned() const;
+  double earned() const;
   int possible() const;
 };
+
+/// All diagnoses of an exercise, the one that most failing comparisons fit first.
+std::vector<Diagnosis> diagnoses(const ExerciseResult& result);
+
+/// Points for people: "2", "1.5", "0.75".
+std::string points_text(double points);
 
 /// Sorts the test records by exercise; `only` (a tag) leaves out the other exercises unless it is
 /// empty. Throws Error when an exercise has no test case, or a test case no exercise.

@@ -46,6 +46,9 @@ void check_end(const Outcome& outcome, const Limits& limits) {
     case End::flooded_result:
       fail(Status::crashed, "it sent more than any answer holds");
       break;
+    case End::flooded_disk:
+      fail(Status::crashed, "it filled the disk");
+      break;
     case End::not_started:
       throw Error("a worker was not started");
   }
@@ -101,10 +104,10 @@ std::uint64_t word_of(const std::string& text) {
   return mix(h);
 }
 
-Rows run_probe(const Sandbox& sandbox, const std::string& name, const Params& params, Shape shape,
+Rows run_probe(const Worker& worker, const std::string& name, const Params& params, Shape shape,
                const Limits& limits) {
   const Outcome outcome =
-      sandbox.run({"--probe", name, "--params", to_json(params), "--fd", "3"}, limits);
+      worker.run({"--probe", name, "--params", to_json(params), "--fd", "3"}, limits);
   check_end(outcome, limits);
   const std::optional<Frame> frame = decode(outcome.result);
   if (!frame) throw ProbeFailure(Status::crashed, "its answer was cut short or no answer at all");
@@ -121,12 +124,13 @@ Rows run_probe(const Sandbox& sandbox, const std::string& name, const Params& pa
   return frame->rows;
 }
 
-void Run::begin_test(const std::string& name) {
+void Run::begin_test(const std::string& name, Aspect aspect) {
   const auto colon = name.find(": ");
   if (colon == std::string::npos) throw Error("the test \"{}\" names no exercise", name);
   TestRecord record;
   record.tag = name.substr(0, colon);
   record.sentence = name.substr(colon + 2);
+  record.aspect = aspect;
   records_.push_back(record);
   probes_in_test_ = 0;
 }
@@ -152,8 +156,8 @@ void Run::end_test(bool clean) {
 
 const TestRecord* Run::hopeless(const std::string& tag) const {
   const auto found = std::find_if(records_.begin(), records_.end(), [&](const TestRecord& test) {
-    return test.tag == tag && !test.skipped &&
-           (test.status == Status::not_implemented || test.status == Status::timeout);
+    const bool too_slow = test.status == Status::timeout && test.aspect == Aspect::correctness;
+    return test.tag == tag && !test.skipped && (test.status == Status::not_implemented || too_slow);
   });
   return found == records_.end() ? nullptr : &*found;
 }
@@ -168,7 +172,7 @@ Rows Run::probe(const std::string& name, Params params, Shape shape) {
       throw ProbeFailure(earlier->status,
                          fmt::format("not run: the worker ended in \"{}\"", earlier->sentence));
     }
-    return run_probe(sandbox_, name, params, shape, limits_);
+    return run_probe(worker_, name, params, shape, limits_);
   } catch (const ProbeFailure& failure) {
     note(failure, asked);
     throw;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "grader/judge/results.h"
-#include "grader/judge/sandbox.h"
+#include "grader/judge/worker.h"
 #include "grader/protocol/frame.h"
 #include "grader/protocol/params.h"
 
@@ -31,22 +31,23 @@ struct ProbeFailure : std::runtime_error {
 
 /// Runs one probe in a fresh worker. Throws ProbeFailure unless exactly the table of `shape` comes
 /// back, in time, from a worker that then ends well.
-Rows run_probe(const Sandbox& sandbox, const std::string& name, const Params& params, Shape shape,
+Rows run_probe(const Worker& worker, const std::string& name, const Params& params, Shape shape,
                const Limits& limits);
 
 /// One judgement of a lab: what the test cases have found so far.
 class Run {
  public:
-  Run(Sandbox sandbox, std::uint64_t seed, Limits limits)
-      : sandbox_(std::move(sandbox)), seed_(seed), limits_(limits) {}
+  Run(Worker worker, std::uint64_t seed, Limits limits)
+      : worker_(std::move(worker)), seed_(seed), limits_(limits) {}
 
-  void begin_test(const std::string& name);
+  void begin_test(const std::string& name, Aspect aspect = Aspect::correctness);
   /// `clean`: the test framework saw no failure.
   void end_test(bool clean);
 
   /// A probe of the current test; its seed follows from the run's, the test's name and the number
   /// of probes before it. A failure is noted and ends the test. Once an exercise is known to be not
-  /// implemented or to run into the deadline, its probes are not started any more.
+  /// implemented or to run into the deadline, its probes are not started any more; but what is too
+  /// slow where only its cost is judged may still be right.
   Rows probe(const std::string& name, Params params, Shape shape);
 
   /// Notes a verdict. Throws Error when the budget of statistical ones is used up.
@@ -54,14 +55,14 @@ class Run {
 
   const std::vector<TestRecord>& records() const { return records_; }
   std::uint64_t seed() const { return seed_; }
-  const Sandbox& sandbox() const { return sandbox_; }
+  const Sandbox& sandbox() const { return worker_.sandbox(); }
 
  private:
   TestRecord& current();
   void note(const ProbeFailure& failure, const std::string& question);
   const TestRecord* hopeless(const std::string& tag) const;
 
-  Sandbox sandbox_;
+  Worker worker_;
   std::uint64_t seed_;
   Limits limits_;
   std::vector<TestRecord> records_;

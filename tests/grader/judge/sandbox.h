@@ -3,34 +3,56 @@
 #include "grader/judge/process.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace carlo::grader {
 
-/// How strongly a worker is shut in. `limits`: own session, resource limits, no new privileges, no
-/// descriptors. `bubblewrap`: these and namespaces of its own: it sees the system's libraries and
-/// itself, nothing else of the disk, no network, no other process.
-enum class Level { limits, bubblewrap };
+/// How strongly a program is shut in, weakest first.
+///   limits      own session, resource limits, no new privileges, no descriptors
+///   user        and a user id that nobody has (where we are root), and a system call filter
+///   landlock    and the disk: it can open what its view names, nothing else
+///   bubblewrap  and namespaces: what its view does not name does not exist; no network, no other
+///               process
+enum class Level { limits, user, landlock, bubblewrap };
 
 std::string to_string(Level level);
 
-/// Runs one worker program at one level.
+/// The level of that name. Throws Error listing the names.
+Level level_of(const std::string& name);
+
+/// What a program sees of the disk besides the system's programs and libraries, at the paths that
+/// it has outside.
+struct View {
+  std::vector<std::filesystem::path> readable = {};  ///< files and folders
+  /// Its working folder and all it may write, kept when it ends; empty: one that goes then.
+  std::filesystem::path scratch = {};
+};
+
+/// Runs programs at one level.
 class Sandbox {
  public:
-  /// The strongest level that works here, found by trying it on a harmless program.
-  static Sandbox strongest(const std::filesystem::path& worker);
-
-  /// Throws Error when the worker is no program that can be run.
-  Sandbox(const std::filesystem::path& worker, Level level);
+  /// The strongest level that works here, found by running a harmless program with this view.
+  static Sandbox strongest(const View& view);
+  /// This level and no other. Throws Error when it does not work here.
+  static Sandbox at(Level level, const View& view);
 
   Level level() const { return level_; }
-  /// Runs the worker with these arguments. A death by signal is told as such at every level.
-  Outcome run(const std::vector<std::string>& arguments, const Limits& limits) const;
+  /// "bubblewrap, own user": the level, and what it has besides.
+  std::string description() const;
+
+  /// Runs a program (argv[0] is its path, part of the view or of the system). A scratch folder that
+  /// the view names is given to the sandbox's user. A death by signal is told as such at every
+  /// level. Throws Error when the sandbox itself does not work.
+  Outcome run(const std::vector<std::string>& argv, const View& view, const Limits& limits) const;
 
  private:
-  std::filesystem::path worker_;
+  Sandbox(Level level, std::optional<uid_t> user) : level_(level), user_(user) {}
+  bool works(const View& view) const;
+
   Level level_;
+  std::optional<uid_t> user_;
 };
 
 }  // namespace carlo::grader

@@ -1,16 +1,20 @@
 #include "grader/judge/spawn.h"
 
 #include "cli/error.h"
+#include "grader/judge/landlock.h"
 
 #include <fcntl.h>
+#include <grp.h>
+#include <linux/close_range.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <iterator>
 
@@ -27,13 +31,17 @@ Pipe make_pipe() {
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw Error("pipe: {}", std::strerror(errno));
   const Descriptor low_read(ends[0]);
   const Descriptor low_write(ends[1]);
-  Pipe pipe{Descriptor(::fcntl(ends[0], F_DUPFD_CLOEXEC, 10)),
-            Descriptor(::fcntl(ends[1], F_DUPFD_CLOEXEC, 10))};
-  if (!pipe.read.open() || !pipe.write.open()) throw Error("pipe: {}", std::strerror(errno));
+  Pipe pipe{low_read.lifted(), low_write.lifted()};
   if (::fcntl(pipe.read.get(), F_SETFL, O_NONBLOCK) != 0) {
     throw Error("pipe: {}", std::strerror(errno));
   }
   return pipe;
+}
+
+Descriptor open_lifted(const char* path, int flags) {
+  const Descriptor low(::open(path, flags | O_CLOEXEC));
+  if (!low.open()) throw Error("{}: {}", path, std::strerror(errno));
+  return low.lifted();
 }
 
 std::vector<char*> pointers(const std::vector<std::string>& texts) {
@@ -43,6 +51,16 @@ std::vector<char*> pointers(const std::vector<std::string>& texts) {
   list.push_back(nullptr);
   return list;
 }
+
+/// All that the child needs, made before the fork.
+struct Plan {
+  std::vector<char*> argv, environment;
+  Confinement confinement;
+  Limits limits;
+  Descriptor program, input;
+  int output, result;
+  pid_t parent;
+};
 
 // From here to exec() only calls that are safe between fork and exec.
 
@@ -54,58 +72,83 @@ bool limit(__rlimit_resource_t resource, rlim_t value) {
   return ::setrlimit(resource, &wanted) == 0;
 }
 
-bool apply(const Limits& limits, rlim_t cpu_seconds, bool limit_memory) {
-  // Root's processes are never counted; for others the limit counts all that the user runs, so it
-  // is a stop for fork bombs and no tight bound.
-  constexpr rlim_t processes = 4096;
-  return limit(RLIMIT_CORE, 0) && limit(RLIMIT_CPU, cpu_seconds) &&
+bool apply_limits(const Limits& limits, bool own_user) {
+  const auto deadline = std::chrono::ceil<std::chrono::seconds>(limits.deadline).count() + 1;
+  const auto cpu = limits.cpu.count() > 0 ? limits.cpu.count() : deadline;
+  // For a user that has other processes too the limit counts all of them: a stop for fork bombs and
+  // no tight bound.
+  const rlim_t processes = own_user ? limits.processes : std::max(limits.processes, rlim_t{4096});
+  return limit(RLIMIT_CORE, 0) && limit(RLIMIT_CPU, static_cast<rlim_t>(cpu)) &&
          limit(RLIMIT_FSIZE, limits.file_bytes) && limit(RLIMIT_NOFILE, limits.open_files) &&
-         limit(RLIMIT_NPROC, processes) && (!limit_memory || limit(RLIMIT_AS, limits.memory_bytes));
+         limit(RLIMIT_NPROC, processes) &&
+         (address_sanitizer() || limit(RLIMIT_AS, limits.memory_bytes));
 }
 
-[[noreturn]] void become(const std::vector<char*>& argv, const std::vector<char*>& environment,
-                         int input, int output, int result, const Limits& limits, rlim_t cpu) {
-  const bool ready =
-      ::setsid() >= 0 && ::dup2(input, 0) == 0 && ::dup2(output, 1) == 1 &&
-      ::dup2(output, 2) == 2 && ::dup2(result, 3) == 3 && ::close_range(4, ~0U, 0) == 0 &&
-      ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && apply(limits, cpu, !address_sanitizer());
-  if (ready) ::execve(argv[0], argv.data(), environment.data());
+bool become_user(uid_t user) {
+  return ::setgroups(0, nullptr) == 0 && ::setresgid(user, user, user) == 0 &&
+         ::setresuid(user, user, user) == 0;
+}
+
+/// All descriptors from `first` on end at exec().
+bool close_at_exec(unsigned first) {
+  if (::close_range(first, ~0U, CLOSE_RANGE_CLOEXEC) == 0) return true;
+  rlimit open{};  // before Linux 5.11: one by one
+  if (::getrlimit(RLIMIT_NOFILE, &open) != 0) return false;
+  for (rlim_t fd = first; fd < std::min(open.rlim_cur, rlim_t{65536}); ++fd)
+    ::fcntl(static_cast<int>(fd), F_SETFD, FD_CLOEXEC);
+  return true;
+}
+
+bool set_descriptors(const Plan& plan) {
+  const int inherited = plan.confinement.inherited;
+  return ::dup2(plan.input.get(), 0) == 0 && ::dup2(plan.output, 1) == 1 &&
+         ::dup2(plan.output, 2) == 2 && ::dup2(plan.result, 3) == 3 &&
+         (inherited < 0 || ::dup2(inherited, 4) == 4) && close_at_exec(inherited < 0 ? 4 : 5);
+}
+
+/// The order matters: what needs privileges first, the system calls' filter last. Changing the user
+/// clears the signal that tells of the parent's death, so it is asked for after that.
+bool confine(Plan& plan) {
+  Confinement& own = plan.confinement;
+  if (!own.folder.empty() && ::chdir(own.folder.c_str()) != 0) return false;
+  if (own.user && !become_user(*own.user)) return false;
+  if (::prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0) != 0 || ::getppid() != plan.parent) return false;
+  if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return false;
+  if (!apply_limits(plan.limits, own.user.has_value())) return false;
+  if (own.landlock_rules >= 0 && !restrict_to_landlock_rules(own.landlock_rules)) return false;
+  if (!own.filter) return true;
+  own.filter->limit_to(::getpid());
+  return own.filter->install();
+}
+
+[[noreturn]] void become(Plan& plan) {
+  if (::setsid() >= 0 && set_descriptors(plan) && confine(plan)) {
+    // By its descriptor, which was opened with our rights: the folders above it may be closed to
+    // the user that the child has become.
+    ::syscall(SYS_execveat, plan.program.get(), "", plan.argv.data(), plan.environment.data(),
+              AT_EMPTY_PATH);
+  }
   ::_exit(127);
 }
 
 }  // namespace
 
-Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
-  if (this == &other) return *this;
-  close();
-  fd_ = other.fd_;
-  other.fd_ = -1;
-  return *this;
-}
-
-void Descriptor::close() {
-  if (fd_ >= 0) ::close(fd_);
-  fd_ = -1;
-}
-
-Child spawn(const std::vector<std::string>& argv, const std::vector<std::string>& environment,
-            const Limits& limits) {
+Child spawn(const Command& command, const Limits& limits) {
   Pipe result = make_pipe();
   Pipe output = make_pipe();
-  const Descriptor null(::open("/dev/null", O_RDONLY | O_CLOEXEC));
-  if (!null.open()) throw Error("/dev/null: {}", std::strerror(errno));
-  const Descriptor input(::fcntl(null.get(), F_DUPFD_CLOEXEC, 10));
-  const std::vector<char*> arguments = pointers(argv);
-  const std::vector<char*> variables = pointers(environment);
-  const auto seconds = std::chrono::ceil<std::chrono::seconds>(limits.deadline).count();
-
+  Plan plan{pointers(command.argv),
+            pointers(command.environment),
+            command.confinement,
+            limits,
+            open_lifted(command.argv.at(0).c_str(), O_PATH),
+            open_lifted("/dev/null", O_RDONLY),
+            output.write.get(),
+            result.write.get(),
+            ::getpid()};
   Child child;
   child.pid = ::fork();
   if (child.pid < 0) throw Error("cannot start a process: {}", std::strerror(errno));
-  if (child.pid == 0) {
-    become(arguments, variables, input.get(), output.write.get(), result.write.get(), limits,
-           static_cast<rlim_t>(seconds + 1));
-  }
+  if (child.pid == 0) become(plan);
   child.result = std::move(result.read);
   child.output = std::move(output.read);
   return child;

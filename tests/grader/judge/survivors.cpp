@@ -3,9 +3,11 @@
 #include "cli/error.h"
 
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <chrono>
@@ -46,12 +48,14 @@ void kill_children() {
   }
 }
 
-/// Reaps what has ended. True while children remain.
-bool reap() {
+/// Reaps what has ended and notes how large it was. True while children remain.
+bool reap(std::size_t& peak) {
   while (true) {
-    const pid_t got = ::waitpid(-1, nullptr, WNOHANG);
+    rusage usage{};
+    const pid_t got = ::wait4(-1, nullptr, WNOHANG, &usage);
     if (got == 0) return true;
     if (got < 0 && errno != EINTR) return false;
+    if (got > 0) peak = std::max(peak, static_cast<std::size_t>(usage.ru_maxrss) * 1024);
   }
 }
 
@@ -63,16 +67,18 @@ void adopt_orphans() {
   }
 }
 
-void end_orphans() {
+std::size_t end_orphans() {
+  std::size_t peak = 0;
   const auto start = std::chrono::steady_clock::now();
   // Killing a parent hands us its children, so we look again until none is left.
-  while (reap()) {
-    if (std::chrono::steady_clock::now() - start > std::chrono::seconds(2)) {
+  while (reap(peak)) {
+    if (std::chrono::steady_clock::now() - start > std::chrono::seconds(10)) {
       throw Error("processes of the worker could not be ended");
     }
     kill_children();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
+  return peak;
 }
 
 }  // namespace carlo::grader

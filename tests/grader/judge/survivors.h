@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 namespace carlo::grader {
 
 /// From now on, processes whose parents have ended become children of this one, whatever session
@@ -7,7 +9,8 @@ namespace carlo::grader {
 void adopt_orphans();
 
 /// Kills and reaps all children of this process until there are none. The caller has no child that
-/// it wants to keep. Throws Error when some still live after two seconds.
-void end_orphans();
+/// it wants to keep. Returns the largest resident memory that one of them, or a process that it has
+/// reaped itself, ever had, in bytes. Throws Error when some still live after ten seconds.
+std::size_t end_orphans();
 
 }  // namespace carlo::grader

@@ -1,0 +1,225 @@
+#include "grader/grade/compile.h"
+
+#include "cli/atomic_file.h"
+#include "cli/error.h"
+#include "grader/judge/descriptor.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <system_error>
+
+namespace carlo::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+Limits compile_limits() {
+  Limits limits;
+  limits.deadline = std::chrono::seconds(180);  // the machine may be busy with others
+  limits.cpu = std::chrono::seconds(60);
+  limits.memory_bytes = std::size_t{1536} << 20;
+  limits.file_bytes = std::size_t{64} << 20;
+  limits.processes = 64;
+  limits.output_kept = std::size_t{16} << 10;
+  return limits;
+}
+
+/// A folder that is the sandbox's to write into; it goes with this object.
+class WorkFolder {
+ public:
+  explicit WorkFolder(fs::path path) : path_(std::move(path)) {
+    fs::remove_all(path_);
+    fs::create_directory(path_);
+    fs::permissions(path_, fs::perms::owner_all);
+  }
+  ~WorkFolder() {
+    std::error_code ec;
+    fs::remove_all(path_, ec);
+  }
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// Takes a file out of a folder that was the sandbox's, when it is what it should be: a regular
+/// file that begins with ELF's mark. A link in its place is not followed.
+bool take_elf(const fs::path& from, const fs::path& to, fs::perms permissions) {
+  const Descriptor file(::open(from.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  struct stat status {};
+  if (!file.open() || ::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode)) return false;
+  std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
+  std::size_t have = 0;
+  while (have < bytes.size()) {
+    const ssize_t got = ::read(file.get(), bytes.data() + have, bytes.size() - have);
+    if (got <= 0) return false;
+    have += static_cast<std::size_t>(got);
+  }
+  if (!bytes.starts_with("\x7F"
+                         "ELF"))
+    return false;
+  write_file(to, bytes);
+  fs::permissions(to, permissions);
+  return true;
+}
+
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+}
+
+/// Why a compiler was ended, for the student; "" when it ended itself.
+std::string cut_short(const Outcome& outcome) {
+  using End = Outcome::End;
+  switch (outcome.end) {
+    case End::deadline:
+      return "the compiler was not done in time";
+    case End::flooded_output:
+      return "the compiler printed without end";
+    case End::flooded_disk:
+      return "the compiler filled the disk";
+    case End::signalled:
+      return "the compiler was ended: " + signal_name(outcome.code);
+    default:
+      return outcome.succeeded() || !outcome.output.empty() ? "" : "the compiler failed";
+  }
+}
+
+/// One lab's compilation: everything that stays the same from file to file.
+class Compilation {
+ public:
+  Compilation(const LabTools& tools, const Sandbox& sandbox, const fs::path& folder)
+      : tools_(tools), sandbox_(sandbox), folder_(folder) {}
+
+  /// Compiles one file to `object`. False when it does not compile.
+  bool compile(const std::string& name, const std::string& text, const fs::path& object,
+               std::string& messages) {
+    const WorkFolder work(folder_ / "compile");
+    const fs::path source = work.path() / name;
+    if (source.parent_path() != work.path()) {
+      fs::create_directory(source.parent_path());
+      fs::permissions(source.parent_path(),
+                      fs::perms::owner_all | fs::perms::others_exec | fs::perms::others_read);
+    }
+    write_file(source, text);
+    fs::permissions(source, readable);
+    std::vector<std::string> argv{tools_.recipe.compiler};
+    argv.insert(argv.end(), tools_.recipe.flags.begin(), tools_.recipe.flags.end());
+    for (const fs::path& include : tools_.recipe.includes)
+      argv.push_back("-I" + include.string());
+    for (const char* flag : {"-fno-lto", "-fdiagnostics-color=never", "-o", "exercise.o", "-c"})
+      argv.emplace_back(flag);
+    argv.push_back(source.string());
+    const Outcome outcome = run(argv, {tools_.headers, work.path()});
+    std::string said = outcome.output;
+    if (!cut_short(outcome).empty()) said += cut_short(outcome) + "\n";
+    replace_all(said, work.path().string() + "/", "");
+    for (const fs::path& header : tools_.headers)
+      replace_all(said, header.string() + "/", "");
+    messages += said;
+    return outcome.succeeded() && take_elf(work.path() / "exercise.o", object, readable);
+  }
+
+  /// Links objects into `worker`. The flags keep the linker from running plugins on what students'
+  /// objects hold.
+  bool link(const std::vector<fs::path>& objects, const fs::path& worker, std::string& messages) {
+    const WorkFolder work(folder_ / "link");
+    std::vector<std::string> argv{tools_.recipe.compiler, "-fno-lto", "-fno-use-linker-plugin"};
+    for (std::size_t i = 0; i <= tools_.recipe.link.size(); ++i) {
+      if (i == tools_.recipe.objects_at) argv.insert(argv.end(), objects.begin(), objects.end());
+      if (i < tools_.recipe.link.size()) argv.push_back(tools_.recipe.link[i].text);
+    }
+    argv.insert(argv.end(), {"-o", "worker"});
+    View view{tools_.inputs, work.path()};
+    view.readable.insert(view.readable.end(), objects.begin(), objects.end());
+    const Outcome outcome = run(argv, view);
+    std::string said = outcome.output;
+    if (!cut_short(outcome).empty()) said += cut_short(outcome) + "\n";
+    for (const fs::path& object : objects)
+      replace_all(said, object.parent_path().string() + "/", "");
+    for (const fs::path& input : tools_.inputs)
+      replace_all(said, input.parent_path().string() + "/", "");
+    messages += said;
+    return outcome.succeeded() && take_elf(work.path() / "worker", worker, runnable);
+  }
+
+  std::size_t peak_bytes() const { return peak_; }
+
+ private:
+  static constexpr fs::perms readable = fs::perms::owner_read | fs::perms::owner_write |
+                                        fs::perms::group_read | fs::perms::others_read;
+  static constexpr fs::perms runnable =
+      readable | fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec;
+
+  Outcome run(const std::vector<std::string>& argv, const View& view) {
+    Outcome outcome = sandbox_.run(argv, view, compile_limits());
+    peak_ = std::max(peak_, outcome.peak_bytes);
+    return outcome;
+  }
+
+  const LabTools& tools_;
+  const Sandbox& sandbox_;
+  fs::path folder_;
+  std::size_t peak_ = 0;
+};
+
+/// The object of an exercise file; '/' has no place in its name.
+fs::path object_of(const fs::path& folder, std::string name) {
+  std::replace(name.begin(), name.end(), '/', '_');
+  return folder / (name + ".o");
+}
+
+/// Compiles and links what the course itself gives. When that fails the student is not to blame.
+void check_with_stubs(Compilation& compilation, const LabTools& tools, const fs::path& folder) {
+  std::string messages;
+  std::vector<fs::path> objects;
+  bool good = true;
+  for (const auto& [name, text] : tools.stubs) {
+    objects.push_back(object_of(folder, "stub_" + name));
+    good = good && compilation.compile(name, text, objects.back(), messages);
+  }
+  if (!good || !compilation.link(objects, folder / "stub_worker", messages)) {
+    throw Error("not even the stub can be built in the sandbox: {}",
+                messages.substr(0, messages.find('\n')));
+  }
+}
+
+}  // namespace
+
+Compiled compile(const std::map<std::string, std::string>& files, const LabTools& tools,
+                 const Sandbox& sandbox, const fs::path& folder, const fs::path& worker) {
+  const auto start = std::chrono::steady_clock::now();
+  Compilation compilation(tools, sandbox, folder);
+  Compiled result;
+  std::vector<fs::path> objects;
+  bool complete = true;
+  for (const auto& [name, stub] : tools.stubs) {
+    const auto given = files.find(name);
+    objects.push_back(object_of(folder, name));
+    if (given != files.end() &&
+        compilation.compile(name, given->second, objects.back(), result.messages)) {
+      continue;
+    }
+    if (given != files.end()) {
+      result.refused.push_back(name);
+    }
+    std::string ours;  // the stub's own warnings are no news for the student
+    complete =
+        complete && tools.stubs.size() > 1 && compilation.compile(name, stub, objects.back(), ours);
+  }
+  result.linked = complete && compilation.link(objects, worker, result.messages);
+  if (!result.linked || !result.refused.empty()) check_with_stubs(compilation, tools, folder);
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.peak_bytes = compilation.peak_bytes();
+  return result;
+}
+
+}  // namespace carlo::grader

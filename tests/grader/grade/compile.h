@@ -1,0 +1,31 @@
+#pragma once
+
+#include "grader/grade/clean_tree.h"
+#include "grader/judge/sandbox.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace carlo::grader {
+
+/// What became of a lab's exercise files.
+struct Compiled {
+  bool linked = false;               ///< there is a worker
+  std::string messages;              ///< the compiler's, warnings too; for the student
+  std::vector<std::string> refused;  ///< files that do not compile, replaced by the stub's
+  double seconds = 0;
+  std::size_t peak_bytes = 0;
+};
+
+/// Compiles exercise files in the sandbox, where they see the headers of the clean tree and nothing
+/// of anybody else, and links them, in a second one where no text of theirs is interpreted, into
+/// `worker`. `folder` is for files in between. Of a lab with several files one that does not
+/// compile counts as not done. Throws Error when even the stub cannot be compiled: that is the
+/// grader's fault.
+Compiled compile(const std::map<std::string, std::string>& files, const LabTools& tools,
+                 const Sandbox& sandbox, const std::filesystem::path& folder,
+                 const std::filesystem::path& worker);
+
+}  // namespace carlo::grader

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "course/exercises.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace carlo::grader {
+
+/// One lab of the course, and the files of it that students write: nothing else of a submission is
+/// ever compiled.
+struct CourseLab {
+  Lab lab;
+  std::string folder;              ///< "01_integration"
+  std::vector<std::string> files;  ///< "integration.cpp", or "steps/a_camera.cpp" and so on
+
+  /// "01"
+  std::string number() const { return folder.substr(0, 2); }
+};
+
+/// The labs below `labs`, in order; `only` (numbers) leaves out the others unless it is empty.
+/// Throws Error when one of these does not exist, or a lab has no file for students.
+std::vector<CourseLab> course_labs(const std::filesystem::path& labs, const std::vector<int>& only);
+
+/// The last part of a path: "a_camera.cpp" of "steps/a_camera.cpp".
+std::string last_part(const std::string& path);
+
+}  // namespace carlo::grader

@@ -1,0 +1,227 @@
+#include "grader/grade/intake.h"
+
+#include "cli/atomic_file.h"
+#include "cli/error.h"
+#include "grader/grade/archive.h"
+#include "grader/grade/sha256.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <set>
+#include <system_error>
+
+namespace carlo::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t largest_source = std::size_t{1} << 20;
+constexpr std::size_t most_ignored = 200;  // names that are kept
+constexpr int deepest_archive = 2;
+
+/// Folders that are not the student's work: in a whole tree that was handed in, files of the
+/// exercises' names stand there too.
+bool is_foreign_folder(const std::string& name) {
+  static const std::set<std::string> names{"solutions", "tests", "common",   "build",
+                                           "out",       ".git",  "__MACOSX", ".carlo"};
+  return names.count(name) != 0;
+}
+
+bool is_in_foreign_folder(const std::string& path) {
+  for (std::size_t at = 0, slash = path.find('/'); slash != std::string::npos;
+       at = slash + 1, slash = path.find('/', at)) {
+    if (is_foreign_folder(path.substr(at, slash - at))) return true;
+  }
+  return false;
+}
+
+std::string plain_text(std::string text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  std::string plain;
+  plain.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\r' || i + 1 == text.size() || text[i + 1] != '\n') plain += text[i];
+  }
+  return plain;
+}
+
+/// One candidate for an exercise file.
+struct Candidate {
+  std::string path, text, problem;
+};
+
+/// Gathers what a submission holds.
+class Collector {
+ public:
+  explicit Collector(const std::vector<CourseLab>& labs) {
+    for (const CourseLab& lab : labs) {
+      for (const std::string& file : lab.files)
+        wanted_.insert(last_part(file));
+    }
+  }
+
+  void folder(const fs::path& root) {
+    constexpr auto skip = fs::directory_options::skip_permission_denied;
+    std::vector<fs::path> paths;
+    std::error_code ec;
+    for (fs::recursive_directory_iterator it(root, skip, ec), end; it != end && !ec;
+         it.increment(ec)) {
+      if (it->is_directory() && !it->is_symlink()) {
+        if (is_foreign_folder(it->path().filename().string()) || it.depth() > 32) {
+          ignore(fs::relative(it->path(), root).string() + "/");
+          it.disable_recursion_pending();
+        }
+        continue;
+      }
+      paths.push_back(it->path());
+      if (paths.size() > ArchiveLimits{}.entries) {
+        ignore("more files than can be looked through");
+        break;
+      }
+    }
+    if (ec) ignore(fmt::format("{}: {}", root.string(), ec.message()));
+    std::sort(paths.begin(), paths.end());
+    for (const fs::path& path : paths)
+      disk_file(path, fs::relative(path, root).string());
+  }
+
+  void archive(const fs::path& file, const std::string& inside) {
+    guarded(file.filename().string(), [&] {
+      visit_archive(
+          file, {}, [&](const ArchiveEntry& entry) { in_part(entry, inside); },
+          [&](const std::string& what) {
+            if (inside.empty() || what.starts_with(inside + "/")) ignore(what);
+          });
+    });
+  }
+
+  std::map<std::string, std::vector<Candidate>> candidates;
+  std::vector<std::string> ignored;
+
+ private:
+  void ignore(const std::string& what) {
+    if (ignored.size() < most_ignored) ignored.push_back(what);
+    if (ignored.size() == most_ignored) ignored.push_back("and more");
+  }
+
+  /// A spoilt archive is the student's fault and ends nothing but itself.
+  template <class Body>
+  void guarded(const std::string& path, const Body& body) {
+    try {
+      body();
+    } catch (const Error& error) {
+      ignore(fmt::format("{}: {}", path, error.what()));
+    }
+  }
+
+  void disk_file(const fs::path& path, const std::string& name) {
+    std::error_code ec;
+    const auto read_whole = [&] {
+      const auto bytes = fs::file_size(path, ec);
+      if (ec || bytes > ArchiveLimits{}.entry_bytes) throw Error("too large");
+      return read_file(path);
+    };
+    if (fs::symlink_status(path, ec).type() != fs::file_type::regular) {
+      ignore(name + ": a link or a device, not a file");
+    } else {
+      file(name, read_whole, 0);
+    }
+  }
+
+  /// An entry of an archive of which only the part `inside` is the submission.
+  void in_part(const ArchiveEntry& entry, const std::string& inside) {
+    if (inside.empty()) {
+      file(entry.path, entry.read, 0);
+    } else if (entry.path == inside) {
+      file(last_part(entry.path), entry.read, 0);
+    } else if (entry.path.starts_with(inside + "/")) {
+      file(entry.path.substr(inside.size() + 1), entry.read, 0);
+    }
+  }
+
+  void file(const std::string& path, const std::function<std::string()>& read, int depth) {
+    const std::string name = last_part(path);
+    if (is_in_foreign_folder(path)) {
+      ignore(path);
+    } else if (wanted_.count(name) != 0) {
+      guarded(path, [&] { candidate(path, read()); });
+    } else if (is_archive_name(name) && depth < deepest_archive) {
+      guarded(path, [&] { nested(path, read(), depth + 1); });
+    } else {
+      ignore(path);
+    }
+  }
+
+  void nested(const std::string& path, const std::string& bytes, int depth) {
+    visit_archive(
+        std::string_view(bytes), {},
+        [&](const ArchiveEntry& entry) { file(path + "/" + entry.path, entry.read, depth); },
+        [&](const std::string& what) { ignore(path + "/" + what); });
+  }
+
+  void candidate(const std::string& path, std::string text) {
+    Candidate found{path, plain_text(std::move(text)), ""};
+    if (found.text.size() > largest_source) {
+      found.problem = fmt::format("{}: larger than 1 MB, which no solution is", path);
+      found.text = sha256(found.text);
+    }
+    candidates[last_part(path)].push_back(found);
+  }
+
+  std::set<std::string> wanted_;
+};
+
+/// The file of that name, or why there is none.
+void choose(const std::string& file, const std::vector<Candidate>& found, LabFiles& lab) {
+  for (const Candidate& other : found) {
+    if (other.text == found.front().text) continue;
+    lab.problems.push_back(
+        fmt::format("{} and {} differ: which one is meant?", found.front().path, other.path));
+    return;
+  }
+  if (!found.front().problem.empty()) {
+    lab.problems.push_back(found.front().problem);
+  } else {
+    lab.files[file] = found.front().text;
+  }
+}
+
+std::string digest_of(const std::map<int, LabFiles>& labs) {
+  Sha256 digest;
+  for (const auto& [number, lab] : labs) {
+    digest.add_text(fmt::format("lab {}", number));
+    for (const auto& [name, text] : lab.files) {
+      digest.add_text(name);
+      digest.add_text(text);
+    }
+    for (const std::string& problem : lab.problems)
+      digest.add_text(problem);
+  }
+  return digest.hex();
+}
+
+}  // namespace
+
+Intake take_in(const Source& source, const std::vector<CourseLab>& labs) {
+  if (!fs::exists(source.path)) throw Error("{} does not exist", source.path.string());
+  Collector collector(labs);
+  if (fs::is_directory(source.path)) {
+    collector.folder(source.path);
+  } else {
+    collector.archive(source.path, source.inside);
+  }
+  Intake intake;
+  intake.ignored = collector.ignored;
+  for (const CourseLab& lab : labs) {
+    LabFiles& files = intake.labs[lab.lab.number];
+    for (const std::string& file : lab.files) {
+      const auto found = collector.candidates.find(last_part(file));
+      if (found != collector.candidates.end()) choose(file, found->second, files);
+    }
+  }
+  intake.digest = digest_of(intake.labs);
+  return intake;
+}
+
+}  // namespace carlo::grader

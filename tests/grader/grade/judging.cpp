@@ -1,0 +1,158 @@
+#include "grader/grade/judging.h"
+
+#include "cli/atomic_file.h"
+#include "cli/error.h"
+#include "grader/grade/compile.h"
+#include "grader/grade/sha256.h"
+
+#include <fmt/core.h>
+
+#include <system_error>
+
+namespace carlo::grader {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// The judge is ours: its limits only end what hangs.
+Limits judge_limits() {
+  Limits limits;
+  limits.deadline = std::chrono::minutes(15);
+  limits.memory_bytes = limits.file_bytes = limits.processes = unlimited;
+  limits.open_files = 1024;
+  limits.output_bytes = limits.output_kept = std::size_t{16} << 20;
+  return limits;
+}
+
+std::string end_in_words(const Outcome& outcome) {
+  if (outcome.end == Outcome::End::signalled)
+    return "killed by a signal: " + signal_name(outcome.code);
+  if (outcome.end == Outcome::End::deadline) return "not done in time";
+  return fmt::format("exit code {}: {}", outcome.code,
+                     outcome.output.substr(0, outcome.output.find('\n')));
+}
+
+/// Files and settings of one submission.
+struct Desk {
+  const Course& course;
+  std::string identity;  ///< of the submission: its name and what it holds, so that seeds differ
+  fs::path folder;
+};
+
+LabGrade judge_once(const Desk& desk, const CourseLab& lab, const fs::path& worker) {
+  const fs::path verdict = desk.folder / "verdict.json";
+  std::error_code ec;
+  fs::remove(verdict, ec);
+  Command command{
+      {(desk.course.build / fmt::format("bin/lab{}_judge", lab.number())).string(), "--lab",
+       (desk.course.tree / "labs" / lab.folder / "lab.json").string(), "--worker", worker.string(),
+       "--json", verdict.string(), "--sandbox", to_string(desk.course.sandbox.level()),
+       "--secret-file", (desk.folder / "secret").string(), "--submission", desk.identity,
+       "--deadline", fmt::format("{}", desk.course.deadline)},
+      {"PATH=/usr/bin:/bin", "LANG=C.UTF-8", "TMPDIR=" + (desk.folder / "tmp").string()}};
+  const Outcome outcome = run_limited(command, judge_limits());
+  const bool ended = outcome.end == Outcome::End::exited && outcome.code <= 1;
+  if (!ended || !fs::exists(verdict)) {
+    throw Error("the judge of lab {} came to no verdict ({})", lab.number(), end_in_words(outcome));
+  }
+  LabGrade grade = judged(lab.lab, json::parse(read_file(verdict), nullptr, false));
+  grade.report = outcome.output;
+  grade.judge_seconds = outcome.seconds;
+  grade.judge_peak_bytes = outcome.peak_bytes;
+  return grade;
+}
+
+LabGrade build_and_judge(const Desk& desk, const CourseLab& lab, const LabFiles& files) {
+  const fs::path worker = desk.folder / fmt::format("lab{}_worker", lab.number());
+  const Compiled compiled = compile(files.files, desk.course.clean.tools(lab.lab.number),
+                                    desk.course.sandbox, desk.folder, worker);
+  LabGrade grade;
+  if (compiled.linked) {
+    grade = judge_once(desk, lab, worker);
+  } else {
+    grade = unjudged(lab.lab, LabState::does_not_compile, "the code does not compile");
+  }
+  for (const std::string& file : lab.files) {
+    if (compiled.linked && files.files.count(file) == 0) grade.note += file + ": not handed in\n";
+  }
+  for (const std::string& file : compiled.refused) {
+    if (compiled.linked) grade.note += file + ": does not compile, and counts as not done\n";
+  }
+  grade.compiler = compiled.messages;
+  grade.compile_seconds = compiled.seconds;
+  grade.compile_peak_bytes = compiled.peak_bytes;
+  std::error_code ec;
+  fs::remove(worker, ec);
+  return grade;
+}
+
+LabGrade grade_lab(const Desk& desk, const CourseLab& lab, const LabFiles& files) {
+  if (!files.problems.empty()) {
+    std::string note;
+    for (const std::string& problem : files.problems)
+      note += problem + "\n";
+    return unjudged(lab.lab, LabState::refused, note);
+  }
+  if (files.files.empty()) {
+    return unjudged(lab.lab, LabState::not_submitted,
+                    fmt::format("{} was not handed in",
+                                lab.files.size() == 1 ? lab.files.front() : "none of its files"));
+  }
+  constexpr int attempts = 2;
+  for (int attempt = 1;; ++attempt) {
+    try {
+      return build_and_judge(desk, lab, files);
+    } catch (const std::exception& error) {
+      if (attempt < attempts) continue;
+      return unjudged(lab.lab, LabState::grader_error, error.what());
+    }
+  }
+}
+
+}  // namespace
+
+Record grade(const Course& course, const std::string& name, const Intake& intake,
+             const fs::path& folder) {
+  const Desk desk{course, name + ":" + intake.digest, folder};
+  fs::create_directory(folder / "tmp");
+  write_file(folder / "secret", course.secret);
+  fs::permissions(folder / "secret", fs::perms::owner_read);
+  constexpr auto passable = fs::perms::owner_all | fs::perms::group_exec | fs::perms::others_exec;
+  fs::permissions(folder, passable);
+  fs::permissions(folder / "tmp", passable);
+  Record record{name, record_key(course, name, intake), intake.ignored, {}};
+  for (const CourseLab& lab : course.labs)
+    record.labs.push_back(grade_lab(desk, lab, intake.labs.at(lab.lab.number)));
+  return record;
+}
+
+std::string record_key(const Course& course, const std::string& name, const Intake& intake) {
+  Sha256 key;
+  key.add_text(course.digest);
+  key.add_text(name);
+  key.add_text(intake.digest);
+  return key.hex();
+}
+
+std::string course_digest(const Course& course) {
+  Sha256 digest;
+  digest.add_text(course.clean.digest());
+  digest.add_text(sha256(course.secret));
+  digest.add_text(fmt::format("{}", course.deadline));
+  digest.add_text(read_file("/proc/self/exe"));
+  for (const CourseLab& lab : course.labs) {
+    digest.add_text(read_file(course.tree / "labs" / lab.folder / "lab.json"));
+    digest.add_text(read_file(course.build / fmt::format("bin/lab{}_judge", lab.number())));
+  }
+  return digest.hex();
+}
+
+Record failed_record(const Course& course, const std::string& name, const std::string& why) {
+  Record record{name, "", {}, {}};
+  for (const CourseLab& lab : course.labs)
+    record.labs.push_back(unjudged(lab.lab, LabState::grader_error, why));
+  return record;
+}
+
+}  // namespace carlo::grader

@@ -1,0 +1,53 @@
+#include "grader/judge/bubblewrap.h"
+
+#include "cli/error.h"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace carlo::grader {
+
+namespace fs = std::filesystem;
+
+const std::vector<fs::path>& system_paths() {
+  static const std::vector<fs::path> paths{
+      "/usr", "/bin", "/lib", "/lib64", "/etc/ld.so.cache", "/etc/alternatives"};
+  return paths;
+}
+
+std::vector<std::string> bubblewrap(const std::vector<std::string>& argv, const View& view,
+                                    const fs::path& scratch) {
+  std::vector<std::string> line{
+      bubblewrap_program, "--unshare-all", "--die-with-parent", "--new-session",
+      "--cap-drop",       "ALL",           "--seccomp",         "4"};
+  const auto add = [&](const std::string& option, const fs::path& path) {
+    line.insert(line.end(), {option, path.string(), path.string()});
+  };
+  for (const fs::path& path : system_paths())
+    add("--ro-bind-try", path);
+  line.insert(line.end(), {"--proc", "/proc", "--dev", "/dev"});
+  for (const fs::path& path : view.readable)
+    add("--ro-bind", path);
+  add("--bind", scratch);
+  // Folders that bubblewrap makes lie in memory that no limit counts: nothing may be written there.
+  line.insert(line.end(), {"--remount-ro", "/dev", "--remount-ro", "/"});
+  line.insert(line.end(), {"--chdir", scratch.string(), "--"});
+  line.insert(line.end(), argv.begin(), argv.end());
+  return line;
+}
+
+Descriptor filter_file(const SyscallFilter& filter) {
+  const Descriptor low(::memfd_create("filter", MFD_CLOEXEC));
+  const std::size_t bytes = filter.program().size() * sizeof(sock_filter);
+  if (!low.open() ||
+      ::write(low.get(), filter.program().data(), bytes) != static_cast<ssize_t>(bytes) ||
+      ::lseek(low.get(), 0, SEEK_SET) != 0) {
+    throw Error("the system call filter: {}", std::strerror(errno));
+  }
+  return low.lifted();
+}
+
+}  // namespace carlo::grader

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+
+namespace carlo::grader {
+
+/// A new folder among the temporary files that nobody else can look into; it goes with this object.
+class ScratchFolder {
+ public:
+  /// Throws Error when it cannot be made.
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace carlo::grader

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <linux/filter.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace carlo::grader {
+
+/// A seccomp filter: the system calls that no exercise needs fail with EPERM. These are sockets,
+/// looking into or signalling other processes, mounts, namespaces, keys, shared memory that
+/// outlives its process, kernel facilities with a history of holes, leaving the session.
+class SyscallFilter {
+ public:
+  /// `own_process_only`: signals and limits reach the filtered process alone, named to limit_to()
+  /// before install(). False where a process namespace sees to that.
+  explicit SyscallFilter(bool own_process_only);
+
+  /// For a child after fork(): puts its id where the filter asks for it. Allocates nothing.
+  void limit_to(int process);
+  /// Filters this process and all that it starts. It needs no privileges but no_new_privs. False
+  /// when the kernel refuses. Safe between fork and exec.
+  bool install() const;
+
+  const std::vector<sock_filter>& program() const { return program_; }
+
+ private:
+  void statement(unsigned code, unsigned value);
+  void jump(unsigned test, unsigned value, unsigned char yes, unsigned char no);
+  void deny(long call);
+  void only_own_process(long call, bool zero_too);
+
+  std::vector<sock_filter> program_;
+  std::vector<std::size_t> places_;  ///< of the instructions that compare with the process's id
+};
+
+}  // namespace carlo::grader

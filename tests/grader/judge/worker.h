@@ -1,0 +1,27 @@
+#pragma once
+
+#include "grader/judge/sandbox.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace carlo::grader {
+
+/// A lab's worker program, in a sandbox where it sees the system's libraries and itself.
+class Worker {
+ public:
+  /// In the strongest sandbox that works here. Throws Error when it is no program that can be run.
+  explicit Worker(const std::filesystem::path& program);
+  /// At this level. Throws Error, also when the level does not work here.
+  Worker(const std::filesystem::path& program, Level level);
+
+  const Sandbox& sandbox() const { return sandbox_; }
+  Outcome run(const std::vector<std::string>& arguments, const Limits& limits) const;
+
+ private:
+  std::filesystem::path program_;
+  Sandbox sandbox_;
+};
+
+}  // namespace carlo::grader
