@@ -22,6 +22,10 @@ inline carlo::grader::Verdict chi_square_is(const std::string& what,
   carlo::grader::Verdict verdict;
   verdict.what = what;
   verdict.p = carlo::chi_square_two_sided(statistic, freedom);
+  double count = 0;
+  for (const double number : expected)
+    count += number;
+  verdict.effect = carlo::grader::effect_on_cells(statistic, freedom, count);
   verdict.passed = *verdict.p >= carlo::grader::comparison_alpha();
   verdict.measured = fmt::format("chi-square {:.4g}", statistic);
   verdict.expected = fmt::format("{} or so", freedom);

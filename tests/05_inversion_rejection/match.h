@@ -90,6 +90,7 @@ inline carlo::grader::Verdict counts_are(const std::string& what, std::span<cons
   carlo::grader::Verdict verdict;
   verdict.what = what;
   verdict.p = carlo::chi_square_two_sided(statistic, freedom);
+  verdict.effect = carlo::grader::effect_on_cells(statistic, freedom, n);
   verdict.passed = *verdict.p >= carlo::grader::comparison_alpha();
   verdict.measured = fmt::format("chi-square {:.5g} from {:g} samples", statistic, n);
   verdict.expected = fmt::format("{:g} ± {:.3g}", freedom, std::sqrt(2 * freedom));

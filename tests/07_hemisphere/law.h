@@ -77,6 +77,7 @@ inline carlo::grader::Verdict distributed(const std::string& what,
   carlo::grader::Verdict verdict;
   verdict.what = what;
   verdict.p = carlo::chi_square_two_sided(statistic, cells - 1);
+  verdict.effect = carlo::grader::effect_on_cells(statistic, cells - 1, n);
   verdict.passed = *verdict.p >= carlo::grader::comparison_alpha();
   verdict.measured = fmt::format("chi-square {:.5g} over {} cells, from {} directions", statistic,
                                  cells, directions.size());
