@@ -61,6 +61,13 @@ void add_uniformity(LabFinding& finding) {
 
 }  // namespace
 
+std::string ComparisonFinding::caution() const {
+  if (spread < .9) {
+    return fmt::format("theory's variance is a bound, the values have {:.2g} of it", spread);
+  }
+  return uniformity.ties ? "it takes few values" : "";
+}
+
 LabFinding lab_finding(const Judged& solution) {
   LabFinding finding;
   finding.lab = solution.subject.lab;
@@ -71,7 +78,8 @@ LabFinding lab_finding(const Judged& solution) {
     for (const auto& [name, comparison] : comparisons(*record)) {
       const auto [place, fresh] = places.emplace(name, finding.comparisons.size());
       if (fresh) {
-        finding.comparisons.push_back({name, {}, comparison->resolution, comparison->unit, {}});
+        finding.comparisons.push_back(
+            {name, {}, comparison->resolution, comparison->unit, {}, comparison->spread});
       }
       finding.comparisons[place->second].p_values.push_back(comparison->p);
     }

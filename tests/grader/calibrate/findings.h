@@ -23,6 +23,10 @@ struct ComparisonFinding {
   double resolution = 0;  ///< NaN where the comparison does not tell
   std::string unit;
   std::vector<double> p_values;
+  double spread = 1;  ///< Effect's, of the first grading
+
+  /// Why its p-values are larger than uniform ones; empty where that is not known.
+  std::string caution() const;
 };
 
 /// What the gradings of one solution say.

@@ -31,7 +31,7 @@ std::vector<double> powers(std::uint64_t seed, int count, double k) {
 
 TEST_CASE("Clopper and Pearson's bound is what it is by hand", "[calibrate]") {
   // Without failures: (1 - bound)^n = .05.
-  for (const std::size_t n : {1, 25, 1000, 1'000'000}) {
+  for (const std::size_t n : {1U, 25U, 1000U, 1'000'000U}) {
     CHECK(close(rate_upper_bound(0, n), -std::expm1(std::log(.05) / static_cast<double>(n)), 1e-9));
   }
   // n - 1 failures of n: 1 - bound^n = .05.
@@ -47,7 +47,7 @@ TEST_CASE("Clopper and Pearson's bound is what it is by hand", "[calibrate]") {
 TEST_CASE("Clopper and Pearson's bound puts 5 % below its count", "[calibrate]") {
   // P(at most k failures of n) at the bound, summed by hand, is 1 - confidence.
   const std::size_t n = 40;
-  for (const std::size_t k : {1, 5, 20, 38}) {
+  for (const std::size_t k : {1U, 5U, 20U, 38U}) {
     const double bound = rate_upper_bound(k, n, .99);
     double sum = 0;
     for (std::size_t i = 0; i <= k; ++i) {

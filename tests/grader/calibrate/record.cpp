@@ -24,7 +24,8 @@ Comparison comparison_from(const json& entry) {
           number(entry, "p"),
           number(entry, "effect"),
           number(entry, "resolution"),
-          entry.value("unit", "")};
+          entry.value("unit", ""),
+          number(entry, "spread")};
 }
 
 Judgement judgement_from(const json& entry) {
@@ -44,7 +45,8 @@ json to_json(const Judgement& judgement) {
                            {"p", c.p},
                            {"effect", c.effect},
                            {"resolution", c.resolution},
-                           {"unit", c.unit}});
+                           {"unit", c.unit},
+                           {"spread", c.spread}});
   }
   return {{"tag", judgement.tag},         {"status", judgement.status},
           {"message", judgement.message}, {"diagnoses", judgement.diagnoses},

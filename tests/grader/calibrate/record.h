@@ -16,6 +16,7 @@ struct Comparison {
   std::string test, what;
   double p = 0, effect = 0, resolution = 0;
   std::string unit;
+  double spread = 1;
 };
 
 /// What the judge said of one exercise.

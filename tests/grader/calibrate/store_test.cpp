@@ -105,7 +105,7 @@ TEST_CASE("the store goes on where a killed run stopped", "[calibrate]") {
   const Store store(folder.path / "calibration");
   CHECK(store.unreadable() == 1);
   CHECK(store.records().size() == 4);
-  for (const std::uint64_t seed : {1, 2, 3})
+  for (const std::uint64_t seed : {1U, 2U, 3U})
     CHECK(store.has(record(1, seed).key));
 }
 
@@ -136,6 +136,17 @@ TEST_CASE("findings count false failures and the p-values of each comparison", "
   CHECK(found.comparisons[0].p_values == std::vector<double>{.3, .6, 1e-9});
   CHECK(found.all.smallest == 1e-9);
   CHECK(found.median_seconds == 1.5);
+}
+
+TEST_CASE("a cautious comparison says why", "[calibrate]") {
+  ComparisonFinding finding;
+  CHECK(finding.caution().empty());
+  finding.uniformity.ties = true;
+  CHECK(finding.caution() == "it takes few values");
+  finding.spread = .04;
+  CHECK(finding.caution() == "theory's variance is a bound, the values have 0.04 of it");
+  finding.spread = std::nan("");
+  CHECK(finding.caution() == "it takes few values");
 }
 
 TEST_CASE("findings tell a mistake's margin and what the comparisons saw of it", "[calibrate]") {

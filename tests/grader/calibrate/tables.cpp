@@ -113,18 +113,17 @@ Table uniformity_table(const Findings& findings) {
 
 Table behaviour_table(const Findings& findings, bool all) {
   Table table({"exercise", "comparison", "test", "p-values", "smallest", "uniform: p",
-               "too small: p", "ties", "so they are"},
+               "too small: p", "so they are", "larger because"},
               {"exercise", "what", "test", "p_values", "smallest", "ks_two_sided", "ks_too_small",
-               "ties", "behaviour"});
+               "behaviour", "caution"});
   for (const LabFinding& lab : findings.labs) {
     for (const ComparisonFinding& one : lab.comparisons) {
       const Behaviour behaviour = one.uniformity.behaviour(behaviour_level(lab));
       if (!all && behaviour == Behaviour::uniform) continue;
       std::vector<Cell> row = name_cells(one.name);
-      for (const Cell& cell :
-           {count(one.uniformity.count), p_cell(one.uniformity.smallest),
-            p_cell(one.uniformity.either_way), p_cell(one.uniformity.too_small),
-            Cell(one.uniformity.ties ? "yes" : "no"), Cell(to_string(behaviour))})
+      for (const Cell& cell : {count(one.uniformity.count), p_cell(one.uniformity.smallest),
+                               p_cell(one.uniformity.either_way), p_cell(one.uniformity.too_small),
+                               Cell(to_string(behaviour)), Cell(one.caution())})
         row.push_back(cell);
       table.add_row(row);
     }

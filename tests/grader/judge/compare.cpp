@@ -80,8 +80,8 @@ Verdict mean_is(const std::string& what, std::span<const double> values, const T
       fmt::format("{:.6g} ± {:.2g}, the mean of {}", mean, theory.sd / root, values.size());
   verdict.expected = fmt::format("{:.6g}", theory.mean);
   conclude(verdict, fmt::format("z = {:.1f}", z), normal_two_sided(z));
-  verdict.effect =
-      effect_on_mean(mean - theory.mean, theory.sd, static_cast<double>(values.size()));
+  verdict.effect = effect_on_mean(mean - theory.mean, theory.sd, static_cast<double>(values.size()),
+                                  spread * spread);
   // A mistake has a spread of its own, which the values show.
   const double slack = fit * spread / root;
   name_suspects(

@@ -13,6 +13,7 @@ nlohmann::json comparison_json(const TestRecord& test, const Verdict& verdict) {
   entry["effect"] = verdict.effect->measured;
   entry["resolution"] = verdict.effect->resolution;
   entry["unit"] = verdict.effect->unit;
+  entry["spread"] = verdict.effect->spread;
   return entry;
 }
 

@@ -28,9 +28,11 @@ double power_z() {
 
 }  // namespace
 
-Effect effect_on_mean(double off, double sd, double count) {
+Effect effect_on_mean(double off, double sd, double count, double variance) {
   if (!(count > 0)) return {off, blind, ""};
-  return {off, (level_z() + power_z()) * sd / std::sqrt(count), ""};
+  Effect effect{off, (level_z() + power_z()) * sd / std::sqrt(count), ""};
+  if (count > 1) effect.spread = variance / (sd * sd);
+  return effect;
 }
 
 Effect effect_on_variance(double ratio, double freedom) {

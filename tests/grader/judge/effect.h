@@ -10,13 +10,16 @@ struct Effect {
   double measured = 0;
   double resolution = 0;
   std::string unit;  ///< empty: that of the values compared
+  /// Of a mean: the variance of the values as a part of theory's. Well below 1 where theory gives
+  /// an upper bound, and so p-values that are too large. 1 where that is no question.
+  double spread = 1;
 };
 
 constexpr double claimed_power = .999;
 
 /// A mean of `count` values of standard deviation `sd` that is `off` from the expected one:
-/// 8.74 sd / sqrt(count) is caught.
-Effect effect_on_mean(double off, double sd, double count);
+/// 8.74 sd / sqrt(count) is caught. `variance` is that of the values.
+Effect effect_on_mean(double off, double sd, double count, double variance);
 
 /// A variance that is `ratio` times the expected one, tested by chi-square with `freedom` degrees
 /// of freedom; as a part of the expected variance. Values of the same excess kurtosis are assumed.
