@@ -23,6 +23,7 @@ expect_error 'needs a value' test --seed
 expect_error 'takes nothing else' test --hard 4
 expect_error 'no lab 99' lab 99
 expect_error 'render, paths, integrators' bench frob
+expect_error 'no lab 99' grade --calibrate --labs 1,99
 expect_error 'developer' setup --frob
 expect_error 'developer' setup --developer frob
 

@@ -18,7 +18,12 @@ inline carlo::grader::Verdict chi_square_is(const std::string& what,
   for (std::size_t i = 0; i < counts.size(); ++i)
     statistic += (counts[i] - expected[i]) * (counts[i] - expected[i]) / expected[i];
   const auto freedom = static_cast<double>(counts.size() - 1);
-  return carlo::grader::chi_square_fits(what, statistic, freedom);
+  double count = 0;
+  for (const double number : expected)
+    count += number;
+  carlo::grader::Verdict verdict = carlo::grader::chi_square_fits(what, statistic, freedom);
+  verdict.effect = carlo::grader::effect_on_cells(statistic, freedom, count);
+  return verdict;
 }
 
 }  // namespace lab03_tests

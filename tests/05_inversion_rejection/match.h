@@ -86,8 +86,10 @@ inline carlo::grader::Verdict counts_are(const std::string& what, std::span<cons
   for (std::size_t i = 0; i < found.size(); ++i)
     statistic += (found[i] - expected[i]) * (found[i] - expected[i]) / expected[i];
   const auto freedom = static_cast<double>(found.size() - 1);
-  return carlo::grader::chi_square_fits(what, statistic, freedom,
-                                        fmt::format(" from {:g} samples", n));
+  carlo::grader::Verdict verdict = carlo::grader::chi_square_fits(
+      what, statistic, freedom, fmt::format(" from {:g} samples", n));
+  verdict.effect = carlo::grader::effect_on_cells(statistic, freedom, n);
+  return verdict;
 }
 
 /// `values` counted in `cells` equal cells of [first, last], the last one closed; those outside are

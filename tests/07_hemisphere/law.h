@@ -73,9 +73,11 @@ inline carlo::grader::Verdict distributed(const std::string& what,
   double statistic = 0;
   for (const double count : counts)
     statistic += (count - n / cells) * (count - n / cells) / (n / cells);
-  return carlo::grader::chi_square_fits(
+  carlo::grader::Verdict verdict = carlo::grader::chi_square_fits(
       what, statistic, cells - 1,
       fmt::format(" over {} cells, from {} directions", cells, directions.size()));
+  verdict.effect = carlo::grader::effect_on_cells(statistic, cells - 1, n);
+  return verdict;
 }
 
 /// Whether the directions lie on a curve: at (nearly) every angle they have a few azimuths only,

@@ -80,6 +80,8 @@ Verdict mean_is(const std::string& what, std::span<const double> values, const T
       fmt::format("{:.6g} ± {:.2g}, the mean of {}", mean, theory.sd / root, values.size());
   verdict.expected = fmt::format("{:.6g}", theory.mean);
   conclude(verdict, fmt::format("z = {:.1f}", z), normal_two_sided(z));
+  verdict.effect = effect_on_mean(mean - theory.mean, theory.sd, static_cast<double>(values.size()),
+                                  spread * spread);
   // A mistake has a spread of its own, which the values show.
   const double slack = fit * spread / root;
   name_suspects(
@@ -98,6 +100,7 @@ Verdict variance_is(const std::string& what, std::span<const double> values, con
   verdict.measured = fmt::format("{:.5g}, from {} values", variance, values.size());
   verdict.expected = fmt::format("{:.5g}", expected);
   conclude(verdict, fmt::format("ratio {:.4g}", ratio), chi_square_two_sided(ratio * dof, dof));
+  verdict.effect = effect_on_variance(ratio, dof);
   const double slack = fit * std::sqrt(2 / dof);
   name_suspects(
       verdict, suspects, [slack](double value) { return slack * value; }, variance);
@@ -128,6 +131,7 @@ Verdict uniform_on(const std::string& what, std::vector<double> values, double l
       fmt::format("{} values from {:.6g} to {:.6g}", values.size(), values.front(), values.back());
   conclude(verdict, fmt::format("largest distance of the distributions {:.3g}", distance),
            kolmogorov_smirnov(distance, values.size()));
+  verdict.effect = effect_on_distribution(distance, n);
   return verdict;
 }
 

@@ -16,7 +16,7 @@ std::string shortfall(const ExerciseResult& result, const LabResult& lab);
 
 /// The same for programs: the lab, the seed, and for each exercise tag, points, max, status,
 /// aspects, diagnosis ids, message, text for the student and p-values; and its tests with all that
-/// they compared.
+/// they compared, and what comparisons.h adds.
 std::string report_json(const LabResult& result);
 
 }  // namespace carlo::grader

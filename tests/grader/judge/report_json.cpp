@@ -1,5 +1,7 @@
 #include "grader/judge/report.h"
 
+#include "grader/judge/comparisons.h"
+
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -114,6 +116,7 @@ std::string report_json(const LabResult& result) {
                 {"exercises", json::array()}};
   for (const ExerciseResult& entry : result.exercises)
     document["exercises"].push_back(exercise_json(entry, result));
+  add_comparisons(document, result);
   // A message may hold what a student's program said: bytes that are no UTF-8 are replaced.
   return document.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }

@@ -1,0 +1,136 @@
+#include "grader/calibrate/findings.h"
+
+#include "grader/judge/compare.h"
+#include "stats/distributions.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace carlo::grader {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// A report shows so many diagnoses: a mistake that comes later is not named.
+constexpr std::size_t shown_diagnoses = 2;
+
+double median(std::vector<double> values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+void add_costs(const Judged& judged, LabFinding& finding) {
+  std::vector<double> seconds;
+  for (const Record* record : judged.records) {
+    seconds.push_back(record->cpu_seconds);
+    finding.worst_seconds = std::max(finding.worst_seconds, record->cpu_seconds);
+    finding.worst_megabytes = std::max(finding.worst_megabytes, record->megabytes);
+  }
+  finding.median_seconds = median(seconds);
+}
+
+void add_failure(const Record& record, LabFinding& finding) {
+  ++finding.false_failures;
+  for (const Judgement& judgement : record.exercises) {
+    if (judgement.status == "passed") continue;
+    finding.failures.push_back(fmt::format("seed {}, {} is \"{}\": {}", record.key.seed,
+                                           judgement.tag, judgement.status, judgement.message));
+  }
+}
+
+void add_uniformity(LabFinding& finding) {
+  const double level =
+      sidak(uniformity_level, std::max<std::size_t>(1, finding.comparisons.size()));
+  std::vector<double> all, without_cautious;
+  for (ComparisonFinding& comparison : finding.comparisons) {
+    const std::vector<double>& p = comparison.p_values;
+    comparison.uniformity = uniformity(p);
+    all.insert(all.end(), p.begin(), p.end());
+    if (comparison.uniformity.behaviour(level) == Behaviour::cautious) continue;
+    without_cautious.insert(without_cautious.end(), p.begin(), p.end());
+  }
+  finding.all = uniformity(all);
+  finding.without_cautious = uniformity(without_cautious);
+}
+
+}  // namespace
+
+std::string ComparisonFinding::caution() const {
+  if (spread < .9) {
+    return fmt::format("theory's variance is a bound, the values have {:.2g} of it", spread);
+  }
+  return uniformity.ties ? "it takes few values" : "";
+}
+
+LabFinding lab_finding(const Judged& solution) {
+  LabFinding finding;
+  finding.lab = solution.subject.lab;
+  finding.gradings = solution.records.size();
+  std::map<ComparisonName, std::size_t> places;
+  for (const Record* record : solution.records) {
+    if (record->exit_code != 0) add_failure(*record, finding);
+    for (const auto& [name, comparison] : comparisons(*record)) {
+      const auto [place, fresh] = places.emplace(name, finding.comparisons.size());
+      if (fresh) {
+        finding.comparisons.push_back(
+            {name, {}, comparison->resolution, comparison->unit, {}, comparison->spread});
+      }
+      finding.comparisons[place->second].p_values.push_back(comparison->p);
+    }
+  }
+  add_uniformity(finding);
+  add_costs(solution, finding);
+  return finding;
+}
+
+namespace {
+
+/// How far below the level the clearest failing comparison of a run lies, in orders of magnitude.
+double margin(const Judgement& judgement) {
+  if (judgement.exact_failures > 0) return infinite;
+  double best = -infinite;
+  for (const Comparison& comparison : judgement.comparisons) {
+    const double p = std::isnan(comparison.p) ? 0 : comparison.p;
+    best = std::max(best, std::log10(comparison_alpha()) - std::log10(p));
+  }
+  return best;
+}
+
+bool is_named(const Subject& subject, const Judgement& judgement) {
+  if (subject.diagnosis == "crash") return judgement.status == "crashed";
+  const auto& ids = judgement.diagnoses;
+  const auto end = ids.begin() + static_cast<std::ptrdiff_t>(std::min(ids.size(), shown_diagnoses));
+  return judgement.status == "failed" && std::find(ids.begin(), end, subject.diagnosis) != end;
+}
+
+}  // namespace
+
+MistakeFinding mistake_finding(const Judged& mistake) {
+  MistakeFinding finding;
+  finding.subject = mistake.subject;
+  finding.margin = infinite;
+  for (const Record* record : mistake.records) {
+    if (record->exercises.empty()) continue;
+    const Judgement& judgement = record->exercises.front();
+    const bool failed = judgement.status != "passed";
+    const bool named = is_named(mistake.subject, judgement);
+    ++finding.runs;
+    finding.caught += failed ? 1 : 0;
+    finding.named += named ? 1 : 0;
+    finding.margin = std::min(finding.margin, margin(judgement));
+    if (!named && finding.first_missed.empty()) {
+      finding.first_missed = fmt::format("seed {}: {}", record->key.seed, judgement.status);
+      for (const std::string& id : judgement.diagnoses)
+        finding.first_missed += ", " + id;
+    }
+  }
+  return finding;
+}
+
+}  // namespace carlo::grader

@@ -1,0 +1,127 @@
+#include "grader/calibrate/plan.h"
+
+#include "cli/atomic_file.h"
+#include "cli/error.h"
+#include "course/exercises.h"
+#include "random/hash.h"
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <regex>
+
+namespace carlo::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path program(const Places& places, const std::string& name) {
+  fs::path path = places.programs / name;
+  if (!fs::is_regular_file(path)) throw Error("{} was not built", path.string());
+  return path;
+}
+
+/// The folder NN_name of a lab below `parent`.
+fs::path folder(const fs::path& parent, const Lab& lab) {
+  return parent / fmt::format("{:02}_{}", lab.number, lab.name);
+}
+
+std::vector<fs::path> patches(const Places& places, const Lab& lab) {
+  std::vector<fs::path> found;
+  const fs::path mistakes = folder(places.tests, lab) / "mistakes";
+  if (!fs::is_directory(mistakes)) return found;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(mistakes)) {
+    if (entry.path().extension() == ".patch") found.push_back(entry.path());
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+void read_header(const fs::path& patch, Subject& subject) {
+  static const std::regex header("^Exercise: Lab ([0-9.]+)\nDiagnosis: ([a-z0-9-]+)\n");
+  const std::string text = read_file(patch);
+  std::smatch match;
+  if (!std::regex_search(text, match, header)) {
+    throw Error("{}: expected the lines \"Exercise: Lab N.K\" and \"Diagnosis: id\"",
+                patch.string());
+  }
+  subject.exercise = match[1];
+  subject.diagnosis = match[2];
+}
+
+/// A word from a file's bytes.
+std::uint64_t word_of_file(const fs::path& path) {
+  const std::string bytes = read_file(path);
+  std::uint64_t word = bytes.size();
+  for (std::size_t i = 0; i < bytes.size(); i += sizeof word) {
+    std::uint64_t part = 0;
+    std::memcpy(&part, bytes.data() + i, std::min(sizeof part, bytes.size() - i));
+    word = mix(word ^ part);
+  }
+  return word;
+}
+
+/// Files are read once: a judge serves all mistakes of its lab.
+class Fingerprints {
+ public:
+  std::string of(const Subject& subject) {
+    return fmt::format("{:016x}",
+                       hash(word(subject.judge), word(subject.worker), word(subject.lab_json)));
+  }
+
+ private:
+  std::uint64_t word(const fs::path& path) {
+    const auto known = words_.find(path);
+    if (known != words_.end()) return known->second;
+    return words_[path] = word_of_file(path);
+  }
+  std::map<fs::path, std::uint64_t> words_;
+};
+
+}  // namespace
+
+std::vector<Subject> subjects(const Places& places, const std::vector<int>& wanted) {
+  std::vector<Subject> list;
+  const std::vector<Lab> labs = load_labs(places.labs);
+  for (const int number : wanted) {
+    const auto same = [&](const Lab& lab) { return lab.number == number; };
+    if (std::none_of(labs.begin(), labs.end(), same)) throw Error("there is no lab {}", number);
+  }
+  for (const Lab& lab : labs) {
+    const bool asked = std::find(wanted.begin(), wanted.end(), lab.number) != wanted.end();
+    if (!wanted.empty() && !asked) continue;
+    const std::string name = fmt::format("lab{:02}", lab.number);
+    Subject subject;
+    subject.lab = lab.number;
+    subject.lab_json = folder(places.labs, lab) / "lab.json";
+    subject.judge = program(places, name + "_judge");
+    subject.worker = program(places, name + "_worker_solution");
+    list.push_back(subject);
+    for (const fs::path& patch : patches(places, lab)) {
+      subject.what = patch.stem();
+      read_header(patch, subject);
+      subject.worker = program(places, fmt::format("{}_worker_mistake_{}", name, subject.what));
+      list.push_back(subject);
+    }
+  }
+  return list;
+}
+
+std::vector<Job> jobs(const std::vector<Subject>& subjects, int count, int mistake_count,
+                      std::uint64_t first_seed) {
+  Fingerprints fingerprints;
+  std::vector<Job> list;
+  for (const bool solutions : {true, false}) {
+    const int seeds = solutions ? count : mistake_count;
+    for (int i = 0; i < seeds; ++i) {
+      for (const Subject& subject : subjects) {
+        if (subject.is_solution() != solutions) continue;
+        const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
+        list.push_back({{subject.lab, subject.what, seed, fingerprints.of(subject)}, subject});
+      }
+    }
+  }
+  return list;
+}
+
+}  // namespace carlo::grader

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace carlo::grader {
+
+/// The rate that `failures` of `trials` exclude with this confidence: the upper one-sided bound of
+/// Clopper and Pearson ("The use of confidence or fiducial limits illustrated in the case of the
+/// binomial", 1934). 1 without trials. Throws Error for more failures than trials.
+double rate_upper_bound(std::size_t failures, std::size_t trials, double confidence = .95);
+
+/// P(D+ >= d) for the largest excess D+ of the distribution of n independent uniform values over
+/// the uniform one, exactly (Birnbaum and Tingey, "One-sided confidence contours for probability
+/// distribution functions", 1951).
+double one_sided_kolmogorov_smirnov(double d, std::size_t n);
+
+/// Whether p-values behave as p-values of right solutions must. `uniform`: as far as these tell.
+/// `cautious`: not uniform, but not too small either, as those of exact tests, counts and bounds:
+/// they fail a right solution less often than they claim. `too_small`: they fail it more often.
+enum class Behaviour { uniform, cautious, too_small };
+std::string to_string(Behaviour behaviour);
+
+struct Uniformity {
+  std::size_t count = 0;
+  double smallest = 1;
+  double either_way = 1;  ///< Kolmogorov-Smirnov test against uniform
+  double too_small = 1;   ///< the one-sided test of them being smaller than uniform
+  bool ties = false;      ///< equal values, which only discrete statistics give
+
+  /// At this level of both tests.
+  Behaviour behaviour(double level) const;
+};
+
+/// NaN among them counts as 0.
+Uniformity uniformity(std::vector<double> p_values);
+
+}  // namespace carlo::grader

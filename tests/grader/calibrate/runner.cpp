@@ -1,0 +1,165 @@
+#include "grader/calibrate/runner.h"
+
+#include "cli/atomic_file.h"
+#include "cli/error.h"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <iterator>
+#include <map>
+#include <system_error>
+
+namespace carlo::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder for what the judges write; gone with this object.
+class Scratch {
+ public:
+  Scratch() {
+    std::string name = (fs::temp_directory_path() / "carlo_calibrate.XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw Error("{}: {}", name, std::strerror(errno));
+    path_ = name;
+  }
+  ~Scratch() {
+    std::error_code ec;
+    fs::remove_all(path_, ec);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  fs::path file(std::size_t job, const char* what) const {
+    return path_ / fmt::format("{}.{}", job, what);
+  }
+
+ private:
+  fs::path path_;
+};
+
+std::vector<std::string> command(const Job& job, const fs::path& verdicts) {
+  // A busy machine must not look like a slow answer: the processor time is limited all the same.
+  std::vector<std::string> words{job.subject.judge,
+                                 "--lab",
+                                 job.subject.lab_json,
+                                 "--worker",
+                                 job.subject.worker,
+                                 "--seed",
+                                 std::to_string(job.key.seed),
+                                 "--deadline",
+                                 "120",
+                                 "--json",
+                                 verdicts};
+  if (!job.subject.exercise.empty()) {
+    words.emplace_back("--exercise");
+    words.push_back(job.subject.exercise);
+  }
+  return words;
+}
+
+/// Starts a judge that ends with this program; what it says goes to `said`.
+pid_t start(std::vector<std::string> words, const fs::path& said) {
+  std::vector<char*> argv;
+  std::transform(words.begin(), words.end(), std::back_inserter(argv),
+                 [](std::string& word) { return word.data(); });
+  argv.push_back(nullptr);
+  const int output = ::open(said.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+  if (output < 0) throw Error("cannot write {}: {}", said.string(), std::strerror(errno));
+  const pid_t pid = ::fork();
+  if (pid == 0) {
+    const bool ready =
+        ::prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 && ::dup2(output, 1) == 1 && ::dup2(output, 2) == 2;
+    if (ready) ::execv(argv[0], argv.data());
+    ::_exit(127);
+  }
+  ::close(output);
+  if (pid < 0) throw Error("cannot start a process: {}", std::strerror(errno));
+  return pid;
+}
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+/// The judges under way, by process; what is left at the end is killed.
+class Judges {
+ public:
+  ~Judges() {
+    for (const auto& [pid, job] : jobs_) {
+      ::kill(pid, SIGKILL);
+      ::waitpid(pid, nullptr, 0);
+    }
+  }
+  Judges() = default;
+  Judges(const Judges&) = delete;
+  Judges& operator=(const Judges&) = delete;
+
+  std::size_t count() const { return jobs_.size(); }
+  void add(pid_t pid, std::size_t job) { jobs_[pid] = job; }
+
+  /// Waits for one to end; how it did goes to `status` and `usage`. Its job.
+  std::size_t next(int& status, rusage& usage) {
+    const pid_t pid = ::wait4(-1, &status, 0, &usage);
+    const auto found = jobs_.find(pid);
+    if (found == jobs_.end()) throw Error("lost sight of a judge: {}", std::strerror(errno));
+    const std::size_t job = found->second;
+    jobs_.erase(found);
+    return job;
+  }
+
+ private:
+  std::map<pid_t, std::size_t> jobs_;
+};
+
+/// When the programs of a subject were last built.
+fs::file_time_type built(const Subject& subject) {
+  return std::max(fs::last_write_time(subject.judge), fs::last_write_time(subject.worker));
+}
+
+Record record_of(const Job& job, int status, const rusage& usage, const fs::path& verdicts,
+                 const fs::path& said) {
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  if (code != 0 && code != 1) throw Error("a judge ended badly: {}", read_file(said));
+  if (!fs::exists(verdicts)) throw Error("a judge gave no verdicts: {}", read_file(said));
+  constexpr double kilobytes = 1024;
+  return {job.key, code, seconds(usage.ru_utime) + seconds(usage.ru_stime),
+          static_cast<double>(usage.ru_maxrss) / kilobytes, judgements_from(read_file(verdicts))};
+}
+
+}  // namespace
+
+void run_jobs(const std::vector<Job>& jobs, int at_once,
+              const std::function<void(const Record&)>& done) {
+  ::setpriority(PRIO_PROCESS, 0, 19);
+  const Scratch scratch;
+  const fs::file_time_type begun = fs::file_time_type::clock::now();
+  Judges judges;
+  for (std::size_t next = 0; next < jobs.size() || judges.count() > 0;) {
+    if (next < jobs.size() && judges.count() < static_cast<std::size_t>(at_once)) {
+      const fs::path verdicts = scratch.file(next, "json");
+      judges.add(start(command(jobs[next], verdicts), scratch.file(next, "said")), next);
+      ++next;
+      continue;
+    }
+    int status = 0;
+    rusage usage{};
+    const std::size_t ended = judges.next(status, usage);
+    const fs::path verdicts = scratch.file(ended, "json"), said = scratch.file(ended, "said");
+    if (built(jobs[ended].subject) > begun) {
+      throw Error("{} or its judge was built anew meanwhile: start again",
+                  jobs[ended].subject.worker.string());
+    }
+    done(record_of(jobs[ended], status, usage, verdicts, said));
+    fs::remove(verdicts);
+    fs::remove(said);
+  }
+}
+
+}  // namespace carlo::grader

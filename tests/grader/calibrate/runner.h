@@ -1,0 +1,17 @@
+#pragma once
+
+#include "grader/calibrate/plan.h"
+#include "grader/calibrate/record.h"
+
+#include <functional>
+#include <vector>
+
+namespace carlo::grader {
+
+/// Runs the judges of all jobs, `at_once` at a time and at the lowest priority, and hands over each
+/// record as soon as it is there. Throws Error when a judge gives no verdicts, or when a program
+/// was built anew while this ran; the judges still under way are ended then.
+void run_jobs(const std::vector<Job>& jobs, int at_once,
+              const std::function<void(const Record&)>& done);
+
+}  // namespace carlo::grader

@@ -1,0 +1,67 @@
+#include "grader/judge/effect.h"
+
+#include "grader/judge/compare.h"
+#include "stats/distributions.h"
+
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/non_central_chi_squared.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace carlo::grader {
+namespace {
+
+namespace bm = boost::math;
+
+/// No effect at all can be seen: of a comparison that has no values, or whose theory is no number.
+constexpr double blind = std::numeric_limits<double>::infinity();
+
+/// How many standard errors the level and the power lie from the middle of a normal statistic.
+double level_z() {
+  return normal_two_sided_quantile(comparison_alpha());
+}
+double power_z() {
+  return normal_two_sided_quantile(2 * (1 - claimed_power));
+}
+
+}  // namespace
+
+Effect effect_on_mean(double off, double sd, double count, double variance) {
+  if (!(count > 0)) return {off, blind, ""};
+  Effect effect{off, (level_z() + power_z()) * sd / std::sqrt(count), ""};
+  if (count > 1) effect.spread = variance / (sd * sd);
+  return effect;
+}
+
+Effect effect_on_variance(double ratio, double freedom) {
+  const std::string unit = "of the variance";
+  if (!(freedom > 0) || std::isinf(freedom)) return {ratio - 1, blind, unit};
+  const bm::chi_squared chi_square(freedom);
+  const double critical = bm::quantile(bm::complement(chi_square, comparison_alpha() / 2));
+  // Too large a variance is harder to see than too small a one.
+  return {ratio - 1, critical / bm::quantile(chi_square, 1 - claimed_power) - 1, unit};
+}
+
+Effect effect_on_distribution(double distance, double count) {
+  const std::string unit = "of probability";
+  if (!(count > 0)) return {distance, blind, unit};
+  // The level's critical distance from the tail's first term, 2 exp(-2 n d^2); and a share of
+  // values has a standard deviation of at most 1 / (2 sqrt(n)).
+  const double critical = std::sqrt(std::log(2 / comparison_alpha()) / 2);
+  return {distance, (critical + power_z() / 2) / std::sqrt(count), unit};
+}
+
+Effect effect_on_cells(double statistic, double freedom, double count) {
+  const std::string unit = "rms of the cells' relative errors";
+  const double seen = std::sqrt(std::max(0.0, statistic - freedom) / count);
+  if (!(freedom > 0 && count > 0)) return {seen, blind, unit};
+  const double critical =
+      bm::quantile(bm::complement(bm::chi_squared(freedom), comparison_alpha() / 2));
+  const double noncentrality =
+      bm::non_central_chi_squared::find_non_centrality(freedom, critical, 1 - claimed_power);
+  return {seen, std::sqrt(noncentrality / count), unit};
+}
+
+}  // namespace carlo::grader
