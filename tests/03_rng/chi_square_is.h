@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grader/judge/compare.h"
+#include "grader/judge/figures.h"
 #include "stats/distributions.h"
 
 #include <fmt/core.h>
@@ -21,11 +22,11 @@ inline carlo::grader::Verdict chi_square_is(const std::string& what,
   const auto freedom = static_cast<double>(counts.size() - 1);
   carlo::grader::Verdict verdict;
   verdict.what = what;
-  verdict.p = carlo::chi_square_two_sided(statistic, freedom);
-  verdict.passed = *verdict.p >= carlo::grader::comparison_alpha();
   verdict.measured = fmt::format("chi-square {:.4g}", statistic);
   verdict.expected = fmt::format("{} or so", freedom);
-  verdict.certainty = fmt::format("p = {:.2g}", *verdict.p);
+  carlo::grader::conclude(verdict, fmt::format("chi-square {:.4g}", statistic),
+                          carlo::chi_square_two_sided(statistic, freedom));
+  if (!verdict.passed) verdict.figure = carlo::grader::counts_figure({}, counts, expected);
   return verdict;
 }
 

@@ -4,7 +4,9 @@
 // rectangle.
 
 #include "08_path_tracer/theory.h"
+#include "grader/judge/figures.h"
 
+#include <algorithm>
 #include <array>
 #include <set>
 
@@ -47,6 +49,15 @@ const Diagnosis missing_pi{"pi-missing",
                            "cos/pi."};
 const Diagnosis channels{"channels-mixed", "the three channels have to be kept apart."};
 
+/// One ray is right; each one more or less is drawn as four standard deviations.
+Figure strata_picture(std::size_t strata, const std::vector<double>& rays) {
+  const std::vector<double> one(rays.size(), 1.0), sd(rays.size(), 0.25);
+  Figure figure = tiles_figure(strata, rays, one, sd);
+  figure.title = "Rays in each stratum of the pixel";
+  figure.note = "Blank: one ray, as it should be.";
+  return figure;
+}
+
 }  // namespace
 
 TEST_CASE("Lab 8.1: one ray in every stratum of the pixel, uniform within it", "[lab08][ex1]") {
@@ -56,12 +67,16 @@ TEST_CASE("Lab 8.1: one ray in every stratum of the pixel, uniform within it", "
     const Rows rows = probe("Lab 8.1 rays", {.n = strata, .numbers = {{"x", 5}, {"y", 6}}},
                             {.rows = k * k + 2, .columns = 2});
     std::set<std::pair<int, int>> met;
+    std::vector<double> rays(k * k);
     double corner = 0, same = 0;
     bool mirrored = true;
     for (std::size_t i = 0; i < k * k; ++i) {
       const double u = rows.at(i, 0) * strata, v = rows.at(i, 1) * strata;
       if (u >= -1e-4 && u < strata + 1e-4 && v >= -1e-4 && v < strata + 1e-4) {
         met.insert({static_cast<int>(u), static_cast<int>(v)});
+        const int column = std::clamp(static_cast<int>(u), 0, strata - 1);
+        const int row = std::clamp(static_cast<int>(v), 0, strata - 1);
+        rays[static_cast<std::size_t>(row * strata + column)] += 1;
       }
       mirrored = mirrored && rows.at(i, 1) + 6 >= 1 - 1e-4 && rows.at(i, 1) + 6 <= 2 + 1e-4;
       across.push_back(u - std::floor(u));
@@ -73,8 +88,11 @@ TEST_CASE("Lab 8.1: one ray in every stratum of the pixel, uniform within it", "
     std::vector<Diagnosis> diagnoses;
     if (mirrored) diagnoses.push_back(upside_down);
     if (diagnoses.empty()) diagnoses.push_back(not_stratified);
-    judge(holds(fmt::format("strata of a pixel cut {} x {} that have a ray", strata, strata),
-                met.size() == k * k, fmt::format("{} of {}", met.size(), k * k), "all", diagnoses));
+    Verdict verdict =
+        holds(fmt::format("strata of a pixel cut {} x {} that have a ray", strata, strata),
+              met.size() == k * k, fmt::format("{} of {}", met.size(), k * k), "all", diagnoses);
+    if (!verdict.passed && strata > 1) verdict.figure = strata_picture(k, rays);
+    judge(verdict);
     if (strata == 16) {
       judge(holds("places in the strata", corner < all / 2 && same < all / 2,
                   corner >= all / 2 ? "all the same"

@@ -3,6 +3,7 @@
 // % each, rms, are caught with power .999), the mean weight against the reflectance in closed form.
 
 #include "08_path_tracer/theory.h"
+#include "grader/judge/figures.h"
 #include "stats/distributions.h"
 
 using namespace carlo::grader;
@@ -70,6 +71,31 @@ double cosine_of(const DirectionPair& d) {
   return glm::dot(Double3(d.normal), Double3(d.wi));
 }
 
+/// The pairs that differ.
+Figure values_picture(const std::vector<DirectionPair>& pairs, const std::vector<double>& measured,
+                      const ValueOf& exact, double tolerance) {
+  std::vector<double> expected;
+  expected.reserve(pairs.size());
+  for (const DirectionPair& pair : pairs)
+    expected.push_back(exact(pair));
+  const auto degrees = [](double cosine) {
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / pi;
+  };
+  return differences_listing(
+      "wi to the normal, to the mirror direction, in degrees",
+      [&](std::size_t i) {
+        return fmt::format("{:.3g}, {:.3g}", degrees(cosine_of(pairs[i])),
+                           degrees(lobe_cosine(pairs[i])));
+      },
+      measured, expected,
+      [&](std::size_t i) {
+        if (std::abs(cosine_of(pairs[i])) < 1e-5 || std::abs(lobe_cosine(pairs[i])) < 1e-5) {
+          return false;
+        }
+        return !(std::abs(measured[i] - expected[i]) <= tolerance * expected[i] + 1e-6);
+      });
+}
+
 void judge_values(const std::string& what, const PhongCase& c, const std::vector<double>& measured,
                   const ValueOf& exact, const std::vector<Alternative>& alternatives) {
   const std::vector<DirectionPair> pairs = direction_pairs(c.n);
@@ -85,6 +111,7 @@ void judge_values(const std::string& what, const PhongCase& c, const std::vector
         equals(fmt::format("{}, {}, wi {:.3g} degrees from the normal", what, name_of(c),
                            std::acos(std::clamp(cosine_of(pairs[i]), -1.0, 1.0)) * 180 / pi),
                measured[i], expected, tolerance * expected + 1e-6);
+    verdict.figure = values_picture(pairs, measured, exact, tolerance);
     if (!(cosine_of(pairs[i]) > 0)) {
       verdict.diagnoses.push_back(below_horizon);
     } else {
@@ -240,6 +267,20 @@ std::vector<double> cell_masses(const SampleCase& c) {
   return mass;
 }
 
+/// Without the last cell, which counts what was absorbed.
+Figure cells_picture(std::vector<double> counts, std::vector<double> mass) {
+  const auto absorbed = counts.back();
+  const double right = mass.back() * draws;
+  counts.pop_back();
+  mass.pop_back();
+  for (double& m : mass)
+    m *= draws;
+  Figure figure = cells_figure("azimuth, 0 to 360 degrees", "cosine to the normal, from 0", sectors,
+                               counts, mass);
+  figure.note += fmt::format(" Besides, {:g} were absorbed, expected {:.0f}.", absorbed, right);
+  return figure;
+}
+
 void judge_cells(const SampleCase& c, const Rows& rows) {
   std::vector<double> counts(rings * sectors + 1);
   double below = 0, none = 0;
@@ -277,11 +318,11 @@ void judge_cells(const SampleCase& c, const Rows& rows) {
   }
   Verdict verdict;
   verdict.what = "cells of directions, " + title(c);
-  verdict.p = carlo::chi_square_two_sided(statistic, freedom);
-  verdict.passed = *verdict.p >= comparison_alpha();
   verdict.measured = fmt::format("chi-square {:.5g}", statistic);
   verdict.expected = fmt::format("{:g} ± {:.3g}", freedom, std::sqrt(2 * freedom));
-  verdict.certainty = fmt::format("p = {:.2g}", *verdict.p);
+  conclude(verdict, fmt::format("chi-square {:.5g}", statistic),
+           carlo::chi_square_two_sided(statistic, freedom));
+  if (!verdict.passed) verdict.figure = cells_picture(counts, mass);
   if (!verdict.passed && none == 0) verdict.diagnoses.push_back(never_absorbs);
   if (!verdict.passed && empty >= 8) verdict.diagnoses.push_back(reused);
   judge(verdict);

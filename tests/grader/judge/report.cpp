@@ -1,6 +1,7 @@
 #include "grader/judge/report.h"
 
 #include "cli/terminal.h"
+#include "grader/judge/details.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -249,8 +250,9 @@ std::string report_json(const LabResult& result) {
   for (const ExerciseResult& entry : result.exercises) {
     document["exercises"].push_back(exercise_json(entry));
   }
+  add_details(document, result);
   // A message may hold what a student's program said: bytes that are no UTF-8 are replaced.
-  return document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace carlo::grader

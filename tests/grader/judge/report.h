@@ -11,7 +11,7 @@ namespace carlo::grader {
 std::string report_text(const LabResult& result, bool verbose = false);
 
 /// The same for programs: the lab, the seed, and for each exercise tag, points, max, status,
-/// diagnosis ids, message and p-values.
+/// diagnosis ids, message and p-values; and what details.h adds.
 std::string report_json(const LabResult& result);
 
 }  // namespace carlo::grader

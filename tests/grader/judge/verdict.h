@@ -1,5 +1,7 @@
 #pragma once
 
+#include "grader/judge/figure.h"
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +30,7 @@ struct Verdict {
   std::string certainty;    ///< how sure: z, p; empty for exact comparisons
   std::optional<double> p;  ///< for statistical ones: its p-value under a right solution
   std::vector<Diagnosis> diagnoses;
+  std::optional<Figure> figure = std::nullopt;  ///< of a failed one, where it helps
 };
 
 }  // namespace carlo::grader
