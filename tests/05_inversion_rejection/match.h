@@ -49,7 +49,7 @@ inline carlo::grader::Verdict equals_everywhere(const std::string& what, std::sp
     const double tolerance = relative * std::abs(expected) + absolute;
     if (std::abs(measured[i] - expected) <= tolerance) continue;
     carlo::grader::Verdict verdict = carlo::grader::equals(
-        fmt::format("{} at {:.17g}", what, at[i]), measured[i], expected, tolerance);
+        fmt::format("{} at {} = {}", what, axis, at[i]), measured[i], expected, tolerance);
     for (const Alternative& other : alternatives) {
       if (looks_like(other.formula, at, measured)) verdict.diagnoses.push_back(other.diagnosis);
     }

@@ -56,6 +56,7 @@ json test_json(const TestRecord& test, Ration& left) {
              {"problem", cut(test.problem)}, {"printed", cut(test.printed)},
              {"skipped", test.skipped},      {"needs", cut(test.needs)},
              {"verdicts", json::array()}};
+  if (!fits(entry["problem"], left.printed)) entry["problem"] = test.problem.substr(0, 100);
   if (!fits(entry["printed"], left.printed)) entry["printed"] = "";
   for (const Verdict& verdict : test.verdicts) {
     json words = verdict_json(verdict);
@@ -90,6 +91,7 @@ void add_details(json& document, const LabResult& result) {
     const ExerciseResult& from = result.exercises[i];
     json& to = document["exercises"][i];
     to["title"] = from.exercise.title;
+    if (to.contains("message")) to["message"] = cut(to["message"].get<std::string>());
     to["unsound"] = unsound(from, result);
     json& tests = to["tests"];
     for (std::size_t k = 0; k < from.tests.size(); ++k)

@@ -21,14 +21,15 @@ struct Range {
   bool contains(double x) const { return x >= first && x <= last; }
 };
 
-/// Where 99 % of the finite values lie, and `also`, with some air.
-Range central_range(std::span<const double> values, const std::vector<double>& also) {
+/// Where the finite values lie but for a part `tail` at either end, and `also`, with some air.
+Range central_range(std::span<const double> values, const std::vector<double>& also,
+                    double tail = 0.005) {
   std::vector<double> sorted;
   std::copy_if(values.begin(), values.end(), std::back_inserter(sorted),
                [](double x) { return std::isfinite(x); });
   std::vector<double> ends;
   if (!sorted.empty()) {
-    const auto skipped = static_cast<std::ptrdiff_t>(sorted.size() / 200);
+    const auto skipped = static_cast<std::ptrdiff_t>(tail * number(sorted.size()));
     std::nth_element(sorted.begin(), sorted.begin() + skipped, sorted.end());
     ends.push_back(sorted[static_cast<std::size_t>(skipped)]);
     std::nth_element(sorted.begin(), sorted.end() - 1 - skipped, sorted.end());
@@ -43,6 +44,20 @@ Range central_range(std::span<const double> values, const std::vector<double>& a
   if (air > 0 && std::isfinite(air)) return {*low - air, *high + air};
   const double around = *low == 0 ? 1 : 0.1 * std::abs(*low);
   return {*low - around, *low + around};
+}
+
+/// All finite values, unless a few of them lie so far out that the others would lie flat.
+Range whole_range(std::span<const double> values) {
+  const Range central = central_range(values, {}, 0.05);
+  double first = HUGE_VAL, last = -HUGE_VAL;
+  for (const double x : values) {
+    if (!std::isfinite(x)) continue;
+    first = std::min(first, x);
+    last = std::max(last, x);
+  }
+  const double air = 0.3 * central.width();
+  if (!(last - first <= 4 * central.width())) return {central.first - air, central.last + air};
+  return {std::min(first, central.first), std::max(last, central.last)};
 }
 
 /// A histogram of the values in `range`; says in words how many lie elsewhere.
@@ -224,9 +239,9 @@ Figure counts_figure(const CellAxis& axis, std::span<const double> counts,
       (h.last - h.first) * (number(h.measured.size()) * number(group) / number(counts.size()) - 1);
   for (const double e : h.expected)
     h.band.push_back(3 * std::sqrt(std::max(0.0, e)));
-  const std::string cells = group == 1 ? "cell" : fmt::format("{} cells", group);
-  return {fmt::format("Samples in each {}", cells),
-          "Band: three standard deviations around what is expected.", h};
+  std::string note = "Band: three standard deviations around what is expected.";
+  if (group > 1) note += fmt::format(" Each bar: {} cells.", group);
+  return {"Samples in each cell", note, h};
 }
 
 Figure cells_figure(const std::string& column_label, const std::string& row_label,
@@ -271,6 +286,7 @@ Figure differences_listing(const std::string& place_title, const PlaceName& plac
   ListingFigure listing{{place_title, "measured", "expected", "measured / expected"}, {}};
   for (std::size_t i = 0; i < measured.size() && listing.rows.size() < most_rows; ++i) {
     if (!wrong(i)) continue;
+    if (!listing.rows.empty() && listing.rows.back().front() == place(i)) continue;
     const double ratio = measured[i] / expected[i];
     listing.rows.push_back({place(i), digits(measured[i], expected[i]),
                             digits(expected[i], measured[i]),
@@ -285,13 +301,11 @@ Figure differences_listing(const std::string& place_title, const PlaceName& plac
 Figure curve_figure(const std::string& x_label, std::span<const double> at,
                     std::span<const double> measured, std::span<const double> expected,
                     const std::function<bool(std::size_t)>& wrong) {
-  const Range right = central_range(expected, {});
-  std::vector<double> both(expected.begin(), expected.end());
-  both.insert(both.end(), measured.begin(), measured.end());
-  Range shown = central_range(both, {});
-  // What lies ten times as far out as all that is right would flatten the curve.
-  shown.first = std::max(shown.first, right.first - 3 * right.width());
-  shown.last = std::min(shown.last, right.last + 3 * right.width());
+  const Range right = whole_range(expected), theirs = whole_range(measured);
+  // What lies far outside of all that is right would flatten the curve.
+  const double far = 3 * right.width();
+  const Range shown{std::min(right.first, std::max(theirs.first, right.first - far)),
+                    std::max(right.last, std::min(theirs.last, right.last + far))};
   PointsFigure p{x_label, "value", false, false, {}};
   std::size_t visible = 0, lost = 0;
   const std::size_t stride = group_for(at.size(), most_points);
@@ -306,7 +320,7 @@ Figure curve_figure(const std::string& x_label, std::span<const double> at,
   }
   if (visible < 3) {
     return differences_listing(
-        x_label, [&](std::size_t i) { return fmt::format("{:.17g}", at[i]); }, measured, expected,
+        x_label, [&](std::size_t i) { return fmt::format("{}", at[i]); }, measured, expected,
         wrong);
   }
   std::sort(p.points.begin(), p.points.end(),

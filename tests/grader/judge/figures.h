@@ -52,8 +52,8 @@ Figure tiles_figure(std::size_t columns, std::span<const double> measured,
 /// Where values were asked for, in words.
 using PlaceName = std::function<std::string(std::size_t index)>;
 
-/// The first values that differ, by `wrong(index)`: place, measured, expected and their ratio. When
-/// all that differ have one ratio, the note says so.
+/// The first values that differ, by `wrong(index)`: place, measured, expected and their ratio; of
+/// neighbours at one place the first. When all that differ have one ratio, the note says so.
 Figure differences_listing(const std::string& place_title, const PlaceName& place,
                            std::span<const double> measured, std::span<const double> expected,
                            const std::function<bool(std::size_t)>& wrong);

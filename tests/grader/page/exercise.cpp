@@ -19,7 +19,7 @@ namespace {
 
 /// Of many failures the first few tell the story: comparisons of a test in full, those that fit in
 /// a line, and diagnoses.
-constexpr std::size_t shown_comparisons = 3;
+constexpr std::size_t shown_comparisons = 4;
 constexpr std::size_t shown_brief = 6;
 constexpr std::size_t shown_diagnoses = 2;
 
@@ -105,7 +105,8 @@ std::string figure_of(const json& verdict) {
 
 /// An exact comparison without a figure says all in one line.
 bool is_brief(const json& verdict) {
-  return text_in(verdict, "certainty").empty() && verdict.value("figure", json()).is_null();
+  const auto figure = verdict.find("figure");
+  return text_in(verdict, "certainty").empty() && (figure == verdict.end() || figure->is_null());
 }
 
 std::string verdict_html(const json& verdict) {
@@ -150,6 +151,7 @@ std::string failed_test(const json& test) {
         fmt::format("<p class=\"soft\">Your program printed:</p>\n<pre>{}</pre>\n", html(printed));
   }
   std::vector<const json*> brief, more, passed;
+  std::string full;
   std::size_t shown = 0;
   for (const json& verdict : list_in(test, "verdicts")) {
     if (true_in(verdict, "passed")) {
@@ -157,10 +159,13 @@ std::string failed_test(const json& test) {
     } else if (is_brief(verdict)) {
       (brief.size() < shown_brief ? brief : more).push_back(&verdict);
     } else if (++shown <= shown_comparisons) {
-      out += verdict_html(verdict);
+      full += verdict_html(verdict);
     } else {
       more.push_back(&verdict);
     }
+  }
+  if (shown > 0) {
+    out += fmt::format("<div class=\"verdicts{}\">\n{}</div>\n", shown == 1 ? " one" : "", full);
   }
   if (!brief.empty()) out += verdict_rows(brief);
   out += folded_verdicts(fmt::format("And {} more like these", more.size()), more);

@@ -76,9 +76,9 @@ json cleaned(const json& labs) {
   return list;
 }
 
-/// Valid UTF-8, the same way.
+/// Printable, valid UTF-8.
 std::string cleaned(const std::string& text) {
-  return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace))
+  return json::parse(json(printable(text)).dump(-1, ' ', false, json::error_handler_t::replace))
       .get<std::string>();
 }
 
@@ -97,7 +97,7 @@ std::string grade_page(const json& labs, const PageWords& words) {
     page.raw_html(lab_html(list[0]));
   } else {
     for (const json& lab : list) {
-      page.section(fmt::format("{} – {}", lab_name(lab), points(lab)));
+      page.section(printable(fmt::format("{} – {}", lab_name(lab), points(lab))));
       page.raw_html(lab_html(lab));
     }
   }

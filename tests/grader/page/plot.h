@@ -31,7 +31,7 @@ class Plot {
   std::string svg(const std::string& description) const;
 
   static constexpr double width = 360, height = 216;
-  static constexpr double left = 48, right = 350, top = 8, bottom = 176;
+  static constexpr double left = 48, right = 346, top = 8, bottom = 176;
 
  private:
   Interval x_, y_;

@@ -39,9 +39,14 @@ pre { max-height: 20rem; margin: 0 0 1rem; padding: 0.8rem 1rem; overflow: auto;
 .exercise > .note, .help { margin: 1rem 0 0; }
 .test { margin-top: 1.3rem; padding-top: 1.1rem; border-top: 1px solid var(--rule); }
 .problem { color: var(--bad); }
-.verdict { display: grid; gap: 0.8rem 2rem; margin-bottom: 1.4rem;
-           grid-template-columns: repeat(auto-fit, minmax(min(100%, 24rem), 1fr)); }
-.verdict > div { min-width: 0; }
+.verdicts { display: grid; gap: 1.4rem 2rem; margin-bottom: 1rem;
+            grid-template-columns: repeat(auto-fit, minmax(min(100%, 24rem), 1fr)); }
+.verdict { display: flex; flex-direction: column; gap: 0.8rem; min-width: 0; }
+.verdict figure { width: 100%; }
+@media (min-width: 56rem) {
+  .verdicts.one .verdict { display: grid; gap: 2rem; grid-template-columns: 1fr 1fr; }
+  .verdict > div { flex: 1; }
+}
 .what { margin-bottom: 0.4rem; font-weight: 600; }
 .verdict dd { overflow-wrap: anywhere; }
 .verdict dt { color: var(--soft); font-weight: 400; }
@@ -51,7 +56,9 @@ pre { max-height: 20rem; margin: 0 0 1rem; padding: 0.8rem 1rem; overflow: auto;
 .exercise td:first-child { min-width: 0; }
 
 figure { max-width: 32rem; }
-figure svg { display: block; width: 100%; height: auto; margin-top: 0.5rem; }
+figure th { white-space: normal; vertical-align: bottom; }
+figure table { width: 100%; }
+figure svg { display: block; overflow: visible; width: 100%; height: auto; margin-top: 0.5rem; }
 figure svg svg { overflow: hidden; }
 figure text { fill: var(--soft); font-size: 10.5px; }
 figure .label { font-size: 11px; }

@@ -19,13 +19,17 @@ const json* member(const json& object, const char* key) {
 
 }  // namespace
 
-std::string html(std::string_view text) {
+std::string printable(std::string_view text) {
   std::string safe(text);
   for (char& c : safe) {
     const auto byte = static_cast<unsigned char>(c);
     if ((byte < 32 && c != '\n' && c != '\t') || byte == 127) c = ' ';
   }
-  return html_escaped(safe);
+  return safe;
+}
+
+std::string html(std::string_view text) {
+  return html_escaped(printable(text));
 }
 
 std::string text_in(const json& object, const char* key) {

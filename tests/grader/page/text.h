@@ -9,8 +9,10 @@
 
 namespace carlo::grader {
 
-/// Text as HTML content or attribute value; control characters but for line ends and tabs become
-/// spaces.
+/// The text with spaces for control characters but for line ends and tabs.
+std::string printable(std::string_view text);
+
+/// Printable text as HTML content or attribute value.
 std::string html(std::string_view text);
 
 /// The member's text; "" when there is no such member or it is no text.
