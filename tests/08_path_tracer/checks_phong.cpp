@@ -82,7 +82,7 @@ Figure values_picture(const std::vector<DirectionPair>& pairs, const std::vector
     return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / pi;
   };
   return differences_listing(
-      "degrees from wi to the normal, to the mirror direction",
+      "wi to normal, to mirror (degrees)",
       [&](std::size_t i) {
         return fmt::format("{:.3g}, {:.3g}", degrees(cosine_of(pairs[i])),
                            degrees(lobe_cosine(pairs[i])));

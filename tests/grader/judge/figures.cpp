@@ -283,7 +283,7 @@ Figure tiles_figure(std::size_t columns, std::span<const double> measured,
 Figure differences_listing(const std::string& place_title, const PlaceName& place,
                            std::span<const double> measured, std::span<const double> expected,
                            const std::function<bool(std::size_t)>& wrong) {
-  ListingFigure listing{{place_title, "measured", "expected", "measured / expected"}, {}};
+  ListingFigure listing{{place_title, "measured", "expected", "ratio"}, {}};
   for (std::size_t i = 0; i < measured.size() && listing.rows.size() < most_rows; ++i) {
     if (!wrong(i)) continue;
     if (!listing.rows.empty() && listing.rows.back().front() == place(i)) continue;

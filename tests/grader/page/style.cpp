@@ -58,6 +58,9 @@ pre { max-height: 20rem; margin: 0 0 1rem; padding: 0.8rem 1rem; overflow: auto;
 figure { max-width: 32rem; }
 figure th { white-space: normal; vertical-align: bottom; }
 figure table { width: 100%; }
+figure th, .exercise figure td { min-width: 0; padding: 0.3rem 0 0.3rem 0.8rem; }
+.exercise figure td { white-space: nowrap; }
+figure th:first-child, .exercise figure td:first-child { padding-left: 0; text-align: left; }
 figure svg { display: block; overflow: visible; width: 100%; height: auto; margin-top: 0.5rem; }
 figure svg svg { overflow: hidden; }
 figure text { fill: var(--soft); font-size: 10.5px; }
