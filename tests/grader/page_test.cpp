@@ -111,7 +111,7 @@ TEST_CASE("nothing that a student's program says becomes markup", "[page]") {
   for (const Figure& figure : every_kind()) {
     verdict.figure = figure;
     json lab = demo_lab(verdict, hostile);
-    lab["title"] = lab["compiler"] = lab["problem"] = lab["sandbox"] = hostile;
+    lab["title"] = lab["compiler"] = lab["note"] = lab["sandbox"] = hostile;
     lab["exercises"][0]["title"] = lab["exercises"][0]["tag"] = hostile;
     lab["exercises"][0]["status"] = hostile;
     lab["exercises"][2]["tests"][0]["needs"] = "Lab " + hostile;
@@ -159,7 +159,7 @@ TEST_CASE("the aspects that are judged apart have a mark each", "[page]") {
 
 TEST_CASE("verdicts that lack something make a page without it", "[page]") {
   for (const json& labs : {json(), json(3), json::array(), json::object(), json{{"lab", 1}},
-                           json{{{"lab", 1}, {"problem", "did not compile"}}, 7},
+                           json{{{"lab", 1}, {"note", "did not compile"}}, 7},
                            json{{"exercises", {1, json::object(), {{"tests", {3}}}}}},
                            json{{"exercises",
                                  {{{"status", "failed"},
@@ -171,8 +171,38 @@ TEST_CASE("verdicts that lack something make a page without it", "[page]") {
   json lab = demo_lab(wrong_mean());
   lab["exercises"][0]["tests"][0]["verdicts"][0]["figure"] = "none";
   CHECK(has(grade_page(lab, {"x"}), "cannot be read"));
-  CHECK(has(grade_page({{{"lab", 1}, {"problem", "did not compile"}}, {{"lab", 2}}}, {"x"}),
+  CHECK(has(grade_page({{{"lab", 1}, {"note", "did not compile"}}, {{"lab", 2}}}, {"x"}),
             "did not compile"));
+}
+
+TEST_CASE("a grading's record shows what was not judged", "[page]") {
+  const json judged{
+      {"lab", 7}, {"note", ""}, {"compiler", ""}, {"verdict", demo_lab(wrong_mean())}};
+  const json broken{{"lab", 8},
+                    {"title", "Broken"},
+                    {"note", "does not compile"},
+                    {"compiler", "path.cpp:3: error: expected ';'"},
+                    {"verdict", nullptr},
+                    {"exercises",
+                     {{{"tag", "Lab 8.1"},
+                       {"title", "A"},
+                       {"points", 0},
+                       {"max", 3},
+                       {"status", "does_not_compile"}},
+                      {{"tag", "Lab 8.2"},
+                       {"title", "B"},
+                       {"points", nullptr},
+                       {"max", 1},
+                       {"status", "grader_error"}}}}};
+  const std::string page = grade_page({judged, broken}, {"Ada"});
+  check_balanced(page);
+  CHECK(has(page, "3 of 10 points"));
+  CHECK(has(page, "Lab 07: Demo – 3 of 6 points"));
+  CHECK(has(page, "Lab 08: Broken – 0 of 4 points"));
+  CHECK(has(page, "path.cpp:3: error: expected &#39;;&#39;"));
+  CHECK(has(page, "it is too large."));
+  CHECK(has(page, "not graded"));
+  CHECK(has(page, "? of 1 points"));
 }
 
 TEST_CASE("a page is offered when something failed, not when nothing is done", "[page]") {

@@ -47,6 +47,10 @@ struct Look {
 Look look_of(const std::string& status) {
   if (status == "passed") return {"passed", "✓", "passed"};
   if (status == "not_implemented") return {"open", "–", "not done"};
+  if (status == "not_submitted") return {"open", "–", "not submitted"};
+  if (status == "grader_error") return {"open", "–", "not graded"};
+  if (status == "refused") return {"failed", "✗", "refused"};
+  if (status == "does_not_compile") return {"failed", "✗", "does not compile"};
   if (status == "crashed") return {"failed", "✗", "crashed"};
   if (status == "timeout") return {"failed", "✗", "too slow"};
   return {"failed", "✗", "failed"};
@@ -81,7 +85,7 @@ std::string aspects(const json& exercise) {
 /// Of an open exercise: the one to do first.
 std::string needs_of(const json& exercise) {
   for (const json& test : list_in(exercise, "tests")) {
-    const std::string needs = text_in(test, "needs");
+    std::string needs = text_in(test, "needs");
     if (needs.rfind("Lab ", 0) == 0) return needs;
   }
   return "";
@@ -239,6 +243,11 @@ std::string unsound_ground(const json& exercise) {
   return out;
 }
 
+/// Whether there is more to say than the overview does.
+bool has_details(const json& exercise) {
+  return text_in(exercise, "status") != "not_implemented" && !list_in(exercise, "tests").empty();
+}
+
 std::string heading(const json& exercise) {
   return fmt::format("{}<h3>{} {}</h3><span class=\"points\">{}</span>{}",
                      chip(text_in(exercise, "status")), html(number_of(exercise)),
@@ -250,8 +259,10 @@ std::string heading(const json& exercise) {
 std::string overview_row(const json& exercise, const std::string& lab) {
   const std::string status = text_in(exercise, "status"), number = number_of(exercise);
   std::string words = html(text_in(exercise, "title"));
-  if (status != "not_implemented") {
+  if (has_details(exercise)) {
     words = fmt::format("<a href=\"#{}\">{} {}</a>", anchor(exercise, lab), html(number), words);
+  } else if (status != "not_implemented") {
+    words = fmt::format("{} {}", html(number), words);
   } else {
     const std::string needs = needs_of(exercise);
     const std::string first = needs.empty() || needs == text_in(exercise, "tag")
@@ -265,7 +276,7 @@ std::string overview_row(const json& exercise, const std::string& lab) {
 
 std::string exercise_html(const json& exercise, const std::string& lab) {
   const std::string status = text_in(exercise, "status");
-  if (status == "not_implemented") return "";
+  if (!has_details(exercise)) return "";
   const std::string id = anchor(exercise, lab);
   if (status == "passed") {
     return fmt::format(

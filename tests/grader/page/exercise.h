@@ -13,7 +13,7 @@ std::string overview_row(const nlohmann::json& exercise, const std::string& lab)
 
 /// All that is known of an exercise that has failed: what it looks like, the hint's command, failed
 /// tests with their figures, passed ones folded away. Of a passed one, its tests folded away. ""
-/// where nothing is done yet.
+/// where nothing is done yet or nothing was judged.
 std::string exercise_html(const nlohmann::json& exercise, const std::string& lab);
 
 }  // namespace carlo::grader

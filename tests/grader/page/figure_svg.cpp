@@ -90,7 +90,7 @@ void draw_expected(Plot& plot, const HistogramFigure& h, double width) {
     const double e = h.expected[i], b = h.band.empty() ? 0 : h.band[i];
     steps += path_step(i == 0 ? 'M' : 'L', from, plot.y(e)) + path_step('L', to, plot.y(e));
     upper += path_step(i == 0 ? 'M' : 'L', from, plot.y(e + b)) + path_step('L', to, plot.y(e + b));
-    lower = path_step('L', to, plot.y(e - b)) + path_step('L', from, plot.y(e - b)) + lower;
+    lower.insert(0, path_step('L', to, plot.y(e - b)) + path_step('L', from, plot.y(e - b)));
   }
   if (!h.band.empty()) plot.line(upper + lower + "Z", "band");
   if (!h.expected.empty()) plot.line(steps, "e");

@@ -23,15 +23,37 @@ std::string lab_name(const json& lab) {
   return title.empty() ? name : name + ": " + title;
 }
 
-std::string points(const json& lab) {
-  return fmt::format("{} of {} points", number_in(lab, "points"), number_in(lab, "max"));
+double sum_of(const json& list, const char* key) {
+  double sum = 0;
+  for (const json& entry : list) {
+    const auto found = entry.find(key);
+    if (found != entry.end() && found->is_number()) sum += found->get<double>();
+  }
+  return sum;
+}
+
+/// A lab's verdict, out of the record that it may stand in; with its points, if nobody added them.
+json verdict_of(const json& entry) {
+  json lab = entry;
+  const auto verdict = entry.find("verdict");
+  if (verdict != entry.end() && verdict->is_object()) {
+    lab = *verdict;
+    if (!lab.contains("lab")) lab["lab"] = entry.value("lab", json());
+  }
+  for (const char* key : {"note", "compiler"}) {
+    if (entry.contains(key)) lab[key] = entry[key];
+  }
+  for (const char* key : {"points", "max"}) {
+    if (!lab.contains(key)) lab[key] = sum_of(list_in(lab, "exercises"), key);
+  }
+  return lab;
 }
 
 /// What stands in place of exercises that were not judged.
 std::string problem_html(const json& lab) {
   std::string out;
-  const std::string problem = text_in(lab, "problem"), compiler = text_in(lab, "compiler");
-  if (!problem.empty()) out += fmt::format("<p class=\"note\">{}</p>\n", html(problem));
+  const std::string note = text_in(lab, "note"), compiler = text_in(lab, "compiler");
+  if (!note.empty()) out += fmt::format("<p class=\"note\">{}</p>\n", html(note));
   if (!compiler.empty()) out += fmt::format("<pre>{}</pre>\n", html(compiler));
   return out;
 }
@@ -56,23 +78,15 @@ std::string lab_html(const json& lab) {
   return out + details;
 }
 
-double sum_of(const json& labs, const char* key) {
-  double sum = 0;
-  for (const json& lab : labs) {
-    const auto found = lab.find(key);
-    if (found != lab.end() && found->is_number()) sum += found->get<double>();
-  }
-  return sum;
-}
-
 /// A list of objects, in valid UTF-8, whatever came.
 json cleaned(const json& labs) {
   const json clean = json::parse(labs.dump(-1, ' ', false, json::error_handler_t::replace));
   json list = json::array();
-  if (clean.is_object()) list.push_back(clean);
+  if (clean.is_object()) list.push_back(verdict_of(clean));
   if (!clean.is_array()) return list;
-  std::copy_if(clean.begin(), clean.end(), std::back_inserter(list),
-               [](const json& lab) { return lab.is_object(); });
+  for (const json& lab : clean) {
+    if (lab.is_object()) list.push_back(verdict_of(lab));
+  }
   return list;
 }
 
@@ -97,7 +111,8 @@ std::string grade_page(const json& labs, const PageWords& words) {
     page.raw_html(lab_html(list[0]));
   } else {
     for (const json& lab : list) {
-      page.section(printable(fmt::format("{} – {}", lab_name(lab), points(lab))));
+      page.section(printable(fmt::format("{} – {} of {} points", lab_name(lab),
+                                         number_in(lab, "points"), number_in(lab, "max"))));
       page.raw_html(lab_html(lab));
     }
   }

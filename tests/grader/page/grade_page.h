@@ -16,9 +16,9 @@ struct PageWords {
 };
 
 /// The page of one lab's verdicts, or of a list of labs': one HTML file that needs nothing else.
-/// The verdicts are those of report_json(); what is missing in them is left out, and a lab without
-/// exercises shows its "problem" (and "compiler", what the compiler said) in their place. All
-/// text is escaped, and the page is valid UTF-8, whatever a student's program said.
+/// The verdicts are those of report_json(); what is missing in them is left out. In a list they may
+/// also stand in a grading's record, as "verdict", beside its "note" and what the "compiler" said.
+/// All text is escaped, and the page is valid UTF-8, whatever a student's program said.
 std::string grade_page(const nlohmann::json& labs, const PageWords& words);
 
 /// Whether a page helps: some exercise has neither passed nor been left undone.
