@@ -151,6 +151,7 @@ TEST_CASE("the aspects that are judged apart have a mark each", "[page]") {
   const std::string page = grade_page(lab, {"Lab 07"});
   CHECK(has(page, "<span class=\"chip passed\">✓ correctness</span>"));
   CHECK(has(page, "<span class=\"chip failed\">✗ variance</span>"));
+  CHECK(has(page, "◐<span class=\"words\"> in part</span>"));
   CHECK_FALSE(has(page, "efficiency"));
   CHECK(has(page, "1.5 of 2 points"));
   lab["exercises"][0]["aspects"] = {{"correctness", true}};

@@ -56,8 +56,16 @@ Look look_of(const std::string& status) {
   return {"failed", "✗", "failed"};
 }
 
-std::string chip(const std::string& status) {
-  const Look look = look_of(status);
+/// Whether the values are right and only their variance or their cost is not.
+bool right_but(const json& exercise) {
+  const auto aspects = exercise.find("aspects");
+  return text_in(exercise, "status") != "passed" && aspects != exercise.end() &&
+         true_in(*aspects, "correctness");
+}
+
+std::string chip(const json& exercise) {
+  const Look look =
+      right_but(exercise) ? Look{"failed", "◐", "in part"} : look_of(text_in(exercise, "status"));
   return fmt::format("<span class=\"chip {}\">{}<span class=\"words\"> {}</span></span>",
                      look.style, look.sign, look.words);
 }
@@ -249,9 +257,9 @@ bool has_details(const json& exercise) {
 }
 
 std::string heading(const json& exercise) {
-  return fmt::format("{}<h3>{} {}</h3><span class=\"points\">{}</span>{}",
-                     chip(text_in(exercise, "status")), html(number_of(exercise)),
-                     html(text_in(exercise, "title")), points(exercise), aspects(exercise));
+  return fmt::format("{}<h3>{} {}</h3><span class=\"points\">{}</span>{}", chip(exercise),
+                     html(number_of(exercise)), html(text_in(exercise, "title")), points(exercise),
+                     aspects(exercise));
 }
 
 }  // namespace
@@ -271,7 +279,7 @@ std::string overview_row(const json& exercise, const std::string& lab) {
     words = fmt::format("{} {} <span class=\"soft\">{}</span>", html(number), words, first);
   }
   return fmt::format("<tr><td>{}</td><td>{}{}</td><td class=\"number\">{}</td></tr>\n",
-                     chip(status), words, aspects(exercise), points(exercise));
+                     chip(exercise), words, aspects(exercise), points(exercise));
 }
 
 std::string exercise_html(const json& exercise, const std::string& lab) {
