@@ -20,6 +20,7 @@ expect_error 'no lab 99' test 99
 expect_error 'a lab is a number' test x
 expect_error 'no lab 99' test 1 99
 expect_error 'needs a value' test --seed
+expect_error 'for one lab' test 1 2 --page x.html
 expect_error 'takes nothing else' test --hard 4
 expect_error 'no lab 99' lab 99
 expect_error 'render, paths, integrators' bench frob

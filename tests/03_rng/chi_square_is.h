@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grader/judge/compare.h"
+#include "grader/judge/figures.h"
 
 #include <fmt/core.h>
 
@@ -23,6 +24,7 @@ inline carlo::grader::Verdict chi_square_is(const std::string& what,
     count += number;
   carlo::grader::Verdict verdict = carlo::grader::chi_square_fits(what, statistic, freedom);
   verdict.effect = carlo::grader::effect_on_cells(statistic, freedom, count);
+  if (!verdict.passed) verdict.figure = carlo::grader::counts_figure({}, counts, expected);
   return verdict;
 }
 

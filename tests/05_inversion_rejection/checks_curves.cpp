@@ -161,7 +161,7 @@ void judge_density(const Case& c, const std::vector<Alternative>& alternatives) 
     inside.push_back(rows.values[static_cast<std::size_t>(i)]);
   }
   Verdict verdict = equals_everywhere("the density of " + c.name, at, rows.values, c.pdf, 1e-11,
-                                      1e-14 * c.pdf(c.first + margin), alternatives);
+                                      1e-14 * c.pdf(c.first + margin), alternatives, "x");
   if (!verdict.passed && looks_like(c.pdf, inside_at, inside)) {
     verdict.diagnoses.push_back(right_outside ? end_left_out : outside_support);
   }
@@ -182,8 +182,10 @@ void judge_samples(const Case& c, double first, double last) {
     counts.push_back(tail);
     mass.push_back(1 - c.cdf(last));
   }
+  const CellAxis axis{"x", first,
+                      first + (last - first) / cells * static_cast<double>(mass.size())};
   judge(counts_are("the samples of " + c.name + " against its integral over each cell", counts,
-                   mass, n));
+                   mass, n, axis));
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ TEST_CASE("Lab 5.7: samples fill every cell by f's integral, whatever the bound"
     };
     const auto cdf = [=](double at) { return target_cdf(target, at); };
     Verdict verdict = counts_are(fmt::format("samples of {}", name_of(target)), count_in(c.a, c.b),
-                                 masses(cdf, c.a, c.b, cells), n);
+                                 masses(cdf, c.a, c.b, cells), n, {"x", c.a, c.b});
     if (!verdict.passed) {
       const double area = (c.b - c.a) * c.bound;
       if (is_like([&](double at) { return (at - c.a) / (c.b - c.a); })) {

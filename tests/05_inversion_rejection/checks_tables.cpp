@@ -212,7 +212,8 @@ TEST_CASE("Lab 5.4: random u give each number its share, and a fraction that is 
   for (const double index : column(rows, 0)) {
     if (index >= 0 && index < number(counts.size())) counts[static_cast<std::size_t>(index)] += 1;
   }
-  judge(counts_are("how often each number is drawn", counts, expected, n));
+  judge(counts_are("how often each number is drawn", counts, expected, n,
+                   {"number", 0, number(counts.size())}));
   judge(uniform_on("the fractions", column(rows, 1), 0, 1));
 }
 
@@ -286,7 +287,7 @@ TEST_CASE("Lab 5.5: samples fill every half bin by its integral", "[lab05][ex5]"
   for (const double p : probabilities(weights_of(Weights::gaps)))
     mass.insert(mass.end(), {p / 2, p / 2});
   judge(counts_are("the samples against the density's integral over each half bin",
-                   counted(rows.values, 0, 1, mass.size()), mass, n));
+                   counted(rows.values, 0, 1, mass.size()), mass, n, {"x", 0, 1}));
 }
 
 namespace {
@@ -434,5 +435,12 @@ TEST_CASE("Lab 5.6: samples fill every cell by its integral", "[lab05][ex6]") {
     const auto j = static_cast<std::size_t>(y * number(grid.height));
     counts[j * grid.width + i] += 1;
   }
-  judge(counts_are("how many points fall into each cell", counts, mass, n));
+  Verdict verdict = counts_are("how many points fall into each cell", counts, mass, n);
+  if (!verdict.passed) {
+    std::vector<double> right;
+    for (const double m : mass)
+      right.push_back(m * n);
+    verdict.figure = cells_figure("x, 0 to 1", "y, 0 to 1 downwards", grid.width, counts, right);
+  }
+  judge(verdict);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grader/judge/compare.h"
+#include "grader/judge/figures.h"
 
 #include <fmt/core.h>
 
@@ -34,21 +35,29 @@ inline bool looks_like(const Formula& formula, std::span<const double> at,
 }
 
 /// The values at each place equal the formula's within absolute + relative |value|. The first that
-/// does not is told; an alternative that all values agree with is named.
+/// does not is told; an alternative that all values agree with is named. `axis`: what the places
+/// are.
 inline carlo::grader::Verdict equals_everywhere(const std::string& what, std::span<const double> at,
                                                 std::span<const double> measured,
                                                 const Formula& exact, double relative,
                                                 double absolute,
-                                                const std::vector<Alternative>& alternatives = {}) {
+                                                const std::vector<Alternative>& alternatives = {},
+                                                const std::string& axis = "u") {
   for (std::size_t i = 0; i < at.size(); ++i) {
     const double expected = exact(at[i]);
     const double tolerance = relative * std::abs(expected) + absolute;
     if (std::abs(measured[i] - expected) <= tolerance) continue;
     carlo::grader::Verdict verdict = carlo::grader::equals(
-        fmt::format("{} at {:.17g}", what, at[i]), measured[i], expected, tolerance);
+        fmt::format("{} at {} = {}", what, axis, at[i]), measured[i], expected, tolerance);
     for (const Alternative& other : alternatives) {
       if (looks_like(other.formula, at, measured)) verdict.diagnoses.push_back(other.diagnosis);
     }
+    std::vector<double> right;
+    for (const double x : at)
+      right.push_back(exact(x));
+    verdict.figure = carlo::grader::curve_figure(axis, at, measured, right, [&](std::size_t k) {
+      return !(std::abs(measured[k] - right[k]) <= relative * std::abs(right[k]) + absolute);
+    });
     return verdict;
   }
   return carlo::grader::holds(what, true, fmt::format("right at all {} places", at.size()),
@@ -58,16 +67,26 @@ inline carlo::grader::Verdict equals_everywhere(const std::string& what, std::sp
 /// Chi-square test of `counts` against the exact `masses` of the cells, from `n` samples; too good
 /// a fit fails as well. Neighbouring cells are pooled until 100 samples are expected in each, where
 /// the nominal tail holds (facts of a 6x inflation at 5). A sample outside all cells is a fail.
+/// `axis`: what the cells cut into pieces.
 inline carlo::grader::Verdict counts_are(const std::string& what, std::span<const double> counts,
-                                         std::span<const double> masses, double n) {
+                                         std::span<const double> masses, double n,
+                                         const carlo::grader::CellAxis& axis = {}) {
+  const auto picture = [&] {
+    std::vector<double> right;
+    for (const double mass : masses)
+      right.push_back(mass * n);
+    return carlo::grader::counts_figure(axis, counts, right);
+  };
   std::vector<double> found, expected;
   double outside = n, pending_found = 0, pending = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     outside -= counts[i];
     if (masses[i] == 0 && counts[i] > 0) {
-      return carlo::grader::holds(what, false,
-                                  fmt::format("{} samples in cell {}", counts[i], i + 1),
-                                  "none: the density is 0 there");
+      carlo::grader::Verdict verdict =
+          carlo::grader::holds(what, false, fmt::format("{} samples in cell {}", counts[i], i + 1),
+                               "none: the density is 0 there");
+      verdict.figure = picture();
+      return verdict;
     }
     pending_found += counts[i];
     pending += masses[i] * n;
@@ -77,8 +96,10 @@ inline carlo::grader::Verdict counts_are(const std::string& what, std::span<cons
     pending_found = pending = 0;
   }
   if (outside != 0) {
-    return carlo::grader::holds(what, false, fmt::format("{} samples outside the support", outside),
-                                "none");
+    carlo::grader::Verdict verdict = carlo::grader::holds(
+        what, false, fmt::format("{} samples outside the support", outside), "none");
+    verdict.figure = picture();
+    return verdict;
   }
   found.back() += pending_found;
   expected.back() += pending;
@@ -89,6 +110,7 @@ inline carlo::grader::Verdict counts_are(const std::string& what, std::span<cons
   carlo::grader::Verdict verdict = carlo::grader::chi_square_fits(
       what, statistic, freedom, fmt::format(" from {:g} samples", n));
   verdict.effect = carlo::grader::effect_on_cells(statistic, freedom, n);
+  if (!verdict.passed) verdict.figure = picture();
   return verdict;
 }
 

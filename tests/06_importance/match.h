@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grader/judge/compare.h"
+#include "grader/judge/figures.h"
 
 #include <fmt/core.h>
 
@@ -50,6 +51,9 @@ inline carlo::grader::Verdict all_match(const std::string& what,
     carlo::grader::Verdict verdict = carlo::grader::holds(
         fmt::format("{} {}", what, label(i)), false, fmt::format("{:.17g}", measured[i]),
         fmt::format("{:.17g}", expected[i]));
+    verdict.figure = carlo::grader::differences_listing(
+        "where", label, measured, expected,
+        [&](std::size_t k) { return !agrees(measured[k], expected[k], relative, absolute); });
     for (const Alternative& other : alternatives) {
       if (all_agree(measured, other.values, 1e-9, 1e-12)) {
         verdict.diagnoses.push_back(other.diagnosis);

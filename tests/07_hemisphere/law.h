@@ -1,53 +1,21 @@
 #pragma once
 
-#include "07_hemisphere/places.h"
+#include "07_hemisphere/pictures.h"
 #include "grader/judge/judge.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <string>
 #include <vector>
 
-// How directions are distributed: the densities of lab 07 are all powers of a cosine.
+// How directions are distributed.
 
 namespace lab07_tests {
 
-/// -log(cos) of the angle between w and z, exact for small angles and large ones; z > 0.
-inline double minus_log_cosine(Double3 w) {
-  return 0.5 * std::log1p((w.x * w.x + w.y * w.y) / (w.z * w.z));
-}
-
-/// How much of a law lies within w's angle to z: uniform on [0, 1) when the law is right.
-using Share = std::function<double(Double3)>;
-
-/// The law of density m / (2 pi) cos^(m-1): 1 is uniform, 2 cosine-weighted, n + 1 the lobe.
-inline Share power_law(double m) {
-  return [m](Double3 w) { return -std::expm1(-m * minus_log_cosine(w)); };
-}
-inline double power_law_pdf(double m, Double3 w) {
-  return w.z > 0 ? m / (2 * pi) * std::exp(-(m - 1) * minus_log_cosine(w)) : 0;
-}
-/// The angle itself is uniform up to 90 degrees.
-inline double uniform_angle(Double3 w) {
-  return std::atan2(std::hypot(w.x, w.y), w.z) * 2 / pi;
-}
-/// The sine of the angle is uniform.
-inline double uniform_sine(Double3 w) {
-  return std::hypot(w.x, w.y) / glm::length(w);
-}
-
-/// The azimuth as a part of `turn`.
-inline double azimuth_share(Double3 w, double turn = 2 * pi) {
-  const double phi = std::atan2(w.y, w.x);
-  return (phi < 0 ? phi + 2 * pi : phi) / turn;
-}
-
 /// Directions in the axes of their law, cells of equal mass in both coordinates together:
 /// chi-square, too good a fit fails as well. A direction outside the law's support is a fail, but
-/// for one at its edge, which rounding takes either way.
-constexpr int cells_a_side = 16;
+/// for one at its edge, which rounding takes either way. Without a name (`what`), no figure.
 inline carlo::grader::Verdict distributed(const std::string& what,
                                           const std::vector<Double3>& directions,
                                           const Share& share, double turn = 2 * pi) {
@@ -67,8 +35,10 @@ inline carlo::grader::Verdict distributed(const std::string& what,
     counts[static_cast<std::size_t>(i * cells_a_side + j)] += 1;
   }
   if (outside > 0) {
-    return carlo::grader::holds(what, false,
-                                fmt::format("{} of {} outside its support", outside, n), "none");
+    carlo::grader::Verdict verdict = carlo::grader::holds(
+        what, false, fmt::format("{} of {} outside its support", outside, n), "none");
+    if (!what.empty()) verdict.figure = angle_figure(directions, share, pi);
+    return verdict;
   }
   double statistic = 0;
   for (const double count : counts)
@@ -77,6 +47,9 @@ inline carlo::grader::Verdict distributed(const std::string& what,
       what, statistic, cells - 1,
       fmt::format(" over {} cells, from {} directions", cells, directions.size()));
   verdict.effect = carlo::grader::effect_on_cells(statistic, cells - 1, n);
+  if (!verdict.passed && !what.empty()) {
+    verdict.figure = directions_figure(directions, share, counts);
+  }
   return verdict;
 }
 

@@ -117,6 +117,21 @@ inline bool agree(double a, double b, double relative) {
   return std::abs(a - b) <= relative * std::abs(b) + 1e-30;
 }
 
+/// Densities by the angle to the lobe's axis.
+inline carlo::grader::Figure density_figure(const Subject& subject,
+                                            const std::vector<Double3>& places,
+                                            const std::vector<double>& measured) {
+  std::vector<double> angles, expected;
+  for (const Double3 w : places) {
+    angles.push_back(degrees(angle_to_axis(subject.axes().local(w))));
+    expected.push_back(subject.pdf(w));
+  }
+  return carlo::grader::curve_figure(
+      "angle to the axis, in degrees", angles, measured, expected, [&](std::size_t i) {
+        return !agree(measured[i], expected[i], subject.tolerance(places[i]));
+      });
+}
+
 /// The student's density at each place against theory; says which mistake all values agree with.
 inline Verdict density_is(const std::string& what, const Subject& subject,
                           const std::vector<Double3>& places, const std::vector<double>& measured,
@@ -143,6 +158,7 @@ inline Verdict density_is(const std::string& what, const Subject& subject,
     Verdict verdict = carlo::grader::equals(
         fmt::format("{} at w = ({:.6g}, {:.6g}, {:.6g})", what, w.x, w.y, w.z), measured[i], exact,
         tolerance * exact + 1e-30);
+    verdict.figure = density_figure(subject, places, measured);
     for (const OtherPdf& other : others) {
       if (fits(other.pdf)) verdict.diagnoses.push_back(other.diagnosis);
     }

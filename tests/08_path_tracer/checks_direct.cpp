@@ -4,7 +4,9 @@
 // rectangle; half of the rays lost at the tilted floor, many times over.
 
 #include "08_path_tracer/theory.h"
+#include "grader/judge/figures.h"
 
+#include <algorithm>
 #include <array>
 #include <set>
 
@@ -70,6 +72,15 @@ const Diagnosis pointing_in{"direction-points-inwards",
                             "surface, to where the light comes from."};
 const Diagnosis channels{"channels-mixed", "the three channels have to be kept apart."};
 
+/// One ray is right; each one more or less is drawn as four standard deviations.
+Figure strata_picture(std::size_t strata, const std::vector<double>& rays) {
+  const std::vector<double> one(rays.size(), 1.0), sd(rays.size(), 0.25);
+  Figure figure = tiles_figure(strata, rays, one, sd);
+  figure.title = "Rays in each stratum of the pixel";
+  figure.note = "Blank: one ray, as it should be.";
+  return figure;
+}
+
 }  // namespace
 
 TEST_CASE("Lab 8.1: one ray in every stratum of the pixel, uniform within it", "[lab08][ex1]") {
@@ -81,10 +92,14 @@ TEST_CASE("Lab 8.1: one ray in every stratum of the pixel, uniform within it", "
     std::set<std::pair<int, int>> met;
     double same_across = 0, same_down = 0, same = 0;
     bool mirrored = true, astray = false;
+    std::vector<double> rays(k * k);
     for (std::size_t i = 0; i < k * k; ++i) {
       const double u = rows.at(i, 0) * strata, v = rows.at(i, 1) * strata;
       if (u >= -1e-4 && u < strata + 1e-4 && v >= -1e-4 && v < strata + 1e-4) {
         met.insert({static_cast<int>(u), static_cast<int>(v)});
+        const int column = std::clamp(static_cast<int>(u), 0, strata - 1);
+        const int row = std::clamp(static_cast<int>(v), 0, strata - 1);
+        rays[static_cast<std::size_t>(row * strata + column)] += 1;
       } else {
         astray = true;
       }
@@ -98,8 +113,11 @@ TEST_CASE("Lab 8.1: one ray in every stratum of the pixel, uniform within it", "
     const auto all = static_cast<double>(k * k);
     std::vector<Diagnosis> diagnoses;
     diagnoses.push_back(mirrored ? upside_down : astray ? misses_pixel : not_stratified);
-    judge(holds(fmt::format("strata of a pixel cut {} x {} that have a ray", strata, strata),
-                met.size() == k * k, fmt::format("{} of {}", met.size(), k * k), "all", diagnoses));
+    Verdict verdict =
+        holds(fmt::format("strata of a pixel cut {} x {} that have a ray", strata, strata),
+              met.size() == k * k, fmt::format("{} of {}", met.size(), k * k), "all", diagnoses);
+    if (!verdict.passed && strata > 1) verdict.figure = strata_picture(k, rays);
+    judge(verdict);
     if (strata == 16) {
       const double corner = std::max(same_across, same_down);
       judge(holds("places in the strata", corner < all / 2 && same < all / 2,

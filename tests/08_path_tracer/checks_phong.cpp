@@ -1,6 +1,7 @@
 // Checks of the values of exercise 8.3: closed forms at 112 pairs of directions a material.
 
 #include "08_path_tracer/theory.h"
+#include "grader/judge/figures.h"
 
 using namespace carlo::grader;
 using namespace lab08_tests;
@@ -93,6 +94,31 @@ std::vector<Diagnosis> of_rounding(const Lobe& lobe, const std::vector<double>& 
   return {worst < 0.6 ? one_minus_rounded : power_of_rounding};
 }
 
+/// The pairs that differ.
+Figure values_picture(const std::vector<DirectionPair>& pairs, const std::vector<double>& measured,
+                      const ValueOf& exact, double tolerance) {
+  std::vector<double> expected;
+  expected.reserve(pairs.size());
+  for (const DirectionPair& pair : pairs)
+    expected.push_back(exact(pair));
+  const auto degrees = [](double cosine) {
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / pi;
+  };
+  return differences_listing(
+      "wi to normal, to mirror (degrees)",
+      [&](std::size_t i) {
+        return fmt::format("{:.3g}, {:.3g}", degrees(cosine_of(pairs[i])),
+                           degrees(lobe_cosine(pairs[i])));
+      },
+      measured, expected,
+      [&](std::size_t i) {
+        if (std::abs(cosine_of(pairs[i])) < 1e-5 || std::abs(lobe_cosine(pairs[i])) < 1e-5) {
+          return false;
+        }
+        return !(std::abs(measured[i] - expected[i]) <= tolerance * expected[i] + 1e-6);
+      });
+}
+
 void judge_values(const std::string& what, const PhongCase& c, const std::vector<double>& measured,
                   const ValueOf& exact, const std::vector<Alternative>& alternatives,
                   const Lobe& lobe) {
@@ -109,6 +135,7 @@ void judge_values(const std::string& what, const PhongCase& c, const std::vector
         equals(fmt::format("{}, {}, wi {:.3g} degrees from the normal", what, name_of(c),
                            std::acos(std::clamp(cosine_of(pairs[i]), -1.0, 1.0)) * 180 / pi),
                measured[i], expected, tolerance * expected + 1e-6);
+    verdict.figure = values_picture(pairs, measured, exact, tolerance);
     if (!(cosine_of(pairs[i]) > 0)) {
       verdict.diagnoses.push_back(below_horizon);
     } else {

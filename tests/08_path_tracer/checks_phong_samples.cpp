@@ -3,6 +3,7 @@
 // against the reflectance in closed form.
 
 #include "08_path_tracer/theory.h"
+#include "grader/judge/figures.h"
 #include "stats/distributions.h"
 
 using namespace carlo::grader;
@@ -139,6 +140,20 @@ std::vector<Diagnosis> of_cells(const SampleCase& c, const std::vector<double>& 
   return {};
 }
 
+/// Without the last cell, which counts what was absorbed.
+Figure cells_picture(std::vector<double> counts, std::vector<double> mass) {
+  const auto absorbed = counts.back();
+  const double right = mass.back() * draws;
+  counts.pop_back();
+  mass.pop_back();
+  for (double& m : mass)
+    m *= draws;
+  Figure figure = cells_figure("azimuth, 0 to 360 degrees", "cosine to the normal, from 0", sectors,
+                               counts, mass);
+  figure.note += fmt::format(" Besides, {:g} were absorbed, expected {:.0f}.", absorbed, right);
+  return figure;
+}
+
 void judge_cells(const SampleCase& c, const Rows& rows) {
   std::vector<double> counts(rings * sectors + 1);
   double below = 0;
@@ -163,6 +178,7 @@ void judge_cells(const SampleCase& c, const Rows& rows) {
   const std::vector<double> mass = cell_masses(PhongTheory(phong_cases()[c.material]), c.degrees);
   const Fit fit = fit_of(counts, mass);
   Verdict verdict = chi_square_fits("cells of directions, " + title(c), fit.statistic, fit.freedom);
+  if (!verdict.passed) verdict.figure = cells_picture(counts, mass);
   if (!verdict.passed && below == 0) verdict.diagnoses = of_cells(c, counts, mass);
   judge(verdict);
 }

@@ -1,5 +1,6 @@
 #include "grader/judge/compare.h"
 
+#include "grader/judge/figures.h"
 #include "stats/distributions.h"
 
 #include <fmt/core.h>
@@ -37,21 +38,6 @@ void name_suspects(Verdict& verdict, const Suspects& suspects,
   }
 }
 
-/// A p-value in words; it fails when it is too small or no number.
-void conclude(Verdict& verdict, const std::string& statistic, double p) {
-  verdict.p = p;
-  verdict.passed = p >= comparison_alpha();
-  if (std::isnan(p)) {
-    verdict.certainty = statistic + " is no number";
-  } else if (p < 1e-15) {
-    verdict.certainty = statistic + ": chance does not do that";
-  } else {
-    verdict.certainty =
-        fmt::format("{}, p = {:.2g}: chance takes a right solution this far once in {:.2g} runs",
-                    statistic, p, 1 / p);
-  }
-}
-
 /// A whole number in full; another one with as many digits as show a difference, and no more.
 std::string number_text(double x, bool close) {
   constexpr double exact_below = 0x1p53;
@@ -66,6 +52,20 @@ constexpr double fit = 6;
 
 double comparison_alpha() {
   return sidak(lab_alpha, lab_budget);
+}
+
+void conclude(Verdict& verdict, const std::string& statistic, double p) {
+  verdict.p = p;
+  verdict.passed = p >= comparison_alpha();
+  if (std::isnan(p)) {
+    verdict.certainty = statistic + " is no number";
+  } else if (p < 1e-15) {
+    verdict.certainty = statistic + ": chance does not do that";
+  } else {
+    verdict.certainty =
+        fmt::format("{}, p = {:.2g}: chance takes a right solution this far once in {:.2g} runs",
+                    statistic, p, 1 / p);
+  }
 }
 
 Verdict mean_is(const std::string& what, std::span<const double> values, const Theory& theory,
@@ -86,6 +86,9 @@ Verdict mean_is(const std::string& what, std::span<const double> values, const T
   const double slack = fit * spread / root;
   name_suspects(
       verdict, suspects, [slack](double) { return slack; }, mean);
+  if (!verdict.passed && !values.empty()) {
+    verdict.figure = mean_figure(values, theory.mean, theory.sd);
+  }
   return verdict;
 }
 
@@ -104,6 +107,9 @@ Verdict variance_is(const std::string& what, std::span<const double> values, con
   const double slack = fit * std::sqrt(2 / dof);
   name_suspects(
       verdict, suspects, [slack](double value) { return slack * value; }, variance);
+  if (!verdict.passed && !values.empty()) {
+    verdict.figure = spread_figure(values, theory.mean, theory.sd);
+  }
   return verdict;
 }
 
@@ -132,6 +138,7 @@ Verdict uniform_on(const std::string& what, std::vector<double> values, double l
   conclude(verdict, fmt::format("largest distance of the distributions {:.3g}", distance),
            kolmogorov_smirnov(distance, values.size()));
   verdict.effect = effect_on_distribution(distance, n);
+  if (!verdict.passed) verdict.figure = uniform_figure(values, lower, upper);
   return verdict;
 }
 
@@ -163,6 +170,10 @@ Verdict all_equal(const std::string& what, std::span<const double> measured,
     if (verdict.passed) continue;
     verdict.what += fmt::format(" (number {})", i + 1);
     verdict.diagnoses = diagnosis;
+    if (measured.size() == 1) return verdict;
+    verdict.figure = differences_listing(
+        "number", [](std::size_t k) { return fmt::format("{}", k + 1); }, measured, expected,
+        [&](std::size_t k) { return !(std::abs(measured[k] - expected[k]) <= tolerance); });
     return verdict;
   }
   return holds(what, true, fmt::format("all {} equal", measured.size()), "all equal");

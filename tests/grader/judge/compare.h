@@ -17,6 +17,10 @@ constexpr double lab_alpha = 1e-6;
 constexpr int lab_budget = 64;
 double comparison_alpha();
 
+/// Concludes a verdict from the p-value of its statistic ("z = 3.1"): whether it has passed, and in
+/// words how sure that is. NaN is a fail.
+void conclude(Verdict& verdict, const std::string& statistic, double p);
+
 /// What theory says of one value: its mean, its standard deviation and its excess kurtosis.
 struct Theory {
   double mean = 0;
@@ -42,8 +46,8 @@ Verdict uniform_on(const std::string& what, std::vector<double> values, double l
 Verdict equals(const std::string& what, double measured, double expected, double tolerance,
                const Suspects& suspects = {});
 
-/// Each measured value equals the expected one; tells the first that does not. `diagnosis` is what
-/// a difference in a value is a sign of.
+/// Each measured value equals the expected one; tells the first that does not, and lists some more.
+/// `diagnosis` is what a difference in a value is a sign of.
 Verdict all_equal(const std::string& what, std::span<const double> measured,
                   std::span<const double> expected, double tolerance,
                   const std::vector<Diagnosis>& diagnosis = {});

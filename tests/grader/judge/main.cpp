@@ -6,6 +6,7 @@
 #include "cli/main_guard.h"
 #include "grader/judge/consistency.h"
 #include "grader/judge/current_run.h"
+#include "grader/judge/feedback_page.h"
 #include "grader/judge/report.h"
 #include "random/hash.h"
 
@@ -26,6 +27,7 @@ namespace {
 struct Options {
   std::string lab, worker, exercise, json, handout;
   std::vector<std::string> stub;  ///< its files
+  PageFiles page;
   std::string secret_file, submission = "local", sandbox = "auto";
   std::uint64_t seed = 0;
   double deadline = 10;
@@ -38,6 +40,9 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--worker", options.worker, "the worker program to judge");
   app.add_option("--exercise", options.exercise, "judge only this exercise, such as 1.2");
   app.add_option("--json", options.json, "write the verdicts to this file");
+  app.add_option("--page", options.page.always, "write a page with pictures to this file");
+  app.add_option("--failure-page", options.page.on_failure,
+                 "the same, but only when something has failed");
   app.add_option("--seed", options.seed, "use the numbers of this seed");
   app.add_option("--secret-file", options.secret_file,
                  "seeds follow from this file's text and the submission (default: a public one)");
@@ -93,7 +98,9 @@ int judge_lab(const Options& options) {
   result.seed = current_run()->seed();
   result.sandbox = current_run()->sandbox().description();
   fmt::print("{}", report_text(result, options.verbose));
-  if (!options.json.empty()) write_file(options.json, report_json(result));
+  const std::string verdicts = report_json(result);
+  if (!options.json.empty()) write_file(options.json, verdicts);
+  write_feedback_page(verdicts, options.page);
   return result.earned() == result.possible() ? 0 : 1;
 }
 

@@ -15,8 +15,8 @@ std::string report_text(const LabResult& result, bool verbose = false);
 std::string shortfall(const ExerciseResult& result, const LabResult& lab);
 
 /// The same for programs: the lab, the seed, and for each exercise tag, points, max, status,
-/// aspects, diagnosis ids, message, text for the student and p-values; and its tests with all that
-/// they compared, and what comparisons.h adds.
+/// aspects, diagnosis ids, message, text for the student and p-values; its tests with their
+/// aspects; and what details.h and comparisons.h add.
 std::string report_json(const LabResult& result);
 
 }  // namespace carlo::grader

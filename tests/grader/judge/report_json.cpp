@@ -1,6 +1,7 @@
 #include "grader/judge/report.h"
 
 #include "grader/judge/comparisons.h"
+#include "grader/judge/details.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -26,35 +27,6 @@ std::string message(const ExerciseResult& result) {
     }
   }
   return "";
-}
-
-json diagnoses_json(const std::vector<Diagnosis>& diagnoses) {
-  json list = json::array();
-  for (const Diagnosis& diagnosis : diagnoses)
-    list.push_back({{"id", diagnosis.id}, {"sentence", diagnosis.sentence}});
-  return list;
-}
-
-json verdict_json(const Verdict& verdict) {
-  json entry{{"passed", verdict.passed},       {"what", verdict.what},
-             {"measured", verdict.measured},   {"expected", verdict.expected},
-             {"certainty", verdict.certainty}, {"diagnoses", diagnoses_json(verdict.diagnoses)}};
-  if (verdict.p) entry["p"] = *verdict.p;
-  return entry;
-}
-
-json test_json(const TestRecord& test) {
-  json entry{{"sentence", test.sentence},
-             {"aspect", to_string(test.aspect)},
-             {"status", to_string(test.status)},
-             {"problem", test.problem},
-             {"printed", test.printed},
-             {"skipped", test.skipped},
-             {"needs", test.needs},
-             {"verdicts", json::array()}};
-  for (const Verdict& verdict : test.verdicts)
-    entry["verdicts"].push_back(verdict_json(verdict));
-  return entry;
 }
 
 /// Whether the tests of each aspect that is judged passed.
@@ -86,13 +58,12 @@ json exercise_json(const ExerciseResult& result, const LabResult& lab) {
   std::vector<double> p_values;
   json tests = json::array();
   for (const TestRecord& test : result.tests) {
-    tests.push_back(test_json(test));
+    tests.push_back({{"aspect", to_string(test.aspect)}});
     for (const Verdict& verdict : test.verdicts) {
       if (verdict.p) p_values.push_back(*verdict.p);
     }
   }
   return {{"tag", result.exercise.tag},
-          {"title", result.exercise.title},
           {"points", result.earned()},
           {"max", result.exercise.points},
           {"status", to_string(result.status)},
@@ -108,7 +79,6 @@ json exercise_json(const ExerciseResult& result, const LabResult& lab) {
 
 std::string report_json(const LabResult& result) {
   json document{{"lab", result.lab.number},
-                {"title", result.lab.title},
                 {"points", result.earned()},
                 {"max", result.possible()},
                 {"seed", std::to_string(result.seed)},
@@ -116,9 +86,10 @@ std::string report_json(const LabResult& result) {
                 {"exercises", json::array()}};
   for (const ExerciseResult& entry : result.exercises)
     document["exercises"].push_back(exercise_json(entry, result));
+  add_details(document, result);
   add_comparisons(document, result);
   // A message may hold what a student's program said: bytes that are no UTF-8 are replaced.
-  return document.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+  return document.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace carlo::grader

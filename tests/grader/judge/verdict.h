@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grader/judge/effect.h"
+#include "grader/judge/figure.h"
 
 #include <optional>
 #include <string>
@@ -31,6 +32,7 @@ struct Verdict {
   std::optional<double> p;  ///< for statistical ones: its p-value under a right solution
   std::vector<Diagnosis> diagnoses;
   std::optional<Effect> effect = std::nullopt;  ///< beside p: what calibration compares
+  std::optional<Figure> figure = std::nullopt;  ///< of a failed one, where it helps
 };
 
 }  // namespace carlo::grader
