@@ -25,6 +25,10 @@ expect_error 'no lab 99' lab 99
 expect_error 'render, integrators' bench frob
 expect_error 'developer' setup --frob
 expect_error 'developer' setup --developer frob
+expect_error 'no lab 99' starter --through 99
+expect_error "a lab's number" starter --through x
+expect_error 'needs the last lab' starter
+expect_error '.tar.gz or a .zip' starter --through 1 -o frob
 
 # Through a link, from elsewhere.
 scratch=$(mktemp -d)
