@@ -24,7 +24,7 @@ namespace carlo::grader {
 namespace {
 
 struct Options {
-  std::string lab, worker, exercise, json, handout;
+  std::string lab, worker, exercise, json, probes, handout;
   std::vector<std::string> stub;  ///< its files
   std::string secret = "public", submission = "local", sandbox = "auto";
   std::uint64_t seed = 0;
@@ -38,6 +38,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--worker", options.worker, "the worker program to judge");
   app.add_option("--exercise", options.exercise, "judge only this exercise, such as 1.2");
   app.add_option("--json", options.json, "write the verdicts to this file");
+  app.add_option("--probes", options.probes, "write the questions put to the worker to this file");
   app.add_option("--seed", options.seed, "use the numbers of this seed");
   app.add_option("--secret", options.secret, "seeds follow from this and the submission")
       ->capture_default_str();
@@ -90,6 +91,9 @@ int judge_lab(const Options& options) {
   LabResult result = collect(lab, current_run()->records(), tag);
   result.seed = current_run()->seed();
   result.sandbox = to_string(current_run()->sandbox().level());
+  if (!options.probes.empty()) {
+    write_file(options.probes, to_json(Questions{result.seed, current_run()->asked()}));
+  }
   fmt::print("{}", report_text(result, options.verbose));
   if (!options.json.empty()) write_file(options.json, report_json(result));
   return result.earned() == result.possible() ? 0 : 1;

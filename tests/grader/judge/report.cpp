@@ -172,7 +172,9 @@ std::string exercise_text(const ExerciseResult& result, const LabResult& lab, st
     out += fmt::format("    {} {}\n", coloured(Colour::bold, "It looks like this:"),
                        diagnosis.sentence);
   }
-  return out + fmt::format("    For help: ./carlo hint {}\n", result.exercise.number());
+  const std::string number = result.exercise.number();
+  out += fmt::format("    For help: ./carlo hint {}\n", number);
+  return out + fmt::format("    The raw values: ./carlo replay {} --seed {}\n", number, lab.seed);
 }
 
 /// What went wrong in one line, for programs.
