@@ -37,10 +37,7 @@ while [ $# != 0 ]; do
   esac
   shift
 done
-[ -n "$last" ] || fail "starter needs the last lab that students get, such as --through 3"
-[[ $last =~ ^[0-9]{1,2}$ ]] || fail "--through takes a lab's number, got '$last'"
-last=$((10#$last))
-[[ " $(lab_names "$root" | tr '\n' ' ')" == *" $(printf '%02d' "$last")_"* ]] || fail "there is no lab $last"
+last=$(lab_number "$root" "$last" "starter needs the last lab that students get, such as --through 3")
 file=${file:-$root/out/carlo_labs_1_to_$last.tar.gz}
 check_output "$file"
 committed_tree "$root" "$dirty"
@@ -53,6 +50,7 @@ student_files "$root" "$last" | tar -C "$root" -c --files-from=- | tar -C "$tree
 holds='lab 1'
 [ "$last" = 1 ] || holds="labs 1 to $last, and the solutions of the labs before lab $last"
 sed "s/@HOLDS@/$holds/" "$here/student_readme.md" >"$tree/README.md"
+plain_rights "$scratch"
 pack "$scratch" "$file" "$(git -C "$root" log -1 --format=%ct)"
 printf 'carlo: wrote %s (%s files, %s KB): %s\n' "$file" "$(find "$tree" -type f | wc -l)" \
   "$(($(stat -c %s "$file") / 1024))" "$holds"

@@ -74,11 +74,23 @@ check_output() {
   esac
 }
 
+# lab_number ROOT TEXT COMPLAINT: 07 -> 7; fails with the complaint without a text.
+lab_number() {
+  [ -n "$2" ] || fail "$3"
+  [[ $2 =~ ^[0-9]{1,2}$ ]] || fail "a lab is a number such as 1, got '$2'"
+  local number=$((10#$2))
+  [[ " $(lab_names "$1" | tr '\n' ' ')" == *" $(printf '%02d' "$number")_"* ]] ||
+    fail "there is no lab $2"
+  printf '%d' "$number"
+}
+
+# plain_rights FOLDER: one set of rights, whoever makes the archive.
+plain_rights() { chmod -R u=rwX,go=rX "$1"; }
+
 # pack FOLDER FILE SECONDS: FOLDER's content as an archive whose bytes depend on nothing but that
-# content and SECONDS, the time that all files get: sorted, owner 0, one set of rights.
+# content and SECONDS, the time that all files get: sorted, owner 0.
 pack() {
   local folder=$1 file=$2 seconds=$3 new
-  chmod -R u=rwX,go=rX "$folder"
   mkdir -p "$(dirname "$file")" || fail "cannot write $file"
   file=$(readlink -f "$(dirname "$file")")/$(basename "$file")
   new=$(mktemp -d "$(dirname "$file")/.archive.XXXXXX")
