@@ -58,6 +58,9 @@ mkdir "$scratch/carlo"
 } | tar -C "$root" -c --files-from=- | tar -C "$scratch/carlo" -x
 cp "$here/gradescope/setup.sh" "$here/gradescope/run_autograder" "$scratch/"
 printf '%s\n' "$lab" >"$scratch/lab"
+# For images that are not Debian's; every Debian has it.
+keyring=/usr/share/keyrings/debian-archive-keyring.gpg
+[ ! -f "$keyring" ] || cp "$keyring" "$scratch/"
 plain_rights "$scratch"
 if [ -n "$secret_file" ]; then
   cp "$secret_file" "$scratch/secret"
