@@ -91,11 +91,11 @@ int judge_lab(const Options& options) {
   LabResult result = collect(lab, current_run()->records(), tag);
   result.seed = current_run()->seed();
   result.sandbox = to_string(current_run()->sandbox().level());
+  fmt::print("{}", report_text(result, options.verbose));
+  if (!options.json.empty()) write_file(options.json, report_json(result));
   if (!options.probes.empty()) {
     write_file(options.probes, to_json(Questions{result.seed, current_run()->asked()}));
   }
-  fmt::print("{}", report_text(result, options.verbose));
-  if (!options.json.empty()) write_file(options.json, report_json(result));
   return result.earned() == result.possible() ? 0 : 1;
 }
 
