@@ -9,8 +9,8 @@ usage() {
 usage: ./carlo gradescope N [-o FILE.zip] [--secret-file FILE] [--dirty]
 
 Writes the autograder of lab N for Gradescope (default out/gradescope_labN.zip): upload it as the
-assignment's autograder. It holds the students' tree of labs 1 to N, the grader, and the solutions of
-earlier labs where lab N builds on them; not the solution of lab N, no references, no mistakes.
+assignment's autograder. It holds the students' tree of labs 1 to N, so the solutions of earlier labs,
+and the grader; not the solution of lab N, no references, no mistakes.
 
   --secret-file FILE   random numbers follow from this file's text; without it a new secret is made,
                        printed, and kept in the zip alone
