@@ -39,10 +39,13 @@ case $ID:$VERSION_ID in
   *) fail "the autograder needs Debian 12 or Ubuntu 22.04, this image is ${PRETTY_NAME:-unknown}" ;;
 esac
 
-# Root's alone: the grader, which runs student code under other users, hands them copies of what they
-# may see, and that is neither the tests nor the secret nor a solution.
+# Nobody but root gets in here. The grader runs student code under other users, to whom it hands copies
+# of what they may see; so the files themselves are not root's alone.
+umask 022
 chown -R 0:0 "$source"
-chmod -R u=rwX,go= "$source"
+chmod -R u=rwX,go=rX "$source"
+chmod 600 "$source/secret"
+chmod 700 "$source"
 
 # The image is kept for a term: nothing that only this build needs stays in it.
 export CCACHE_DISABLE=1
@@ -53,7 +56,10 @@ trial=$(mktemp -d)
 trap 'rm -rf "$trial"' EXIT
 mkdir -p "$trial/stub"
 cp -R "$source"/carlo/labs/[0-9]* "$trial/stub/"
-./carlo grade --one "$trial/stub" --labs "$lab" --secret-file "$source/secret" -o "$trial/out"
+./carlo grade --one "$trial/stub" --labs "$lab" --secret-file "$source/secret" -o "$trial/out" || {
+  cat "$trial"/out/stub/report.txt >&2 || true
+  fail "the trial run on the stub failed"
+}
 grep -q '"tests"' "$trial/out/stub/results.json" || fail "the trial run on the stub gave no results"
 rm -rf /var/lib/apt/lists/*
 printf 'carlo: the autograder of lab %s is ready\n' "$lab"
