@@ -74,7 +74,7 @@ for last in 1 4 8; do
   "$source/tests/grader/release/leaks.sh" "$source" "$tree" "$last" || fail "the archive tells answers"
   [ "$(find "$tree/labs" -name lab.json | wc -l)" = "$last" ] || fail "labs beyond $last, or too few"
   expect_error "$tree" "a student's tree" starter --through 1
-  expect_error "$tree" "a student's tree" render
+  expect_error "$tree" "a student's tree" test --hard
   expect_error "$tree" "a student's tree" test --solutions
   expect_error "$tree" "no solution of lab $last" lab "$last" --solutions
   configured "$scratch/$last"
