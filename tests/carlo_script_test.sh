@@ -27,6 +27,19 @@ expect_error 'render, paths, integrators' bench frob
 expect_error 'no lab 99' grade --calibrate --labs 1,99
 expect_error 'developer' setup --frob
 expect_error 'developer' setup --developer frob
+expect_error 'no lab 99' replay 99.1
+expect_error 'needs an exercise' replay 1
+expect_error 'needs a value' replay 1.2 --probe
+expect_error 'does not know' replay 1.2 --frob
+expect_error 'which question' replay 1.2 --gdb
+expect_error 'no lab 99' starter --through 99
+expect_error 'a lab is a number' starter --through x
+expect_error 'needs the last lab' starter
+expect_error '.tar.gz or a .zip' starter --through 1 -o frob
+expect_error 'needs a lab' gradescope
+expect_error 'no lab 99' gradescope 99
+expect_error 'takes a .zip' gradescope 1 -o frob.tar.gz
+expect_error 'no such file' gradescope 1 --secret-file /no/such/file
 
 # Through a link, from elsewhere.
 scratch=$(mktemp -d)

@@ -1,44 +1,107 @@
 #!/usr/bin/env bash
-# student_tree_test.sh SOURCE CMAKE_ARGUMENT...: the tree as students get it (without the solutions,
-# without what is tested with them) configures, builds lab 01's judge and worker, judges the stub as
-# one that has been begun nowhere, and renders by lab 08, which says that it has not been begun either.
+# student_tree_test.sh SOURCE CMAKE_ARGUMENT...: the archives that students get, after labs 1, 4 and
+# 8. They hold nothing that they must not; the same commit gives the same bytes; each configures; the
+# first and the last build their newest lab's judge and worker, and judge the stub as one that has been
+# begun nowhere.
 set -euo pipefail
 source=$1
 shift
+cmake_arguments=("$@")
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-tree=$scratch/tree
-mkdir "$tree"
-tar -C "$source" -c --exclude=./build --exclude=./out --exclude=./.git --exclude=./.carlo \
-  --exclude=./solutions --exclude='./tests/*/mistakes' --exclude=./tests/renderer \
-  --exclude=./tests/references --exclude=./slides . | tar -C "$tree" -x
+export CCACHE_BASEDIR=$scratch
 
 fail() {
   printf 'FAILED: %s\n' "$*"
   exit 1
 }
 
-export CCACHE_BASEDIR=$scratch
-build=$tree/build/release
-cmake -G Ninja -S "$tree" -B "$build" "$@" >"$scratch/log" 2>&1 ||
-  { cat "$scratch/log" && fail "a student's tree does not configure"; }
-ninja -C "$build" lab01_judge lab01_worker lab08_render >"$scratch/log" 2>&1 ||
-  { tail -40 "$scratch/log" && fail "a student's tree does not build"; }
+# starter K FILE: an archive of what stands here, committed or not.
+starter() {
+  "$source/carlo" starter --dirty --through "$1" -o "$2" >/dev/null || fail "starter --through $1"
+}
 
-code=0
-report=$("$build/bin/lab01_judge" --lab "$tree/labs/01_integration/lab.json" \
-  --worker "$build/bin/lab01_worker") || code=$?
-printf '%s\n' "$report"
-[ "$code" = 1 ] || fail "the stub's exit code is $code, expected 1"
-grep -q 'Lab 01: 0 of 20 points' <<<"$report" || fail "the stub has points"
-grep -q 'start with Lab 1.1, ./carlo hint 1.1' <<<"$report" || fail "nobody says where to start"
+# unpacked K: the archive's tree, in $scratch/K/carlo.
+unpacked() {
+  starter "$1" "$scratch/$1.tar.gz"
+  mkdir "$scratch/$1"
+  tar -C "$scratch/$1" -xzf "$scratch/$1.tar.gz"
+}
 
-code=0
-message=$(CARLO_PRESET=release "$tree/carlo" render --size 8x8 --spp 1 -o "$scratch/image" 2>&1) || code=$?
-printf '%s\n' "$message"
-[ "$code" = 1 ] || fail "rendering by the stub gives exit code $code, expected 1"
-grep -q 'Lab 8.8 is not implemented yet: run ./carlo hint 8.8' <<<"$message" ||
-  fail "nobody says which exercise the image waits for"
-[ "$(wc -l <<<"$message")" = 1 ] || fail "more than one line"
+must_not_hold() {
+  local tree=$1 pattern
+  shift
+  for pattern in "$@"; do
+    [ -z "$(find "$tree" -path "$tree/$pattern" -print -quit)" ] || fail "$pattern is in the archive"
+  done
+}
+
+# expect_error TREE PATTERN CARLO_ARGUMENT...: one line on stderr, exit code 1.
+expect_error() {
+  local tree=$1 pattern=$2 code=0 text
+  shift 2
+  text=$("$tree/carlo" "$@" 2>&1 >/dev/null) || code=$?
+  [ "$code" = 1 ] && [ "$(wc -l <<<"$text")" = 1 ] && grep -Eq "$pattern" <<<"$text" ||
+    fail "a student's ./carlo $*: exit code $code, \"$text\""
+}
+
+configured() {
+  cmake -G Ninja -S "$1/carlo" -B "$1/build" "${cmake_arguments[@]}" >"$scratch/log" 2>&1 ||
+    { cat "$scratch/log" && fail "a student's tree does not configure"; }
+}
+
+# begun_nowhere FOLDER LAB: builds the newest lab and judges it as it comes.
+begun_nowhere() {
+  local lab=$2 number=${2%%_*} code=0 report
+  ninja -C "$1/build" "lab${number}_judge" "lab${number}_worker" >"$scratch/log" 2>&1 ||
+    { tail -40 "$scratch/log" && fail "a student's tree does not build"; }
+  report=$("$1/build/bin/lab${number}_judge" --lab "$1/carlo/labs/$lab/lab.json" \
+    --worker "$1/build/bin/lab${number}_worker") || code=$?
+  printf '%s\n' "$report"
+  [ "$code" = 1 ] || fail "the stub's exit code is $code, expected 1"
+  grep -Eq "Lab $number: 0 of [0-9]+ points" <<<"$report" || fail "the stub has points"
+  grep -q "start with Lab $((10#$number)).1, ./carlo hint $((10#$number)).1" <<<"$report" ||
+    fail "nobody says where to start"
+}
+
+for last in 1 4 8; do
+  unpacked "$last"
+  tree=$scratch/$last/carlo
+  must_not_hold "$tree" 'solutions/renderer' 'solutions/CMakeLists.txt' 'solutions/*bench*' \
+    'tests/*/mistakes' tests/renderer tests/references tests/hard_cases tests/common .ci \
+    tests/grader/release tests/grader/grade tests/grader/attacks tests/grader/calibrate
+  "$source/tests/grader/release/leaks.sh" "$source" "$tree" "$last" || fail "the archive tells answers"
+  [ "$(find "$tree/labs" -name lab.json | wc -l)" = "$last" ] || fail "labs beyond $last, or too few"
+  expect_error "$tree" "a student's tree" starter --through 1
+  expect_error "$tree" "a student's tree" test --hard
+  expect_error "$tree" "a student's tree" test --solutions
+  expect_error "$tree" "no solution of lab $last" lab "$last" --solutions
+  configured "$scratch/$last"
+done
+
+# A leak must be seen: the last lab's solution in its stub's place.
+cp "$source/solutions/08_path_tracer/steps/h_path_tracer.cpp" "$scratch/8/carlo/labs/08_path_tracer/"
+if "$source/tests/grader/release/leaks.sh" "$source" "$scratch/8/carlo" 8 >/dev/null; then
+  fail "a solution in the archive is not seen"
+fi
+rm "$scratch/8/carlo/labs/08_path_tracer/h_path_tracer.cpp"
+
+# Whoever makes it, whenever.
+(umask 077 && TZ=Asia/Tokyo && starter 4 "$scratch/again.tar.gz")
+cmp "$scratch/4.tar.gz" "$scratch/again.tar.gz" || fail "the same tree gives other bytes"
+
+begun_nowhere "$scratch/1" 01_integration
+begun_nowhere "$scratch/8" 08_path_tracer
+ninja -C "$scratch/8/build" -t commands lab08_worker | grep -q 'solutions/07_hemisphere/hemisphere.cpp' ||
+  fail "lab 8 does not build on lab 7's released solution"
+
+# Lab 8's stub renders nothing, says so, and leaves no files.
+mkdir -p "$scratch/8/carlo/build"
+mv "$scratch/8/build" "$scratch/8/carlo/build/release"
+cmake -G Ninja -S "$scratch/8/carlo" -B "$scratch/8/carlo/build/release" --fresh "${cmake_arguments[@]}" >"$scratch/log" 2>&1
+ninja -C "$scratch/8/carlo/build/release" lab08_render >"$scratch/log" 2>&1 ||
+  { tail -40 "$scratch/log" && fail "lab 8's renderer does not build"; }
+CARLO_PRESET=release expect_error "$scratch/8/carlo" 'Lab 8.8 is not implemented yet: run ./carlo hint 8.8' \
+  render --size 8x8 --spp 1 -o "$scratch/image"
 [ -z "$(find "$scratch" -maxdepth 1 -name 'image*')" ] || fail "the stub's render left files"

@@ -90,22 +90,22 @@ inline Moments by_area(Lamp lamp, Slip slip = Slip::none) {
   return m;
 }
 
-/// The reflectance of places.h's grey materials in double.
+/// cos^n of the angle between two unit vectors, 0 for blunt angles. The cosine comes from the
+/// chord, so that pow() starts from an error of 1e-16 and ends, at n = 1e7, with one of 1e-9.
 inline double cos_power(Double3 a, Double3 b, double n) {
-  const Double3 d = a - b;
-  const double one_minus_cos = 0.5 * glm::dot(d, d);
-  return one_minus_cos < 1 ? std::exp(n * std::log1p(-one_minus_cos)) : 0;
+  const double chord = glm::length(a - b);
+  const double cosine = 1 - chord * chord / 2;
+  return cosine > 0 ? std::pow(cosine, n) : 0;
 }
 
+/// The reflectance of places.h's grey materials in double.
 struct PhongTheory {
   double kd, ks, n;
 
   explicit PhongTheory(const PhongCase& c)
       : kd(static_cast<double>(c.kd)), ks(static_cast<double>(c.ks)), n(static_cast<double>(c.n)) {}
 
-  static Double3 mirrored(Double3 normal, Double3 wo) {
-    return 2 * glm::dot(normal, wo) * normal - wo;
-  }
+  static Double3 mirrored(Double3 normal, Double3 wo) { return glm::reflect(-wo, normal); }
   double f(Double3 normal, Double3 wo, Double3 wi) const {
     if (!(glm::dot(normal, wi) > 0)) return 0;
     return kd / pi + ks * (n + 2) / (2 * pi) * cos_power(mirrored(normal, wo), wi, n);

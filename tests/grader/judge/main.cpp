@@ -25,7 +25,7 @@ namespace carlo::grader {
 namespace {
 
 struct Options {
-  std::string lab, worker, exercise, json, handout;
+  std::string lab, worker, exercise, json, probes, handout;
   std::vector<std::string> stub;  ///< its files
   PageFiles page;
   std::string secret_file, submission = "local", sandbox = "auto";
@@ -43,6 +43,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--page", options.page.always, "write a page with pictures to this file");
   app.add_option("--failure-page", options.page.on_failure,
                  "the same, but only when something has failed");
+  app.add_option("--probes", options.probes, "write the questions put to the worker to this file");
   app.add_option("--seed", options.seed, "use the numbers of this seed");
   app.add_option("--secret-file", options.secret_file,
                  "seeds follow from this file's text and the submission (default: a public one)");
@@ -101,6 +102,9 @@ int judge_lab(const Options& options) {
   const std::string verdicts = report_json(result);
   if (!options.json.empty()) write_file(options.json, verdicts);
   write_feedback_page(verdicts, options.page);
+  if (!options.probes.empty()) {
+    write_file(options.probes, to_json(Questions{result.seed, current_run()->asked()}));
+  }
   return result.earned() == result.possible() ? 0 : 1;
 }
 

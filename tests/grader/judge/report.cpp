@@ -169,7 +169,9 @@ std::string exercise_text(const ExerciseResult& result, const LabResult& lab, st
       out += whole_test(test);
   }
   if (result.status == Status::passed) return out;
-  return out + details(result, lab, !verbose);
+  return out + details(result, lab, !verbose) +
+         fmt::format("    The raw values: ./carlo replay {} --seed {}\n", result.exercise.number(),
+                     lab.seed);
 }
 
 /// What to do next, below the total.

@@ -166,6 +166,8 @@ Rows Run::probe(const std::string& name, Params params, Shape shape) {
   TestRecord& test = current();
   params.seed = hash(seed_, word_of(test.tag + ": " + test.sentence), probes_in_test_++);
   const std::string asked = question(params, shape);
+  asked_.push_back(
+      {test.tag, test.sentence, name, params, asked, shape.rows, shape.columns, Status::passed});
   try {
     if (const TestRecord* earlier = hopeless(test.tag)) {
       test.skipped = true;
@@ -174,6 +176,8 @@ Rows Run::probe(const std::string& name, Params params, Shape shape) {
     }
     return run_probe(worker_, name, params, shape, limits_);
   } catch (const ProbeFailure& failure) {
+    asked_.back().status = failure.status;
+    asked_.back().problem = failure.what();
     note(failure, asked);
     throw;
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grader/judge/asked.h"
 #include "grader/judge/results.h"
 #include "grader/judge/worker.h"
 #include "grader/protocol/frame.h"
@@ -54,6 +55,8 @@ class Run {
   void record(const Verdict& verdict);
 
   const std::vector<TestRecord>& records() const { return records_; }
+  /// All questions so far, those that were not put to a worker any more too.
+  const std::vector<Asked>& asked() const { return asked_; }
   std::uint64_t seed() const { return seed_; }
   const Sandbox& sandbox() const { return worker_.sandbox(); }
 
@@ -66,6 +69,7 @@ class Run {
   std::uint64_t seed_;
   Limits limits_;
   std::vector<TestRecord> records_;
+  std::vector<Asked> asked_;
   std::uint64_t probes_in_test_ = 0;
   int statistical_ = 0;
 };

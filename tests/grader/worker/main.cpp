@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -39,6 +40,27 @@ Frame run(Probe probe, const Params& params) {
   return frame;
 }
 
+/// The frame for people: its first `most` rows (all for 0), every value so that it reads back the
+/// same. Nothing but a table is a success.
+int print(const Frame& frame, std::size_t most) {
+  if (frame.status != Frame::Status::rows) {
+    fmt::print("no values: {}\n", frame.text);
+    return 1;
+  }
+  const Rows& rows = frame.rows;
+  const std::size_t shown = most == 0 ? rows.count() : std::min(most, rows.count());
+  fmt::print("{} {} of {} {}\n", rows.count(), rows.count() == 1 ? "row" : "rows", rows.columns,
+             rows.columns == 1 ? "value" : "values");
+  for (std::size_t row = 0; row < shown; ++row) {
+    fmt::print("{:>8}", row + 1);
+    for (std::size_t column = 0; column < rows.columns; ++column)
+      fmt::print("  {:>22}", rows.at(row, column));
+    fmt::print("\n");
+  }
+  if (shown < rows.count()) fmt::print("     ...  ({} more: --all)\n", rows.count() - shown);
+  return 0;
+}
+
 void send(int fd, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(fd, bytes.data(), bytes.size());
@@ -54,9 +76,12 @@ int main(int argc, char** argv) {
   std::string text = to_json({});
   int fd = STDOUT_FILENO;
   bool list = false;
+  std::size_t rows = 0;
   app.add_option("--probe", name, "the probe to run");
   app.add_option("--params", text, "its parameters, as JSON");
   app.add_option("--fd", fd, "the descriptor that the frame goes to");
+  const CLI::Option* as_text =
+      app.add_option("--print", rows, "print the first so many rows (0: all) and send nothing");
   app.add_flag("--list", list, "name all probes");
   CLI11_PARSE(app, argc, argv);
   if (list) {
@@ -67,6 +92,7 @@ int main(int argc, char** argv) {
   const auto found = probes().find(name);
   if (found == probes().end()) throw Error("no probe \"{}\"", name);
   const Frame frame = run(found->second, params_from_json(text));
+  if (as_text->count() > 0) return print(frame, rows);
   std::fflush(nullptr);
   send(fd, encode(frame));
   // Without the handlers that the student's code may have left behind: the answer is given.

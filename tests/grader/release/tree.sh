@@ -1,0 +1,110 @@
+# Which files of the suite leave it, and how archives of them are made. To be sourced; ROOT is the
+# suite's folder, `fail` prints one line and ends.
+#
+# What leaves is listed, what stays is not: a folder that somebody adds to the suite stays at home
+# until its name is written here.
+
+# lab_names ROOT: the labs of the course in order, as far as their folders are there.
+lab_names() {
+  local lab
+  grep -oE '^ +[0-9]{2}_[a-z_]+' "$1/labs/CMakeLists.txt" | while read -r lab; do
+    [ ! -f "$1/labs/$lab/lab.json" ] || printf '%s\n' "$lab"
+  done
+}
+
+# number_of LAB: 07_hemisphere -> 7
+number_of() { printf '%d' "$((10#${1%%_*}))"; }
+
+# student_patterns ROOT K: regular expressions for the paths that students of labs 1 to K get.
+student_patterns() {
+  local root=$1 last=$2 lab
+  cat <<'END'
+^(CMakeLists\.txt|CMakePresets\.json|LICENSE|carlo|\.clang-format|\.editorconfig|\.gitignore)$
+^common/
+^labs/CMakeLists\.txt$
+^tests/CMakeLists\.txt$
+^tests/grader/(CMakeLists\.txt|README\.md|[a-z_]+\.cmake|[a-z_]+_test\.cpp)$
+^tests/grader/(fixtures|judge|page|protocol|replay|worker)/
+END
+  while read -r lab; do
+    [ "$(number_of "$lab")" -le "$last" ] || continue
+    printf '^labs/%s/\n' "$lab"
+    printf '^tests/%s/((checks|probes)[a-z_]*\\.cpp|[a-z_]+\\.h)$\n' "$lab"
+  done < <(lab_names "$root")
+}
+
+# all_files ROOT: what the suite consists of, tracked or about to be.
+all_files() {
+  git -C "$1" ls-files --cached --others --exclude-standard |
+    while read -r file; do [ ! -f "$1/$file" ] || printf '%s\n' "$file"; done
+}
+
+# released_solutions ROOT K: the exercise files of the solutions of labs before K. What else stands
+# beside them (benchmarks) is no solution.
+released_solutions() {
+  local root=$1 last=$2 file rest
+  while read -r file; do
+    rest=${file#solutions/}
+    [ "$(number_of "$rest")" -lt "$last" ] || continue
+    [ ! -f "$root/labs/$rest" ] || printf '%s\n' "$file"
+  done < <(all_files "$root" | grep -E '^solutions/[0-9]{2}_.*\.cpp$')
+}
+
+# student_files ROOT K: all of it, sorted.
+student_files() {
+  {
+    all_files "$1" | grep -E -f <(student_patterns "$1" "$2")
+    released_solutions "$1" "$2"
+  } | LC_ALL=C sort
+}
+
+# committed_tree ROOT DIRTY: fails unless what would leave is what is committed.
+committed_tree() {
+  git -C "$1" rev-parse --verify -q HEAD >/dev/null 2>&1 ||
+    fail "archives are made from the suite's git repository, and this is none"
+  [ -n "$2" ] || [ -z "$(git -C "$1" status --porcelain)" ] ||
+    fail "there are uncommitted changes: commit them, or say --dirty to give them away too"
+}
+
+# check_output FILE: an archive's name tells its kind.
+check_output() {
+  case $1 in
+    *.tar.gz | *.tgz | *.zip) ;;
+    *) fail "an archive is a .tar.gz or a .zip, got '$1'" ;;
+  esac
+}
+
+# lab_number ROOT TEXT COMPLAINT: 07 -> 7; fails with the complaint without a text.
+lab_number() {
+  [ -n "$2" ] || fail "$3"
+  [[ $2 =~ ^[0-9]{1,2}$ ]] || fail "a lab is a number such as 1, got '$2'"
+  local number=$((10#$2))
+  [[ " $(lab_names "$1" | tr '\n' ' ')" == *" $(printf '%02d' "$number")_"* ]] ||
+    fail "there is no lab $2"
+  printf '%d' "$number"
+}
+
+# plain_rights FOLDER: one set of rights, whoever makes the archive.
+plain_rights() { chmod -R u=rwX,go=rX "$1"; }
+
+# pack FOLDER FILE SECONDS: FOLDER's content as an archive whose bytes depend on nothing but that
+# content and SECONDS, the time that all files get: sorted, owner 0.
+pack() {
+  local folder=$1 file=$2 seconds=$3 new
+  mkdir -p "$(dirname "$file")" || fail "cannot write $file"
+  file=$(readlink -f "$(dirname "$file")")/$(basename "$file")
+  new=$(mktemp -d "$(dirname "$file")/.archive.XXXXXX")
+  case $file in
+    *.zip)
+      find "$folder" -exec touch -h -d "@$seconds" {} +
+      (cd "$folder" && find . -type f -printf '%P\n' | LC_ALL=C sort |
+        TZ=UTC zip -X -q "$new/archive.zip" -@) || fail "zip failed"
+      mv "$new/archive.zip" "$file" ;;
+    *)
+      (cd "$folder" && find . -type f -printf '%P\n' | LC_ALL=C sort |
+        tar --create --no-recursion --mtime="@$seconds" --owner=0 --group=0 --numeric-owner \
+          --format=ustar --files-from=-) | gzip -9n >"$new/archive" || fail "tar failed"
+      mv "$new/archive" "$file" ;;
+  esac
+  rmdir "$new"
+}

@@ -1,0 +1,104 @@
+// carlo_replay: shows what the judge asked one exercise, and puts one of its questions again,
+// without sandbox and limits, so that the values can be seen and the code be followed.
+
+#include "cli/arguments.h"
+#include "cli/atomic_file.h"
+#include "cli/error.h"
+#include "cli/main_guard.h"
+#include "course/exercises.h"
+#include "grader/replay/pick.h"
+#include "grader/replay/rerun.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace carlo::grader {
+namespace {
+
+struct Options {
+  std::string lab, questions, worker, exercise, probe, debugger;
+  bool all = false;
+};
+
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("exercise", options.exercise, "which exercise, such as 1.2")->required();
+  app.add_option("--lab", options.lab, "the lab's lab.json")->required();
+  app.add_option("--questions", options.questions, "what the judge wrote with --probes")
+      ->required();
+  app.add_option("--worker", options.worker, "the worker program to ask");
+  app.add_option("--probe", options.probe, "ask this probe: its number in the list or its name");
+  app.add_option("--debugger", options.debugger, "run it under this debugger");
+  app.add_flag("--all", options.all, "print all rows");
+}
+
+const Exercise& exercise_of(const Lab& lab, const std::string& number) {
+  const Exercise* exercise = lab.find("Lab " + number);
+  if (exercise == nullptr) throw Error("lab {} has no exercise {}", lab.number, number);
+  return *exercise;
+}
+
+std::string again(const Options& options, std::uint64_t seed, std::size_t number) {
+  return fmt::format("./carlo replay {} --seed {} --probe {}", options.exercise, seed, number);
+}
+
+/// The list, and how to go on: with the first question that brought no values.
+void show(const Options& options, const Exercise& exercise, const Questions& questions) {
+  fmt::print("{}  {}  (seed {})\n{}", exercise.tag, exercise.title, questions.seed,
+             listing(questions.asked));
+  const auto& asked = questions.asked;
+  const auto bad = std::find_if(asked.begin(), asked.end(),
+                                [](const Asked& one) { return one.status != Status::passed; });
+  const std::size_t number = bad == asked.end() ? 1 : number_of(asked, *bad);
+  fmt::print("Raw values of one: {}  (--gdb: in the debugger)\n",
+             again(options, questions.seed, number));
+}
+
+int ask(const Options& options, const Exercise& exercise, const Questions& questions) {
+  if (options.worker.empty()) throw Error("--worker is missing: which program is asked?");
+  const Asked& asked = pick(questions.asked, options.probe);
+  const std::size_t number = number_of(questions.asked, asked);
+  fmt::print("{} of \"{}\"\n{}{}", asked.probe, asked.sentence, asked.question,
+             asked.question.empty() ? "" : "\n");
+  const auto words =
+      command(options.worker, asked, options.all || !options.debugger.empty() ? 0 : 10);
+  if (!options.debugger.empty()) {
+    std::string breaks;
+    for (const std::string& function : exercise.functions)
+      breaks += fmt::format("{}break {}", breaks.empty() ? "" : ", ", function);
+    fmt::print("In the debugger: {}; then run, and where after a crash.\n", breaks);
+    std::fflush(nullptr);
+    debug(options.debugger, words);
+  }
+  std::fflush(nullptr);
+  const Rerun result = rerun(words);
+  if (!result.crashed) return result.values ? 0 : 1;
+  if (!result.place.empty()) {
+    throw Error("{} crashed in {}: {}", exercise.tag, result.place, result.how);
+  }
+  throw Error("{} crashed: {} (its line: CARLO_PRESET=debug {})", exercise.tag, result.how,
+              again(options, questions.seed, number));
+}
+
+}  // namespace
+}  // namespace carlo::grader
+
+int main(int argc, char** argv) {
+  return carlo::run_main([&] {
+    using namespace carlo::grader;
+    CLI::App app("What the judge asked an exercise", "./carlo replay");
+    Options options;
+    add_options(app, options);
+    if (const auto code = carlo::parse_arguments(app, argc, argv)) return *code;
+    const carlo::Lab lab = carlo::load_lab(options.lab);
+    const carlo::Exercise& exercise = exercise_of(lab, options.exercise);
+    const Questions questions = questions_from_json(carlo::read_file(options.questions));
+    if (!options.probe.empty()) return ask(options, exercise, questions);
+    show(options, exercise, questions);
+    return 0;
+  });
+}

@@ -1,0 +1,75 @@
+#include "grader/replay/pick.h"
+
+#include "cli/error.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace carlo::grader {
+namespace {
+
+std::string ending(const Asked& asked) {
+  if (asked.status != Status::passed) return asked.problem;
+  return fmt::format("{} x {} values", asked.rows, asked.columns);
+}
+
+bool is_number(const std::string& text) {
+  return !text.empty() && text.size() < 7 &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+std::string names(const std::vector<Asked>& asked) {
+  std::vector<std::string> seen;
+  std::string out;
+  for (const Asked& one : asked) {
+    if (std::find(seen.begin(), seen.end(), one.probe) != seen.end()) continue;
+    seen.push_back(one.probe);
+    out += fmt::format("{}\"{}\"", out.empty() ? "" : ", ", one.probe);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string listing(const std::vector<Asked>& asked) {
+  std::size_t probes = 0;
+  for (const Asked& one : asked)
+    probes = std::max(probes, one.probe.size());
+  std::string out;
+  const std::string* sentence = nullptr;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const Asked& one = asked[i];
+    if (sentence == nullptr || *sentence != one.sentence) out += one.sentence + "\n";
+    sentence = &one.sentence;
+    out += fmt::format("{:>4}  {:<{}}  {}{}{}\n", i + 1, one.probe, probes, one.question,
+                       one.question.empty() ? "" : ": ", ending(one));
+  }
+  return out;
+}
+
+const Asked& pick(const std::vector<Asked>& asked, const std::string& what) {
+  if (asked.empty()) throw Error("the judge asked nothing");
+  if (is_number(what)) {
+    std::size_t number = 0;
+    std::from_chars(what.data(), what.data() + what.size(), number);
+    if (number >= 1 && number <= asked.size()) return asked[number - 1];
+    throw Error("there is no probe number {}, only 1 to {}", what, asked.size());
+  }
+  const auto find = [&](bool without_values) {
+    return std::find_if(asked.begin(), asked.end(), [&](const Asked& one) {
+      return one.probe == what && (!without_values || one.status != Status::passed);
+    });
+  };
+  auto found = find(true);
+  if (found == asked.end()) found = find(false);
+  if (found == asked.end()) throw Error("no probe \"{}\"; there are: {}", what, names(asked));
+  return *found;
+}
+
+std::size_t number_of(const std::vector<Asked>& asked, const Asked& one) {
+  return static_cast<std::size_t>(&one - asked.data()) + 1;
+}
+
+}  // namespace carlo::grader

@@ -1,0 +1,115 @@
+#include "grader/replay/rerun.h"
+
+#include "cli/error.h"
+#include "grader/judge/process.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <regex>
+#include <string_view>
+
+namespace carlo::grader {
+namespace {
+
+/// argv of a command, for exec: pointers into its words.
+std::vector<char*> pointers(const std::vector<std::string>& words) {
+  std::vector<char*> argv;
+  for (const std::string& word : words)
+    argv.push_back(const_cast<char*>(word.c_str()));
+  argv.push_back(nullptr);
+  return argv;
+}
+
+/// The sanitizers show where an abort() came from, and who called; leaks are no fault of an answer.
+/// What the user has set stays.
+void ask_sanitizers() {
+  ::setenv("ASAN_OPTIONS", "detect_leaks=0:handle_abort=1", 0);
+  ::setenv("UBSAN_OPTIONS", "print_stacktrace=1", 0);
+}
+
+std::string place_in(const std::string& text) {
+  static const std::regex place(R"((labs/[0-9]{2}_[a-z_]+/[A-Za-z0-9_./]+\.(cpp|h):[0-9]+))");
+  std::smatch match;
+  return std::regex_search(text, match, place) ? match[1].str() : "";
+}
+
+/// Copies `from` to our stderr and returns its start, of which a sanitizer's report is a small
+/// part.
+std::string pass_on(int from) {
+  constexpr std::size_t kept = std::size_t{1} << 20;
+  std::string text;
+  std::array<char, 4096> block{};
+  while (true) {
+    const ssize_t got = ::read(from, block.data(), block.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return text;
+    const std::string_view part(block.data(), static_cast<std::size_t>(got));
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, part.data(), part.size());
+    if (text.size() < kept) text += part;
+  }
+}
+
+int wait_for(pid_t pid) {
+  int status = 0;
+  while (::waitpid(pid, &status, 0) < 0) {
+    if (errno != EINTR) throw Error("lost sight of the worker: {}", std::strerror(errno));
+  }
+  return status;
+}
+
+}  // namespace
+
+std::vector<std::string> command(const std::string& worker, const Asked& asked, std::size_t rows) {
+  return {worker,    "--probe",           asked.probe, "--params", to_json(asked.params),
+          "--print", std::to_string(rows)};
+}
+
+Rerun rerun(const std::vector<std::string>& command) {
+  ask_sanitizers();
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw Error("no pipe: {}", std::strerror(errno));
+  const std::vector<char*> argv = pointers(command);
+  const pid_t pid = ::fork();
+  if (pid < 0) throw Error("cannot start a process: {}", std::strerror(errno));
+  if (pid == 0) {
+    ::dup2(ends[1], STDERR_FILENO);
+    ::execv(argv[0], argv.data());
+    ::_exit(127);
+  }
+  ::close(ends[1]);
+  const std::string said = pass_on(ends[0]);
+  ::close(ends[0]);
+  const int status = wait_for(pid);
+
+  Rerun result;
+  if (WIFSIGNALED(status)) result.how = signal_name(WTERMSIG(status));
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
+  if (code == 127) throw Error("{} cannot be run", command.front());
+  // A sanitizer ends the program with exit code 1, after its report.
+  const bool report = said.find("ERROR: AddressSanitizer") != std::string::npos ||
+                      said.find(": runtime error: ") != std::string::npos;
+  if (code != 0 && report) result.how = "the sanitizer's report above";
+  if (code != 0 && code != 1) result.how = fmt::format("exit code {}", code);
+  result.values = status == 0;
+  result.crashed = !result.how.empty();
+  if (result.crashed) result.place = place_in(said);
+  return result;
+}
+
+void debug(const std::string& debugger, const std::vector<std::string>& command) {
+  ask_sanitizers();
+  std::vector<std::string> words{debugger, "-q", "--args"};
+  words.insert(words.end(), command.begin(), command.end());
+  const std::vector<char*> argv = pointers(words);
+  ::execvp(argv[0], argv.data());
+  throw Error("{} cannot be run: {} (as root: apt-get install gdb)", debugger,
+              std::strerror(errno));
+}
+
+}  // namespace carlo::grader
