@@ -47,17 +47,17 @@ expect_error() {
 }
 
 configured() {
-  cmake -G Ninja -S "$1/carlo" -B "$1/build" "${cmake_arguments[@]}" >"$scratch/log" 2>&1 ||
+  cmake -G Ninja -S "$1/carlo" -B "$1/carlo/build/release" "${cmake_arguments[@]}" >"$scratch/log" 2>&1 ||
     { cat "$scratch/log" && fail "a student's tree does not configure"; }
 }
 
 # begun_nowhere FOLDER LAB: builds the newest lab and judges it as it comes.
 begun_nowhere() {
   local lab=$2 number=${2%%_*} code=0 report
-  ninja -C "$1/build" "lab${number}_judge" "lab${number}_worker" >"$scratch/log" 2>&1 ||
+  ninja -C "$1/carlo/build/release" "lab${number}_judge" "lab${number}_worker" >"$scratch/log" 2>&1 ||
     { tail -40 "$scratch/log" && fail "a student's tree does not build"; }
-  report=$("$1/build/bin/lab${number}_judge" --lab "$1/carlo/labs/$lab/lab.json" \
-    --worker "$1/build/bin/lab${number}_worker") || code=$?
+  report=$("$1/carlo/build/release/bin/lab${number}_judge" --lab "$1/carlo/labs/$lab/lab.json" \
+    --worker "$1/carlo/build/release/bin/lab${number}_worker") || code=$?
   printf '%s\n' "$report"
   [ "$code" = 1 ] || fail "the stub's exit code is $code, expected 1"
   grep -Eq "Lab $number: 0 of [0-9]+ points" <<<"$report" || fail "the stub has points"
@@ -93,13 +93,10 @@ cmp "$scratch/4.tar.gz" "$scratch/again.tar.gz" || fail "the same tree gives oth
 
 begun_nowhere "$scratch/1" 01_integration
 begun_nowhere "$scratch/8" 08_path_tracer
-ninja -C "$scratch/8/build" -t commands lab08_worker | grep -q 'solutions/07_hemisphere/hemisphere.cpp' ||
+ninja -C "$scratch/8/carlo/build/release" -t commands lab08_worker | grep -q 'solutions/07_hemisphere/hemisphere.cpp' ||
   fail "lab 8 does not build on lab 7's released solution"
 
 # Lab 8's stub renders nothing, says so, and leaves no files.
-mkdir -p "$scratch/8/carlo/build"
-mv "$scratch/8/build" "$scratch/8/carlo/build/release"
-cmake -G Ninja -S "$scratch/8/carlo" -B "$scratch/8/carlo/build/release" --fresh "${cmake_arguments[@]}" >"$scratch/log" 2>&1
 ninja -C "$scratch/8/carlo/build/release" lab08_render >"$scratch/log" 2>&1 ||
   { tail -40 "$scratch/log" && fail "lab 8's renderer does not build"; }
 CARLO_PRESET=release expect_error "$scratch/8/carlo" 'Lab 8.8 is not implemented yet: run ./carlo hint 8.8' \

@@ -18,8 +18,8 @@ constexpr std::size_t most_json_bytes = 2'000'000;
 ///              "verdicts": [{"what", "measured", "expected", "certainty", "p", "passed",
 ///                            "diagnoses": [{"id", "sentence"}], "figure"}]}]
 /// Exact comparisons have no "p"; only failed ones have a figure (figure_json.h). What would make
-/// the document too large is left out: the last figures, printed words, verdicts. What "tests" holds
-/// already is kept.
+/// the document too large is left out: the last figures, printed words, verdicts. What "tests"
+/// holds already is kept.
 void add_details(nlohmann::json& document, const LabResult& result);
 
 }  // namespace carlo::grader

@@ -10,8 +10,8 @@ struct PageFiles {
   std::string on_failure;  ///< only when something has failed, or an older run's page stands there
 };
 
-/// Writes the page of a lab's verdicts (what report_json() gives), making its folder, and says where
-/// it is. Throws Error.
+/// Writes the page of a lab's verdicts (what report_json() gives), making its folder, and says
+/// where it is. Throws Error.
 void write_feedback_page(const std::string& verdicts, const PageFiles& files);
 
 }  // namespace carlo::grader

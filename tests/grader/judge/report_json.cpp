@@ -1,7 +1,6 @@
-#include "grader/judge/report.h"
-
 #include "grader/judge/comparisons.h"
 #include "grader/judge/details.h"
+#include "grader/judge/report.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -78,12 +77,9 @@ json exercise_json(const ExerciseResult& result, const LabResult& lab) {
 }  // namespace
 
 std::string report_json(const LabResult& result) {
-  json document{{"lab", result.lab.number},
-                {"points", result.earned()},
-                {"max", result.possible()},
-                {"seed", std::to_string(result.seed)},
-                {"sandbox", result.sandbox},
-                {"exercises", json::array()}};
+  json document{{"lab", result.lab.number},  {"points", result.earned()},
+                {"max", result.possible()},  {"seed", std::to_string(result.seed)},
+                {"sandbox", result.sandbox}, {"exercises", json::array()}};
   for (const ExerciseResult& entry : result.exercises)
     document["exercises"].push_back(exercise_json(entry, result));
   add_details(document, result);
