@@ -3,9 +3,9 @@
 #include "cli/error.h"
 #include "grader/judge/spawn.h"
 #include "grader/judge/survivors.h"
+#include "grader/judge/watch.h"
 
 #include <poll.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,8 +14,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <filesystem>
-#include <system_error>
+#include <optional>
 
 namespace carlo::grader {
 namespace {
@@ -67,22 +66,15 @@ bool ended(pid_t pid, Outcome& outcome) {
   return true;
 }
 
-/// Whether the files below `folder` hold more than `most` bytes of disk. What cannot be looked into
-/// counts as nothing: it belongs to a process that hides it from itself too.
-bool fuller_than(const std::filesystem::path& folder, std::size_t most) {
-  namespace fs = std::filesystem;
-  constexpr auto skip = fs::directory_options::skip_permission_denied;
-  constexpr std::size_t most_files = 100'000;
-  std::size_t bytes = 0, files = 0;
-  std::error_code ec;
-  for (fs::recursive_directory_iterator it(folder, skip, ec), end; it != end && !ec;
-       it.increment(ec)) {
-    struct stat status {};
-    if (::lstat(it->path().c_str(), &status) != 0) continue;
-    bytes += static_cast<std::size_t>(status.st_blocks) * 512;
-    if (bytes > most || ++files > most_files) return true;
+/// The limit that all processes together break, if any: no single one's limits see it.
+std::optional<Outcome::End> broken_together(const Command& command, const Limits& limits) {
+  const std::optional<std::string>& folder = command.confinement.measured;
+  if (folder && fuller_than(*folder, limits.scratch_bytes)) return Outcome::End::flooded_disk;
+  const bool counted = limits.memory_bytes != unlimited && !address_sanitizer();
+  if (counted && descendants_bytes(::getpid()) > limits.memory_bytes) {
+    return Outcome::End::flooded_memory;
   }
-  return false;
+  return {};
 }
 
 /// Follows the child to its end or to the first limit that it breaks.
@@ -99,9 +91,9 @@ void follow(pid_t pid, Reader& result, Reader& output, const Command& command, c
       outcome.end = Outcome::End::deadline;
       return;
     }
-    if (command.confinement.measured && Clock::now() >= next_look) {
-      if (fuller_than(*command.confinement.measured, limits.scratch_bytes)) {
-        outcome.end = Outcome::End::flooded_disk;
+    if (Clock::now() >= next_look) {
+      if (const auto broken = broken_together(command, limits)) {
+        outcome.end = *broken;
         return;
       }
       next_look = Clock::now() + std::chrono::milliseconds(100);
