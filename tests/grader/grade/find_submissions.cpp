@@ -94,7 +94,9 @@ class Finder {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(path)) {
       const bool deep = entry.is_directory() && !entry.is_symlink();
-      names.push_back(entry.path().filename().string() + (deep ? "/" : ""));
+      std::string name = entry.path().filename().string();
+      if (deep) name += "/";
+      names.push_back(name);
     }
     std::sort(names.begin(), names.end());
     if (one_ || looks_like_one(names, labs_)) {
@@ -126,7 +128,9 @@ class Finder {
     }
     if (parts.empty()) sources.push_back({name, path});
     for (const std::string& part : parts) {
-      const std::string inside = wrapper.empty() ? part : wrapper + "/" + part;
+      std::string inside = wrapper;
+      if (!inside.empty()) inside += "/";
+      inside += part;
       sources.push_back({without_archive_ending(part), path, inside});
     }
   }

@@ -142,11 +142,10 @@ class Collector {
 
   void file(const std::string& path, const std::function<std::string()>& read, int depth) {
     const std::string name = last_part(path);
-    if (is_in_foreign_folder(path)) {
-      ignore(path);
-    } else if (wanted_.count(name) != 0) {
+    const bool foreign = is_in_foreign_folder(path);
+    if (!foreign && wanted_.count(name) != 0) {
       guarded(path, [&] { candidate(path, read()); });
-    } else if (is_archive_name(name) && depth < deepest_archive) {
+    } else if (!foreign && is_archive_name(name) && depth < deepest_archive) {
       guarded(path, [&] { nested(path, read(), depth + 1); });
     } else {
       ignore(path);
