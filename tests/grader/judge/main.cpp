@@ -24,13 +24,14 @@ namespace carlo::grader {
 namespace {
 
 struct Options {
-  std::string lab, worker, exercise, json, probes, handout;
+  std::string lab, worker, exercise, json, handout;
   std::vector<std::string> stub;  ///< its files
   std::string secret = "public", submission = "local", sandbox = "auto";
   std::uint64_t seed = 0;
   double deadline = 10;
   bool verbose = false;
   bool seed_given = false;
+  std::string probes;  ///< where its questions go
 };
 
 void add_options(CLI::App& app, Options& options) {
@@ -38,7 +39,6 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--worker", options.worker, "the worker program to judge");
   app.add_option("--exercise", options.exercise, "judge only this exercise, such as 1.2");
   app.add_option("--json", options.json, "write the verdicts to this file");
-  app.add_option("--probes", options.probes, "write the questions put to the worker to this file");
   app.add_option("--seed", options.seed, "use the numbers of this seed");
   app.add_option("--secret", options.secret, "seeds follow from this and the submission")
       ->capture_default_str();
@@ -54,6 +54,7 @@ void add_options(CLI::App& app, Options& options) {
                "show every test and comparison, those that passed too");
   app.add_option("--stub", options.stub, "check that stub, handout and tests agree with lab.json");
   app.add_option("--handout", options.handout, "the handout for --stub");
+  app.add_option("--probes", options.probes, "write the questions put to the worker to this file");
 }
 
 Sandbox make_sandbox(const Options& options) {
@@ -87,15 +88,15 @@ int judge_lab(const Options& options) {
   limits.deadline = std::chrono::milliseconds(static_cast<long>(options.deadline * 1000));
   current_run() = std::make_unique<Run>(make_sandbox(options), run_seed(options), limits);
   run_tests(tag);
+  if (!options.probes.empty()) {
+    write_file(options.probes, to_json(Questions{current_run()->seed(), current_run()->asked()}));
+  }
 
   LabResult result = collect(lab, current_run()->records(), tag);
   result.seed = current_run()->seed();
   result.sandbox = to_string(current_run()->sandbox().level());
   fmt::print("{}", report_text(result, options.verbose));
   if (!options.json.empty()) write_file(options.json, report_json(result));
-  if (!options.probes.empty()) {
-    write_file(options.probes, to_json(Questions{result.seed, current_run()->asked()}));
-  }
   return result.earned() == result.possible() ? 0 : 1;
 }
 
