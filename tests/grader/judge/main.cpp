@@ -25,7 +25,7 @@ namespace carlo::grader {
 namespace {
 
 struct Options {
-  std::string lab, worker, exercise, json, probes, handout;
+  std::string lab, worker, exercise, json, handout;
   std::vector<std::string> stub;  ///< its files
   PageFiles page;
   std::string secret_file, submission = "local", sandbox = "auto";
@@ -33,6 +33,7 @@ struct Options {
   double deadline = 10;
   bool verbose = false;
   bool seed_given = false;
+  std::string probes;  ///< where its questions go
 };
 
 void add_options(CLI::App& app, Options& options) {
@@ -43,7 +44,6 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--page", options.page.always, "write a page with pictures to this file");
   app.add_option("--failure-page", options.page.on_failure,
                  "the same, but only when something has failed");
-  app.add_option("--probes", options.probes, "write the questions put to the worker to this file");
   app.add_option("--seed", options.seed, "use the numbers of this seed");
   app.add_option("--secret-file", options.secret_file,
                  "seeds follow from this file's text and the submission (default: a public one)");
@@ -58,6 +58,7 @@ void add_options(CLI::App& app, Options& options) {
                "show every test and comparison, those that passed too");
   app.add_option("--stub", options.stub, "check that stub, handout and tests agree with lab.json");
   app.add_option("--handout", options.handout, "the handout for --stub");
+  app.add_option("--probes", options.probes, "write the questions put to the worker to this file");
 }
 
 Worker make_worker(const Options& options) {
@@ -94,6 +95,9 @@ int judge_lab(const Options& options) {
   limits.deadline = std::chrono::milliseconds(static_cast<long>(options.deadline * 1000));
   current_run() = std::make_unique<Run>(make_worker(options), run_seed(options), limits);
   run_tests(tag);
+  if (!options.probes.empty()) {
+    write_file(options.probes, to_json(Questions{current_run()->seed(), current_run()->asked()}));
+  }
 
   LabResult result = collect(lab, current_run()->records(), tag);
   result.seed = current_run()->seed();
@@ -102,9 +106,6 @@ int judge_lab(const Options& options) {
   const std::string verdicts = report_json(result);
   if (!options.json.empty()) write_file(options.json, verdicts);
   write_feedback_page(verdicts, options.page);
-  if (!options.probes.empty()) {
-    write_file(options.probes, to_json(Questions{result.seed, current_run()->asked()}));
-  }
   return result.earned() == result.possible() ? 0 : 1;
 }
 
