@@ -25,6 +25,9 @@ struct ComparisonFinding {
   std::vector<double> p_values;
   double spread = 1;  ///< Effect's, of the first grading
 
+  /// What its p-values are, at this level of both tests; where theory's variance is a bound,
+  /// cautious also as long as there are too few of them to show it.
+  Behaviour behaviour(double level) const;
   /// Why its p-values are larger than uniform ones; empty where that is not known.
   std::string caution() const;
 };

@@ -23,7 +23,9 @@ double one_sided_kolmogorov_smirnov(double d, std::size_t n) {
   if (d >= 1) return 0;
   const auto count = static_cast<double>(n);
   double sum = 0;
-  for (double j = 0; j < count * (1 - d); ++j) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto j = static_cast<double>(i);
+    if (!(d + j / count < 1)) break;
     const double log_choose =
         std::lgamma(count + 1) - std::lgamma(j + 1) - std::lgamma(count - j + 1);
     sum += std::exp(log_choose + (j - 1) * std::log(d + j / count) +

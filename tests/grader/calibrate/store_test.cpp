@@ -141,10 +141,14 @@ TEST_CASE("findings count false failures and the p-values of each comparison", "
 TEST_CASE("a cautious comparison says why", "[calibrate]") {
   ComparisonFinding finding;
   CHECK(finding.caution().empty());
+  CHECK(finding.behaviour(1e-3) == Behaviour::uniform);
   finding.uniformity.ties = true;
   CHECK(finding.caution() == "it takes few values");
   finding.spread = .04;
   CHECK(finding.caution() == "theory's variance is a bound, the values have 0.04 of it");
+  CHECK(finding.behaviour(1e-3) == Behaviour::cautious);
+  finding.uniformity.too_small = 1e-9;
+  CHECK(finding.behaviour(1e-3) == Behaviour::too_small);
   finding.spread = std::nan("");
   CHECK(finding.caution() == "it takes few values");
 }

@@ -101,7 +101,7 @@ Table uniformity_table(const Findings& findings) {
   for (const LabFinding& lab : findings.labs) {
     const auto cautious = std::count_if(
         lab.comparisons.begin(), lab.comparisons.end(), [&](const ComparisonFinding& one) {
-          return one.uniformity.behaviour(behaviour_level(lab)) == Behaviour::cautious;
+          return one.behaviour(behaviour_level(lab)) == Behaviour::cautious;
         });
     table.add_row({lab_cell(lab.lab), count(lab.all.count), p_cell(lab.all.smallest),
                    p_cell(lab.all.either_way), p_cell(lab.all.too_small),
@@ -118,7 +118,7 @@ Table behaviour_table(const Findings& findings, bool all) {
                "behaviour", "caution"});
   for (const LabFinding& lab : findings.labs) {
     for (const ComparisonFinding& one : lab.comparisons) {
-      const Behaviour behaviour = one.uniformity.behaviour(behaviour_level(lab));
+      const Behaviour behaviour = one.behaviour(behaviour_level(lab));
       if (!all && behaviour == Behaviour::uniform) continue;
       std::vector<Cell> row = name_cells(one.name);
       for (const Cell& cell : {count(one.uniformity.count), p_cell(one.uniformity.smallest),
