@@ -1,6 +1,7 @@
 #include "grader/judge/process.h"
 
 #include "cli/error.h"
+#include "grader/judge/process_list.h"
 #include "grader/judge/spawn.h"
 #include "grader/judge/survivors.h"
 
@@ -67,12 +68,14 @@ bool ended(pid_t pid, Outcome& outcome) {
   return true;
 }
 
-/// Whether the files below `folder` hold more than `most` bytes of disk. What cannot be looked into
-/// counts as nothing: it belongs to a process that hides it from itself too.
+/// Whether the files below `folder` hold more than `most` bytes of disk, or are too many or lie too
+/// deep to be counted. What cannot be looked into counts as nothing: it belongs to a process that
+/// hides it from itself too.
 bool fuller_than(const std::filesystem::path& folder, std::size_t most) {
   namespace fs = std::filesystem;
   constexpr auto skip = fs::directory_options::skip_permission_denied;
   constexpr std::size_t most_files = 100'000;
+  constexpr int deepest = 64;
   std::size_t bytes = 0, files = 0;
   std::error_code ec;
   for (fs::recursive_directory_iterator it(folder, skip, ec), end; it != end && !ec;
@@ -80,31 +83,49 @@ bool fuller_than(const std::filesystem::path& folder, std::size_t most) {
     struct stat status {};
     if (::lstat(it->path().c_str(), &status) != 0) continue;
     bytes += static_cast<std::size_t>(status.st_blocks) * 512;
-    if (bytes > most || ++files > most_files) return true;
+    if (bytes > most || ++files > most_files || it.depth() > deepest) return true;
   }
   return false;
 }
 
+/// Looks from time to time at what no limit of the system holds: disk and memory of all processes
+/// together.
+class Watch {
+ public:
+  Watch(const Command& command, const Limits& limits)
+      : folder_(command.confinement.measured), limits_(limits) {}
+
+  /// Notes in `outcome` what is used up.
+  void look(Outcome& outcome) {
+    if (Clock::now() < next_) return;
+    if (folder_ && fuller_than(*folder_, limits_.scratch_bytes)) {
+      outcome.end = Outcome::End::flooded_disk;
+    } else if (limits_.memory_bytes != unlimited && descendants_bytes() > limits_.memory_bytes) {
+      outcome.end = Outcome::End::flooded_memory;
+    }
+    next_ = Clock::now() + std::chrono::milliseconds(100);
+  }
+
+ private:
+  const std::optional<std::string>& folder_;
+  const Limits& limits_;
+  Clock::time_point next_ = Clock::now() + std::chrono::milliseconds(100);
+};
+
 /// Follows the child to its end or to the first limit that it breaks.
-void follow(pid_t pid, Reader& result, Reader& output, const Command& command, const Limits& limits,
-            Outcome& outcome) {
-  const Clock::time_point deadline = Clock::now() + limits.deadline;
-  Clock::time_point next_look = Clock::now() + std::chrono::milliseconds(100);
+void follow(pid_t pid, Reader& result, Reader& output, Watch watch,
+            std::chrono::milliseconds patience, Outcome& outcome) {
+  const Clock::time_point deadline = Clock::now() + patience;
   while (true) {
     const bool over = ended(pid, outcome);  // asked first: what it wrote is there by now
     if (!result.drain()) outcome.end = Outcome::End::flooded_result;
     if (!output.drain()) outcome.end = Outcome::End::flooded_output;
     if (over || outcome.end != Outcome::End::not_started) return;
+    watch.look(outcome);
+    if (outcome.end != Outcome::End::not_started) return;
     if (Clock::now() >= deadline) {
       outcome.end = Outcome::End::deadline;
       return;
-    }
-    if (command.confinement.measured && Clock::now() >= next_look) {
-      if (fuller_than(*command.confinement.measured, limits.scratch_bytes)) {
-        outcome.end = Outcome::End::flooded_disk;
-        return;
-      }
-      next_look = Clock::now() + std::chrono::milliseconds(100);
     }
     // Closed descriptors are -1, which poll() skips. The short wait bounds how late we learn of an
     // end that a surviving grandchild hides by holding the pipes.
@@ -122,7 +143,7 @@ Outcome run_limited(const Command& command, const Limits& limits) {
   Reader result(std::move(child.result), limits.result_bytes, limits.result_bytes);
   Reader output(std::move(child.output), limits.output_bytes, limits.output_kept);
   Outcome outcome;
-  follow(child.pid, result, output, command, limits, outcome);
+  follow(child.pid, result, output, {command, limits}, limits.deadline, outcome);
   ::kill(-child.pid, SIGKILL);
   outcome.peak_bytes = end_orphans();
   outcome.result = result.take();

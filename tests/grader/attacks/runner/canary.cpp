@@ -29,9 +29,10 @@ std::string picture_of(const fs::path& path) {
   struct stat status {};
   if (::lstat(path.c_str(), &status) != 0) return "unreadable";
   std::string content;
-  if (S_ISREG(status.st_mode)) content = sha256(read_file(path));
+  const bool readable = S_ISREG(status.st_mode) && status.st_size < 64 << 20;
+  if (readable) content = sha256(read_file(path));
   if (S_ISLNK(status.st_mode)) content = fs::read_symlink(path).string();
-  return fmt::format("{:o} {} {}", status.st_mode, status.st_uid, content);
+  return fmt::format("{:o} {} {} {}", status.st_mode, status.st_uid, status.st_size, content);
 }
 
 /// The parent's id and the name of a process, from /proc/PID/stat.
