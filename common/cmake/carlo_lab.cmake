@@ -35,12 +35,18 @@ function(carlo_earlier_lab result number)
   endif()
 endfunction()
 
-# One implementation: the object library TARGET from the files SOURCES (a list in one argument).
+# One implementation: the object library TARGET from the files SOURCES (a list in one argument). What
+# is ours is strict with itself, but not with the student's later lab that links it.
 function(carlo_lab_implementation target folder sources)
+  set(uses ${ARGN})
   add_library(${target} OBJECT ${sources})
   target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}/labs/${folder}"
                              "${PROJECT_SOURCE_DIR}/common")
-  target_link_libraries(${target} PUBLIC carlo::build carlo::course ${ARGN})
+  if(carlo::strict IN_LIST uses)
+    list(REMOVE_ITEM uses carlo::strict)
+    target_link_libraries(${target} PRIVATE carlo::strict)
+  endif()
+  target_link_libraries(${target} PUBLIC carlo::build carlo::course ${uses})
 endfunction()
 
 # The same for a worker.

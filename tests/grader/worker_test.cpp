@@ -153,6 +153,21 @@ TEST_CASE("100 GB are not to be had", "[worker]") {
   CHECK(no_child_left());
 }
 
+TEST_CASE("the memory limit holds for all processes together", "[worker]") {
+  if (address_sanitizer()) SKIP("the sanitizer's own memory cannot be told apart");
+  const Level level = GENERATE(Catch::Generators::from_range(levels()));
+  Limits limits;
+  limits.deadline = std::chrono::seconds(60);
+  limits.memory_bytes = std::size_t{512} << 20;
+  try {
+    run_probe(Worker(FIXTURE_WORKER, level), "many processes, much memory", {}, {}, limits);
+    FAIL("no failure at level " << to_string(level));
+  } catch (const ProbeFailure& failure) {
+    CHECK(has(failure.what(), "more than 512 MB of memory together"));
+  }
+  CHECK(no_child_left());
+}
+
 TEST_CASE("what a program printed before it failed is shown, cut to size", "[worker]") {
   const Level level = GENERATE(Catch::Generators::from_range(levels()));
   const Result flood = run(level, "flood stdout");

@@ -87,6 +87,8 @@ std::string cut_short(const Outcome& outcome) {
       return "the compiler printed without end";
     case End::flooded_disk:
       return "the compiler filled the disk";
+    case End::flooded_memory:
+      return "the compiler took too much memory";
     case End::signalled:
       return "the compiler was ended: " + signal_name(outcome.code);
     default:

@@ -50,7 +50,9 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("-o,--out", options.out, "where marks and reports go")->capture_default_str();
   app.add_option("-j,--jobs", options.workers, "submissions at a time (default: one a core)")
       ->check(CLI::Range(1, 1024));
-  app.add_option("--labs", options.labs, "only these labs, such as 1,2")->delimiter(',');
+  app.add_option("--labs", options.labs, "only these labs, such as 1,2")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   app.add_flag("--one", options.one, "each PATH is one submission, whatever it looks like");
   app.add_option("--secret-file", options.secret_file,
                  "what seeds follow from (default: $CARLO_SECRET, else OUT/secret, made once)");

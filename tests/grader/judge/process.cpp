@@ -1,12 +1,11 @@
 #include "grader/judge/process.h"
 
 #include "cli/error.h"
-#include "grader/judge/process_list.h"
 #include "grader/judge/spawn.h"
 #include "grader/judge/survivors.h"
+#include "grader/judge/watch.h"
 
 #include <poll.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -15,8 +14,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <filesystem>
-#include <system_error>
+#include <optional>
 
 namespace carlo::grader {
 namespace {
@@ -68,64 +66,37 @@ bool ended(pid_t pid, Outcome& outcome) {
   return true;
 }
 
-/// Whether the files below `folder` hold more than `most` bytes of disk, or are too many or lie too
-/// deep to be counted. What cannot be looked into counts as nothing: it belongs to a process that
-/// hides it from itself too.
-bool fuller_than(const std::filesystem::path& folder, std::size_t most) {
-  namespace fs = std::filesystem;
-  constexpr auto skip = fs::directory_options::skip_permission_denied;
-  constexpr std::size_t most_files = 100'000;
-  constexpr int deepest = 64;
-  std::size_t bytes = 0, files = 0;
-  std::error_code ec;
-  for (fs::recursive_directory_iterator it(folder, skip, ec), end; it != end && !ec;
-       it.increment(ec)) {
-    struct stat status {};
-    if (::lstat(it->path().c_str(), &status) != 0) continue;
-    bytes += static_cast<std::size_t>(status.st_blocks) * 512;
-    if (bytes > most || ++files > most_files || it.depth() > deepest) return true;
+/// The limit that all processes together break, if any: no single one's limits see it.
+std::optional<Outcome::End> broken_together(const Command& command, const Limits& limits) {
+  const std::optional<std::string>& folder = command.confinement.measured;
+  if (folder && fuller_than(*folder, limits.scratch_bytes)) return Outcome::End::flooded_disk;
+  const bool counted = limits.memory_bytes != unlimited && !address_sanitizer();
+  if (counted && descendants_bytes(::getpid()) > limits.memory_bytes) {
+    return Outcome::End::flooded_memory;
   }
-  return false;
+  return {};
 }
 
-/// Looks from time to time at what no limit of the system holds: disk and memory of all processes
-/// together.
-class Watch {
- public:
-  Watch(const Command& command, const Limits& limits)
-      : folder_(command.confinement.measured), limits_(limits) {}
-
-  /// Notes in `outcome` what is used up.
-  void look(Outcome& outcome) {
-    if (Clock::now() < next_) return;
-    if (folder_ && fuller_than(*folder_, limits_.scratch_bytes)) {
-      outcome.end = Outcome::End::flooded_disk;
-    } else if (limits_.memory_bytes != unlimited && descendants_bytes() > limits_.memory_bytes) {
-      outcome.end = Outcome::End::flooded_memory;
-    }
-    next_ = Clock::now() + std::chrono::milliseconds(100);
-  }
-
- private:
-  const std::optional<std::string>& folder_;
-  const Limits& limits_;
-  Clock::time_point next_ = Clock::now() + std::chrono::milliseconds(100);
-};
-
 /// Follows the child to its end or to the first limit that it breaks.
-void follow(pid_t pid, Reader& result, Reader& output, Watch watch,
-            std::chrono::milliseconds patience, Outcome& outcome) {
-  const Clock::time_point deadline = Clock::now() + patience;
+void follow(pid_t pid, Reader& result, Reader& output, const Command& command, const Limits& limits,
+            Outcome& outcome) {
+  const Clock::time_point deadline = Clock::now() + limits.deadline;
+  Clock::time_point next_look = Clock::now() + std::chrono::milliseconds(100);
   while (true) {
     const bool over = ended(pid, outcome);  // asked first: what it wrote is there by now
     if (!result.drain()) outcome.end = Outcome::End::flooded_result;
     if (!output.drain()) outcome.end = Outcome::End::flooded_output;
     if (over || outcome.end != Outcome::End::not_started) return;
-    watch.look(outcome);
-    if (outcome.end != Outcome::End::not_started) return;
     if (Clock::now() >= deadline) {
       outcome.end = Outcome::End::deadline;
       return;
+    }
+    if (Clock::now() >= next_look) {
+      if (const auto broken = broken_together(command, limits)) {
+        outcome.end = *broken;
+        return;
+      }
+      next_look = Clock::now() + std::chrono::milliseconds(100);
     }
     // Closed descriptors are -1, which poll() skips. The short wait bounds how late we learn of an
     // end that a surviving grandchild hides by holding the pipes.
@@ -143,7 +114,7 @@ Outcome run_limited(const Command& command, const Limits& limits) {
   Reader result(std::move(child.result), limits.result_bytes, limits.result_bytes);
   Reader output(std::move(child.output), limits.output_bytes, limits.output_kept);
   Outcome outcome;
-  follow(child.pid, result, output, {command, limits}, limits.deadline, outcome);
+  follow(child.pid, result, output, command, limits, outcome);
   ::kill(-child.pid, SIGKILL);
   outcome.peak_bytes = end_orphans();
   outcome.result = result.take();

@@ -14,8 +14,7 @@ namespace carlo::grader {
 struct Limits {
   std::chrono::milliseconds deadline{10'000};  ///< wall clock, from start to the last byte
   std::chrono::seconds cpu{0};                 ///< processor time; 0: a second over the deadline
-  /// Address space of each process, and resident memory of all together.
-  std::size_t memory_bytes = std::size_t{2} << 30;
+  std::size_t memory_bytes = std::size_t{2} << 30;     ///< of each process, and of all together
   std::size_t file_bytes = std::size_t{16} << 20;      ///< the largest file
   std::size_t scratch_bytes = std::size_t{256} << 20;  ///< all files in the scratch folder
   std::size_t open_files = 64;

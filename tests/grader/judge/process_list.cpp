@@ -5,7 +5,6 @@
 #include <charconv>
 #include <filesystem>
 #include <fstream>
-#include <set>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -52,23 +51,6 @@ std::vector<ProcessEntry> list_processes() {
     if (entry.parent != 0) list.push_back(entry);
   }
   return list;
-}
-
-std::size_t descendants_bytes() {
-  const std::vector<ProcessEntry> all = list_processes();
-  std::set<pid_t> family{::getpid()};
-  // A child's number may be lower than its parent's, so once through the list is not enough.
-  for (std::size_t before = 0; before != family.size();) {
-    before = family.size();
-    for (const ProcessEntry& entry : all) {
-      if (family.count(entry.parent) != 0) family.insert(entry.id);
-    }
-  }
-  std::size_t bytes = 0;
-  for (const ProcessEntry& entry : all) {
-    if (entry.id != ::getpid() && family.count(entry.id) != 0) bytes += entry.resident_bytes;
-  }
-  return bytes;
 }
 
 }  // namespace carlo::grader

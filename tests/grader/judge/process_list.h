@@ -16,8 +16,4 @@ struct ProcessEntry {
 /// All processes that are there now, as /proc tells; those that end meanwhile may be missing.
 std::vector<ProcessEntry> list_processes();
 
-/// The resident memory of all descendants of this process together. Pages that they share count
-/// for each of them.
-std::size_t descendants_bytes();
-
 }  // namespace carlo::grader

@@ -51,7 +51,8 @@ void check_end(const Outcome& outcome, const Limits& limits) {
       fail(Status::crashed, "it filled the disk");
       break;
     case End::flooded_memory:
-      fail(Status::crashed, "its processes took more memory than a program may have");
+      fail(Status::crashed, fmt::format("its processes took more than {} MB of memory together",
+                                        limits.memory_bytes >> 20));
       break;
     case End::not_started:
       throw Error("a worker was not started");

@@ -1,0 +1,156 @@
+#include "cli/atomic_file.h"
+#include "cli/error.h"
+#include "grader/grade/outputs.h"
+#include "grader/grade/recipe.h"
+#include "grader/grade/record.h"
+#include "grader/grade/sha256.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+
+#include <string>
+#include <vector>
+
+using namespace carlo;
+using namespace carlo::grader;
+using nlohmann::json;
+
+namespace {
+
+Lab demo_lab() {
+  return {1,
+          "demo",
+          "Demo",
+          {{"Lab 1.1", "First", 2, "L", {"f"}, {"a", "b"}},
+           {"Lab 1.2", "Second", 3, "L", {"g"}, {"a", "b"}}}};
+}
+
+json verdict(double first, double second) {
+  const auto entry = [](const char* tag, double points, const char* text) {
+    return json{{"tag", tag}, {"points", points}, {"status", "x"}, {"text", text}};
+  };
+  return {{"lab", 1},
+          {"sandbox", "s"},
+          {"exercises", {entry("Lab 1.1", first, ""), entry("Lab 1.2", second, "wrong \x1b[2J")}}};
+}
+
+Record record(const std::string& name, const LabGrade& lab) {
+  return {name, "key", {"notes.txt"}, {lab}};
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("SHA-256 gives the digests of FIPS 180-4", "[grade]") {
+  CHECK(sha256("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  CHECK(sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  CHECK(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq") ==
+        "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+  Sha256 million;
+  const std::string thousand(1000, 'a');
+  for (int i = 0; i < 1000; ++i)
+    million.add(thousand);
+  CHECK(million.hex() == "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+TEST_CASE("a command line falls into words as in a shell", "[grade]") {
+  CHECK(shell_words("a  \"b c\"d 'e\\f' g\\ h -DX=\\\"y\\\" ''") ==
+        std::vector<std::string>{"a", "b cd", "e\\f", "g h", "-DX=\"y\"", ""});
+}
+
+TEST_CASE("a recipe is read from ninja's commands", "[grade]") {
+  const CourseLab lab{demo_lab(), "01_demo", {"demo.cpp"}};
+  const std::string compile =
+      "/usr/bin/ccache /usr/bin/c++ -DX -I/t/labs/01_demo -isystem /i -O3 -MD -MT o -MF d "
+      "-o labs/lab01_worker_code.dir/demo.o -c /t/labs/01_demo/demo.cpp\n";
+  const std::string link =
+      ": && /usr/bin/c++ -O3 p.o labs/lab01_worker_code.dir/demo.o -o bin/lab01_worker l.a "
+      "/usr/lib/x.so && :\n";
+  const Recipe recipe = parse_recipe(compile + link, "/b", lab);
+  CHECK(recipe.compiler == "/usr/bin/c++");
+  CHECK(recipe.flags == std::vector<std::string>{"-DX", "-O3"});
+  CHECK(recipe.includes == std::vector<std::filesystem::path>{"/t/labs/01_demo", "/i"});
+  REQUIRE(recipe.link.size() == 4);
+  CHECK(recipe.link[0].text == "-O3");
+  CHECK(recipe.link[1].text == "/b/p.o");
+  CHECK(recipe.objects_at == 2);
+  CHECK(recipe.link[2].text == "/b/l.a");
+  CHECK(recipe.link[3].text == "/usr/lib/x.so");
+  CHECK_THROWS_AS(parse_recipe(link, "/b", lab), Error);
+  CHECK_THROWS_AS(parse_recipe(compile, "/b", lab), Error);
+}
+
+TEST_CASE("marks come from the judge's verdict, and only if it makes sense", "[grade]") {
+  const LabGrade grade = judged(demo_lab(), verdict(2, 1.5));
+  CHECK(grade.points() == 3.5);
+  CHECK(grade.max() == 5);
+  CHECK_THROWS_AS(judged(demo_lab(), verdict(3, 1)), Error);
+  CHECK_THROWS_AS(judged(demo_lab(), verdict(-1, 1)), Error);
+  CHECK_THROWS_AS(judged(demo_lab(), verdict(1.1, 1)), Error);
+  CHECK_THROWS_AS(judged(demo_lab(), json(nullptr)), Error);
+  json other = verdict(1, 1);
+  other["exercises"][0]["tag"] = "Lab 1.2";
+  CHECK_THROWS_AS(judged(demo_lab(), other), Error);
+}
+
+TEST_CASE("an error of the grader has no marks, a missing file has 0", "[grade]") {
+  CHECK(unjudged(demo_lab(), LabState::not_submitted, "").points() == 0);
+  const LabGrade ours = unjudged(demo_lab(), LabState::grader_error, "the disk is full");
+  CHECK_FALSE(ours.points().has_value());
+  const Record failed = record("a", ours);
+  CHECK_FALSE(failed.complete());
+  CHECK(has(failed.status(), "an error of the grader"));
+  CHECK_FALSE(json::parse(gradescope_json(failed)).contains("score"));
+  CHECK(has(junit_xml(failed), "<error"));
+  CHECK(has(class_csv({failed}), "a,,,,,5,lab 1 not graded: an error of the grader\n"));
+}
+
+TEST_CASE("the class's CSV is sorted and holds points alone", "[grade]") {
+  LabGrade slow = judged(demo_lab(), verdict(2, 1.5));
+  slow.judge_seconds = 100;
+  const LabGrade fast = judged(demo_lab(), verdict(2, 1.5));
+  const LabGrade none = unjudged(demo_lab(), LabState::not_submitted, "");
+  const std::string csv = class_csv({record("b", slow), record("a", none)});
+  CHECK(csv ==
+        "name,1.1,1.2,lab 1,total,max,status\n"
+        "a,0,0,0,0,5,lab 1 not submitted\n"
+        "b,2,1.5,3.5,3.5,5,graded\n");
+  CHECK(csv == class_csv({record("a", none), record("b", fast)}));
+}
+
+TEST_CASE("Gradescope's and JUnit's files are well formed whatever a program said", "[grade]") {
+  LabGrade lab = judged(demo_lab(), verdict(2, 1.5));
+  lab.compiler = "warning: \xFF <b> \x01";
+  lab.exercises[1].text += "\xFF]]>&";
+  const Record graded = record("a", lab);
+  const json results = json::parse(gradescope_json(graded));
+  CHECK(results["score"] == 3.5);
+  REQUIRE(results["tests"].size() == 2);
+  CHECK(results["tests"][1]["score"] == 1.5);
+  CHECK(results["tests"][1]["max_score"] == 3);
+  CHECK(results["tests"][1]["number"] == "1.2");
+  CHECK(results["tests"][1]["status"] == "failed");
+  pugi::xml_document xml;
+  REQUIRE(xml.load_string(junit_xml(graded).c_str()));
+  const pugi::xml_node suite = xml.child("testsuites").child("testsuite");
+  CHECK(suite.attribute("tests").as_int() == 2);
+  CHECK(suite.attribute("failures").as_int() == 1);
+  CHECK_FALSE(has(junit_xml(graded), "\x1b"));
+}
+
+TEST_CASE("a record is read back as it was written", "[grade]") {
+  LabGrade lab = judged(demo_lab(), verdict(2, 1.5));
+  lab.note.assign(1, 'n');  // a literal here draws a false warning from GCC 12
+  lab.judge_seconds = 1.5;
+  const Record before = record("a", lab);
+  const Record after = record_from_json(to_json(before));
+  CHECK(to_json(after) == to_json(before));
+  CHECK(class_csv({after}) == class_csv({before}));
+  CHECK_THROWS_AS(record_from_json("{}"), Error);
+  CHECK_THROWS_AS(record_from_json("nothing"), Error);
+  CHECK(has(report_text(before), "notes.txt"));
+}

@@ -1,0 +1,221 @@
+#include "grader/grade/intake.h"
+
+#include "cli/atomic_file.h"
+#include "cli/error.h"
+#include "grader/grade/archive.h"
+#include "grader/judge/scratch_folder.h"
+
+#include <archive.h>
+#include <archive_entry.h>
+#include <catch2/catch_test_macros.hpp>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fs = std::filesystem;
+using namespace carlo;
+using namespace carlo::grader;
+
+namespace {
+
+std::vector<CourseLab> demo_labs() {
+  CourseLab first{{}, "01_integration", {"integration.cpp"}};
+  first.lab.number = 1;
+  CourseLab eighth{{}, "08_path_tracer", {"steps/a_camera.cpp", "steps/b_direct.cpp"}};
+  eighth.lab.number = 8;
+  return {first, eighth};
+}
+
+void put(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  write_file(file, text);
+}
+
+struct Entry {
+  std::string path, text;
+  bool link = false;
+};
+
+/// A zip in memory, with names as they are given.
+std::string zip(const std::vector<Entry>& entries) {
+  std::string bytes(std::size_t{4} << 20, '\0');
+  std::size_t used = 0;
+  archive* writer = archive_write_new();
+  archive_write_set_format_zip(writer);
+  archive_write_set_bytes_in_last_block(writer, 1);
+  archive_write_open_memory(writer, bytes.data(), bytes.size(), &used);
+  for (const Entry& each : entries) {
+    archive_entry* entry = archive_entry_new();
+    archive_entry_set_pathname(entry, each.path.c_str());
+    archive_entry_set_filetype(entry, each.link ? AE_IFLNK : AE_IFREG);
+    archive_entry_set_perm(entry, 0644);
+    archive_entry_set_size(entry, each.link ? 0 : static_cast<la_int64_t>(each.text.size()));
+    if (each.link) archive_entry_set_symlink(entry, each.text.c_str());
+    archive_write_header(writer, entry);
+    if (!each.link) archive_write_data(writer, each.text.data(), each.text.size());
+    archive_entry_free(entry);
+  }
+  archive_write_close(writer);
+  archive_write_free(writer);
+  bytes.resize(used);
+  return bytes;
+}
+
+bool has(const std::vector<std::string>& list, const std::string& part) {
+  for (const std::string& text : list) {
+    if (text.find(part) != std::string::npos) return true;
+  }
+  return false;
+}
+
+Intake take(const fs::path& path) {
+  return take_in({"name", path, ""}, demo_labs());
+}
+
+std::vector<std::string> names(const fs::path& path, bool one = false) {
+  std::vector<std::string> list;
+  for (const Source& source : find_submissions({path}, demo_labs(), one))
+    list.push_back(source.name);
+  return list;
+}
+
+}  // namespace
+
+TEST_CASE("exercise files are found by the end of their path, and nothing else is taken",
+          "[intake]") {
+  const ScratchFolder folder;
+  put(folder.path() / "work/labs/01_integration/integration.cpp", "one");
+  put(folder.path() / "a_camera.cpp", "camera");
+  put(folder.path() / "CMakeLists.txt", "evil");
+  put(folder.path() / "labs/01_integration/integration.h", "evil");
+  put(folder.path() / "solutions/01_integration/integration.cpp", "not the student's");
+  const Intake intake = take(folder.path());
+  CHECK(intake.labs.at(1).files.at("integration.cpp") == "one");
+  CHECK(intake.labs.at(8).files.at("steps/a_camera.cpp") == "camera");
+  CHECK(intake.labs.at(8).files.size() == 1);
+  CHECK(has(intake.ignored, "CMakeLists.txt"));
+  CHECK(has(intake.ignored, "integration.h"));
+  CHECK(has(intake.ignored, "solutions/"));
+}
+
+TEST_CASE("two different files of one name are a problem of that lab, equal ones are none",
+          "[intake]") {
+  const ScratchFolder folder;
+  put(folder.path() / "integration.cpp", "one\n");
+  put(folder.path() / "old/integration.cpp", "one\r\n");
+  put(folder.path() / "b_direct.cpp", "x");
+  CHECK(take(folder.path()).labs.at(1).problems.empty());
+  put(folder.path() / "old/integration.cpp", "two");
+  const Intake intake = take(folder.path());
+  CHECK(has(intake.labs.at(1).problems, "differ"));
+  CHECK(intake.labs.at(1).files.empty());
+  CHECK(intake.labs.at(8).problems.empty());
+}
+
+TEST_CASE("byte order mark and line ends are made plain", "[intake]") {
+  const ScratchFolder folder;
+  put(folder.path() / "integration.cpp",
+      "\xEF\xBB\xBF"
+      "a\r\nb\rc\n");
+  CHECK(take(folder.path()).labs.at(1).files.at("integration.cpp") == "a\nb\rc\n");
+}
+
+TEST_CASE("links and huge files are refused", "[intake]") {
+  const ScratchFolder folder, elsewhere;
+  put(elsewhere.path() / "integration.cpp", "somebody else's");
+  fs::create_symlink(elsewhere.path() / "integration.cpp", folder.path() / "integration.cpp");
+  put(folder.path() / "b_direct.cpp", std::string(std::size_t{2} << 20, 'x'));
+  fs::create_directory_symlink(elsewhere.path(), folder.path() / "more");
+  const Intake intake = take(folder.path());
+  CHECK(intake.labs.at(1).files.empty());
+  CHECK(has(intake.ignored, "integration.cpp: a link"));
+  CHECK(has(intake.labs.at(8).problems, "larger than 1 MB"));
+}
+
+TEST_CASE("paths and links that lead out of an archive are refused, the rest is taken",
+          "[intake]") {
+  const ScratchFolder folder;
+  put(folder.path() / "a.zip", zip({{"../integration.cpp", "x"},
+                                    {"hw/../../integration.cpp", "y"},
+                                    {"/integration.cpp", "z"},
+                                    {"C:\\integration.cpp", "z"},
+                                    {"b_direct.cpp", "/etc/passwd", true},
+                                    {"hw\\steps\\a_camera.cpp", "camera"}}));
+  const Intake intake = take(folder.path() / "a.zip");
+  CHECK(intake.labs.at(1).files.empty());
+  CHECK(intake.labs.at(8).files.size() == 1);
+  CHECK(intake.labs.at(8).files.at("steps/a_camera.cpp") == "camera");
+  CHECK(has(intake.ignored, "../integration.cpp: leads out"));
+  CHECK(has(intake.ignored, "b_direct.cpp: a link"));
+}
+
+TEST_CASE("an archive within a submission is opened, a spoilt one is told", "[intake]") {
+  const ScratchFolder folder;
+  put(folder.path() / "hw1.zip", zip({{"deep.zip", zip({{"integration.cpp", "one"}})}}));
+  put(folder.path() / "hw2.zip", "PK no zip at all");
+  const Intake intake = take(folder.path());
+  CHECK(intake.labs.at(1).files.at("integration.cpp") == "one");
+  CHECK(has(intake.ignored, "hw2.zip: "));
+}
+
+TEST_CASE("an archive that unpacks to too much, or to too many files, is an error", "[intake]") {
+  const std::string bytes = zip({{"a", std::string(2000, 'x')}, {"b", std::string(2000, 'x')}});
+  const auto visit = [&](ArchiveLimits limits) {
+    visit_archive(
+        std::string_view(bytes), limits, [](const ArchiveEntry& entry) { entry.read(); },
+        [](const std::string&) {});
+  };
+  CHECK_NOTHROW(visit({}));
+  CHECK_THROWS_AS(visit({.entries = 1}), Error);
+  CHECK_THROWS_AS(visit({.entry_bytes = 1999}), Error);
+  CHECK_THROWS_AS(visit({.total_bytes = 3999}), Error);
+}
+
+TEST_CASE("one submission or many is seen from what stands at the top", "[intake]") {
+  const ScratchFolder folder;
+  const fs::path root = folder.path();
+  put(root / "class/alice/integration.cpp", "a");
+  put(root / "class/bob.zip", zip({{"integration.cpp", "b"}}));
+  put(root / "class/carol/hw.zip", zip({{"integration.cpp", "c"}}));
+  put(root / "class/notes.txt", "");
+  CHECK(names(root / "class") == std::vector<std::string>{"alice", "bob", "carol"});
+  CHECK(names(root / "class/alice") == std::vector<std::string>{"alice"});
+  CHECK(names(root / "class/bob.zip") == std::vector<std::string>{"bob"});
+  CHECK(names(root / "class", true) == std::vector<std::string>{"class"});
+  CHECK_THROWS_AS(names(root / "class/notes.txt"), Error);
+  CHECK_THROWS_AS(names(root / "nowhere"), Error);
+
+  put(root / "wrapped.zip", zip({{"hw/labs/01_integration/integration.cpp", "x"}}));
+  CHECK(names(root / "wrapped.zip") == std::vector<std::string>{"wrapped"});
+  put(root / "export.zip", zip({{"all/dora/integration.cpp", "d"}, {"all/emil.zip", "PK"}}));
+  CHECK(names(root / "export.zip") == std::vector<std::string>{"dora", "emil"});
+  const Source dora = find_submissions({root / "export.zip"}, demo_labs(), false)[0];
+  CHECK(take_in(dora, demo_labs()).labs.at(1).files.at("integration.cpp") == "d");
+}
+
+TEST_CASE("names of submissions are harmless, and no two are the same", "[intake]") {
+  std::vector<std::string> taken{"secret"};
+  CHECK(folder_name("Alice Smith_12", taken) == "Alice_Smith_12");
+  CHECK(folder_name("Alice/Smith_12", taken) == "Alice_Smith_12-2");
+  CHECK(folder_name("..", taken) == "unnamed");
+  CHECK(folder_name("=HYPERLINK(\"x\"),\n", taken) == "_HYPERLINK__x____");
+  CHECK(folder_name("J\xC3\xB6rg", taken) == "J\xC3\xB6rg");
+  CHECK(folder_name("J\xC3", taken) == "J_");
+  CHECK(folder_name("a\xE2\x80\xAE"
+                    "b",
+                    taken) == "a___b");  // right-to-left override
+  CHECK(folder_name("secret", taken) == "secret-2");
+  CHECK(folder_name(std::string(300, 'a'), taken).size() == 100);
+}
+
+TEST_CASE("the digest changes with what is judged, and with nothing else", "[intake]") {
+  const ScratchFolder folder;
+  put(folder.path() / "integration.cpp", "one");
+  const std::string before = take(folder.path()).digest;
+  put(folder.path() / "notes.txt", "x");
+  CHECK(take(folder.path()).digest == before);
+  put(folder.path() / "integration.cpp", "two");
+  CHECK(take(folder.path()).digest != before);
+}
