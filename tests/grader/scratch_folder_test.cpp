@@ -1,6 +1,7 @@
 // A scratch folder goes with all that is in it, whatever was left there.
 
 #include "grader/judge/scratch_folder.h"
+
 #include "grader/judge/watch.h"
 
 #include <catch2/catch_test_macros.hpp>
