@@ -165,6 +165,25 @@ PROBE("Lab 1.3 merge many") {
   return rows.take();
 }
 
+// A list that nobody can know before: first its numbers, one a row, then the moments of the whole
+// and those of two parts merged.
+PROBE("Lab 1.3 unknown list") {
+  carlo::Rng rng(params.seed);
+  const auto cut = static_cast<std::int64_t>(rng.uniform() * static_cast<double>(params.n));
+  RowWriter rows;
+  lab01::Moments whole, first, second;
+  for (std::int64_t i = 0; i < params.n; ++i) {
+    const double x = 10 * rng.uniform() * rng.uniform();
+    rows.add({x, 0, 0, 0});
+    whole.add(x);
+    (i < cut ? first : second).add(x);
+  }
+  first.merge(second);
+  write(rows, whole);
+  write(rows, first);
+  return rows.take();
+}
+
 PROBE("Lab 1.4 rule") {
   Recorder recorder;
   const double value = apply_rule(params, recorder.watch(power_function(params)));

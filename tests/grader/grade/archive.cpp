@@ -61,13 +61,13 @@ std::optional<std::string> safe_path(std::string path) {
 /// One archive being read: counts what it unpacks.
 class Walk {
  public:
-  Walk(archive* reader, const ArchiveLimits& limits) : reader_(reader), limits_(limits) {}
+  Walk(archive* reader, const ArchiveLimits& limits)
+      : reader_(reader), limits_(limits), use_(limits.together ? *limits.together : own_) {}
 
   void all(const Visitor& visit, const Refusal& refused) {
-    std::size_t entries = 0;
     archive_entry* entry = nullptr;
     while (next(entry)) {
-      if (++entries > limits_.entries) throw Error("more than {} files", limits_.entries);
+      if (++use_.entries > limits_.entries) throw Error("more than {} files", limits_.entries);
       one(entry, visit, refused);
     }
   }
@@ -122,8 +122,8 @@ class Walk {
       const la_ssize_t got = archive_read_data(reader_, block.data(), block.size());
       if (got < 0) throw Error("{}", reason(reader_));
       if (got == 0) return;
-      total_ += static_cast<std::size_t>(got);
-      if (total_ > limits_.total_bytes) {
+      use_.bytes += static_cast<std::size_t>(got);
+      if (use_.bytes > limits_.total_bytes) {
         throw Error("it unpacks to more than {} MB", limits_.total_bytes >> 20);
       }
       piece(block.data(), static_cast<std::size_t>(got));
@@ -132,7 +132,8 @@ class Walk {
 
   archive* reader_;
   ArchiveLimits limits_;
-  std::size_t total_ = 0;
+  ArchiveUse own_;
+  ArchiveUse& use_;
 };
 
 std::string lower(std::string text) {

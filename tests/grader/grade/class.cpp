@@ -49,6 +49,8 @@ pid_t start(const Course& course, const Source& source, const fs::path& out) {
   const pid_t child = ::fork();
   if (child < 0) throw Error("cannot start a process: {}", std::strerror(errno));
   if (child > 0) return child;
+  // Ends what no other limit does, such as an archive that is slow to read.
+  ::alarm(static_cast<unsigned>(3600 * (1 + course.labs.size())));
   int code = failed;
   if (::prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0) == 0 && ::getppid() == parent) {
     try {

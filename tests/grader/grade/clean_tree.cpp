@@ -84,6 +84,7 @@ CleanTree::CleanTree(const fs::path& tree, const fs::path& build,
   for (const CourseLab& lab : labs) {
     LabTools& tools = tools_[lab.lab.number];
     tools.recipe = recipe_of(build, lab);
+    tools.name_space = "lab" + lab.number();
     copy_headers(tree, tools);
     copy_inputs(lab, tools);
     for (const std::string& file : lab.files)

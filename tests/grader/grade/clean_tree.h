@@ -11,7 +11,8 @@ namespace carlo::grader {
 
 /// What is needed to compile and link one lab's workers, copied to a place where nothing else is.
 struct LabTools {
-  Recipe recipe;  ///< its folders and files are the copies
+  Recipe recipe;           ///< its folders and files are the copies
+  std::string name_space;  ///< of the exercises: "lab01"
   /// The folders of headers and the files to link that are copies.
   std::vector<std::filesystem::path> headers, inputs;
   /// The exercise files as the course gives them, by name.

@@ -2,6 +2,7 @@
 
 #include "cli/atomic_file.h"
 #include "cli/error.h"
+#include "grader/grade/foreign_symbols.h"
 #include "grader/judge/descriptor.h"
 
 #include <fcntl.h>
@@ -130,6 +131,21 @@ class Compilation {
     return outcome.succeeded() && take_elf(work.path() / "exercise.o", object, readable);
   }
 
+  /// False, and says why, when an object would put itself in the place of our code or calls into
+  /// it.
+  bool keeps_apart(const std::string& name, const fs::path& object, std::string& messages) {
+    if (ours_.empty()) {
+      for (const Recipe::Word& word : tools_.recipe.link) {
+        if (word.file && !has_ending(word.text, ".so")) add_symbols(ours_, symbols_in(word.text));
+      }
+    }
+    Symbols exercise;
+    add_symbols(exercise, symbols_in(object));
+    const std::string why = foreign_symbols(exercise, ours_, tools_.name_space);
+    if (!why.empty()) messages += fmt::format("{}: {}\n", name, why);
+    return why.empty();
+  }
+
   /// Links objects into `worker`. The flags keep the linker from running plugins on what students'
   /// objects hold.
   bool link(const std::vector<fs::path>& objects, const fs::path& worker, std::string& messages) {
@@ -161,8 +177,24 @@ class Compilation {
   static constexpr fs::perms runnable =
       readable | fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec;
 
-  Outcome run(const std::vector<std::string>& argv, const View& view) {
-    Outcome outcome = sandbox_.run(argv, view, compile_limits());
+  static bool has_ending(const std::string& text, const std::string& ending) {
+    return text.find(ending) != std::string::npos;
+  }
+
+  /// What nm prints of an object or archive.
+  std::string symbols_in(const fs::path& file) {
+    const WorkFolder work(folder_ / "symbols");
+    Limits limits = compile_limits();
+    limits.output_bytes = limits.output_kept = std::size_t{32} << 20;
+    const Outcome outcome = run({"/usr/bin/nm", "--extern-only", "--format=posix", file.string()},
+                                {{file}, work.path()}, limits);
+    if (!outcome.succeeded()) throw Error("nm cannot read {}", file.string());
+    return outcome.output;
+  }
+
+  Outcome run(const std::vector<std::string>& argv, const View& view,
+              const Limits& limits = compile_limits()) {
+    Outcome outcome = sandbox_.run(argv, view, limits);
     peak_ = std::max(peak_, outcome.peak_bytes);
     return outcome;
   }
@@ -170,6 +202,7 @@ class Compilation {
   const LabTools& tools_;
   const Sandbox& sandbox_;
   fs::path folder_;
+  Symbols ours_;  ///< of all that is linked but the exercises
   std::size_t peak_ = 0;
 };
 
@@ -186,7 +219,8 @@ void check_with_stubs(Compilation& compilation, const LabTools& tools, const fs:
   bool good = true;
   for (const auto& [name, text] : tools.stubs) {
     objects.push_back(object_of(folder, "stub_" + name));
-    good = good && compilation.compile(name, text, objects.back(), messages);
+    good = good && compilation.compile(name, text, objects.back(), messages) &&
+           compilation.keeps_apart(name, objects.back(), messages);
   }
   if (!good || !compilation.link(objects, folder / "stub_worker", messages)) {
     throw Error("not even the stub can be built in the sandbox: {}",
@@ -207,7 +241,8 @@ Compiled compile(const std::map<std::string, std::string>& files, const LabTools
     const auto given = files.find(name);
     objects.push_back(object_of(folder, name));
     if (given != files.end() &&
-        compilation.compile(name, given->second, objects.back(), result.messages)) {
+        compilation.compile(name, given->second, objects.back(), result.messages) &&
+        compilation.keeps_apart(name, objects.back(), result.messages)) {
       continue;
     }
     if (given != files.end()) {

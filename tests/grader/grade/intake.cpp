@@ -89,7 +89,7 @@ class Collector {
   void archive(const fs::path& file, const std::string& inside) {
     guarded(file.filename().string(), [&] {
       visit_archive(
-          file, {}, [&](const ArchiveEntry& entry) { in_part(entry, inside); },
+          file, limits_, [&](const ArchiveEntry& entry) { in_part(entry, inside); },
           [&](const std::string& what) {
             if (inside.empty() || what.starts_with(inside + "/")) ignore(what);
           });
@@ -154,7 +154,7 @@ class Collector {
 
   void nested(const std::string& path, const std::string& bytes, int depth) {
     visit_archive(
-        std::string_view(bytes), {},
+        std::string_view(bytes), limits_,
         [&](const ArchiveEntry& entry) { file(path + "/" + entry.path, entry.read, depth); },
         [&](const std::string& what) { ignore(path + "/" + what); });
   }
@@ -169,6 +169,9 @@ class Collector {
   }
 
   std::set<std::string> wanted_;
+  // Archives in archives count together: each alone may be small.
+  ArchiveUse use_;
+  ArchiveLimits limits_{.together = &use_};
 };
 
 /// The file of that name, or why there is none.

@@ -116,7 +116,12 @@ Record grade(const Course& course, const std::string& name, const Intake& intake
              const fs::path& folder) {
   const Desk desk{course, name + ":" + intake.digest, folder};
   fs::create_directory(folder / "tmp");
-  write_file(folder / "secret", course.secret);
+  // The report tells the seed. It must not tell of other seeds, so the judge is given no more of
+  // the secret than a digest for this submission alone.
+  Sha256 own_secret;
+  own_secret.add_text(course.secret);
+  own_secret.add_text(desk.identity);
+  write_file(folder / "secret", own_secret.hex());
   fs::permissions(folder / "secret", fs::perms::owner_read);
   constexpr auto passable = fs::perms::owner_all | fs::perms::group_exec | fs::perms::others_exec;
   fs::permissions(folder, passable);

@@ -5,6 +5,7 @@
 #include "random/hash.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace carlo::grader {
@@ -99,6 +100,23 @@ std::string tag_in(const std::string& message) {
   return message.rfind("Lab ", 0) == 0 && end < 20 ? message.substr(0, end) : "";
 }
 
+/// Adds its own lifetime to two sums, in seconds.
+class Stopwatch {
+ public:
+  Stopwatch(double& first, double& second) : first_(first), second_(second) {}
+  ~Stopwatch() {
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start_;
+    first_ += taken.count();
+    second_ += taken.count();
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  double &first_, &second_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
 }  // namespace
 
 std::uint64_t word_of(const std::string& text) {
@@ -166,6 +184,18 @@ const TestRecord* Run::hopeless(const std::string& tag) const {
   return found == records_.end() ? nullptr : &*found;
 }
 
+void Run::check_time(TestRecord& test) const {
+  const double deadline = static_cast<double>(limits_.deadline.count()) / 1000;
+  const auto found = seconds_of_.find(test.tag);
+  const bool exercise = found != seconds_of_.end() && found->second > exercise_deadlines * deadline;
+  if (!exercise && seconds_ <= lab_deadlines * deadline) return;
+  test.skipped = true;
+  throw ProbeFailure(
+      Status::timeout,
+      fmt::format("not run: the tests of {} have taken {:.0f} seconds together",
+                  exercise ? "this exercise" : "this lab", exercise ? found->second : seconds_));
+}
+
 Rows Run::probe(const std::string& name, Params params, Shape shape) {
   TestRecord& test = current();
   params.seed = hash(seed_, word_of(test.tag + ": " + test.sentence), probes_in_test_++);
@@ -178,6 +208,8 @@ Rows Run::probe(const std::string& name, Params params, Shape shape) {
       throw ProbeFailure(earlier->status,
                          fmt::format("not run: the worker ended in \"{}\"", earlier->sentence));
     }
+    check_time(test);
+    const Stopwatch stopwatch(seconds_, seconds_of_[test.tag]);
     return run_probe(worker_, name, params, shape, limits_);
   } catch (const ProbeFailure& failure) {
     asked_.back().status = failure.status;

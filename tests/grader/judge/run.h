@@ -7,6 +7,7 @@
 #include "grader/protocol/params.h"
 
 #include <cstdint>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -35,6 +36,10 @@ struct ProbeFailure : std::runtime_error {
 Rows run_probe(const Worker& worker, const std::string& name, const Params& params, Shape shape,
                const Limits& limits);
 
+/// How many deadlines' worth of time the probes of one exercise may take together, and those of the
+/// lab: what answers a moment before each deadline must not hold up the grader for hours.
+constexpr double exercise_deadlines = 6, lab_deadlines = 36;
+
 /// One judgement of a lab: what the test cases have found so far.
 class Run {
  public:
@@ -47,8 +52,8 @@ class Run {
 
   /// A probe of the current test; its seed follows from the run's, the test's name and the number
   /// of probes before it. A failure is noted and ends the test. Once an exercise is known to be not
-  /// implemented or to run into the deadline, its probes are not started any more; but what is too
-  /// slow where only its cost is judged may still be right.
+  /// implemented or to run into the deadline, or has used up its time, its probes are not started
+  /// any more; but what is too slow where only its cost is judged may still be right.
   Rows probe(const std::string& name, Params params, Shape shape);
 
   /// Notes a verdict. Throws Error when the budget of statistical ones is used up.
@@ -62,6 +67,7 @@ class Run {
 
  private:
   TestRecord& current();
+  void check_time(TestRecord& test) const;
   void note(const ProbeFailure& failure, const std::string& question);
   const TestRecord* hopeless(const std::string& tag) const;
 
@@ -72,6 +78,8 @@ class Run {
   std::vector<Asked> asked_;
   std::uint64_t probes_in_test_ = 0;
   int statistical_ = 0;
+  std::map<std::string, double> seconds_of_;  ///< that the probes of an exercise took, by tag
+  double seconds_ = 0;                        ///< that all took
 };
 
 /// A word from a text (FNV-1a, then mixed): seeds follow from names.

@@ -4,6 +4,11 @@
 
 namespace carlo::grader {
 
+/// Removes all that is in a folder, as far as we may: also what lies deeper than any path can name,
+/// and in folders whose owner has closed them. Links are not followed. Nobody else may be at work
+/// there.
+void remove_below(int folder);
+
 /// A new folder among the temporary files that nobody else can look into; it goes with this object.
 class ScratchFolder {
  public:

@@ -1,6 +1,7 @@
 #include "grader/judge/survivors.h"
 
 #include "cli/error.h"
+#include "grader/judge/process_list.h"
 
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -9,42 +10,17 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <string>
-#include <system_error>
 #include <thread>
 
 namespace carlo::grader {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// The parent of a process, from /proc/PID/stat; 0 when it has just ended. The name in the second
-/// field may hold anything, so the fields are counted from its last parenthesis.
-pid_t parent_of(const fs::path& process) {
-  std::ifstream file(process / "stat");
-  std::string line;
-  std::getline(file, line);
-  const auto name_end = line.rfind(')');
-  if (name_end == std::string::npos || name_end + 4 > line.size()) return 0;
-  pid_t parent = 0;
-  std::from_chars(line.data() + name_end + 4, line.data() + line.size(), parent);
-  return parent;
-}
-
 void kill_children() {
-  std::error_code ec;
-  for (const auto& entry : fs::directory_iterator("/proc", ec)) {
-    const std::string name = entry.path().filename();
-    pid_t pid = 0;
-    const auto [end, problem] = std::from_chars(name.data(), name.data() + name.size(), pid);
-    if (problem != std::errc() || end != name.data() + name.size()) continue;
-    if (parent_of(entry.path()) == ::getpid()) ::kill(pid, SIGKILL);
+  for (const ProcessEntry& entry : list_processes()) {
+    if (entry.parent == ::getpid()) ::kill(entry.id, SIGKILL);
   }
 }
 

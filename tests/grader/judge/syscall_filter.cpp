@@ -98,6 +98,21 @@ constexpr long denied[] = {
 #endif
 };
 
+// Rights, owners and times of files: Landlock does not guard them, and where the sandbox has no
+// user of its own they may be those of files of ours.
+constexpr long denied_on_our_disk[] = {
+    SYS_fchmod,    SYS_fchmodat,
+    452,  // fchmodat2
+    SYS_fchown,    SYS_fchownat,    SYS_utimensat,    SYS_setxattr,     SYS_lsetxattr,
+    SYS_fsetxattr, SYS_removexattr, SYS_lremovexattr, SYS_fremovexattr,
+    463,  // setxattrat
+    466,  // removexattrat
+#if defined(__x86_64__)
+    SYS_chmod,     SYS_chown,       SYS_lchown,       SYS_utime,        SYS_utimes,
+    SYS_futimesat,
+#endif
+};
+
 constexpr unsigned new_namespaces = CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS | CLONE_NEWIPC |
                                     CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNET;
 
@@ -152,6 +167,8 @@ SyscallFilter::SyscallFilter(bool own_process_only) {
   statement(BPF_RET | BPF_K, refusal);
   statement(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
   if (own_process_only) {
+    for (const long call : denied_on_our_disk)
+      deny(call);
     only_own_process(SYS_kill, true);
     only_own_process(SYS_prlimit64, true);
     for (const long call : {SYS_tkill, SYS_tgkill, SYS_rt_sigqueueinfo, SYS_rt_tgsigqueueinfo})

@@ -13,7 +13,8 @@ namespace carlo::grader {
 class SyscallFilter {
  public:
   /// `own_process_only`: signals and limits reach the filtered process alone, named to limit_to()
-  /// before install(). False where a process namespace sees to that.
+  /// before install(), and rights and owners of files stay as they are. False where namespaces see
+  /// to that.
   explicit SyscallFilter(bool own_process_only);
 
   /// For a child after fork(): puts its id where the filter asks for it. Allocates nothing.

@@ -1,10 +1,10 @@
 #include "grader/judge/watch.h"
 
-#include <fmt/core.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include "grader/judge/process_list.h"
 
-#include <fstream>
+#include <sys/stat.h>
+
+#include <set>
 #include <system_error>
 #include <vector>
 
@@ -14,25 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_files = 100'000;
-constexpr std::size_t most_processes = 10'000;
-
-/// Adds the children of a process, whichever of its threads has started them.
-void add_children(pid_t parent, std::vector<pid_t>& list) {
-  std::error_code ec;
-  for (fs::directory_iterator it(fmt::format("/proc/{}/task", parent), ec), end; it != end && !ec;
-       it.increment(ec)) {
-    std::ifstream children(it->path() / "children");
-    for (pid_t child = 0; children >> child;)
-      list.push_back(child);
-  }
-}
-
-std::size_t unshared_bytes(pid_t process) {
-  std::ifstream file(fmt::format("/proc/{}/statm", process));
-  std::size_t size = 0, resident = 0, shared = 0;
-  if (!(file >> size >> resident >> shared) || resident < shared) return 0;
-  return (resident - shared) * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-}
+constexpr int deepest = 64;
 
 }  // namespace
 
@@ -45,18 +27,24 @@ bool fuller_than(const fs::path& folder, std::size_t most) {
     struct stat status {};
     if (::lstat(it->path().c_str(), &status) != 0) continue;
     bytes += static_cast<std::size_t>(status.st_blocks) * 512;
-    if (bytes > most || ++files > most_files) return true;
+    if (bytes > most || ++files > most_files || it.depth() > deepest) return true;
   }
   return false;
 }
 
 std::size_t descendants_bytes(pid_t ancestor) {
-  std::vector<pid_t> list;
-  add_children(ancestor, list);
+  const std::vector<ProcessEntry> all = list_processes();
+  std::set<pid_t> family{ancestor};
+  // A child's number may be lower than its parent's, so once through the list is not enough.
+  for (std::size_t before = 0; before != family.size();) {
+    before = family.size();
+    for (const ProcessEntry& entry : all) {
+      if (family.count(entry.parent) != 0) family.insert(entry.id);
+    }
+  }
   std::size_t bytes = 0;
-  for (std::size_t i = 0; i < list.size() && i < most_processes; ++i) {
-    bytes += unshared_bytes(list[i]);
-    add_children(list[i], list);
+  for (const ProcessEntry& entry : all) {
+    if (entry.id != ancestor && family.count(entry.id) != 0) bytes += entry.resident_bytes;
   }
   return bytes;
 }

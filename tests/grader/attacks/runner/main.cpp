@@ -1,0 +1,249 @@
+// Grades the corpus of attacks at one level of the sandbox and compares marks, files and processes
+// with what they must be.
+
+#include "canary.h"
+#include "cli/arguments.h"
+#include "cli/atomic_file.h"
+#include "cli/error.h"
+#include "cli/main_guard.h"
+#include "fixture.h"
+#include "grader/grade/record.h"
+#include "grader/judge/results.h"
+#include "grader/judge/sandbox.h"
+
+#include <CLI/CLI.hpp>
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace carlo::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string attacks, tree, build, work, level = "bubblewrap";
+  std::vector<std::string> only, except;
+  int jobs = 2;
+  double deadline = 5;
+};
+
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("--attacks", options.attacks, "the corpus")->required();
+  app.add_option("--tree", options.tree, "the repository")->required();
+  app.add_option("--build", options.build, "its build folder")->required();
+  app.add_option("--work", options.work, "a folder that is emptied and used")->required();
+  app.add_option("--level", options.level, "of the sandbox")->capture_default_str();
+  app.add_option("--only", options.only, "these attacks alone")->delimiter(',');
+  app.add_option("--except", options.except, "all but these")->delimiter(',');
+  app.add_option("-j,--jobs", options.jobs, "submissions at a time")->capture_default_str();
+  app.add_option("--deadline", options.deadline, "seconds a probe may take")->capture_default_str();
+}
+
+bool contains(const std::vector<std::string>& list, const std::string& text) {
+  return std::find(list.begin(), list.end(), text) != list.end();
+}
+
+std::vector<Fixture> chosen(const Options& options) {
+  std::vector<Fixture> list;
+  for (const Fixture& fixture : load_fixtures(options.attacks)) {
+    const bool wanted = options.only.empty() || contains(options.only, fixture.name);
+    if (wanted && !contains(options.except, fixture.name) && fixture.is_for(options.level)) {
+      list.push_back(fixture);
+    }
+  }
+  if (list.empty()) throw Error("no attack of these is for the level \"{}\"", options.level);
+  return list;
+}
+
+Places make_places(const Options& options) {
+  const fs::path work = fs::absolute(options.work);
+  // The folder may hold what root should not remove by mistake.
+  if (fs::exists(work) && !fs::is_empty(work) && !fs::exists(work / "attacks.log")) {
+    throw Error("{}: not empty, and not from an earlier run", work.string());
+  }
+  fs::remove_all(work);
+  Places places{fs::canonical(options.tree), fs::canonical(options.build), work / "class",
+                work / "out", work / "canary"};
+  for (const fs::path& folder : {places.submissions, places.out, places.canary, work / "tmp"})
+    fs::create_directories(folder);
+  write_file(work / "attacks.log", "");
+  write_file(places.canary / "canary.txt", "still the same\n");
+  // Everybody may write here: only the sandbox keeps an attack from it. Weaker levels do not.
+  const Level level = level_of(options.level);
+  if (level == Level::landlock || level == Level::bubblewrap) {
+    fs::permissions(places.canary, fs::perms::all);
+    fs::permissions(places.canary / "canary.txt", fs::perms::all);
+  }
+  return places;
+}
+
+/// Runs carlo_grade to its end; its words go to attacks.log. Returns its exit code.
+int run_grader(const Options& options, const Places& places) {
+  const fs::path work = places.out.parent_path();
+  std::vector<std::string> words{places.build / "bin/carlo_grade",
+                                 "--tree",
+                                 places.tree,
+                                 "--build",
+                                 places.build,
+                                 "--labs",
+                                 "1",
+                                 "--sandbox",
+                                 options.level,
+                                 "--deadline",
+                                 fmt::format("{}", options.deadline),
+                                 "-j",
+                                 std::to_string(options.jobs),
+                                 "-o",
+                                 places.out,
+                                 places.submissions};
+  std::vector<char*> argv;
+  for (std::string& word : words)
+    argv.push_back(word.data());
+  argv.push_back(nullptr);
+  ::setenv("TMPDIR", (work / "tmp").c_str(), 1);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const int log = ::open((work / "attacks.log").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    ::dup2(log, 1);
+    ::dup2(log, 2);
+    ::execv(argv[0], argv.data());
+    ::_exit(127);
+  }
+  int status = 0;
+  if (child < 0 || ::waitpid(child, &status, 0) != child) throw Error("carlo_grade did not start");
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+/// What is wrong with the marks of an attack; empty when they are right.
+std::string fault_of(const Fixture& fixture, const Record& record, const LabGrade& lab) {
+  if (to_string(lab.state) != fixture.state) {
+    return fmt::format("the lab is \"{}\", expected \"{}\" ({})", to_string(lab.state),
+                       fixture.state, lab.note.substr(0, 200));
+  }
+  for (const ExerciseGrade& exercise : lab.exercises) {
+    const std::string number = exercise.tag.substr(4);
+    const auto deserved = fixture.points.find(number);
+    const double expected = deserved == fixture.points.end() ? 0 : deserved->second;
+    if (!exercise.points || *exercise.points != expected) {
+      return fmt::format("{}: {} points ({}), expected {}", number,
+                         exercise.points ? points_text(*exercise.points) : "no", exercise.status,
+                         points_text(expected));
+    }
+    const auto status = fixture.status.find(number);
+    if (status != fixture.status.end() && status->second != exercise.status) {
+      return fmt::format("{}: {}, expected {}", number, exercise.status, status->second);
+    }
+  }
+  const double seconds = lab.compile_seconds + lab.judge_seconds;
+  if (!(seconds <= fixture.seconds)) return fmt::format("took more than {} s", fixture.seconds);
+  if (record.name != fixture.name) return "its name is " + record.name;
+  return "";
+}
+
+/// Files that a submission's results consist of, and what none of them may tell.
+std::string fault_of_files(const Fixture& fixture, const fs::path& folder) {
+  for (const char* name : {"results.json", "junit.xml", "report.txt", "record.json"}) {
+    if (!fs::exists(folder / name)) return fmt::format("{} is missing", name);
+    const std::string text = read_file(folder / name);
+    for (const std::string& secret : fixture.absent) {
+      if (text.find(secret) != std::string::npos) return fmt::format("{} tells {}", name, secret);
+    }
+  }
+  return "";
+}
+
+/// One row of the table. False when something is wrong.
+bool judge_fixture(const Fixture& fixture, const Options& options, const Places& places) {
+  const std::optional<Record> record = load_record(places.out / fixture.name);
+  std::string fault = "no record", points = "-";
+  double seconds = 0;
+  if (record && record->labs.size() == 1) {
+    const LabGrade& lab = record->labs.front();
+    fault = fault_of(fixture, *record, lab);
+    if (fault.empty()) fault = fault_of_files(fixture, places.out / fixture.name);
+    if (lab.points()) points = points_text(*lab.points());
+    seconds = lab.compile_seconds + lab.judge_seconds;
+  }
+  fmt::print("{:32} {:10} {:>5} {:6.1f} s  {}\n", fixture.name, options.level, points, seconds,
+             fault.empty() ? "right" : "WRONG: " + fault);
+  return fault.empty();
+}
+
+/// Things that went wrong beside the marks.
+bool tell(const std::string& title, const std::vector<std::string>& things) {
+  constexpr std::size_t shown = 10;
+  for (std::size_t i = 0; i < std::min(things.size(), shown); ++i)
+    fmt::print("WRONG: {}: {}\n", title, things[i]);
+  return things.empty();
+}
+
+std::vector<std::string> entries(const fs::path& folder) {
+  std::vector<std::string> list;
+  for (const auto& entry : fs::directory_iterator(folder))
+    list.push_back(entry.path().string());
+  return list;
+}
+
+/// CTest's word for "skipped".
+constexpr int skipped = 77;
+
+bool level_works(const std::string& level) {
+  try {
+    Sandbox::at(level_of(level), {});
+    return true;
+  } catch (const Error& error) {
+    fmt::print("skipped: {}\n", error.what());
+    return false;
+  }
+}
+
+int run(const Options& options) {
+  const std::vector<Fixture> fixtures = chosen(options);
+  if (!level_works(options.level)) return skipped;
+  const Places places = make_places(options);
+  for (const Fixture& fixture : fixtures)
+    hand_in(fixture, places);
+  gather_orphans();
+  // At the two weaker levels the folders of temporary files are open to all; that is their nature.
+  const Level level = level_of(options.level);
+  const bool shut_in = level == Level::landlock || level == Level::bubblewrap;
+  const Canary canary(
+      {places.tree / "labs", places.tree / "solutions", places.tree / "tests",
+       places.tree / "common", places.build / "bin", places.submissions, places.canary},
+      shut_in ? std::vector<fs::path>{"/tmp", "/var/tmp", "/dev/shm"} : std::vector<fs::path>{});
+  const int code = run_grader(options, places);
+  bool good = tell("left behind", end_those_left());
+  good = tell("outside", canary.changes()) && good;
+  good = tell("temporary files", entries(places.out.parent_path() / "tmp")) && good;
+  if (code != 0) {
+    good = false;
+    fmt::print("WRONG: carlo_grade ended with {}: see {}\n", code,
+               (places.out.parent_path() / "attacks.log").string());
+  }
+  std::size_t right = 0;
+  for (const Fixture& fixture : fixtures)
+    right += judge_fixture(fixture, options, places) ? 1 : 0;
+  fmt::print("{} of {} attacks have the marks that they deserve at level {}{}\n", right,
+             fixtures.size(), options.level, good ? ", and nothing else has changed" : "");
+  return good && right == fixtures.size() ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace carlo::grader
+
+int main(int argc, char** argv) {
+  return carlo::run_main([&] {
+    CLI::App app("Grades the corpus of attacks and compares");
+    carlo::grader::Options options;
+    carlo::grader::add_options(app, options);
+    if (const auto code = carlo::parse_arguments(app, argc, argv)) return *code;
+    return carlo::grader::run(options);
+  });
+}

@@ -1,0 +1,79 @@
+#include "grader/grade/foreign_symbols.h"
+
+#include <cxxabi.h>
+#include <fmt/core.h>
+
+#include <cstdlib>
+#include <memory>
+#include <sstream>
+
+namespace carlo::grader {
+namespace {
+
+/// As a programmer would write it.
+std::string readable(const std::string& symbol) {
+  int status = 0;
+  const std::unique_ptr<char, void (*)(void*)> name(
+      abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status), std::free);
+  return name ? name.get() : symbol;
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Weak and unique symbols: what templates and inline functions of headers become.
+bool is_from_headers(const std::string& letters) {
+  return letters.find_first_not_of("wWvVu") == std::string::npos;
+}
+
+/// operator new and delete, and names that are no C++: these can be put in the place of others'
+/// although those are no definitions of ours.
+bool is_replaceable(const std::string& symbol) {
+  return !symbol.starts_with("_Z") || symbol.starts_with("_Zn") || symbol.starts_with("_Zd");
+}
+
+bool is_defined(const std::string& letters) {
+  return letters.find_first_of("TDBRGSCAWVui") != std::string::npos;
+}
+
+/// Whether defining it would take the place of something of ours.
+bool replaces(const std::string& symbol, const std::string& letters, const Symbols& ours) {
+  const auto found = ours.find(symbol);
+  if (found == ours.end()) return false;
+  if (!is_from_headers(letters)) return true;
+  return is_replaceable(symbol) && !is_from_headers(found->second);
+}
+
+}  // namespace
+
+void add_symbols(Symbols& symbols, const std::string& nm_output) {
+  std::istringstream lines(nm_output);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string name, letter;
+    if (!(words >> name >> letter) || letter.size() != 1) continue;
+    std::string& letters = symbols[name];
+    if (!has(letters, letter)) letters += letter;
+  }
+}
+
+std::string foreign_symbols(const Symbols& exercise, const Symbols& ours, const std::string& lab) {
+  const std::string part = fmt::format("{}{}", lab.size(), lab);
+  const std::string tests = fmt::format("{}{}_tests", lab.size() + 6, lab);
+  for (const auto& [symbol, letters] : exercise) {
+    if (has(symbol, tests) || has(symbol, "5carlo6grader")) {
+      return fmt::format("it uses {}, which is a part of the grader", readable(symbol));
+    }
+    const bool contract = symbol.starts_with("_ZN" + part) || symbol.starts_with("_ZNK" + part);
+    if (contract || !is_defined(letters) || !replaces(symbol, letters, ours)) continue;
+    return fmt::format(
+        "it defines {}, which the library or the system defines too: choose another name, or put "
+        "it "
+        "into the namespace {}",
+        readable(symbol), lab);
+  }
+  return "";
+}
+
+}  // namespace carlo::grader

@@ -1,0 +1,46 @@
+// What an exercise's object may define and call.
+
+#include "grader/grade/foreign_symbols.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+#include <string>
+
+using namespace carlo::grader;
+
+namespace {
+
+std::string why(const std::string& exercise, const std::string& ours) {
+  Symbols theirs, known;
+  add_symbols(theirs, exercise);
+  add_symbols(known, ours);
+  return foreign_symbols(theirs, known, "lab01");
+}
+
+/// What nm prints of our objects: main, a use of write, the contract, an inline function.
+const std::string ours =
+    "libworker.a[main.cpp.o]:\nmain T 0 10\nwrite U\n_Znwm T 0 8\n"
+    "_ZN5lab017averageE U\n_ZNSt6vectorIdE4growEv W 0 10\n";
+
+}  // namespace
+
+TEST_CASE("an exercise's own functions and those of headers are no offence", "[symbols]") {
+  CHECK(why("_ZN5lab017averageE T 0 5\n_ZNK5lab017Moments4meanEv T 0 5\n", ours).empty());
+  CHECK(why("_Z6helperd T 0 5\ncounter B 0 8\n", ours).empty());
+  CHECK(why("_ZNSt6vectorIdE4growEv W 0 12\n_Znwm U\nwrite U\nmemset U\n", ours).empty());
+}
+
+TEST_CASE("what takes the place of ours is refused, and named", "[symbols]") {
+  CHECK(why("main T 0 5\n", ours).find("it defines main") == 0);
+  CHECK(why("write T 0 5\n", ours).find("it defines write") == 0);
+  CHECK(why("write W 0 5\n", ours).find("it defines write") == 0);
+  CHECK(why("_Znwm T 0 5\n", ours).find("it defines operator new(unsigned long)") == 0);
+  CHECK(why("_ZNSt6vectorIdE4growEv T 0 12\n", ours).find("it defines std::vector") == 0);
+}
+
+TEST_CASE("the grader's own functions are not for exercises", "[symbols]") {
+  CHECK(why("_ZN5carlo6grader6probesB5cxx11Ev U\n", ours).find("part of the grader") !=
+        std::string::npos);
+  CHECK(why("_ZN11lab01_tests7hits_ofEl U\n", ours).find("part of the grader") !=
+        std::string::npos);
+}

@@ -1,0 +1,56 @@
+#include "grader/judge/process_list.h"
+
+#include <unistd.h>
+
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <system_error>
+
+namespace carlo::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// From /proc/PID/stat. The name in the second field may hold anything, so the fields are counted
+/// from its last parenthesis: the parent's id is the 4th, the resident pages are the 24th.
+ProcessEntry entry_of(pid_t id, const fs::path& folder) {
+  ProcessEntry entry{id, 0, 0};
+  std::ifstream file(folder / "stat");
+  std::string line;
+  std::getline(file, line);
+  const auto name_end = line.rfind(')');
+  if (name_end == std::string::npos) return entry;
+  std::istringstream fields(line.substr(name_end + 1));
+  std::string field;
+  for (int number = 3; number <= 24 && fields >> field; ++number) {
+    long value = 0;
+    std::from_chars(field.data(), field.data() + field.size(), value);
+    if (number == 4) entry.parent = static_cast<pid_t>(value);
+    if (number == 24 && value > 0) {
+      entry.resident_bytes =
+          static_cast<std::size_t>(value) * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+    }
+  }
+  return entry;
+}
+
+}  // namespace
+
+std::vector<ProcessEntry> list_processes() {
+  std::vector<ProcessEntry> list;
+  std::error_code ec;
+  for (fs::directory_iterator it("/proc", ec), end; it != end && !ec; it.increment(ec)) {
+    const std::string name = it->path().filename();
+    pid_t id = 0;
+    const auto [last, problem] = std::from_chars(name.data(), name.data() + name.size(), id);
+    if (problem != std::errc() || last != name.data() + name.size()) continue;
+    const ProcessEntry entry = entry_of(id, it->path());
+    if (entry.parent != 0) list.push_back(entry);
+  }
+  return list;
+}
+
+}  // namespace carlo::grader

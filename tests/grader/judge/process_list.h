@@ -1,0 +1,19 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace carlo::grader {
+
+/// A process as the system lists it.
+struct ProcessEntry {
+  pid_t id = 0, parent = 0;
+  std::size_t resident_bytes = 0;
+};
+
+/// All processes that are there now, as /proc tells; those that end meanwhile may be missing.
+std::vector<ProcessEntry> list_processes();
+
+}  // namespace carlo::grader
