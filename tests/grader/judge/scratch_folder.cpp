@@ -57,9 +57,7 @@ bool empty_into(int top, int folder, std::size_t& count) {
   bool progress = false;
   for (const std::string& name : names_in(folder)) {
     const std::string moved = fmt::format(".moved{}", count);
-    if (remove_or_open(folder, name)) {
-      progress = true;
-    } else if (::renameat(folder, name.c_str(), top, moved.c_str()) == 0) {
+    if (remove_or_open(folder, name) || ::renameat(folder, name.c_str(), top, moved.c_str()) == 0) {
       progress = true;
     }
     ++count;

@@ -62,6 +62,7 @@ Canary::Picture Canary::look() const {
   for (const fs::path& folder : listed_) {
     std::error_code ec;
     for (const auto& entry : fs::directory_iterator(folder, ec)) {
+      if (entry.path().filename().string().starts_with("carlo-")) continue;  // another grader's
       struct stat status {};
       if (::lstat(entry.path().c_str(), &status) == 0 && status.st_uid >= first_sandbox_user) {
         picture[entry.path().string()] = fmt::format("of user {}", status.st_uid);

@@ -94,7 +94,7 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
 }
 
 /// The namespace's end, which the last section of an exercise file holds.
-std::string without_end(std::string section) {
+std::string without_end(const std::string& section) {
   const auto end = section.find("}  // namespace lab01");
   return end == std::string::npos ? section : section.substr(0, end);
 }
