@@ -6,14 +6,15 @@
 // that absorb, trace_path()'s has. A bounce weighs at most (n + 2)/(n + 1), is survived with
 // probability kd + ks, and ((n + 2)/(n + 1))^2 (kd + ks) < 1 in all our scenes; what paths meet is
 // bounded. Point lights, which no direction meets, are refused by lab 08, and no scene has them.
-// trace_specular() stands in for trace_path() in two scenes: `caustics`, for trace_path() knows no
-// mirrors and glass; and `highlights`, where the variance is finite, but only one path in some 10^5
-// meets the smallest lamp, and no tile would see a normal deviate. It samples lights by area, whose
-// 1/d^2 has infinite variance where a surface touches a light; in these two scenes none does.
+// trace_specular() stands in for trace_path() in three scenes: `caustics` and `procedural`, for
+// trace_path() knows no mirrors and glass; and `highlights`, where the variance is finite, but only
+// one path in some 10^5 meets the smallest lamp, and no tile would see a normal deviate. It samples
+// lights by area, whose 1/d^2 has infinite variance where a surface touches a light; in these scenes
+// none does.
 //
 // Error rates: a tile's channel is outside of 4 standard errors with probability 6.3e-5 if it is
 // normal, the whole image outside of 3 with 2.7e-3. There are 48 + 3 comparisons for each pair and
-// scene: over 13 scenes another seed would fail somewhere with probability .12 for the tiles (.24
+// scene: over 14 scenes another seed would fail somewhere with probability .12 for the tiles (.24
 // with their skewness) and .25 for the images at most; channels and pairs are correlated. So the
 // seed is fixed. Whether tiles are normal enough their skewness says: the false alarms that it lets
 // expect are counted, and have a limit. Power: a tile's difference has a standard error of .4
@@ -66,6 +67,7 @@ Plan plan_of(const std::string& scene) {
   if (scene == "highlights") return {Method::direct, 96, 16};
   if (scene == "furnace" || scene == "integrating_sphere") return {Method::recursive, 4, 2};
   if (scene == "caustics") return {Method::direct, 16, 8};
+  if (scene == "procedural") return {Method::direct, 4, 2};
   if (scene == "cornell_lambert") return {Method::recursive, 16, 8};
   if (scene == "cornell_phong") return {Method::recursive, 16, 16};
   if (scene == "many_lights") return {Method::recursive, 24, 8};

@@ -2,8 +2,10 @@
 
 #include "cli/atomic_file.h"
 #include "grader/judge/results.h"
+#include "grader/page/grade_page.h"
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <sstream>
@@ -106,7 +108,10 @@ void write_outputs(const Record& record, const std::filesystem::path& folder) {
   write_file(folder / "results.json", gradescope_json(record));
   write_file(folder / "junit.xml", junit_xml(record));
   write_file(folder / "report.txt", report_text(record));
-  write_file(folder / "record.json", to_json(record));
+  const std::string all = to_json(record);
+  write_file(folder / "report.html",
+             grade_page(nlohmann::json::parse(all)["labs"], {.title = record.name}));
+  write_file(folder / "record.json", all);
 }
 
 }  // namespace carlo::grader
