@@ -93,7 +93,9 @@ cmp "$scratch/4.tar.gz" "$scratch/again.tar.gz" || fail "the same tree gives oth
 
 begun_nowhere "$scratch/1" 01_integration
 begun_nowhere "$scratch/8" 08_path_tracer
-ninja -C "$scratch/8/carlo/build/release" -t commands lab08_worker | grep -q 'solutions/07_hemisphere/hemisphere.cpp' ||
+# Not by a pipe: grep ends at the first line that fits, and ninja at its next write.
+commands=$(ninja -C "$scratch/8/carlo/build/release" -t commands lab08_worker)
+grep -q 'solutions/07_hemisphere/hemisphere.cpp' <<<"$commands" ||
   fail "lab 8 does not build on lab 7's released solution"
 
 # Lab 8's stub renders nothing, says so, and leaves no files.
