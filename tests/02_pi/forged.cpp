@@ -9,7 +9,7 @@
 #define sum_arctangent honest_sum_arctangent
 #define count_hits honest_count_hits
 #define sum_in_parallel honest_sum_in_parallel
-#include FORGED_SOLUTION
+#include FORGED_SOLUTION  // NOLINT(bugprone-suspicious-include)
 #undef throw_darts
 #undef sum_circle
 #undef sum_arctangent
