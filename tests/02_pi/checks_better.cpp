@@ -1,5 +1,6 @@
 // Checks of exercises 2.3 and 2.4.
 
+#include "02_pi/reference.h"
 #include "02_pi/theory.h"
 #include "grader/judge/judge.h"
 
@@ -42,11 +43,17 @@ const Diagnosis full_width{"full-width-for-half",
 
 struct Method {
   const char* name;
-  double integrand;
+  Integrand integrand;
   RawMoments moments;
 };
 constexpr std::array<Method, 2> methods{
-    {{"4 sqrt(1 - x^2)", 0, circle_moments}, {"4 / (1 + x^2)", 1, arctangent_moments}}};
+    {{"4 sqrt(1 - x^2)", Integrand::circle, circle_moments},
+     {"4 / (1 + x^2)", Integrand::arctangent, arctangent_moments}}};
+
+/// As the probes take it.
+double number_of(Integrand which) {
+  return which == Integrand::circle ? 0 : 1;
+}
 
 /// A sum of n values in double is right to 1e-12; in float it is not to 1e-8.
 Verdict sum_equals(const std::string& what, double measured, double expected,
@@ -112,11 +119,17 @@ void judge_plan(const Plan& plan, double tolerance) {
 TEST_CASE("Lab 2.3: the sums are those of the integrand at the numbers drawn", "[lab02][ex3]") {
   for (const Method& method : methods) {
     for (const std::int64_t n : {0, 1, 1000, 100'000}) {
-      const Rows rows = probe(
-          "Lab 2.3 record", {.n = n, .numbers = {{"integrand", method.integrand}}}, {.columns = 6});
+      const Answer rows =
+          probe("Lab 2.3 record", {.n = n, .numbers = {{"integrand", number_of(method.integrand)}}},
+                {.columns = 7});
       const auto count = static_cast<double>(n);
-      const double sum = rows.at(0, 3);
-      const double squares = rows.at(0, 4);
+      const carlo::Rng before(rows.seed);
+      carlo::Rng rng = before;
+      const Totals<long double> totals = totals_of(method.integrand, n, rng);
+      const auto sum = static_cast<double>(totals.sum);
+      const auto squares = static_cast<double>(totals.squares);
+      const Words next{rows.at(0, 3), rows.at(0, 4), rows.at(0, 5), rows.at(0, 6)};
+      const double drawn = words_drawn(before, next, 8 * n + 64);
       Suspects of_squares{{squares / 16, factor_missing}};
       if (n > 1) of_squares.push_back({rows.at(0, 1) * rows.at(0, 1), squares_of_sum});
       judge(equals(fmt::format("the count, {}", method.name), rows.at(0, 0), count, 0));
@@ -124,7 +137,7 @@ TEST_CASE("Lab 2.3: the sums are those of the integrand at the numbers drawn", "
                        sum, {{sum / 4, factor_missing}}));
       judge(sum_equals(fmt::format("the sum of {} squares of {}", n, method.name), rows.at(0, 2),
                        squares, of_squares));
-      judge(equals("the numbers drawn (calls of rng.uniform())", rows.at(0, 5) / 2, count, 0));
+      judge(equals("the numbers drawn (calls of rng.uniform())", drawn / 2, count, 0));
     }
   }
 }
@@ -134,10 +147,10 @@ TEST_CASE("Lab 2.3: the sums are those of the integrand at the numbers drawn", "
 TEST_CASE("Lab 2.3: both estimators are unbiased, with the variance of independent samples",
           "[lab02][ex3]") {
   for (const Method& method : methods) {
-    const Rows rows =
-        probe("Lab 2.3 repeated",
-              {.n = 16, .numbers = {{"repetitions", 20'000}, {"integrand", method.integrand}}},
-              {.rows = 20'000});
+    const Rows rows = probe(
+        "Lab 2.3 repeated",
+        {.n = 16, .numbers = {{"repetitions", 20'000}, {"integrand", number_of(method.integrand)}}},
+        {.rows = 20'000});
     const Theory theory = theory_of_mean(method.moments, 16);
     judge(mean_is(fmt::format("the mean of 16 values of {}", method.name), rows.values, theory,
                   {{pi / 4, factor_missing}}));

@@ -1,11 +1,14 @@
 // Checks of exercise 2.5. The darts are given by the contract, so the count has one right value.
 
+#include "02_pi/reference.h"
 #include "grader/judge/judge.h"
 #include "grader/judge/process.h"
 
 #include <algorithm>
 
 using namespace carlo::grader;
+using lab02_tests::hits_of;
+using lab02_tests::plain_loop;
 
 namespace {
 
@@ -19,18 +22,71 @@ const Diagnosis ragged{"range-not-in-whole-rounds",
                        "darts before the first whole word or after the last whole round."};
 const Diagnosis slow{"not-faster", "the count is right; now make it fast (./carlo hint 2.5)."};
 
-Rows count(double first, double n) {
-  return probe("Lab 2.5 count", {.n = static_cast<std::int64_t>(n), .numbers = {{"first", first}}},
-               {.columns = 3});
+#ifdef __OPTIMIZE__
+constexpr bool optimised = true;
+#else
+constexpr bool optimised = false;
+#endif
+
+struct Counted {
+  double hits, expected, at_corner;
+};
+
+Counted count(std::int64_t first, std::int64_t n) {
+  const Answer rows =
+      probe("Lab 2.5 count", {.n = n, .numbers = {{"first", static_cast<double>(first)}}}, {});
+  return {rows.at(0, 0), static_cast<double>(hits_of(rows.seed, first, n)),
+          static_cast<double>(hits_of(rows.seed, first, n, 0.0))};
 }
 
-void judge_count(double first, double n) {
-  const Rows rows = count(first, n);
+void judge_count(std::int64_t first, std::int64_t n) {
+  const Counted counted = count(first, n);
   Suspects suspects;
-  if (rows.at(0, 1) != rows.at(0, 2)) suspects.push_back({rows.at(0, 2), corner});
-  if (n > 2e7) suspects.push_back({16777216, float_counter});
-  judge(equals(fmt::format("the hits among {:g} darts from number {:.0f}", n, first), rows.at(0, 0),
-               rows.at(0, 1), 0, suspects));
+  if (counted.expected != counted.at_corner) suspects.push_back({counted.at_corner, corner});
+  if (n > 20'000'000) suspects.push_back({16777216, float_counter});
+  judge(
+      equals(fmt::format("the hits among {:g} darts from number {}", static_cast<double>(n), first),
+             counted.hits, counted.expected, 0, suspects));
+}
+
+/// Every range of up to n darts that begins at the darts 0 ... n, as the probe lists them.
+std::vector<double> hits_of_ranges(std::uint64_t key, std::int64_t most) {
+  std::vector<double> hits;
+  for (std::int64_t first = 0; first <= most; ++first) {
+    for (std::int64_t n = 0; n <= most; ++n)
+      hits.push_back(static_cast<double>(hits_of(key, first, n)));
+  }
+  return hits;
+}
+
+constexpr std::int64_t timed_darts = 1'000'000;
+
+/// Both loops counted what they must in every round: nobody skipped one.
+Verdict counts_while_timed(const Answer& rows) {
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < rows.count(); ++i) {
+    const auto round = static_cast<std::int64_t>(i);
+    const std::int64_t plain = plain_loop(rows.seed + i, timed_darts);
+    const std::int64_t fast = hits_of(rows.seed, round * timed_darts, timed_darts);
+    const bool right =
+        rows.at(i, 2) == static_cast<double>(plain) && rows.at(i, 3) == static_cast<double>(fast);
+    wrong += right ? 0 : 1;
+  }
+  return holds("the hits counted while the time was taken", wrong == 0,
+               fmt::format("{} of {} counts wrong", wrong, rows.count()), "all right", {});
+}
+
+/// The times are the worker's word. Of one thread they cannot add up to more than the worker lived.
+Verdict times_fit(const Answer& rows) {
+  double sum = 0;
+  bool positive = true;
+  for (std::size_t i = 0; i < rows.count(); ++i) {
+    sum += rows.at(i, 0) + rows.at(i, 1);
+    positive = positive && rows.at(i, 0) > 0 && rows.at(i, 1) > 0;
+  }
+  return holds("the times taken, together", positive && sum <= rows.seconds,
+               positive ? fmt::format("{:.3g} s", sum) : "none, or less than none, for a round",
+               fmt::format("at most the {:.3g} s that the program ran", rows.seconds), {});
 }
 
 }  // namespace
@@ -48,19 +104,20 @@ TEST_CASE("Lab 2.5: far along the list, and of many darts, the count is exact", 
 
 TEST_CASE("Lab 2.5: any range counts, whatever dart it begins and ends with", "[lab02][ex5]") {
   constexpr std::size_t n = 70;
-  const Rows rows = probe("Lab 2.5 ranges", {.n = n}, {.rows = (n + 1) * (n + 1), .columns = 2});
-  const Rows whole = count(0, 1'048'576);
-  const bool whole_right = whole.at(0, 0) == whole.at(0, 1);
+  const Answer rows = probe("Lab 2.5 ranges", {.n = n}, {.rows = (n + 1) * (n + 1)});
+  const std::vector<double> expected = hits_of_ranges(rows.seed, n);
+  const Counted whole = count(0, 1'048'576);
+  const bool whole_right = whole.hits == whole.expected;
   std::size_t wrong = 0, first_wrong = 0;
   for (std::size_t i = 0; i < rows.count(); ++i) {
-    if (rows.at(i, 0) == rows.at(i, 1)) continue;
+    if (rows.at(i, 0) == expected[i]) continue;
     if (wrong++ == 0) first_wrong = i;
   }
   std::string measured = "all right";
   if (wrong > 0) {
     measured = fmt::format("{} wrong; the first: {} darts from number {} have {:g} hits, not {:g}",
                            wrong, first_wrong % (n + 1), first_wrong / (n + 1),
-                           rows.at(first_wrong, 0), rows.at(first_wrong, 1));
+                           rows.at(first_wrong, 0), expected[first_wrong]);
   }
   std::vector<Diagnosis> diagnoses;
   if (whole_right) diagnoses.push_back(ragged);
@@ -73,14 +130,16 @@ TEST_CASE("Lab 2.5: any range counts, whatever dart it begins and ends with", "[
 TEST_CASE("Lab 2.5: a dart takes at most a third of a dart by std::mt19937",
           "[lab02][ex5][efficiency]") {
   constexpr std::size_t repetitions = 8;
-  const Rows rows =
-      probe("Lab 2.5 speed", {.n = 1'000'000, .numbers = {{"repetitions", double{repetitions}}}},
-            {.rows = repetitions, .columns = 5});
+  const Answer rows =
+      probe("Lab 2.5 speed", {.n = timed_darts, .numbers = {{"repetitions", double{repetitions}}}},
+            {.rows = repetitions, .columns = 4});
+  judge(counts_while_timed(rows));
+  judge(times_fit(rows));
   const std::vector<double> plain = column(rows, 0);
   const std::vector<double> fast = column(rows, 1);
   const double ratio =
       *std::min_element(plain.begin(), plain.end()) / *std::min_element(fast.begin(), fast.end());
-  const bool judged = rows.at(0, 4) == 1 && !address_sanitizer();
+  const bool judged = optimised && !address_sanitizer();
   judge(holds("darts a second, compared with std::mt19937", ratio >= 3 || !judged,
               fmt::format("{:.2g} times as many", ratio),
               judged ? "at least 3 times as many" : "not judged in this build", {slow}));

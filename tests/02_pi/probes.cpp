@@ -38,13 +38,11 @@ PROBE("Lab 2.1 repeated") {
 
 PROBE("Lab 2.1 record") {
   carlo::Rng rng(params.seed);
-  carlo::Rng reference = rng;
-  const carlo::Rng before = rng;
   const lab02::Darts darts = lab02::throw_darts(params.n, rng);
-  return {4,
-          {static_cast<double>(darts.thrown), static_cast<double>(darts.hits),
-           static_cast<double>(hits_of(params.n, reference)),
-           words_drawn(before, rng, 8 * params.n + 64)}};
+  const Words next = next_words(rng);
+  return {6,
+          {static_cast<double>(darts.thrown), static_cast<double>(darts.hits), next[0], next[1],
+           next[2], next[3]}};
 }
 
 PROBE("Lab 2.1 many") {
@@ -80,18 +78,11 @@ PROBE("Lab 2.2 intervals") {
 
 PROBE("Lab 2.3 record") {
   carlo::Rng rng(params.seed);
-  carlo::Rng reference = rng;
-  const carlo::Rng before = rng;
   const lab02::Sums sums = sums_of(params, rng);
-  long double sum = 0, squares = 0;
-  for (std::int64_t i = 0; i < params.n; ++i) {
-    const double y = evaluate(integrand_of(params), reference.uniform());
-    sum += y;
-    squares += y * y;
-  }
-  return {6,
-          {static_cast<double>(sums.count), sums.sum, sums.squares, static_cast<double>(sum),
-           static_cast<double>(squares), words_drawn(before, rng, 8 * params.n + 64)}};
+  const Words next = next_words(rng);
+  return {7,
+          {static_cast<double>(sums.count), sums.sum, sums.squares, next[0], next[1], next[2],
+           next[3]}};
 }
 
 PROBE("Lab 2.3 repeated") {

@@ -1,13 +1,16 @@
 #pragma once
 
-// What the exercises of lab 02 must count, written for plainness and not for speed; and a look at
-// how far a generator has come.
+// What the exercises of lab 02 must give for a seed, written for plainness and not for speed. The
+// judge works it out by itself: what a worker sends as expected values may be forged.
 
-#include "pi.h"
+#include "random/hash.h"
+#include "random/rng.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <random>
 
 namespace lab02_tests {
 
@@ -29,13 +32,33 @@ inline double evaluate(Integrand which, double x) {
   return which == Integrand::circle ? 4 * std::sqrt(1 - x * x) : 4 / (1 + x * x);
 }
 
+/// A number of samples, their sum and the sum of their squares.
+template <class Real>
+struct Totals {
+  std::int64_t count = 0;
+  Real sum = 0;
+  Real squares = 0;
+};
+
+/// Of n values of an integrand at the numbers of `rng`.
+inline Totals<long double> totals_of(Integrand which, std::int64_t n, carlo::Rng& rng) {
+  Totals<long double> totals{n};
+  for (std::int64_t i = 0; i < n; ++i) {
+    const auto y = static_cast<long double>(evaluate(which, rng.uniform()));
+    totals.sum += y;
+    totals.squares += y * y;
+  }
+  return totals;
+}
+
 /// Where in its cell a dart of Lab 2.5 is taken to lie, as a share of the cell: the centre.
 constexpr double centre = 0.5;
 
 /// Whether dart i of `key` hits. In units of half a cell every place is a whole number, so there is
 /// no rounding.
 inline bool hit(std::uint64_t key, std::int64_t i, double place = centre) {
-  const std::uint64_t word = lab02::dart_word(key, i / 2);
+  const std::uint64_t word =
+      carlo::mix(key + static_cast<std::uint64_t>(i / 2) * 0x9E3779B97F4A7C15);
   const std::uint64_t dart = i % 2 == 0 ? word & 0xFFFFFFFF : word >> 32;
   const double x = static_cast<double>(dart & 0xFFFF) + place;
   const double y = static_cast<double>(dart >> 16) + place;
@@ -51,17 +74,64 @@ inline std::int64_t hits_of(std::uint64_t key, std::int64_t first, std::int64_t 
   return hits;
 }
 
-/// How many 32-bit words `after` has given since it was `before`, found by where its next four
-/// stand in the stream; -1 when they do not come within `most` words.
-inline double words_drawn(carlo::Rng before, carlo::Rng after, std::int64_t most) {
-  std::array<std::uint32_t, 4> next{}, window{};
-  for (auto& word : next)
-    word = after.next_u32();
-  for (auto& word : window)
+/// The hits of the loop that fast darts are compared with: its time counts, not its result.
+inline std::int64_t plain_loop(std::uint64_t seed, std::int64_t n) {
+  std::mt19937 generator(static_cast<std::uint32_t>(seed));
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::int64_t hits = 0;
+  for (std::int64_t i = 0; i < n; ++i) {
+    const double x = uniform(generator);
+    const double y = uniform(generator);
+    if (x * x + y * y < 1) ++hits;
+  }
+  return hits;
+}
+
+/// The sampler of Lab 2.6: sums whose rounding depends on the order in which they are added.
+inline Totals<double> sample(std::int64_t n, carlo::Rng& rng) {
+  Totals<double> totals{n};
+  for (std::int64_t i = 0; i < n; ++i) {
+    const double y = 1 / (1e-3 + rng.uniform());
+    totals.sum += y;
+    totals.squares += y * y;
+  }
+  return totals;
+}
+
+/// What the order of work in Lab 2.6's contract gives for that sampler, one chunk after the other.
+inline Totals<double> totals_by_chunks(std::int64_t n, std::uint64_t seed) {
+  constexpr std::int64_t chunk = 1 << 14;
+  Totals<double> totals;
+  for (std::int64_t i = 0; i * chunk < n; ++i) {
+    carlo::Rng rng(seed, static_cast<std::uint64_t>(i));
+    const Totals<double> part = sample(std::min(chunk, n - i * chunk), rng);
+    totals.count += part.count;
+    totals.sum += part.sum;
+    totals.squares += part.squares;
+  }
+  return totals;
+}
+
+/// 32-bit words of a generator, as an answer carries them.
+using Words = std::array<double, 4>;
+
+/// The next words that `rng` gives: they tell how far it has come.
+inline Words next_words(carlo::Rng rng) {
+  Words words{};
+  for (double& word : words)
+    word = rng.next_u32();
+  return words;
+}
+
+/// How many words a generator has given since it was `before` when `next` are those that follow; -1
+/// when they do not come within `most` words.
+inline double words_drawn(carlo::Rng before, const Words& next, std::int64_t most) {
+  Words window{};
+  for (double& word : window)
     word = before.next_u32();
   for (std::int64_t drawn = 0; drawn <= most; ++drawn) {
     if (window == next) return static_cast<double>(drawn);
-    window = {window[1], window[2], window[3], before.next_u32()};
+    window = {window[1], window[2], window[3], static_cast<double>(before.next_u32())};
   }
   return -1;
 }

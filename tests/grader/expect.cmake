@@ -1,9 +1,11 @@
-# cmake -DJUDGE= -DLAB= -DWORKER= -DJSON= [-DPATCH=] [-DSEEDS=] -P expect.cmake
+# cmake -DJUDGE= -DLAB= -DWORKER= -DJSON= [-DPATCH=] [-DSEEDS=] [-DPOINTS=] -P expect.cmake
 # Runs the judge and compares its verdicts with what they must be:
 #   without PATCH and SEEDS  the untouched stub: every exercise "not implemented", no points
 #   with PATCH               a typical mistake: the exercise of its header fails with its diagnosis;
 #                            with the diagnosis "crash" its program is ended
 #   with SEEDS               a right solution: full marks at seeds 1 to SEEDS
+#   with POINTS              points of each exercise in their order, as "3,0,1.5"; where some are
+#                            missing it is "failed", which no crash and no cut answer is
 
 function(run_judge)
   file(REMOVE "${JSON}")
@@ -69,10 +71,37 @@ function(expect_full_marks)
   endforeach()
 endfunction()
 
+function(expect_points)
+  run_judge()
+  string(REPLACE "," ";" expected "${POINTS}")
+  string(JSON count LENGTH "${verdicts}" exercises)
+  list(LENGTH expected length)
+  if(NOT count EQUAL length)
+    message(FATAL_ERROR "${count} exercises, expected the points of ${length}")
+  endif()
+  math(EXPR last "${count} - 1")
+  foreach(i RANGE ${last})
+    list(GET expected ${i} deserved)
+    string(JSON points GET "${verdicts}" exercises ${i} points)
+    string(JSON max GET "${verdicts}" exercises ${i} max)
+    string(JSON status GET "${verdicts}" exercises ${i} status)
+    set(word failed)
+    if(deserved EQUAL max)
+      set(word passed)
+    endif()
+    if(NOT points EQUAL deserved OR NOT status STREQUAL word)
+      message(FATAL_ERROR "exercise ${i} is \"${status}\" with ${points} points, expected ${deserved}:\n"
+                          "${output}")
+    endif()
+  endforeach()
+endfunction()
+
 if(PATCH)
   expect_mistake()
 elseif(SEEDS)
   expect_full_marks()
+elseif(DEFINED POINTS)
+  expect_points()
 else()
   expect_stub()
 endif()

@@ -83,8 +83,12 @@ bool has(const std::string& text, const std::string& part) {
 TEST_CASE("a good worker's values arrive as they were sent", "[worker]") {
   const Level level = GENERATE(Catch::Generators::from_range(levels()));
   const Params params{.seed = 1, .n = 7, .numbers = {{"x", 0.1}}};
-  const Rows rows = run_probe(Worker(FIXTURE_WORKER, level), "good", params, {2, 3}, {});
+  const Clock::time_point start = Clock::now();
+  const Answer rows = run_probe(Worker(FIXTURE_WORKER, level), "good", params, {2, 3}, {});
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   CHECK(rows.values == std::vector<double>{1, 0.1, 7, 4, 5, 6});
+  CHECK(rows.seed == params.seed);
+  CHECK((rows.seconds > 0 && rows.seconds <= seconds));
   CHECK(no_child_left());
 }
 

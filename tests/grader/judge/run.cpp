@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace carlo::grader {
 namespace {
@@ -126,12 +127,12 @@ std::uint64_t word_of(const std::string& text) {
   return mix(h);
 }
 
-Rows run_probe(const Worker& worker, const std::string& name, const Params& params, Shape shape,
-               const Limits& limits) {
+Answer run_probe(const Worker& worker, const std::string& name, const Params& params, Shape shape,
+                 const Limits& limits) {
   const Outcome outcome =
       worker.run({"--probe", name, "--params", to_json(params), "--fd", "3"}, limits);
   check_end(outcome, limits);
-  const std::optional<Frame> frame = decode(outcome.result);
+  std::optional<Frame> frame = decode(outcome.result);
   if (!frame) throw ProbeFailure(Status::crashed, "its answer was cut short or no answer at all");
   if (frame->status == Frame::Status::not_implemented) {
     ProbeFailure failure(Status::not_implemented, "not implemented yet");
@@ -143,7 +144,7 @@ Rows run_probe(const Worker& worker, const std::string& name, const Params& para
                        outcome.output);
   }
   check_rows(frame->rows, shape);
-  return frame->rows;
+  return {std::move(frame->rows), params.seed, outcome.seconds};
 }
 
 void Run::begin_test(const std::string& name, Aspect aspect) {
@@ -196,7 +197,7 @@ void Run::check_time(TestRecord& test) const {
                   exercise ? "this exercise" : "this lab", exercise ? found->second : seconds_));
 }
 
-Rows Run::probe(const std::string& name, Params params, Shape shape) {
+Answer Run::probe(const std::string& name, Params params, Shape shape) {
   TestRecord& test = current();
   params.seed = hash(seed_, word_of(test.tag + ": " + test.sentence), probes_in_test_++);
   const std::string asked = question(params, shape);

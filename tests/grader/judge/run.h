@@ -31,10 +31,17 @@ struct ProbeFailure : std::runtime_error {
   std::string not_implemented = {};  ///< the tag of the exercise that is not done
 };
 
+/// The table that a probe returned, and what the judge itself knows of it. The table may be forged;
+/// with the seed a check works out what it should hold, and no time in it can exceed `seconds`.
+struct Answer : Rows {
+  std::uint64_t seed = 0;  ///< that the probe was given
+  double seconds = 0;      ///< wall clock, from the worker's start to its end
+};
+
 /// Runs one probe in a fresh worker. Throws ProbeFailure unless exactly the table of `shape` comes
 /// back, in time, from a worker that then ends well.
-Rows run_probe(const Worker& worker, const std::string& name, const Params& params, Shape shape,
-               const Limits& limits);
+Answer run_probe(const Worker& worker, const std::string& name, const Params& params, Shape shape,
+                 const Limits& limits);
 
 /// How many deadlines' worth of time the probes of one exercise may take together, and those of the
 /// lab: what answers a moment before each deadline must not hold up the grader for hours.
@@ -54,7 +61,7 @@ class Run {
   /// of probes before it. A failure is noted and ends the test. Once an exercise is known to be not
   /// implemented or to run into the deadline, or has used up its time, its probes are not started
   /// any more; but what is too slow where only its cost is judged may still be right.
-  Rows probe(const std::string& name, Params params, Shape shape);
+  Answer probe(const std::string& name, Params params, Shape shape);
 
   /// Notes a verdict. Throws Error when the budget of statistical ones is used up.
   void record(const Verdict& verdict);

@@ -1,0 +1,128 @@
+// A submission that sends answers of its own in the place of the probes': tables of the right
+// shape, with values that theory makes likely. FORGES_TIMES: only the times of Lab 2.5 are forged.
+// All else is the solution's work, so that what is missing from full marks is what the judge saw
+// through.
+
+// The solution, under other names.
+#define throw_darts honest_throw_darts
+#define sum_circle honest_sum_circle
+#define sum_arctangent honest_sum_arctangent
+#define count_hits honest_count_hits
+#define sum_in_parallel honest_sum_in_parallel
+#include FORGED_SOLUTION  // NOLINT(bugprone-suspicious-include)
+#undef throw_darts
+#undef sum_circle
+#undef sum_arctangent
+#undef count_hits
+#undef sum_in_parallel
+
+#include "02_pi/reference.h"
+#include "grader/protocol/frame.h"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace {
+
+/// Whether the judge asked for this probe: its name is a word of the command line.
+bool asked(const std::string& probe) {
+  std::ifstream file("/proc/self/cmdline");
+  const std::string words(std::istreambuf_iterator<char>(file), {});
+  return words.find('\0' + probe + '\0') != std::string::npos;
+}
+
+[[noreturn]] void forge(const carlo::grader::Rows& rows) {
+  const std::string bytes = carlo::grader::encode({.rows = rows, .text = {}});
+  const bool sent = ::write(3, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
+  ::_exit(sent ? 0 : 1);
+}
+
+[[maybe_unused]] double likely_hits(std::int64_t n) {
+  return std::round(static_cast<double>(n) * lab02::pi / 4);
+}
+
+#ifdef FORGES_TIMES
+
+void forge_darts(std::int64_t /*n*/) {}
+void forge_sums(std::int64_t /*n*/, double /*mean_square*/) {}
+void forge_parallel(std::int64_t /*n*/) {}
+
+/// The counts are right, and the times ten to one.
+void forge_count(std::uint64_t key, std::int64_t n) {
+  if (!asked("Lab 2.5 speed")) return;
+  carlo::grader::Rows rows{4, {}};
+  for (std::int64_t i = 0; i < 8; ++i) {
+    const std::int64_t plain = lab02_tests::plain_loop(key + static_cast<std::uint64_t>(i), n);
+    const std::int64_t fast = lab02_tests::hits_of(key, i * n, n);
+    for (const double value : {10.0, 1.0, static_cast<double>(plain), static_cast<double>(fast)})
+      rows.values.push_back(value);
+  }
+  forge(rows);
+}
+
+#else
+
+void forge_darts(std::int64_t n) {
+  if (asked("Lab 2.1 record")) forge({6, {static_cast<double>(n), likely_hits(n), 1, 2, 3, 4}});
+}
+
+void forge_sums(std::int64_t n, double mean_square) {
+  const auto count = static_cast<double>(n);
+  if (!asked("Lab 2.3 record")) return;
+  forge({7, {count, lab02::pi * count, mean_square * count, 1, 2, 3, 4}});
+}
+
+void forge_count(std::uint64_t /*key*/, std::int64_t n) {
+  if (asked("Lab 2.5 count")) forge({1, {likely_hits(n)}});
+  if (!asked("Lab 2.5 ranges")) return;
+  carlo::grader::Rows rows{1, {}};
+  for (std::int64_t first = 0; first <= 70; ++first) {
+    for (std::int64_t size = 0; size <= 70; ++size)
+      rows.values.push_back(likely_hits(size));
+  }
+  forge(rows);
+}
+
+void forge_parallel(std::int64_t n) {
+  const auto count = static_cast<double>(n);
+  if (asked("Lab 2.6 sums")) forge({3, {count, std::log(1001.0) * count, 999 * count}});
+}
+
+#endif
+
+}  // namespace
+
+namespace lab02 {
+
+Darts throw_darts(std::int64_t n, carlo::Rng& rng);
+Sums sum_circle(std::int64_t n, carlo::Rng& rng);
+Sums sum_arctangent(std::int64_t n, carlo::Rng& rng);
+std::int64_t count_hits(std::uint64_t key, std::int64_t first, std::int64_t n);
+Sums sum_in_parallel(const Sampler& sampler, std::int64_t n, std::uint64_t seed, int threads);
+
+Darts throw_darts(std::int64_t n, carlo::Rng& rng) {
+  forge_darts(n);
+  return honest_throw_darts(n, rng);
+}
+Sums sum_circle(std::int64_t n, carlo::Rng& rng) {
+  forge_sums(n, 32.0 / 3);
+  return honest_sum_circle(n, rng);
+}
+Sums sum_arctangent(std::int64_t n, carlo::Rng& rng) {
+  forge_sums(n, 2 * pi + 4);
+  return honest_sum_arctangent(n, rng);
+}
+std::int64_t count_hits(std::uint64_t key, std::int64_t first, std::int64_t n) {
+  forge_count(key, n);
+  return honest_count_hits(key, first, n);
+}
+Sums sum_in_parallel(const Sampler& sampler, std::int64_t n, std::uint64_t seed, int threads) {
+  forge_parallel(n);
+  return honest_sum_in_parallel(sampler, n, seed, threads);
+}
+
+}  // namespace lab02
