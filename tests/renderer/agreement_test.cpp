@@ -9,8 +9,8 @@
 // trace_specular() stands in for trace_path() in three scenes: `caustics` and `procedural`, for
 // trace_path() knows no mirrors and glass; and `highlights`, where the variance is finite, but only
 // one path in some 10^5 meets the smallest lamp, and no tile would see a normal deviate. It samples
-// lights by area, whose 1/d^2 has infinite variance where a surface touches a light; in these scenes
-// none does.
+// lights by area, whose 1/d^2 has infinite variance where a surface touches a light; in these
+// scenes none does.
 //
 // Error rates: a tile's channel is outside of 4 standard errors with probability 6.3e-5 if it is
 // normal, the whole image outside of 3 with 2.7e-3. There are 48 + 3 comparisons for each pair and
