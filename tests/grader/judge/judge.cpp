@@ -43,7 +43,7 @@ std::unique_ptr<Run>& current_run() {
   return run;
 }
 
-Answer probe(const std::string& name, const Params& params, Shape shape) {
+Answer probe(const std::string& name, const Params& params, const Shape& shape) {
   return current_run()->probe(name, params, shape);
 }
 

@@ -15,7 +15,7 @@
 namespace carlo::grader {
 
 /// Runs a probe for the current test case; a failure of it ends the test case.
-Answer probe(const std::string& name, const Params& params, Shape shape);
+Answer probe(const std::string& name, const Params& params, const Shape& shape);
 
 /// Notes the verdict for the current test case.
 void judge(const Verdict& verdict);

@@ -118,6 +118,13 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// `tag`: the exercise that is not done.
+ProbeFailure undone(const std::string& tag) {
+  ProbeFailure failure(Status::not_implemented, "not implemented yet");
+  failure.not_implemented = tag;
+  return failure;
+}
+
 }  // namespace
 
 std::uint64_t word_of(const std::string& text) {
@@ -127,17 +134,15 @@ std::uint64_t word_of(const std::string& text) {
   return mix(h);
 }
 
-Answer run_probe(const Worker& worker, const std::string& name, const Params& params, Shape shape,
-                 const Limits& limits) {
+Answer run_probe(const Worker& worker, const std::string& name, const Params& params,
+                 const Shape& shape, const Limits& limits) {
   const Outcome outcome =
       worker.run({"--probe", name, "--params", to_json(params), "--fd", "3"}, limits);
   check_end(outcome, limits);
   std::optional<Frame> frame = decode(outcome.result);
   if (!frame) throw ProbeFailure(Status::crashed, "its answer was cut short or no answer at all");
   if (frame->status == Frame::Status::not_implemented) {
-    ProbeFailure failure(Status::not_implemented, "not implemented yet");
-    failure.not_implemented = tag_in(frame->text);
-    throw failure;
+    throw undone(tag_in(frame->text));
   }
   if (frame->status == Frame::Status::error) {
     throw ProbeFailure(Status::crashed, "it threw an exception: " + frame->text.substr(0, 500),
@@ -197,7 +202,7 @@ void Run::check_time(TestRecord& test) const {
                   exercise ? "this exercise" : "this lab", exercise ? found->second : seconds_));
 }
 
-Answer Run::probe(const std::string& name, Params params, Shape shape) {
+Answer Run::probe(const std::string& name, Params params, const Shape& shape) {
   TestRecord& test = current();
   params.seed = hash(seed_, word_of(test.tag + ": " + test.sentence), probes_in_test_++);
   const std::string asked = question(params, shape);

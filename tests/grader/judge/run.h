@@ -40,8 +40,8 @@ struct Answer : Rows {
 
 /// Runs one probe in a fresh worker. Throws ProbeFailure unless exactly the table of `shape` comes
 /// back, in time, from a worker that then ends well.
-Answer run_probe(const Worker& worker, const std::string& name, const Params& params, Shape shape,
-                 const Limits& limits);
+Answer run_probe(const Worker& worker, const std::string& name, const Params& params,
+                 const Shape& shape, const Limits& limits);
 
 /// How many deadlines' worth of time the probes of one exercise may take together, and those of the
 /// lab: what answers a moment before each deadline must not hold up the grader for hours.
@@ -61,7 +61,7 @@ class Run {
   /// of probes before it. A failure is noted and ends the test. Once an exercise is known to be not
   /// implemented or to run into the deadline, or has used up its time, its probes are not started
   /// any more; but what is too slow where only its cost is judged may still be right.
-  Answer probe(const std::string& name, Params params, Shape shape);
+  Answer probe(const std::string& name, Params params, const Shape& shape);
 
   /// Notes a verdict. Throws Error when the budget of statistical ones is used up.
   void record(const Verdict& verdict);
