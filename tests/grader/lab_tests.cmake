@@ -11,6 +11,14 @@ function(add_expectation name lab worker)
                    -P ${PROJECT_SOURCE_DIR}/tests/grader/expect.cmake)
 endfunction()
 
+# labNN_worker_forged: the lab's solution, beside tests/FOLDER/forged.cpp, which forges some answers.
+function(add_forged_worker lab folder name)
+  carlo_lab_judged_implementation(${lab}_forged_code ${folder}
+    "${PROJECT_SOURCE_DIR}/solutions/${folder}/${name}.cpp;${PROJECT_SOURCE_DIR}/tests/${folder}/forged.cpp"
+    carlo::random carlo::stats grader_protocol carlo::strict)
+  carlo_lab_program(${lab}_worker_forged ${lab}_probes ${lab}_forged_code)
+endfunction()
+
 function(add_lab_tests folder name)
   string(REGEX MATCH "^[0-9][0-9]" number "${folder}")
   set(lab lab${number})
