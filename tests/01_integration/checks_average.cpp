@@ -1,6 +1,7 @@
 // Checks of exercises 1.1 and 1.2. A mean over all evaluations m catches a bias of 8.74 sd /
 // sqrt(m) with power .999 (compare.h); the size is stated at each test.
 
+#include "01_integration/integrands.h"
 #include "01_integration/theory.h"
 #include "grader/judge/draws.h"
 #include "grader/judge/judge.h"
@@ -36,23 +37,65 @@ std::string powers(int k, double n, Interval on = {}) {
   return fmt::format("f(x) = x^{}, n = {:g}, on [{:g}, {:g})", k, n, on.a, on.b);
 }
 
-/// The estimate is scale times the mean of the values that f returned, to rounding (1e-12, where n
+/// One estimate from n points. Its points are believed as far as they follow from the seed.
+struct Record {
+  double value = 0, count = 0;
+  NextWords next{};
+  std::vector<double> points;
+  carlo::Rng before;
+
+  /// Of x^k, at the points.
+  double mean(int k) const {
+    long double sum = 0;
+    for (const double x : points)
+      sum += power(x, k);
+    return static_cast<double>(sum / static_cast<long double>(points.size()));
+  }
+};
+
+Record record(const std::string& name, const Params& params, const std::string& of) {
+  constexpr std::size_t head = 6;
+  const Answer rows = probe(
+      name, params, {.rows = head + static_cast<std::size_t>(params.n), .finite = false, .of = of});
+  Record record{rows.values[0], rows.values[1], {}, {}, carlo::Rng(rows.seed)};
+  std::copy_n(rows.values.begin() + 2, record.next.size(), record.next.begin());
+  record.points.assign(rows.values.begin() + head, rows.values.end());
+  return record;
+}
+
+/// The estimate is `scale` times the mean of x^k at the points, to rounding (1e-12, where n
 /// additions in double lose 1e-13 and float loses 1e-6).
-Verdict is_mean_of_values(double estimate, double mean, double scale, double n) {
-  const double expected = scale * mean;
+Verdict is_mean_of_values(const Record& of, int k, double scale) {
+  const double mean = of.mean(k), expected = scale * mean;
+  const auto n = static_cast<double>(of.points.size());
   Suspects suspects{{expected * n / (n + 1), by_n_plus_one}, {expected * n, not_divided}};
   if (std::abs(scale - 1) > 1e-9) suspects.push_back({mean, width_missing});
-  Verdict verdict = equals("the estimate against the values that f returned", estimate, expected,
+  Verdict verdict = equals("the estimate against the values of f at its points", of.value, expected,
                            1e-12 * std::abs(expected), suspects);
-  const bool near = std::abs(estimate - expected) <= 1e-5 * std::abs(expected);
+  const bool near = std::abs(of.value - expected) <= 1e-5 * std::abs(expected);
   if (!verdict.passed && near) verdict.diagnoses.push_back(float_sum);
   return verdict;
 }
 
-Verdict within(double lowest, double highest, double a, double b) {
-  return holds("the points that f is evaluated at", lowest >= a && highest < b,
-               fmt::format("from {:.6g} to {:.6g}", lowest, highest),
-               fmt::format("all within [{:g}, {:g})", a, b), {wrong_points});
+Verdict within(const std::vector<double>& points, Interval on) {
+  const auto [lowest, highest] = std::minmax_element(points.begin(), points.end());
+  return holds("the points that f is evaluated at", *lowest >= on.a && *highest < on.b,
+               fmt::format("from {:.6g} to {:.6g}", *lowest, *highest),
+               fmt::format("all within [{:g}, {:g})", on.a, on.b), {wrong_points});
+}
+
+/// What every estimate must be: n evaluations in the interval, at points that the generator gave.
+void judge_record(const Record& of, int k, Interval on) {
+  const auto n = static_cast<double>(of.points.size());
+  judge(equals("the number of evaluations of f", of.count, n, 0));
+  if (of.count < n) return;  // the points that are missing would be named as wrong
+  judge(within(of.points, on));
+  std::vector<double> shares = of.points;
+  for (double& x : shares)
+    x = (x - on.a) / (on.b - on.a);
+  judge(made_of("where the points lie in the interval", shares, of.before));
+  judge(is_mean_of_values(of, k, on.b - on.a));
+  judge(draws(of.before, of.next, n));
 }
 
 Rows integrals(double n, double repetitions, int k, Interval on) {
@@ -84,13 +127,9 @@ void judge_integral(int k, Interval on, double n, double repetitions) {
 
 TEST_CASE("Lab 1.1: f is evaluated n times and its values are averaged", "[lab01][ex1]") {
   for (const std::int64_t n : {1, 16, 4096}) {
-    const Rows rows = probe("Lab 1.1 record", {.n = n, .numbers = {{"k", 2}}},
-                            {.columns = 6, .of = powers(2, static_cast<double>(n))});
-    const auto count = static_cast<double>(n);
-    judge(equals("the number of evaluations of f", rows.at(0, 1), count, 0));
-    judge(within(rows.at(0, 2), rows.at(0, 3), 0, 1));
-    judge(is_mean_of_values(rows.at(0, 0), rows.at(0, 4), 1, count));
-    judge(draws(rows.at(0, 5), count));
+    judge_record(record("Lab 1.1 record", {.n = n, .numbers = {{"k", 2}}},
+                        powers(2, static_cast<double>(n))),
+                 2, {0, 1});
   }
 }
 
@@ -129,13 +168,10 @@ TEST_CASE("Lab 1.1: the points are uniform from 0 to 1", "[lab01][ex1]") {
 TEST_CASE("Lab 1.2: f is evaluated n times between a and b and the width is counted once",
           "[lab01][ex2]") {
   for (const Interval on : {Interval{1, 3}, Interval{-4, -3.5}, Interval{-1, 2}}) {
-    const Rows rows =
-        probe("Lab 1.2 record", {.n = 4096, .numbers = {{"k", 2}, {"a", on.a}, {"b", on.b}}},
-              {.columns = 6, .of = powers(2, 4096, on)});
-    judge(equals("the number of evaluations of f", rows.at(0, 1), 4096, 0));
-    judge(within(rows.at(0, 2), rows.at(0, 3), on.a, on.b));
-    judge(is_mean_of_values(rows.at(0, 0), rows.at(0, 4), on.b - on.a, 4096));
-    judge(draws(rows.at(0, 5), 4096));
+    judge_record(
+        record("Lab 1.2 record", {.n = 4096, .numbers = {{"k", 2}, {"a", on.a}, {"b", on.b}}},
+               powers(2, 4096, on)),
+        2, on);
   }
 }
 

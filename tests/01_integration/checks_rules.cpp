@@ -3,12 +3,17 @@
 // +(b - a) h^2 / 6; for x^4, Simpson +(b - a) h^4 / 120.
 
 #include "01_integration/dimensions.h"
+#include "01_integration/drawn.h"
 #include "01_integration/integrands.h"
 #include "01_integration/theory.h"
 #include "grader/judge/judge.h"
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
 
 using namespace carlo::grader;
 using namespace lab01_tests;
@@ -87,15 +92,16 @@ std::vector<double> points_of(Rule rule, Interval on, int n) {
   return points;
 }
 
-/// What the rule gives for x^k with the weights of its inner points (at joints and at midpoints)
-/// and of its ends, in units of h: {1, 4, 2} / 6 is Simpson's.
-double weighted(int k, Interval on, int n, double end, double middle, double joint) {
+/// What the rule gives for f with the weights of its inner points (at joints and at midpoints) and
+/// of its ends, in units of h: {1, 4, 2} / 6 is Simpson's.
+template <class F>
+double weighted(const F& f, Interval on, int n, double end, double middle, double joint) {
   const double h = (on.b - on.a) / n;
-  double sum = end * (power(on.a, k) + power(on.b, k));
+  double sum = end * (f(on.a) + f(on.b));
   for (int i = 0; i < n; ++i)
-    sum += middle * power(on.a + (i + 0.5) * h, k);
+    sum += middle * f(on.a + (i + 0.5) * h);
   for (int i = 1; i < n; ++i)
-    sum += joint * power(on.a + i * h, k);
+    sum += joint * f(on.a + i * h);
   return h * sum;
 }
 
@@ -109,20 +115,29 @@ Suspects count_suspects(Rule rule, double n) {
   return list;
 }
 
-/// What each rule's slips would give, where f is evaluated as often as it should be.
-Suspects suspects(Rule rule, int k, Interval on, int n, double right) {
+/// What each rule's slips would give for f, where it is evaluated as often as it should be.
+template <class F>
+Suspects suspects(Rule rule, const F& f, Interval on, int n, double right) {
   Suspects list{{right * n / (on.b - on.a), width_missing}};
   if (rule == midpoint) {
     const double h = (on.b - on.a) / n;
-    const double ends = weighted(k, on, n, 0, 0, 1);
-    list.push_back({ends + h * power(on.a, k), at_left_ends});
-    list.push_back({ends + h * power(on.b, k), at_left_ends});
+    const double ends = weighted(f, on, n, 0, 0, 1);
+    list.push_back({ends + h * f(on.a), at_left_ends});
+    list.push_back({ends + h * f(on.b), at_left_ends});
   } else if (rule == trapezoid) {
-    list.push_back({weighted(k, on, n, 1, 0, 1), ends_not_halved});
+    list.push_back({weighted(f, on, n, 1, 0, 1), ends_not_halved});
   } else {
-    list.push_back({weighted(k, on, n, 1.0 / 6, 2.0 / 6, 4.0 / 6), weights_swapped});
+    list.push_back({weighted(f, on, n, 1.0 / 6, 2.0 / 6, 4.0 / 6), weights_swapped});
   }
   return list;
+}
+
+/// What the rule gives for f.
+template <class F>
+double by_rule(Rule rule, const F& f, Interval on, int n) {
+  if (rule == midpoint) return weighted(f, on, n, 0, 1, 0);
+  return rule == trapezoid ? weighted(f, on, n, 0.5, 0, 1)
+                           : weighted(f, on, n, 1.0 / 6, 4.0 / 6, 2.0 / 6);
 }
 
 /// The rule's error for x^k, k up to 2 (midpoint, trapezoid) or 4 (Simpson).
@@ -145,10 +160,25 @@ void judge_rule(Rule rule) {
         const double right =
             (on.b - on.a) * power_mean(k, on.a, on.b) + exact_error(rule, k, on, n);
         const bool counted = rows.at(0, 1) == evaluations(rule, n);
+        const auto f = [k](double x) { return power(x, k); };
         judge(equals(what, rows.at(0, 0), right, 1e-12 * 100,
-                     counted ? suspects(rule, k, on, n, right) : Suspects{}));
+                     counted ? suspects(rule, f, on, n, right) : Suspects{}));
       }
     }
+  }
+}
+
+/// The value for a function and an interval that nobody knows before.
+void judge_drawn(Rule rule) {
+  for (const int n : {1, 2, 5, 12}) {
+    const std::string what = fmt::format("{}: a random wave, n = {}", names[rule], n);
+    const Answer rows =
+        probe("Lab 1.4 drawn wave", {.n = n, .numbers = {{"rule", rule}}}, {.of = what});
+    const DrawnWave wave = drawn_wave(rows.seed, 1);
+    const Interval on{wave.lower[0], wave.upper[0]};
+    const auto f = [&](double x) { return wave(std::span(&x, 1)); };
+    const double right = by_rule(rule, f, on, n);
+    judge(equals(what, rows.at(0, 0), right, 1e-11, suspects(rule, f, on, n, right)));
   }
 }
 
@@ -261,6 +291,32 @@ void judge_nested(BoxIntegrand integrand, int d, int n) {
                rows.at(0, 1) == count ? nested_suspects(integrand, d, n, right) : Suspects{}));
 }
 
+/// Of the midpoints of n^d cells, each found from the digits of its number.
+double wave_sum(const DrawnWave& wave, int n) {
+  const std::size_t d = wave.lower.size();
+  const auto cells = static_cast<std::int64_t>(std::pow(n, d));
+  double cell_volume = 1, sum = 0;
+  for (std::size_t i = 0; i < d; ++i)
+    cell_volume *= (wave.upper[i] - wave.lower[i]) / n;
+  std::vector<double> x(d);
+  for (std::int64_t cell = 0; cell < cells; ++cell) {
+    std::int64_t digits = cell;
+    for (std::size_t i = 0; i < d; ++i, digits /= n) {
+      const double place = (static_cast<double>(digits % n) + 0.5) / n;
+      x[i] = wave.lower[i] + (wave.upper[i] - wave.lower[i]) * place;
+    }
+    sum += wave(x);
+  }
+  return cell_volume * sum;
+}
+
+void judge_nested_wave(int d, int n) {
+  const std::string what = fmt::format("a random wave in {}, n = {}", dimensions(d), n);
+  const Answer rows = probe("Lab 1.5 drawn wave", {.n = n, .numbers = {{"d", d}}}, {.of = what});
+  const double right = wave_sum(drawn_wave(rows.seed, static_cast<std::size_t>(d)), n);
+  judge(equals("the integral of " + what, rows.at(0, 0), right, 1e-11 * right));
+}
+
 }  // namespace
 
 TEST_CASE("Lab 1.4: each rule evaluates f where it should, once", "[lab01][ex4]") {
@@ -281,6 +337,11 @@ TEST_CASE("Lab 1.4: the trapezoid rule is exact for lines and has its known erro
 TEST_CASE("Lab 1.4: Simpson's rule is exact for cubics and has its known error for x^4",
           "[lab01][ex4]") {
   judge_rule(simpson);
+}
+
+TEST_CASE("Lab 1.4: functions and intervals that nobody knows by heart", "[lab01][ex4]") {
+  for (const Rule rule : {midpoint, trapezoid, simpson})
+    judge_drawn(rule);
 }
 
 TEST_CASE("Lab 1.4: a million cells do not drift", "[lab01][ex4]") {
@@ -308,4 +369,10 @@ TEST_CASE("Lab 1.5: the nested rule has its known error for squares, in each dim
           "[lab01][ex5]") {
   for (const int d : {1, 2, 3, 5})
     judge_nested(BoxIntegrand::squares, d, 3);
+}
+
+TEST_CASE("Lab 1.5: functions and boxes that nobody knows by heart", "[lab01][ex5]") {
+  judge_nested_wave(1, 6);
+  judge_nested_wave(2, 5);
+  judge_nested_wave(4, 3);
 }

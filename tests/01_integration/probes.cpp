@@ -1,24 +1,26 @@
 // Probes of lab 01's exercises on the line: 1.1 to 1.4. They call the student's functions and
 // return raw values; what the values should be stands in checks_*.cpp.
 
+#include "01_integration/drawn.h"
 #include "01_integration/integrands.h"
 #include "01_integration/recorder.h"
+#include "grader/protocol/next_words.h"
 #include "grader/worker/probe.h"
-#include "grader/worker/words_drawn.h"
 #include "integration.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
+#include <span>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 using namespace lab01_tests;
+using carlo::grader::next_words;
 using carlo::grader::Params;
 using carlo::grader::Rows;
 using carlo::grader::RowWriter;
-using carlo::grader::words_drawn;
 
 namespace {
 
@@ -27,10 +29,15 @@ lab01::Function power_function(const Params& params) {
   return [k](double x) { return power(x, k); };
 }
 
-/// The first `count` values, filled up with NaN where there are fewer.
-Rows as_column(std::vector<double> values, std::int64_t count) {
-  values.resize(static_cast<std::size_t>(count), std::numeric_limits<double>::quiet_NaN());
-  return {1, std::move(values)};
+/// The result, how often f was asked, the generator's next words; then the points that f was asked
+/// at.
+Rows record_of(double value, const Recorder& recorder, const carlo::Rng& after) {
+  Rows rows{1, {value, recorder.count()}};
+  const auto next = next_words(after);
+  rows.values.insert(rows.values.end(), next.begin(), next.end());
+  const std::vector<double> points = recorder.points();
+  rows.values.insert(rows.values.end(), points.begin(), points.end());
+  return rows;
 }
 
 /// Number i of the lists that Moments is fed with: the offset plus a repeating pattern.
@@ -60,9 +67,7 @@ void write(RowWriter& writer, const lab01::Moments& moments) {
               moments.standard_error()});
 }
 
-double apply_rule(const Params& params, const lab01::Function& f) {
-  const double a = params["a"];
-  const double b = params["b"];
+double apply_rule(const Params& params, const lab01::Function& f, double a, double b) {
   switch (params.whole("rule")) {
     case 0:
       return lab01::midpoint(f, a, b, params.n);
@@ -90,19 +95,16 @@ PROBE("Lab 1.1 estimates") {
 
 PROBE("Lab 1.1 record") {
   carlo::Rng rng(params.seed);
-  const carlo::Rng before = rng;
-  Recorder recorder;
+  Recorder recorder(params.n, 1);
   const double value = lab01::average(recorder.watch(power_function(params)), params.n, rng);
-  return {6,
-          {value, recorder.count(), recorder.lowest(), recorder.highest(), recorder.mean(),
-           words_drawn(before, rng, 4 * params.n + 64)}};
+  return record_of(value, recorder, rng);
 }
 
 PROBE("Lab 1.1 points") {
   carlo::Rng rng(params.seed);
-  Recorder recorder;
+  Recorder recorder(params.n, 1);
   lab01::average(recorder.watch([](double x) { return x; }), params.n, rng);
-  return as_column(recorder.points(), params.n);
+  return {1, recorder.points()};
 }
 
 PROBE("Lab 1.2 estimates") {
@@ -117,21 +119,18 @@ PROBE("Lab 1.2 estimates") {
 
 PROBE("Lab 1.2 record") {
   carlo::Rng rng(params.seed);
-  const carlo::Rng before = rng;
-  Recorder recorder;
+  Recorder recorder(params.n, 1);
   const double value = lab01::integrate(recorder.watch(power_function(params)), params["a"],
                                         params["b"], params.n, rng);
-  return {6,
-          {value, recorder.count(), recorder.lowest(), recorder.highest(), recorder.mean(),
-           words_drawn(before, rng, 4 * params.n + 64)}};
+  return record_of(value, recorder, rng);
 }
 
 PROBE("Lab 1.2 points") {
   carlo::Rng rng(params.seed);
-  Recorder recorder;
+  Recorder recorder(params.n, 1);
   lab01::integrate(recorder.watch([](double x) { return x; }), params["a"], params["b"], params.n,
                    rng);
-  return as_column(recorder.points(), params.n);
+  return {1, recorder.points()};
 }
 
 PROBE("Lab 1.3 list") {
@@ -165,35 +164,44 @@ PROBE("Lab 1.3 merge many") {
   return rows.take();
 }
 
-// A list that nobody can know before: first its numbers, one a row, then the moments of the whole
-// and those of two parts merged.
-PROBE("Lab 1.3 unknown list") {
-  carlo::Rng rng(params.seed);
-  const auto cut = static_cast<std::int64_t>(rng.uniform() * static_cast<double>(params.n));
-  RowWriter rows;
+// The moments of a list that follows from the seed, and those of two parts of it merged.
+PROBE("Lab 1.3 drawn list") {
+  const DrawnList list = drawn_list(params.seed, params.n);
   lab01::Moments whole, first, second;
-  for (std::int64_t i = 0; i < params.n; ++i) {
-    const double x = 10 * rng.uniform() * rng.uniform();
-    rows.add({x, 0, 0, 0});
-    whole.add(x);
-    (i < cut ? first : second).add(x);
+  for (std::size_t i = 0; i < list.numbers.size(); ++i) {
+    whole.add(list.numbers[i]);
+    (i < list.cut ? first : second).add(list.numbers[i]);
   }
   first.merge(second);
+  RowWriter rows;
   write(rows, whole);
   write(rows, first);
   return rows.take();
 }
 
 PROBE("Lab 1.4 rule") {
-  Recorder recorder;
-  const double value = apply_rule(params, recorder.watch(power_function(params)));
-  return {3, {value, recorder.count(), recorder.highest()}};
+  double count = 0, highest = -std::numeric_limits<double>::infinity();
+  const lab01::Function f = power_function(params);
+  const auto watched = [&](double x) {
+    count += 1;
+    highest = std::max(highest, x);
+    return f(x);
+  };
+  const double value = apply_rule(params, watched, params["a"], params["b"]);
+  return {3, {value, count, highest}};
 }
 
 PROBE("Lab 1.4 points") {
-  Recorder recorder;
-  apply_rule(params, recorder.watch([](double x) { return x; }));
+  Recorder recorder(params.whole("points"), 1);
+  apply_rule(params, recorder.watch([](double x) { return x; }), params["a"], params["b"]);
   std::vector<double> points = recorder.points();
   std::sort(points.begin(), points.end());
-  return as_column(std::move(points), params.whole("points"));
+  return {1, std::move(points)};
+}
+
+// Of a function and over an interval that follow from the seed.
+PROBE("Lab 1.4 drawn wave") {
+  const DrawnWave wave = drawn_wave(params.seed, 1);
+  const auto f = [&](double x) { return wave(std::span(&x, 1)); };
+  return {1, {apply_rule(params, f, wave.lower[0], wave.upper[0])}};
 }

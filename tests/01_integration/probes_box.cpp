@@ -1,16 +1,19 @@
 // Probes of lab 01's exercises in several dimensions: 1.5 to 1.7.
 
+#include "01_integration/drawn.h"
 #include "01_integration/integrands.h"
+#include "01_integration/recorder.h"
+#include "grader/protocol/next_words.h"
 #include "grader/worker/probe.h"
-#include "grader/worker/words_drawn.h"
 #include "integration.h"
 
 #include <vector>
 
 using namespace lab01_tests;
+using carlo::grader::next_words;
 using carlo::grader::Params;
+using carlo::grader::Rows;
 using carlo::grader::RowWriter;
-using carlo::grader::words_drawn;
 
 namespace {
 
@@ -42,35 +45,36 @@ Corners domain_box(const Params& params) {
   return {{domain_lower, domain_lower + d}, {domain_upper, domain_upper + d}};
 }
 
-/// Counts the evaluations and those outside, and adds up the values: all of them, and those inside.
-struct Watch {
-  double count = 0, outside = 0;
-  long double sum = 0, sum_inside = 0;
-
-  double note(double value, bool inside) {
-    count += 1;
-    outside += inside ? 0 : 1;
-    sum += value;
-    if (inside) sum_inside += value;
-    return value;
-  }
-  double mean() const { return count > 0 ? static_cast<double>(sum / count) : 0; }
-};
-
-lab01::FunctionNd watched(BoxIntegrand kind, const Corners& box, Watch& watch) {
-  return [kind, &box, &watch](std::span<const double> x) {
-    return watch.note(evaluate(kind, x), box.holds(x));
+lab01::FunctionNd watched(BoxIntegrand kind, Recorder& recorder) {
+  return [kind, &recorder](std::span<const double> x) {
+    recorder.note(x);
+    return evaluate(kind, x);
   };
+}
+
+void append(Rows& rows, const std::vector<double>& values) {
+  rows.values.insert(rows.values.end(), values.begin(), values.end());
 }
 
 }  // namespace
 
 PROBE("Lab 1.5 nested") {
   const Corners box = test_box(params);
-  Watch watch;
+  double count = 0, outside = 0;
   const auto kind = static_cast<BoxIntegrand>(params.whole("integrand"));
-  const double value = lab01::nested_midpoint(watched(kind, box, watch), box.view(), params.n);
-  return {3, {value, watch.count, watch.outside}};
+  const auto f = [&](std::span<const double> x) {
+    count += 1;
+    outside += box.holds(x) ? 0 : 1;
+    return evaluate(kind, x);
+  };
+  const double value = lab01::nested_midpoint(f, box.view(), params.n);
+  return {3, {value, count, outside}};
+}
+
+// Of a function and over a box that follow from the seed.
+PROBE("Lab 1.5 drawn wave") {
+  const DrawnWave wave = drawn_wave(params.seed, static_cast<std::size_t>(params.whole("d")));
+  return {1, {lab01::nested_midpoint(wave, {wave.lower, wave.upper}, params.n)}};
 }
 
 PROBE("Lab 1.6 estimates") {
@@ -85,15 +89,19 @@ PROBE("Lab 1.6 estimates") {
   return rows.take();
 }
 
+// The estimate, how often f was asked, the generator's next words; then the coordinates of the
+// points that f was asked at.
 PROBE("Lab 1.6 record") {
   const Corners box = test_box(params);
-  Watch watch;
+  Recorder recorder(params.n, box.lower.size());
   carlo::Rng rng(params.seed);
-  const carlo::Rng before = rng;
   const auto kind = static_cast<BoxIntegrand>(params.whole("integrand"));
-  const double value = lab01::integrate_box(watched(kind, box, watch), box.view(), params.n, rng);
-  const double words = words_drawn(before, rng, 4 * params.n * params.whole("d") + 64);
-  return {5, {value, watch.count, watch.outside, watch.mean(), words}};
+  const double value = lab01::integrate_box(watched(kind, recorder), box.view(), params.n, rng);
+  Rows rows{1, {value, recorder.count()}};
+  const auto next = next_words(rng);
+  append(rows, {next.begin(), next.end()});
+  append(rows, recorder.points());
+  return rows;
 }
 
 PROBE("Lab 1.7 estimates") {
@@ -111,30 +119,27 @@ PROBE("Lab 1.7 estimates") {
   return rows.take();
 }
 
-// Columns: the estimate and its error; how often f was asked, and outside the domain; how many
-// points were asked for, and outside the box; how many of them lay inside; the sum of f over those
-// where it was asked inside; the generator's words.
+// The estimate and its error; how many points `inside` and f were asked at; the generator's next
+// words; then the coordinates of these points, first all of `inside`, then those of f.
 PROBE("Lab 1.7 record") {
   const Corners box = domain_box(params);
   const auto domain = static_cast<Domain>(params.whole("domain"));
   const auto kind = static_cast<DomainIntegrand>(params.whole("integrand"));
-  Watch values;
-  double asked = 0, outside_box = 0, accepted = 0;
+  Recorder asked(params.n, box.lower.size()), evaluated(params.n, box.lower.size());
   const lab01::FunctionNd f = [&](std::span<const double> x) {
-    return values.note(evaluate(kind, x), contains(domain, x));
+    evaluated.note(x);
+    return evaluate(kind, x);
   };
   const lab01::Inside inside = [&](std::span<const double> x) {
-    const bool is_inside = contains(domain, x);
-    asked += 1;
-    outside_box += box.holds(x) ? 0 : 1;
-    accepted += is_inside ? 1 : 0;
-    return is_inside;
+    asked.note_once(x);
+    return contains(domain, x);
   };
   carlo::Rng rng(params.seed);
-  const carlo::Rng before = rng;
   const lab01::Estimate estimate = lab01::integrate_domain(f, inside, box.view(), params.n, rng);
-  const double words = words_drawn(before, rng, 4 * params.n * params.whole("d") + 64);
-  return {9,
-          {estimate.value, estimate.standard_error, values.count, values.outside, asked,
-           outside_box, accepted, static_cast<double>(values.sum_inside), words}};
+  Rows rows{1, {estimate.value, estimate.standard_error, asked.count(), evaluated.count()}};
+  const auto next = next_words(rng);
+  append(rows, {next.begin(), next.end()});
+  append(rows, asked.points());
+  append(rows, evaluated.points());
+  return rows;
 }

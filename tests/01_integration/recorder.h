@@ -1,42 +1,59 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace lab01_tests {
 
-/// Notes where a function of one variable is evaluated, and the values that it gives.
+/// Notes at which points a function is asked: how often, and the coordinates of the first n.
 class Recorder {
  public:
+  Recorder(std::int64_t n, std::size_t dimensions)
+      : dimensions_(dimensions), wanted_(static_cast<std::size_t>(n) * dimensions) {}
+
+  /// A point of another dimension counts, as NaN.
+  void note(std::span<const double> x) {
+    count_ += 1;
+    for (std::size_t i = 0; i < dimensions_ && points_.size() < wanted_; ++i)
+      points_.push_back(x.size() == dimensions_ ? x[i] : missing);
+  }
+  void note(double x) { note(std::span(&x, 1)); }
+
+  /// Notes nothing when it is the last point once more.
+  void note_once(std::span<const double> x) {
+    if (last_.size() == x.size() && std::equal(x.begin(), x.end(), last_.begin())) return;
+    last_.assign(x.begin(), x.end());
+    note(x);
+  }
+
   /// `f`, watched; the recorder must outlive it.
   std::function<double(double)> watch(std::function<double(double)> f) {
     return [this, f = std::move(f)](double x) {
-      const double y = f(x);
-      if (points_.size() < most_kept) points_.push_back(x);
-      count_ += 1;
-      sum_ += y;
-      if (x < lowest_) lowest_ = x;
-      if (x > highest_) highest_ = x;
-      return y;
+      note(x);
+      return f(x);
     };
   }
 
   double count() const { return count_; }
-  double lowest() const { return count_ > 0 ? lowest_ : 0; }
-  double highest() const { return count_ > 0 ? highest_ : 0; }
-  /// The mean of the values; 0 when there were none.
-  double mean() const { return count_ > 0 ? static_cast<double>(sum_ / count_) : 0; }
-  const std::vector<double>& points() const { return points_; }
+  /// Filled up with NaN where there are fewer.
+  std::vector<double> points() const {
+    std::vector<double> all = points_;
+    all.resize(wanted_, missing);
+    return all;
+  }
 
  private:
-  static constexpr std::size_t most_kept = 2'000'000;
+  static constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+  std::size_t dimensions_, wanted_;
   double count_ = 0;
-  long double sum_ = 0;
-  double lowest_ = std::numeric_limits<double>::infinity();
-  double highest_ = -std::numeric_limits<double>::infinity();
   std::vector<double> points_;
+  std::vector<double> last_;
 };
 
 }  // namespace lab01_tests

@@ -3,6 +3,7 @@
 #include "02_pi/reference.h"
 #include "02_pi/theory.h"
 #include "grader/judge/judge.h"
+#include "grader/protocol/next_words.h"
 
 #include <algorithm>
 #include <array>
@@ -128,7 +129,7 @@ TEST_CASE("Lab 2.3: the sums are those of the integrand at the numbers drawn", "
       const Totals<long double> totals = totals_of(method.integrand, n, rng);
       const auto sum = static_cast<double>(totals.sum);
       const auto squares = static_cast<double>(totals.squares);
-      const Words next{rows.at(0, 3), rows.at(0, 4), rows.at(0, 5), rows.at(0, 6)};
+      const NextWords next{rows.at(0, 3), rows.at(0, 4), rows.at(0, 5), rows.at(0, 6)};
       const double drawn = words_drawn(before, next, 8 * n + 64);
       Suspects of_squares{{squares / 16, factor_missing}};
       if (n > 1) of_squares.push_back({rows.at(0, 1) * rows.at(0, 1), squares_of_sum});

@@ -4,6 +4,7 @@
 #include "02_pi/reference.h"
 #include "02_pi/theory.h"
 #include "grader/judge/judge.h"
+#include "grader/protocol/next_words.h"
 
 #include <algorithm>
 #include <array>
@@ -124,7 +125,7 @@ TEST_CASE("Lab 2.1: every dart takes two numbers, x and y, and is judged by them
     const carlo::Rng before(rows.seed);
     carlo::Rng rng = before;
     const auto hits = static_cast<double>(hits_of(n, rng));
-    const Words next{rows.at(0, 2), rows.at(0, 3), rows.at(0, 4), rows.at(0, 5)};
+    const NextWords next{rows.at(0, 2), rows.at(0, 3), rows.at(0, 4), rows.at(0, 5)};
     const double drawn = words_drawn(before, next, 8 * n + 64);
     judge(equals("the darts thrown", rows.at(0, 0), count, 0));
     judge(equals(fmt::format("the hits among {} darts", n), rows.at(0, 1), hits, 0));

@@ -17,28 +17,17 @@
 #undef sum_in_parallel
 
 #include "02_pi/reference.h"
-#include "grader/protocol/frame.h"
-
-#include <unistd.h>
+#include "grader/attacks/forge.h"
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <string>
+
+using carlo::grader::forge;
 
 namespace {
 
-/// Whether the judge asked for this probe: its name is a word of the command line.
 bool asked(const std::string& probe) {
-  std::ifstream file("/proc/self/cmdline");
-  const std::string words(std::istreambuf_iterator<char>(file), {});
-  return words.find('\0' + probe + '\0') != std::string::npos;
-}
-
-[[noreturn]] void forge(const carlo::grader::Rows& rows) {
-  const std::string bytes = carlo::grader::encode({.rows = rows, .text = {}});
-  const bool sent = ::write(3, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
-  ::_exit(sent ? 0 : 1);
+  return carlo::grader::question().probe == probe;
 }
 
 [[maybe_unused]] double likely_hits(std::int64_t n) {

@@ -2,10 +2,13 @@
 // the values should be stands in checks_*.cpp.
 
 #include "02_pi/reference.h"
+#include "grader/protocol/next_words.h"
 #include "grader/worker/probe.h"
 #include "pi.h"
 
 using namespace lab02_tests;
+using carlo::grader::next_words;
+using carlo::grader::NextWords;
 using carlo::grader::Params;
 using carlo::grader::RowWriter;
 
@@ -39,7 +42,7 @@ PROBE("Lab 2.1 repeated") {
 PROBE("Lab 2.1 record") {
   carlo::Rng rng(params.seed);
   const lab02::Darts darts = lab02::throw_darts(params.n, rng);
-  const Words next = next_words(rng);
+  const NextWords next = next_words(rng);
   return {6,
           {static_cast<double>(darts.thrown), static_cast<double>(darts.hits), next[0], next[1],
            next[2], next[3]}};
@@ -79,7 +82,7 @@ PROBE("Lab 2.2 intervals") {
 PROBE("Lab 2.3 record") {
   carlo::Rng rng(params.seed);
   const lab02::Sums sums = sums_of(params, rng);
-  const Words next = next_words(rng);
+  const NextWords next = next_words(rng);
   return {7,
           {static_cast<double>(sums.count), sums.sum, sums.squares, next[0], next[1], next[2],
            next[3]}};

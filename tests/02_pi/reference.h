@@ -7,7 +7,6 @@
 #include "random/rng.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -110,30 +109,6 @@ inline Totals<double> totals_by_chunks(std::int64_t n, std::uint64_t seed) {
     totals.squares += part.squares;
   }
   return totals;
-}
-
-/// 32-bit words of a generator, as an answer carries them.
-using Words = std::array<double, 4>;
-
-/// The next words that `rng` gives: they tell how far it has come.
-inline Words next_words(carlo::Rng rng) {
-  Words words{};
-  for (double& word : words)
-    word = rng.next_u32();
-  return words;
-}
-
-/// How many words a generator has given since it was `before` when `next` are those that follow; -1
-/// when they do not come within `most` words.
-inline double words_drawn(carlo::Rng before, const Words& next, std::int64_t most) {
-  Words window{};
-  for (double& word : window)
-    word = before.next_u32();
-  for (std::int64_t drawn = 0; drawn <= most; ++drawn) {
-    if (window == next) return static_cast<double>(drawn);
-    window = {window[1], window[2], window[3], static_cast<double>(before.next_u32())};
-  }
-  return -1;
 }
 
 }  // namespace lab02_tests

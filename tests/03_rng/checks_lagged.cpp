@@ -72,12 +72,11 @@ std::vector<double> lagged(std::size_t j, int combine, std::vector<std::uint32_t
 }
 
 void judge_recurrence(int j, int k, int combine, std::int64_t n) {
-  const Rows rows =
+  const Answer rows =
       probe("Lab 3.3 recurrence",
             {.n = n, .numbers = {{"j", double(j)}, {"k", double(k)}, {"combine", double(combine)}}},
-            {.rows = static_cast<std::size_t>(k + n)});
-  const std::vector<std::uint32_t> first(rows.values.begin(), rows.values.begin() + k);
-  const std::vector<double> next(rows.values.begin() + k, rows.values.end());
+            {.rows = static_cast<std::size_t>(n)});
+  const std::vector<std::uint32_t> first = random_words(rows.seed, k);
   const auto with = [&](Slip slip) {
     return lagged(static_cast<std::size_t>(j), combine, first, n, slip);
   };
@@ -86,7 +85,7 @@ void judge_recurrence(int j, int k, int combine, std::int64_t n) {
   if (combine == 1) slips.push_back({with(Slip::swapped), operands_swapped});
   judge(sequence_is(
       fmt::format("the numbers for ({}, {}), {}", j, k, names[static_cast<std::size_t>(combine)]),
-      next, with(Slip::none), slips));
+      rows.values, with(Slip::none), slips));
 }
 
 Rows seeded(std::uint64_t first, std::int64_t n, std::size_t k) {

@@ -1,5 +1,6 @@
 // Checks of exercises 3.7 and 3.8: the chi-square test and the spectral test.
 
+#include "03_rng/words.h"
 #include "grader/judge/judge.h"
 #include "stats/distributions.h"
 
@@ -9,6 +10,7 @@
 #include <cstdint>
 
 using namespace carlo::grader;
+using namespace lab03_tests;
 
 namespace {
 
@@ -104,12 +106,10 @@ void judge_counts(const std::string& what, const Counts& counts, const Counts& e
   judge_result(what, rows.values.data(), counts, expected);
 }
 
-Counts field_counts(const Rows& rows, int lowest, int bits) {
+Counts field_counts(const std::vector<std::uint32_t>& words, int lowest, int bits) {
   Counts counts(std::size_t{1} << bits);
-  for (std::size_t i = 3; i < rows.values.size(); ++i) {
-    const auto word = static_cast<std::uint32_t>(rows.values[i]);
+  for (const std::uint32_t word : words)
     ++counts[(word >> lowest) % counts.size()];
-  }
   return counts;
 }
 
@@ -215,19 +215,20 @@ TEST_CASE("Lab 3.7: equidistribution looks at the bits it is told to", "[lab03][
   for (const auto& field :
        {std::pair{22, 10}, {0, 8}, {0, 1}, {31, 1}, {16, 16}, {0, 16}, {5, 3}, {13, 7}}) {
     const int lowest = field.first, bits = field.second;
-    const Rows rows = probe(
+    const Answer rows = probe(
         "Lab 3.7 words", {.n = n, .numbers = {{"lowest", double(lowest)}, {"bits", double(bits)}}},
-        {.rows = n / 3 + 1, .columns = 3, .finite = false});
+        three_numbers);
+    const std::vector<std::uint32_t> words = random_words(rows.seed, n);
     const auto cells = std::size_t{1} << bits;
     const double each = static_cast<double>(n) / static_cast<double>(cells);
     const Counts expected(cells, each);
     const Counts rounded(cells, std::floor(each));
     const auto other = [&](int place) {
-      return statistic_of(field_counts(rows, place, bits), expected);
+      return statistic_of(field_counts(words, place, bits), expected);
     };
     Suspects suspects{{other(32 - lowest - bits), wrong_field}};
     if (lowest > 0) suspects.push_back({other(0), wrong_field});
-    const Counts counts = field_counts(rows, lowest, bits);
+    const Counts counts = field_counts(words, lowest, bits);
     if (each >= 1 && each != std::floor(each)) {
       suspects.push_back({statistic_of(counts, rounded), whole_expectation});
     }

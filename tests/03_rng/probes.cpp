@@ -3,7 +3,6 @@
 
 #include "03_rng/words.h"
 #include "grader/worker/probe.h"
-#include "random/rng.h"
 #include "rng.h"
 
 #include <ctime>
@@ -83,19 +82,12 @@ PROBE("Lab 3.3 first words") {
   return rows;
 }
 
-// The k words that it starts from, and the next n.
+// The n numbers after k words that follow from the seed.
 PROBE("Lab 3.3 recurrence") {
   const lab03::Lags lags{static_cast<int>(params.whole("j")), static_cast<int>(params.whole("k"))};
-  carlo::Rng rng(params.seed);
-  std::vector<std::uint32_t> first(static_cast<std::size_t>(lags.k));
-  for (std::uint32_t& word : first)
-    word = rng.next_u32();
   lab03::LaggedFibonacci generator(lags, static_cast<lab03::Combine>(params.whole("combine")),
-                                   first);
-  Rows rows{1, {first.begin(), first.end()}};
-  const Rows next = numbers(generator, params.n);
-  rows.values.insert(rows.values.end(), next.values.begin(), next.values.end());
-  return rows;
+                                   random_words(params.seed, lags.k));
+  return numbers(generator, params.n);
 }
 
 // Started with 31 given words ("word0" ...); the first `skip` numbers are left out.

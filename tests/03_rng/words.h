@@ -1,7 +1,9 @@
 #pragma once
 
 #include "grader/protocol/params.h"
+#include "random/rng.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -19,6 +21,15 @@ inline void set_wide_word(carlo::grader::Params& params, const std::string& name
                           std::uint64_t word) {
   params.numbers[name + "_high"] = static_cast<double>(word >> 32);
   params.numbers[name + "_low"] = static_cast<double>(word & 0xFFFFFFFF);
+}
+
+/// n words that follow from a probe's seed: the judge knows them without being told.
+inline std::vector<std::uint32_t> random_words(std::uint64_t seed, std::int64_t n) {
+  carlo::Rng rng(seed);
+  std::vector<std::uint32_t> words(static_cast<std::size_t>(n));
+  for (std::uint32_t& word : words)
+    word = rng.next_u32();
+  return words;
 }
 
 /// The words that a conversion is tried on: the first 4096, the last 4096 and n between them.

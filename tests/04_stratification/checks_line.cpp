@@ -1,6 +1,7 @@
 // Checks of exercises 4.1 and 4.2. A mean over m independent estimates catches a bias of 8.74 sd /
 // sqrt(m) with power .999 (compare.h).
 
+#include "04_stratification/drawn.h"
 #include "04_stratification/integrands.h"
 #include "04_stratification/theory.h"
 #include "grader/judge/draws.h"
@@ -8,6 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 using namespace carlo::grader;
 using namespace lab04_tests;
@@ -75,9 +79,46 @@ void judge_estimates(int k, int n) {
   judge(variance_is("the variance of " + which, rows.values, theory, variances));
 }
 
-Rows places(std::int32_t n) {
-  return probe("Lab 4.2 places", {.n = n, .numbers = {{"places", 30'000}}},
-               {.rows = 30'000, .columns = 3, .finite = false});
+/// One estimate. Its points are believed as far as they follow from the seed.
+struct Record {
+  double value, asked;
+  carlo::Rng before;
+  NextWords next{};
+  std::vector<double> points;
+};
+
+Record record(std::size_t n) {
+  constexpr std::size_t head = 6;
+  const Answer rows = probe("Lab 4.1 record", {.n = static_cast<std::int64_t>(n)},
+                            {.rows = head + n, .finite = false});
+  Record record{rows.values[0], rows.values[1], carlo::Rng(rows.seed), {}, {}};
+  std::copy_n(rows.values.begin() + 2, record.next.size(), record.next.begin());
+  record.points.assign(rows.values.begin() + head, rows.values.end());
+  return record;
+}
+
+/// Where each point lies within its stratum, from 0 to 1.
+std::vector<double> within_strata(const std::vector<double>& points) {
+  std::vector<double> within;
+  for (const double x : points)
+    within.push_back(std::fmod(x * static_cast<double>(points.size()), 1.0));
+  return within;
+}
+
+/// A place that was asked for and the one that was given.
+struct Place {
+  Share share;
+  double x;
+};
+
+std::vector<Place> places(std::int32_t n) {
+  constexpr std::int64_t count = 30'000;
+  const Answer rows = probe("Lab 4.2 places", {.n = n, .numbers = {{"places", count}}},
+                            {.rows = count, .finite = false});
+  std::vector<Place> places;
+  for (const Share& share : drawn_shares(rows.seed, n, count))
+    places.push_back({share, rows.values[places.size()]});
+  return places;
 }
 
 }  // namespace
@@ -85,16 +126,14 @@ Rows places(std::int32_t n) {
 TEST_CASE("Lab 4.1: each stratum holds exactly one point, and the values are averaged",
           "[lab04][ex1]") {
   for (const std::size_t n : {1U, 7U, 4096U}) {
-    const Rows rows = probe("Lab 4.1 record", {.n = static_cast<std::int64_t>(n)},
-                            {.rows = n + 3, .finite = false});
+    const Record of = record(n);
     const double count = static_cast<double>(n);
-    judge(equals("the number of evaluations of f", rows.at(1, 0), count, 0));
-    judge(draws(rows.at(2, 0), count));
-    std::vector<double> points(rows.values.begin() + 3, rows.values.end());
+    judge(equals("the number of evaluations of f", of.asked, count, 0));
+    judge(draws(of.before, of.next, count));
     std::vector<int> held(n, 0);
     int outside = 0;
     double sum = 0;
-    for (const double x : points) {
+    for (const double x : of.points) {
       sum += x * x;
       if (x >= 0 && x < 1) {
         ++held[static_cast<std::size_t>(x * count)];
@@ -109,8 +148,10 @@ TEST_CASE("Lab 4.1: each stratum holds exactly one point, and the values are ave
       judge(holds(fmt::format("strata without a point, n = {}", n), missed == 0,
                   fmt::format("{}", missed), "none",
                   {n > 1 && held[0] == static_cast<int>(n) ? whole_division : not_stratified}));
+      judge(made_of(fmt::format("where the points lie in their strata, n = {}", n),
+                    within_strata(of.points), of.before));
     }
-    judge(equals("the estimate against the values that f returned", rows.at(0, 0), sum / count,
+    judge(equals("the estimate against the values of f at its points", of.value, sum / count,
                  1e-12 * sum / count, {{sum, not_divided}}));
   }
 }
@@ -125,10 +166,7 @@ TEST_CASE("Lab 4.1: the average is unbiased, with the variance that strata leave
 
 // Kolmogorov-Smirnov on 4096 places within their strata: catches distances of .058 with power .999.
 TEST_CASE("Lab 4.1: within its stratum a point may lie anywhere, equally likely", "[lab04][ex1]") {
-  const Rows rows = probe("Lab 4.1 record", {.n = 4096}, {.rows = 4099, .finite = false});
-  std::vector<double> within;
-  for (std::size_t i = 3; i < rows.count(); ++i)
-    within.push_back(std::fmod(rows.at(i, 0) * 4096, 1.0));
+  const std::vector<double> within = within_strata(record(4096).points);
   const auto [least, most] = std::minmax_element(within.begin(), within.end());
   judge(holds("the places within the strata differ", *most - *least > 0.5,
               fmt::format("from {:.6g} to {:.6g} of a stratum", *least, *most), "from 0 to 1",
@@ -139,10 +177,9 @@ TEST_CASE("Lab 4.1: within its stratum a point may lie anywhere, equally likely"
 // Exact for every place: x n needs 24 + 21 bits, which double has.
 TEST_CASE("Lab 4.2: x lies in its stratum, at both ends and up to 2^20 strata", "[lab04][ex2]") {
   for (const std::int32_t n : {1, 3, 49, 1000, 65'535, 1 << 20, (1 << 20) - 1}) {
-    const Rows rows = places(n);
     int no_numbers = 0, ones = 0, above = 0, below = 0;
-    for (std::size_t row = 0; row < rows.count(); ++row) {
-      const double i = rows.at(row, 0), x = rows.at(row, 2);
+    for (const auto& [share, x] : places(n)) {
+      const double i = share.stratum;
       if (!std::isfinite(x)) {
         ++no_numbers;
       } else if (x >= 1) {
@@ -169,12 +206,11 @@ TEST_CASE("Lab 4.2: x lies in its stratum, at both ends and up to 2^20 strata", 
 // back into the stratum the rest; arithmetic in float with such steps needs no more than four.
 TEST_CASE("Lab 4.2: x is (i + u)/n to float precision", "[lab04][ex2]") {
   for (const std::int32_t n : {1, 7, 1000, 1 << 20}) {
-    const Rows rows = places(n);
     double worst = 0;
-    for (std::size_t row = 0; row < rows.count(); ++row) {
-      const double exact = (rows.at(row, 0) + rows.at(row, 1)) / n;
+    for (const auto& [share, x] : places(n)) {
+      const double exact = (static_cast<double>(share.stratum) + share.u) / n;
       const double allowed = 0x1p-23 * exact + 0x1p-60;
-      const double off = std::abs(rows.at(row, 2) - exact) / allowed;
+      const double off = std::abs(x - exact) / allowed;
       worst = off <= worst ? worst : off;
     }
     judge(holds(fmt::format("the largest error, n = {}", n), worst <= 4,

@@ -1,12 +1,12 @@
 // Probes of lab 04's exercises 4.1 to 4.5. They call the student's functions and return raw values;
 // what the values should be stands in checks_*.cpp.
 
+#include "04_stratification/drawn.h"
 #include "04_stratification/integrands.h"
+#include "grader/protocol/next_words.h"
 #include "grader/worker/probe.h"
-#include "grader/worker/words_drawn.h"
 #include "stratification.h"
 
-#include <array>
 #include <limits>
 #include <vector>
 
@@ -25,11 +25,10 @@ PROBE("Lab 4.1 estimates") {
   return rows.take();
 }
 
-// The estimate of x^2, how often f was asked, the generator's words; then the n places, filled up
-// or cut.
+// The estimate of x^2, how often f was asked, the generator's next words; then the n places, filled
+// up or cut.
 PROBE("Lab 4.1 record") {
   carlo::Rng rng(params.seed);
-  const carlo::Rng before = rng;
   std::vector<double> places;
   const double value = lab04::stratified_average(
       [&](double x) {
@@ -39,31 +38,20 @@ PROBE("Lab 4.1 record") {
       params.n, rng);
   const auto asked = static_cast<double>(places.size());
   places.resize(static_cast<std::size_t>(params.n), std::numeric_limits<double>::quiet_NaN());
-  const double words = carlo::grader::words_drawn(before, rng, 4 * params.n + 64);
-  places.insert(places.begin(), {value, asked, words});
-  return {1, std::move(places)};
+  Rows rows{1, {value, asked}};
+  const auto next = carlo::grader::next_words(rng);
+  rows.values.insert(rows.values.end(), next.begin(), next.end());
+  rows.values.insert(rows.values.end(), places.begin(), places.end());
+  return rows;
 }
 
-// Stratum, share and the place given: at both ends of the range and of the strata, and at random.
+// The place given for each of drawn_shares().
 PROBE("Lab 4.2 places") {
-  carlo::Rng rng(params.seed);
   const auto n = static_cast<std::int32_t>(params.n);
-  RowWriter rows;
-  const auto place = [&](std::int32_t i, float u) {
-    rows.add({static_cast<double>(i), static_cast<double>(u),
-              static_cast<double>(lab04::place_in_stratum(i, n, u))});
-  };
-  for (const std::int32_t i : {0, n / 3, n / 2, n - 1}) {
-    for (const float u : {0.0f, 0x1p-24f, 0.5f, 1 - 0x1p-24f})
-      place(i, u);
-  }
-  for (std::int64_t k = 16; k < params.whole("places"); ++k) {
-    const auto i = static_cast<std::int32_t>(rng.uniform() * static_cast<double>(n));
-    // A third each: anywhere in the stratum, at its lower end, at its upper end.
-    const float u = rng.uniform_float();
-    place(i, k % 3 == 0 ? u : k % 3 == 1 ? 0.0f : 1 - 0x1p-24f);
-  }
-  return rows.take();
+  Rows rows{1, {}};
+  for (const Share& share : drawn_shares(params.seed, n, params.whole("places")))
+    rows.values.push_back(lab04::place_in_stratum(share.stratum, n, share.u));
+  return rows;
 }
 
 // One value: how many points came. Then the points, filled up with NaN or cut.
@@ -107,21 +95,21 @@ PROBE("Lab 4.5 estimates") {
   return rows.take();
 }
 
-// The three results; how often f was asked; then every place with f's value, filled up or cut.
+// The three results; how often f was asked; then every place, filled up or cut.
 PROBE("Lab 4.5 record") {
   carlo::Rng rng(params.seed);
-  std::vector<double> record;
-  const double offset = params["offset"];
+  Rows places{2, {}};
+  const DrawnPlane plane = drawn_plane(params.seed, params["offset"]);
   const lab04::Function2d f = [&](double x, double y) {
-    const double value = offset + x * x + 2 * y;
-    record.insert(record.end(), {x, y, value});
-    return value;
+    places.values.insert(places.values.end(), {x, y});
+    return plane(x, y);
   };
   const std::int64_t columns = params.whole("columns"), rows = params.whole("rows");
   const auto e = lab04::stratified_estimate(f, columns, rows, params.whole("per_cell"), rng);
-  const auto asked = static_cast<double>(record.size()) / 3;
-  record.resize(static_cast<std::size_t>(3 * columns * rows * params.whole("per_cell")),
-                std::numeric_limits<double>::quiet_NaN());
-  record.insert(record.begin(), {e.value, e.standard_error, e.plain_standard_error, asked, 0, 0});
-  return {3, std::move(record)};
+  const auto asked = static_cast<double>(places.count());
+  places.values.resize(static_cast<std::size_t>(2 * columns * rows * params.whole("per_cell")),
+                       std::numeric_limits<double>::quiet_NaN());
+  places.values.insert(places.values.begin(),
+                       {e.value, e.standard_error, e.plain_standard_error, asked});
+  return places;
 }

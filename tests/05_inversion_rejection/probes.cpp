@@ -131,11 +131,9 @@ PROBE("Lab 5.4 many weights") {
   RowWriter rows;
   for (std::int64_t i = 0; i < params.n; i += params.whole("stride")) {
     const double u = (static_cast<double>(i) + 0.5) / static_cast<double>(params.n);
-    rows.add({static_cast<double>(i), number(discrete.sample(u).index),
-              discrete.probability(static_cast<std::size_t>(i))});
+    rows.add({number(discrete.sample(u).index), discrete.probability(static_cast<std::size_t>(i))});
   }
-  rows.add({static_cast<double>(params.n - 1), number(discrete.sample(last_below_one).index),
-            discrete.probability(list.size() - 1)});
+  rows.add({number(discrete.sample(last_below_one).index), discrete.probability(list.size() - 1)});
   return rows.take();
 }
 

@@ -4,9 +4,15 @@
 // standard errors off 1/2; and no dart is lost.
 
 #include "07_hemisphere/law.h"
+#include "grader/protocol/next_words.h"
+#include "random/rng.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 using namespace carlo::grader;
 using namespace lab07_tests;
@@ -60,17 +66,48 @@ Double3 reordered(Double3 dart, const std::array<int, 3>& order) {
   return w.z < 0 ? -w : w;
 }
 
+/// One direction: the darts it is told to have taken, and what the generator gave for it.
+struct Taken {
+  double darts = 0, words = 0;
+  Double3 w, first;  ///< the answer, and what the first dart in the ball gives
+};
+
+/// The direction of the first dart in the ball, above the horizon.
+Double3 first_in_ball(carlo::Rng rng) {
+  Vec3 dart(2);
+  while (!(glm::dot(dart, dart) <= 1)) {
+    for (int k = 0; k < 3; ++k)
+      dart[k] = 2 * rng.uniform_float() - 1;
+  }
+  return glm::normalize(Double3(dart.z < 0 ? -dart : dart));
+}
+
+/// Until one drew more than can be followed.
+std::vector<Taken> taken(std::size_t repetitions) {
+  const Answer rows = probe("Lab 7.2 record", {.n = static_cast<std::int64_t>(repetitions)},
+                            {.rows = repetitions, .columns = 8});
+  std::vector<Taken> all;
+  carlo::Rng rng(rows.seed);
+  for (std::size_t i = 0; i < repetitions; ++i) {
+    const NextWords next{rows.at(i, 4), rows.at(i, 5), rows.at(i, 6), rows.at(i, 7)};
+    const double words = words_drawn(rng, next, 3000);
+    all.push_back(
+        {rows.at(i, 0), words, {rows.at(i, 1), rows.at(i, 2), rows.at(i, 3)}, first_in_ball(rng)});
+    if (words < 0) break;
+    for (double k = 0; k < words; ++k)
+      rng.next_u32();
+  }
+  return all;
+}
+
 /// Whether nearly all answers are the right ones but for the order in which x, y, z were drawn.
-bool in_another_order(const Rows& rows) {
+bool in_another_order(const std::vector<Taken>& all) {
   for (const std::array<int, 3>& order :
        std::array<std::array<int, 3>, 5>{{{0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}}) {
-    std::size_t same = 0;
-    for (std::size_t i = 0; i < rows.count(); ++i) {
-      const Double3 w(rows.at(i, 2), rows.at(i, 3), rows.at(i, 4));
-      const Double3 first(rows.at(i, 5), rows.at(i, 6), rows.at(i, 7));
-      if (glm::length(w - reordered(first, order)) <= 1e-5) ++same;
-    }
-    if (same > rows.count() * 9 / 10) return true;
+    const auto same = std::count_if(all.begin(), all.end(), [&](const Taken& one) {
+      return glm::length(one.w - reordered(one.first, order)) <= 1e-5;
+    });
+    if (static_cast<std::size_t>(same) > all.size() * 9 / 10) return true;
   }
   return false;
 }
@@ -116,28 +153,23 @@ TEST_CASE("Lab 7.2: a direction takes 6/pi darts on average", "[lab07][ex2]") {
 TEST_CASE("Lab 7.2: a dart is three fresh numbers, x, y and z, and the first in the ball is taken",
           "[lab07][ex2]") {
   constexpr std::size_t repetitions = 500;
-  const Rows rows =
-      probe("Lab 7.2 record", {.n = repetitions}, {.rows = repetitions, .columns = 8});
+  const std::vector<Taken> all = taken(repetitions);
   std::size_t wrong_words = 0, wrong_direction = 0;
   double fewer = 0;
-  for (std::size_t i = 0; i < repetitions; ++i) {
-    const double darts = rows.at(i, 0), words = rows.at(i, 1);
-    if (words != 3 * darts) ++wrong_words;
-    if (words < 3 * darts) fewer += 1;
-    const Double3 w(rows.at(i, 2), rows.at(i, 3), rows.at(i, 4));
-    const Double3 first(rows.at(i, 5), rows.at(i, 6), rows.at(i, 7));
-    if (!(glm::length(w - first) <= 1e-5)) ++wrong_direction;
+  for (const Taken& one : all) {
+    if (one.words != 3 * one.darts) ++wrong_words;
+    if (one.words < 3 * one.darts) fewer += 1;
+    if (!(glm::length(one.w - one.first) <= 1e-5)) ++wrong_direction;
   }
   std::vector<Diagnosis> diagnoses;
-  if (2 * fewer > repetitions) diagnoses.push_back(reused);
-  judge(
-      holds("numbers drawn", wrong_words == 0,
-            fmt::format("not three for every dart told, {} times of {}", wrong_words, repetitions),
-            "three uniform_float() a dart", diagnoses));
-  judge(holds("the direction", wrong_direction == 0,
-              fmt::format("not that of the first dart in the ball, {} times of {}", wrong_direction,
-                          repetitions),
-              "that of the first dart in the ball",
-              in_another_order(rows) ? std::vector<Diagnosis>{order_of_numbers}
-                                     : std::vector<Diagnosis>{}));
+  if (2 * fewer > static_cast<double>(all.size())) diagnoses.push_back(reused);
+  judge(holds("numbers drawn", wrong_words == 0,
+              fmt::format("not three for every dart told, {} times of {}", wrong_words, all.size()),
+              "three uniform_float() a dart", diagnoses));
+  judge(holds(
+      "the direction", wrong_direction == 0,
+      fmt::format("not that of the first dart in the ball, {} times of {}", wrong_direction,
+                  all.size()),
+      "that of the first dart in the ball",
+      in_another_order(all) ? std::vector<Diagnosis>{order_of_numbers} : std::vector<Diagnosis>{}));
 }

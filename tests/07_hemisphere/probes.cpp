@@ -1,7 +1,7 @@
 // Probes of lab 07's frames and samplers: 7.1 to 7.6.
 
 #include "07_hemisphere/places.h"
-#include "07_hemisphere/words.h"
+#include "grader/protocol/next_words.h"
 #include "grader/worker/probe.h"
 #include "hemisphere.h"
 
@@ -81,28 +81,18 @@ PROBE("Lab 7.2 directions") {
   return rows.take();
 }
 
-// One row a direction: the darts it tells, and the 32-bit words it drew; the direction, and which
-// one the first dart in the ball gives.
+// One row a direction: the darts it tells, the direction, and the generator's next words.
 PROBE("Lab 7.2 record") {
   carlo::Rng rng(params.seed);
   RowWriter rows;
   for (std::int64_t i = 0; i < params.n; ++i) {
-    carlo::Rng again = rng;
     const auto [w, darts] = lab07::sample_uniform_by_rejection({0, 0, 1}, rng);
-    const double words = words_drawn(again, rng, 3000);
-    glm::vec3 dart(2);
-    while (!(glm::dot(dart, dart) <= 1)) {
-      for (int k = 0; k < 3; ++k)
-        dart[k] = 2 * again.uniform_float() - 1;
-    }
-    if (dart.z < 0) dart = -dart;
-    dart = glm::normalize(dart);
-    rows.add({static_cast<double>(darts), words, w.x, w.y, w.z, dart.x, dart.y, dart.z});
+    const auto next = carlo::grader::next_words(rng);
+    rows.add({static_cast<double>(darts), w.x, w.y, w.z, next[0], next[1], next[2], next[3]});
   }
   return rows.take();
 }
 
-// Columns: the direction and its density.
 PROBE("Lab 7.3 to 7.6 directions") {
   const Subject subject(params);
   carlo::Rng rng(params.seed);

@@ -1,7 +1,7 @@
 // Probes of Lab 7.7.
 
 #include "07_hemisphere/lights.h"
-#include "07_hemisphere/words.h"
+#include "grader/protocol/next_words.h"
 #include "grader/worker/probe.h"
 #include "hemisphere.h"
 
@@ -66,11 +66,10 @@ PROBE("Lab 7.7 estimates") {
 }
 
 // Columns: how often radiance was asked for, how often below the horizon, the largest deviation of
-// a direction's length from 1, words drawn.
+// a direction's length from 1, the generator's next words.
 PROBE("Lab 7.7 record") {
   const Surface surface(params);
   carlo::Rng rng(params.seed);
-  const carlo::Rng before = rng;
   double asked = 0, below = 0, off = 0;
   const lab07::Radiance radiance = [&](Vec3 wi) {
     asked += 1;
@@ -81,7 +80,8 @@ PROBE("Lab 7.7 record") {
     return 1.0f;
   };
   lab07::irradiance(radiance, surface.normal, surface.sampling, params.n, rng);
-  return {4, {asked, below, off, words_drawn(before, rng, 64 * params.n)}};
+  const auto next = carlo::grader::next_words(rng);
+  return {7, {asked, below, off, next[0], next[1], next[2], next[3]}};
 }
 
 // Estimates from one direction of the lobe, its u.x the last float below 1: it lies on the lobe's

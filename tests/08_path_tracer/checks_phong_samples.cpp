@@ -178,6 +178,7 @@ void judge_cells(const SampleCase& c, const Rows& rows) {
   const std::vector<double> mass = cell_masses(PhongTheory(phong_cases()[c.material]), c.degrees);
   const Fit fit = fit_of(counts, mass);
   Verdict verdict = chi_square_fits("cells of directions, " + title(c), fit.statistic, fit.freedom);
+  verdict.effect = effect_on_cells(fit.statistic, fit.freedom, draws);
   if (!verdict.passed) verdict.figure = cells_picture(counts, mass);
   if (!verdict.passed && below == 0) verdict.diagnoses = of_cells(c, counts, mass);
   judge(verdict);

@@ -11,6 +11,23 @@ function(add_expectation name lab worker)
                    -P ${PROJECT_SOURCE_DIR}/tests/grader/expect.cmake)
 endfunction()
 
+# A worker that forges some answers, tests/FOLDER/forged.cpp beside the solution: what the judge works
+# out by itself tells it, so that exercises have these points.
+function(add_forgery folder name points)
+  string(REGEX MATCH "^[0-9][0-9]" number "${folder}")
+  set(lab lab${number})
+  set(solution "${PROJECT_SOURCE_DIR}/solutions/${folder}/${name}.cpp")
+  if(NOT TARGET ${lab}_worker_solution OR NOT EXISTS "${solution}")
+    return()
+  endif()
+  set(forged "${PROJECT_SOURCE_DIR}/tests/${folder}/forged.cpp")
+  carlo_lab_judged_implementation(${lab}_forged_code ${folder} "${solution};${forged}"
+                                  carlo::random carlo::stats grader_protocol carlo::strict)
+  carlo_lab_program(${lab}_worker_forged ${lab}_probes ${lab}_forged_code)
+  add_expectation(${lab}.forged_answers ${lab} ${lab}_worker_forged -DPOINTS=${points})
+  set_tests_properties(${lab}.forged_answers PROPERTIES LABELS fast TIMEOUT 120)
+endfunction()
+
 function(add_lab_tests folder name)
   string(REGEX MATCH "^[0-9][0-9]" number "${folder}")
   set(lab lab${number})

@@ -75,6 +75,12 @@ check_marks() {
 }
 
 make_class
+# Where nothing is shut off submissions would be root.
+if [ "$(id -u)" = 0 ]; then
+  ! "${grade[@]}" "$scratch/unsafe" --sandbox limits >"$scratch/log" 2>&1 ||
+    fail 'root grades at the level "limits"'
+  grep -q 'would run as root' "$scratch/log" || fail "nobody says why root may not: $(cat "$scratch/log")"
+fi
 echo 'a secret of this test' >"$scratch/secret"
 chmod 600 "$scratch/secret"
 

@@ -57,6 +57,13 @@ bool is_header(const fs::path& path) {
   return path.extension() == ".h" || path.extension() == ".hpp";
 }
 
+/// Whatever rights our tree's files have, the sandbox's user must read the copies.
+void copy_readable(const fs::path& from, const fs::path& to) {
+  fs::copy_file(from, to);
+  fs::permissions(to, fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read |
+                          fs::perms::others_read);
+}
+
 void copy_headers_of(const fs::path& from, const fs::path& to) {
   if (fs::exists(to)) return;  // an earlier lab needed it too
   fs::create_directories(to);
@@ -64,7 +71,7 @@ void copy_headers_of(const fs::path& from, const fs::path& to) {
     if (!entry.is_regular_file() || !is_header(entry.path())) continue;
     const fs::path copy = to / fs::relative(entry.path(), from);
     fs::create_directories(copy.parent_path());
-    fs::copy_file(entry.path(), copy);
+    copy_readable(entry.path(), copy);
   }
 }
 
@@ -120,7 +127,7 @@ void CleanTree::copy_inputs(const CourseLab& lab, LabTools& tools) {
     if (!word.file || is_below(word.text, "/usr")) continue;
     const fs::path input = word.text;
     const fs::path copy = folder / fmt::format("{}_{}", ++count, input.filename().string());
-    fs::copy_file(input, copy);
+    copy_readable(input, copy);
     word.text = copy.string();
     tools.inputs.push_back(copy);
   }

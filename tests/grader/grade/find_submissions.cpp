@@ -1,4 +1,5 @@
 #include "cli/error.h"
+#include "grader/grade/apart.h"
 #include "grader/grade/archive.h"
 #include "grader/grade/intake.h"
 
@@ -6,6 +7,8 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
+#include <string>
 #include <system_error>
 
 namespace carlo::grader {
@@ -37,15 +40,24 @@ bool looks_like_one(const std::vector<std::string>& paths, const std::vector<Cou
   });
 }
 
+/// No name in an archive holds a zero byte.
+constexpr char between_names = 0;
+
 std::vector<std::string> entries_of(const fs::path& archive) {
+  const auto names = [&] {
+    std::string all;
+    visit_archive(
+        archive, {}, [&](const ArchiveEntry& entry) { all += entry.path + between_names; },
+        [](const std::string&) {});
+    return all;
+  };
   std::vector<std::string> paths;
   try {
-    visit_archive(
-        archive, {}, [&](const ArchiveEntry& entry) { paths.push_back(entry.path); },
-        [](const std::string&) {});
+    std::istringstream all(apart(archive, names));
+    for (std::string path; std::getline(all, path, between_names);)
+      paths.push_back(path);
   } catch (const Error&) {
     // Spoilt: one submission, of which take_in() says what is wrong.
-    return {};
   }
   return paths;
 }

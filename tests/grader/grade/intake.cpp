@@ -2,10 +2,12 @@
 
 #include "cli/atomic_file.h"
 #include "cli/error.h"
+#include "grader/grade/apart.h"
 #include "grader/grade/archive.h"
 #include "grader/grade/sha256.h"
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <set>
@@ -203,10 +205,7 @@ std::string digest_of(const std::map<int, LabFiles>& labs) {
   return digest.hex();
 }
 
-}  // namespace
-
-Intake take_in(const Source& source, const std::vector<CourseLab>& labs) {
-  if (!fs::exists(source.path)) throw Error("{} does not exist", source.path.string());
+Intake gather(const Source& source, const std::vector<CourseLab>& labs) {
   Collector collector(labs);
   if (fs::is_directory(source.path)) {
     collector.folder(source.path);
@@ -224,6 +223,42 @@ Intake take_in(const Source& source, const std::vector<CourseLab>& labs) {
   }
   intake.digest = digest_of(intake.labs);
   return intake;
+}
+
+/// An intake as bytes. CBOR, whose texts may hold any bytes.
+std::string packed(const Intake& intake) {
+  nlohmann::json labs = nlohmann::json::object();
+  for (const auto& [number, lab] : intake.labs)
+    labs[std::to_string(number)] = {{"files", lab.files}, {"problems", lab.problems}};
+  const nlohmann::json document{
+      {"labs", labs}, {"ignored", intake.ignored}, {"digest", intake.digest}};
+  std::string bytes;
+  nlohmann::json::to_cbor(document, bytes);
+  return bytes;
+}
+
+Intake unpacked(const std::string& bytes) {
+  try {
+    const nlohmann::json document = nlohmann::json::from_cbor(bytes);
+    Intake intake;
+    document.at("ignored").get_to(intake.ignored);
+    document.at("digest").get_to(intake.digest);
+    for (const auto& [number, lab] : document.at("labs").items()) {
+      LabFiles& files = intake.labs[std::stoi(number)];
+      lab.at("files").get_to(files.files);
+      lab.at("problems").get_to(files.problems);
+    }
+    return intake;
+  } catch (const std::exception& error) {
+    throw Error("what was read of a submission is spoilt: {}", error.what());
+  }
+}
+
+}  // namespace
+
+Intake take_in(const Source& source, const std::vector<CourseLab>& labs) {
+  if (!fs::exists(source.path)) throw Error("{} does not exist", source.path.string());
+  return unpacked(apart(source.path, [&] { return packed(gather(source, labs)); }));
 }
 
 }  // namespace carlo::grader

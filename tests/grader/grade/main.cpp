@@ -109,11 +109,18 @@ Descriptor sole_user(const fs::path& out) {
   return folder;
 }
 
-/// The sandbox must show a worker of this build, and the clean tree.
+/// The sandbox must show a worker of this build, and the clean tree. At the level that shuts
+/// nothing off, submissions have the rights of whoever grades: never root's.
 Sandbox make_sandbox(const Options& options, const CleanTree& clean) {
   const View view{{clean.path() / "tree", clean.path() / "link"}, {}};
-  if (options.sandbox == "auto") return Sandbox::strongest(view);
-  return Sandbox::at(level_of(options.sandbox), view);
+  const Sandbox sandbox = options.sandbox == "auto" ? Sandbox::strongest(view)
+                                                    : Sandbox::at(level_of(options.sandbox), view);
+  if (sandbox.level() == Level::limits && ::geteuid() == 0) {
+    throw Error(
+        "at the sandbox level \"limits\" submissions would run as root: grade at a stronger level, "
+        "or as another user");
+  }
+  return sandbox;
 }
 
 std::string line_of(const Finished& finished) {

@@ -2,7 +2,23 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
 namespace carlo::grader {
+namespace {
+
+/// Distances from the nearer end of [0, 1], in order: the same for u and for 1 - u.
+std::vector<double> folded(std::vector<double> shares) {
+  for (double& share : shares)
+    share = std::min(share, 1 - share);
+  std::sort(shares.begin(), shares.end());
+  return shares;
+}
+
+}  // namespace
 
 Verdict draws(double words, double expected) {
   const Diagnosis floats{"uniform-float-drawn",
@@ -21,6 +37,27 @@ Verdict draws(double words, double expected) {
   }
   return holds("the numbers drawn (calls of rng.uniform())", words == 2 * expected, measured,
                fmt::format("{:g}", expected), diagnosis);
+}
+
+Verdict draws(const Rng& before, const NextWords& next, double expected) {
+  return draws(words_drawn(before, next, 4 * static_cast<std::int64_t>(expected) + 64), expected);
+}
+
+Verdict made_of(const std::string& what, std::vector<double> shares, Rng before) {
+  // Shares found back from points carry the points' rounding; floats are 3e-8 off.
+  constexpr double rounding = 1e-9;
+  std::vector<double> drawn(shares.size());
+  for (double& number : drawn)
+    number = before.uniform();
+  // NaN has no place in an order.
+  bool same = std::all_of(shares.begin(), shares.end(), [](double x) { return std::isfinite(x); });
+  if (same) {
+    shares = folded(std::move(shares));
+    drawn = folded(std::move(drawn));
+    for (std::size_t i = 0; i < shares.size(); ++i)
+      same = same && std::abs(shares[i] - drawn[i]) <= rounding;
+  }
+  return is_so(what, same, "somewhere else", "where the numbers of rng.uniform() put them");
 }
 
 }  // namespace carlo::grader

@@ -1,0 +1,63 @@
+#pragma once
+
+// What the checks of Labs 5.4 to 5.6, draws from tables, have in common.
+
+#include "05_inversion_rejection/inputs.h"
+#include "grader/judge/judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace lab05_tests {
+
+inline const carlo::grader::Diagnosis spent{
+    "u-used-twice",
+    "u has been spent on the choice: what is left of it is its place between the "
+    "two CDF entries, not u itself."};
+inline const carlo::grader::Diagnosis accepts_nonsense{
+    "bad-weights-accepted",
+    "weights that are no probabilities have to be refused with "
+    "carlo::Error."};
+inline const carlo::grader::Diagnosis no_width{
+    "probability-for-density",
+    "this is the probability of a bin or cell; its density is the probability "
+    "divided by its width or area."};
+inline const carlo::grader::Diagnosis slips{
+    "slips-into-the-neighbour",
+    "rounding carries some x over the edge into a bin of density 0: place and "
+    "look up bins with the functions of bins.h."};
+
+inline double number(std::size_t i) {
+  return static_cast<double>(i);
+}
+
+/// Where u belongs in a table of weights.
+struct Place {
+  double index, fraction, before;
+};
+
+inline Place place_of(double u, const std::vector<double>& cdf) {
+  const auto above = std::upper_bound(cdf.begin(), cdf.end(), u);
+  const double before = above == cdf.begin() ? 0 : *(above - 1);
+  return {number(static_cast<std::size_t>(above - cdf.begin())), (u - before) / (*above - before),
+          before};
+}
+
+/// Whether u is too near an edge for rounding to decide.
+inline bool near_edge(double u, const std::vector<double>& cdf) {
+  const auto above = std::lower_bound(cdf.begin(), cdf.end(), u - 1e-12);
+  return above != cdf.end() && std::abs(*above - u) <= 1e-12 && u < 1 - 1e-12;
+}
+
+inline void judge_refusal(const char* probe_name, const char* name, int kind) {
+  const carlo::grader::Rows rows =
+      carlo::grader::probe(probe_name, {.numbers = {{"kind", kind}}}, {});
+  const double answer = rows.at(0, 0);
+  carlo::grader::judge(carlo::grader::is_so(
+      name, answer == 1, answer == 0 ? "accepted" : "an exception of another kind", "carlo::Error",
+      {accepts_nonsense}));
+}
+
+}  // namespace lab05_tests
