@@ -19,6 +19,7 @@ carlo_find(pugixml libpugixml-dev)
 carlo_find(TBB libtbb-dev)
 carlo_find(hwy libhwy-dev)
 carlo_find(Boost libboost-math-dev)
+carlo_find(ZLIB zlib1g-dev)
 carlo_find(Catch2 "libcatch2-dev (from bookworm-backports)" 3)
 
 # Third-party headers are not ours to warn about.

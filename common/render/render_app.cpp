@@ -7,6 +7,7 @@
 #include "image/png.h"
 #include "render/driver.h"
 #include "render/error_map.h"
+#include "render/render_page.h"
 #include "render/report.h"
 #include "scene/load_scene.h"
 
@@ -20,6 +21,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace carlo {
@@ -33,6 +35,7 @@ struct Arguments {
   std::optional<std::uint32_t> spp;
   std::optional<double> seconds;
   std::optional<int> max_depth;
+  std::optional<std::string> page;
   std::uint64_t seed = 1;
   int threads = 0;
   bool quiet = false;
@@ -57,6 +60,9 @@ void add_common_options(CLI::App& app, Arguments& a) {
   app.add_option("-o,--output", a.output,
                  "base name of .png, .exr, .error.png and .json (default: out/SCENE)");
   app.add_option("--reference", a.reference, "EXR to measure the error against");
+  app.add_option("--page", a.page, "also a page to look at the image (default: out/SCENE.html)")
+      ->expected(0, 1)
+      ->type_name("[FILE.html]");
   app.add_flag("--quiet", a.quiet, "no progress bar, no report on stdout");
 }
 
@@ -116,6 +122,19 @@ fs::path with_suffix(const fs::path& stem, const char* suffix) {
   return fs::path(stem.string() + suffix);
 }
 
+/// `--page SCENE.xml` names the scene, not the page.
+void tell_page_from_scene(Arguments& a) {
+  if (!a.page || a.page->empty() || fs::path(*a.page).extension() == ".html") return;
+  if (!a.scene.empty()) throw Error("--page takes a file that ends in .html, got '{}'", *a.page);
+  a.scene = std::exchange(*a.page, "");
+}
+
+/// Where the page goes, if one is wanted.
+std::optional<fs::path> page_path(const Arguments& a, const fs::path& stem) {
+  if (!a.page) return std::nullopt;
+  return a.page->empty() ? with_suffix(stem, ".html") : fs::path(*a.page);
+}
+
 void write_outputs(const fs::path& stem, const RenderResult& result, const RenderReport& report) {
   const Image mean = result.film.mean();
   write_exr(with_suffix(stem, ".exr"), {mean,
@@ -129,7 +148,7 @@ void write_outputs(const fs::path& stem, const RenderResult& result, const Rende
   write_file(with_suffix(stem, ".json"), to_json(report));
 }
 
-int run(const Arguments& a, const IntegratorFactory& factory) {
+int run(const Arguments& a, const IntegratorFactory& factory, const std::string& command) {
   Scene scene = load_scene(a.scene, parse_definitions(a.definitions));
   apply(a, scene);
   const fs::path stem = output_stem(a);
@@ -137,6 +156,8 @@ int run(const Arguments& a, const IntegratorFactory& factory) {
   for (const char* suffix : {".exr", ".png", ".error.png", ".json"}) {
     const AtomicFile writable(with_suffix(stem, suffix));
   }
+  const std::optional<fs::path> page = page_path(a, stem);
+  if (page) const AtomicFile writable(*page);
   std::optional<ExrFile> reference;
   if (!a.reference.empty()) {
     reference = read_exr(a.reference);
@@ -156,12 +177,14 @@ int run(const Arguments& a, const IntegratorFactory& factory) {
   report.seed = a.seed;
   if (reference) report.reference = compare_with_reference(result, a.reference, *reference);
   write_outputs(stem, result, report);
+  if (page) write_render_page(*page, command, report, result.film, reference);
   if (!a.quiet) {
     fmt::print("{}", to_text(report));
     for (const std::string& note : scene.notes)
       fmt::print("  {:<16} {}\n", "note", note);
     fmt::print("  {:<16} {}.png, .exr (with standard errors), .error.png (noise map), .json\n",
                "written", stem.string());
+    if (page) fmt::print("  {:<16} {}\n", "page", page->string());
   }
   return result.interrupted ? 130 : 0;
 }
@@ -232,9 +255,10 @@ int render_app(int argc, char** argv, const IntegratorFactory& factory,
   add_common_options(app, arguments);
   if (add_options) add_options(app);
   if (const auto code = parse_arguments(app, argc, argv)) return *code;
+  tell_page_from_scene(arguments);
   if (arguments.scene.empty()) arguments.scene = arguments.default_scene;
   if (arguments.scene.empty()) throw Error("which scene? (see ./carlo render --help)");
-  return run(arguments, factory);
+  return run(arguments, factory, command_text(argc, argv));
 }
 
 }  // namespace carlo

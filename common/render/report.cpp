@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <utility>
 
 namespace carlo {
 namespace {
@@ -113,10 +114,10 @@ ReferenceReport compare_with_reference(const RenderResult& result, const std::st
   return report;
 }
 
-std::string to_text(const RenderReport& r) {
-  std::string text;
-  const auto line = [&text](const char* name, const std::string& value) {
-    text += fmt::format("  {:<16} {}\n", name, value);
+ReportLines to_lines(const RenderReport& r) {
+  ReportLines lines;
+  const auto line = [&lines](const char* name, std::string value) {
+    lines.emplace_back(name, std::move(value));
   };
   line("scene", r.scene);
   line("needs", r.needs);
@@ -149,6 +150,13 @@ std::string to_text(const RenderReport& r) {
     line("WARNING",
          fmt::format("{} samples were not finite or negative; they count as black", r.counts.bad));
   }
+  return lines;
+}
+
+std::string to_text(const RenderReport& r) {
+  std::string text;
+  for (const auto& [name, value] : to_lines(r))
+    text += fmt::format("  {:<16} {}\n", name, value);
   return text;
 }
 

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace carlo {
 
@@ -42,6 +44,10 @@ RenderReport make_report(const Scene& scene, const RenderResult& result);
 /// Compares with a reference; its standard error is used where the file has one.
 ReferenceReport compare_with_reference(const RenderResult& result, const std::string& path,
                                        const ExrFile& reference);
+
+/// The report for people: what each number is, and the number with its unit.
+using ReportLines = std::vector<std::pair<std::string, std::string>>;
+ReportLines to_lines(const RenderReport& report);
 
 std::string to_text(const RenderReport& report);
 std::string to_json(const RenderReport& report);

@@ -26,6 +26,17 @@ std::string machine_text() {
   return fmt::format("{}, {} thread{}", processor_name(), threads, threads == 1 ? "" : "s");
 }
 
+std::string instruction_sets_text() {
+#if defined(__x86_64__) || defined(__i386__)
+  std::string text = __builtin_cpu_supports("sse4.2") != 0 ? "SSE4.2" : "SSE2";
+  if (__builtin_cpu_supports("avx2") != 0) text += ", AVX2";
+  if (__builtin_cpu_supports("avx512f") != 0) text += ", AVX-512";
+  return text;
+#else
+  return "not an x86";
+#endif
+}
+
 std::string compiler_text() {
 #ifdef __clang__
   const std::string name =

@@ -251,6 +251,14 @@ void Page::raw_html(std::string_view html) {
   body_ += html;
 }
 
+void Page::style(std::string_view rules) {
+  styles_ += rules;
+}
+
+bool Page::once(std::string_view name) {
+  return added_.emplace(name).second;
+}
+
 void Page::script(std::string_view code) {
   scripts_.emplace_back(code);
 }
@@ -285,7 +293,7 @@ std::string Page::html() const {
 
   return filled(web::page_html(), {{"title", html_escaped(title_)},
                                    {"subtitle", html_escaped(subtitle_)},
-                                   {"css", std::string(web::page_css())},
+                                   {"css", std::string(web::page_css()) + styles_},
                                    {"contents", contents},
                                    {"body", sections_.empty() ? body_ : body_ + "</section>\n"},
                                    {"facts", facts},

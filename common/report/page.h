@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -67,9 +69,13 @@ class Page {
   /// One line of the page's foot: the command, the seed, the machine.
   void fact(std::string name, std::string value);
 
-  /// Trusted HTML and JavaScript for what this class cannot draw. Scripts run at the page's end.
+  /// Trusted HTML, CSS and JavaScript for what this class cannot draw. Scripts run at the page's
+  /// end.
   void raw_html(std::string_view html);
+  void style(std::string_view rules);
   void script(std::string_view code);
+  /// True the first time that it is asked for this name: what several parts of a page need, once.
+  bool once(std::string_view name);
 
   std::string html() const;
   /// Writes html(), making the folder if it is missing. Throws Error.
@@ -80,7 +86,8 @@ class Page {
 
   std::string title_, subtitle_;
   std::vector<std::string> sections_;
-  std::string body_;
+  std::string body_, styles_;
+  std::set<std::string, std::less<>> added_;
   nlohmann::json charts_ = nlohmann::json::array();
   std::vector<std::string> scripts_;
   std::vector<std::pair<std::string, std::string>> facts_;

@@ -8,6 +8,10 @@ namespace carlo::web {
 std::string_view page_html();
 std::string_view page_css();
 std::string_view charts_js();
+std::string_view viewer_html();
+std::string_view viewer_css();
+std::string_view viewer_pixels_js();
+std::string_view viewer_js();
 /// Chart.js 3.9 (MIT licence).
 std::string_view chart_library_js();
 

@@ -1,0 +1,99 @@
+#include "context.h"
+
+#include "cli/atomic_file.h"
+#include "cli/error.h"
+#include "render/interrupt.h"
+#include "render/render_app.h"
+#include "report/format.h"
+#include "report/machine.h"
+#include "report/stopwatch.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace bench {
+namespace {
+
+/// The parts' weights, summed: what progress() divides by.
+constexpr double all_weights = 100;
+
+}  // namespace
+
+Context::Context(const Options& options)
+    : options_(options),
+      page_("Speed against error",
+            options.full ? "All scenes, integrators and samplers; what each idea buys."
+                         : "A short run over the most telling scenes: ./carlo bench --full takes "
+                           "all of them, and more samples."),
+      bar_("measuring", true) {}
+
+void Context::begin(std::string_view title, double weight) {
+  done_ += weight_;
+  weight_ = weight;
+  page_.section(title);
+  progress(0);
+}
+
+void Context::progress(double fraction) {
+  if (carlo::interrupt_noted()) throw carlo::Error("interrupted; no page was written");
+  bar_.update(std::min((done_ + weight_ * fraction) / all_weights, 1.0));
+}
+
+void Context::table(const std::string& key, const carlo::Table& table, std::string_view caption) {
+  page_.table(table, caption);
+  results_[key] = table.json();
+  bar_.clear();
+  fmt::print("{}\n{}\n", caption, table.text());
+}
+
+void Context::write() {
+  bar_.clear();
+  double load[3] = {};
+  const bool known = getloadavg(load, 3) == 3;
+  const std::string load_text =
+      known ? fmt::format("{:.1f} in the last minute, {:.1f} in the last quarter of an hour",
+                          load[0], load[2])
+            : "not known";
+  const std::vector<std::pair<std::string, std::string>> facts = {
+      {"Command",
+       fmt::format("./carlo bench{} --seed {}", options_.full ? " --full" : "", options_.seed)},
+      {"Seed", std::to_string(options_.seed)},
+      {"Machine", carlo::machine_text()},
+      {"Vector instructions", carlo::instruction_sets_text()},
+      {"Compiler", carlo::compiler_text()},
+      {"Load", load_text}};
+  nlohmann::json about;
+  for (const auto& [name, value] : facts) {
+    page_.fact(name, value);
+    about[name] = value;
+  }
+  page_.write(options_.page);
+  const auto json = std::filesystem::path(options_.page).replace_extension(".json");
+  const nlohmann::json all = {{"about", about}, {"tables", results_}};
+  carlo::write_file(json, all.dump(2) + "\n");
+  fmt::print("written: {} and {}\n", options_.page.string(), json.string());
+}
+
+Spread spread(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return {values[values.size() / 2], values.front(), values.back()};
+}
+
+carlo::Cell spread_cell(const Spread& s) {
+  return {fmt::format("{} [{}, {}]", carlo::number_text(s.median, 3),
+                      carlo::number_text(s.least, 3), carlo::number_text(s.greatest, 3)),
+          s.median};
+}
+
+Rendered render_timed(const carlo::Integrator& integrator, const carlo::Scene& scene,
+                      std::uint32_t spp) {
+  const carlo::Stopwatch stopwatch;
+  carlo::RenderResult result =
+      carlo::render(integrator, scene.width, scene.height, carlo::radiance_scale(scene),
+                    {.spp = spp, .seconds = {}, .threads = 1, .progress = false});
+  return {std::move(result.film), stopwatch.seconds(), static_cast<double>(result.counts.paths)};
+}
+
+}  // namespace bench

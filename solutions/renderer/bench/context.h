@@ -1,0 +1,86 @@
+#pragma once
+
+#include "cli/progress.h"
+#include "render/driver.h"
+#include "report/page.h"
+#include "report/table.h"
+#include "scene/scene.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// `./carlo bench`: everything measured in one run, on one page.
+
+namespace bench {
+
+struct Options {
+  bool full = false;  ///< all scenes, larger films, more samples and runs
+  std::uint64_t seed = 1;
+  std::filesystem::path scenes, references, scratch;
+  std::filesystem::path integrators, generators;  ///< what the labs' programs wrote; may be empty
+  std::filesystem::path page;
+};
+
+/// What every part of the benchmark writes to: the page, and the same numbers as JSON.
+class Context {
+ public:
+  explicit Context(const Options& options);
+
+  const Options& options() const { return options_; }
+  carlo::Page& page() { return page_; }
+
+  /// Starts a part of the page; `weight` is the part's share of the run, roughly in seconds.
+  void begin(std::string_view title, double weight);
+  /// How much of the current part is done, in [0, 1]. Throws Error after Ctrl-C.
+  void progress(double fraction);
+  void table(const std::string& key, const carlo::Table& table, std::string_view caption);
+
+  /// Writes the page and, beside it, the JSON file.
+  void write();
+
+ private:
+  Options options_;
+  carlo::Page page_;
+  carlo::Progress bar_;
+  nlohmann::json results_ = nlohmann::json::object();
+  double done_ = 0, weight_ = 0;
+};
+
+/// Median, least and greatest of several runs.
+struct Spread {
+  double median = 0, least = 0, greatest = 0;
+};
+/// Of one value at least; of an even number the upper median.
+Spread spread(std::vector<double> values);
+/// "0.123 [0.12, 0.13]"; the median goes to machines.
+carlo::Cell spread_cell(const Spread& spread);
+
+/// One render on one thread.
+struct Rendered {
+  carlo::Film film;
+  double seconds;  ///< of one processor
+  double paths;
+};
+Rendered render_timed(const carlo::Integrator& integrator, const carlo::Scene& scene,
+                      std::uint32_t spp);
+
+/// The parts, in the page's order.
+void bench_scenes(Context& context);
+void bench_equal_time(Context& context);
+void bench_labs(Context& context);
+void bench_threads(Context& context);
+void bench_triangles(Context& context);
+void bench_lights(Context& context);
+void bench_depth(Context& context);
+void bench_needs(Context& context);
+
+/// Measures one mesh in a process of its own, and prints what bench_triangles() reads.
+void print_mesh_costs(const std::filesystem::path& scene);
+
+}  // namespace bench

@@ -1,0 +1,73 @@
+#include "methods.h"
+
+#include "cli/error.h"
+#include "renderer/path_integrator.h"
+#include "scene_renderer/lab_integrator.h"
+
+namespace bench {
+
+using carlo::SamplerKind;
+using carlo::Scene;
+
+std::string name(Method method) {
+  switch (method) {
+    case Method::recursive:
+      return "recursive (lab 8.4)";
+    case Method::iterative:
+      return "iterative (lab 8.8)";
+    case Method::scalar:
+      return "reference, scalar";
+    case Method::best:
+      return "reference, vector";
+  }
+  return "";
+}
+
+std::string name(SamplerKind sampler) {
+  switch (sampler) {
+    case SamplerKind::independent:
+      return "independent";
+    case SamplerKind::stratified:
+      return "stratified";
+    case SamplerKind::sobol:
+      return "Sobol'";
+  }
+  return "";
+}
+
+std::unique_ptr<carlo::Integrator> make_integrator(Method method, const Scene& scene,
+                                                   std::uint64_t seed, std::uint32_t spp) {
+  if (method == Method::recursive || method == Method::iterative) {
+    const auto lab =
+        method == Method::recursive ? lab08::Method::recursive : lab08::Method::iterative;
+    return lab08::make_lab_integrator(scene, {.method = lab, .seed = seed, .spp = spp});
+  }
+  const auto kernel = method == Method::scalar ? renderer::Kernel::scalar : renderer::Kernel::best;
+  return renderer::make_path_integrator(scene, {.seed = seed, .spp = spp, .kernel = kernel});
+}
+
+std::vector<Way> ways_for(const Scene& given) {
+  std::vector<Way> ways;
+  Scene scene = given;
+  for (const SamplerKind sampler :
+       {SamplerKind::independent, SamplerKind::stratified, SamplerKind::sobol}) {
+    scene.sampler = sampler;
+    for (const Method method :
+         {Method::recursive, Method::iterative, Method::scalar, Method::best}) {
+      if (method == Method::recursive && sampler != SamplerKind::independent) continue;
+      try {
+        const auto integrator = make_integrator(method, scene, 1, 64);
+        if (method == Method::best &&
+            integrator->name() == make_integrator(Method::scalar, scene, 1, 64)->name()) {
+          continue;
+        }
+        ways.push_back({method, sampler});
+      } catch (const carlo::Error&) {
+        continue;  // what the method does not take is no row of the table
+      }
+    }
+  }
+  return ways;
+}
+
+}  // namespace bench

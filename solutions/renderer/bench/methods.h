@@ -1,0 +1,35 @@
+#pragma once
+
+#include "render/integrator.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+/// The ways to render that the benchmark compares.
+enum class Method { recursive, iterative, scalar, best };
+
+std::string name(Method method);
+std::string name(carlo::SamplerKind sampler);
+
+/// One of them with a sampler.
+struct Way {
+  Method method;
+  carlo::SamplerKind sampler;
+  std::string label() const { return name(method) + ", " + name(sampler); }
+};
+
+/// Throws Error where the method does not take the scene. `scene` must outlive the integrator; its
+/// sampler is the way's.
+std::unique_ptr<carlo::Integrator> make_integrator(Method method, const carlo::Scene& scene,
+                                                   std::uint64_t seed, std::uint32_t spp);
+
+/// The ways that take the scene and differ: no "best" where that is the scalar one. The recursive
+/// tracer draws its own numbers, so it comes once.
+std::vector<Way> ways_for(const carlo::Scene& scene);
+
+}  // namespace bench

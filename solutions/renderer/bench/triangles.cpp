@@ -1,0 +1,189 @@
+#include "cli/error.h"
+#include "context.h"
+#include "geometry/embree.h"
+#include "mesh.h"
+#include "renderer/path_integrator.h"
+#include "report/format.h"
+#include "report/stopwatch.h"
+#include "scene/load_scene.h"
+
+#include <fmt/core.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <span>
+
+// What a mesh costs: memory beside Embree's own, the time to the first pixel, and the time a path.
+
+namespace bench {
+namespace {
+
+namespace fs = std::filesystem;
+using carlo::Error;
+using carlo::Scene;
+
+double resident_bytes() {
+  std::ifstream in("/proc/self/statm");
+  double pages = 0, resident = 0;
+  in >> pages >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+double peak_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+bool add_bytes(void* sum, ssize_t bytes, bool /*post*/) {
+  *static_cast<std::atomic<std::int64_t>*>(sum) += bytes;
+  return true;
+}
+
+/// What Embree alone holds for the scene's meshes: vertices, indices and its tree, built as ours
+/// is.
+double embree_bytes(const Scene& scene) {
+  std::atomic<std::int64_t> sum = 0;
+  RTCDevice device = rtcNewDevice(nullptr);
+  if (device == nullptr) throw Error("Embree did not start");
+  rtcSetDeviceMemoryMonitorFunction(device, add_bytes, &sum);
+  RTCScene embree = rtcNewScene(device);
+  rtcSetSceneFlags(embree, RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(embree, RTC_BUILD_QUALITY_HIGH);
+  for (const carlo::Shape& shape : scene.shapes) {
+    const auto* mesh = std::get_if<carlo::Mesh>(&shape.geometry);
+    if (mesh == nullptr) continue;
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    const auto fill = [&](RTCBufferType type, RTCFormat format, const auto& values) {
+      void* buffer =
+          rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(values[0]), values.size());
+      if (buffer == nullptr) throw Error("Embree is out of memory");
+      std::memcpy(buffer, values.data(), sizeof(values[0]) * values.size());
+    };
+    fill(RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh->positions);
+    fill(RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh->triangles);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(embree, geometry);
+    rtcReleaseGeometry(geometry);
+  }
+  rtcCommitScene(embree);
+  const auto bytes = static_cast<double>(sum.load());
+  rtcReleaseScene(embree);
+  rtcReleaseDevice(device);
+  return bytes;
+}
+
+struct Costs {
+  double ours, peak, embree;                  ///< bytes
+  double first_pixel, first_pixel_processor;  ///< seconds from the program's start
+  double path;                                ///< processor seconds
+};
+
+/// The same program again, so that one mesh's memory does not hide another's.
+Costs measure_apart(const fs::path& scene) {
+  const std::string command = fmt::format(
+      "'{}' --mesh-costs '{}'", fs::read_symlink("/proc/self/exe").string(), scene.string());
+  const std::unique_ptr<FILE, int (*)(FILE*)> child(popen(command.c_str(), "r"), pclose);
+  Costs c{};
+  if (!child || std::fscanf(child.get(), "%lf %lf %lf %lf %lf %lf", &c.ours, &c.peak, &c.embree,
+                            &c.first_pixel, &c.first_pixel_processor, &c.path) != 6) {
+    throw Error("the measurement of {} failed", scene.string());
+  }
+  return c;
+}
+
+carlo::Cell megabytes(double bytes) {
+  return {fmt::format("{} MB", carlo::number_text(bytes / 1e6, 3)), bytes};
+}
+
+template <class Member>
+Spread spread_of(const std::vector<Costs>& runs, Member member) {
+  std::vector<double> values;
+  for (const Costs& run : runs)
+    values.push_back(run.*member);
+  return spread(values);
+}
+
+}  // namespace
+
+void print_mesh_costs(const fs::path& path) {
+  const auto start = std::chrono::steady_clock::now();
+  const carlo::Stopwatch stopwatch;
+  const double before = resident_bytes();
+  const Scene scene = carlo::load_scene(path);
+  const auto integrator = renderer::make_path_integrator(scene, {.seed = 1, .spp = 1});
+  carlo::Tile tile{scene.width / 2, scene.height / 2, scene.width / 2 + 1, scene.height / 2 + 1};
+  tile.samples = 1;
+  std::array<std::array<double, 3>, 1> mean{};
+  carlo::Counts counts;
+  integrator->render(tile, mean, counts);
+  const double first =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double processor = stopwatch.seconds();
+  const double ours = resident_bytes() - before, peak = peak_bytes() - before;
+  const Rendered rendered = render_timed(*integrator, scene, 8);
+  fmt::print("{} {} {} {} {} {}\n", ours, peak, embree_bytes(scene), first, processor,
+             rendered.seconds / rendered.paths);
+}
+
+void bench_triangles(Context& context) {
+  context.begin("Scaling: triangles", 10);
+  context.page().prose(
+      "A ball of ever more triangles under a lamp. Memory is what the program grows by until its "
+      "first pixel, the peak what it had in between; Embree's own is a bare Embree scene of the "
+      "same triangles, its vertices and indices among it. Each row is measured in a program of "
+      "its own.");
+  const std::vector<int> sizes = {10, 100, 1000, 10'000, 100'000, 1'000'000};
+  const int runs = context.options().full ? 5 : 3;
+  fs::create_directories(context.options().scratch);
+  carlo::Table table({"triangles", "memory", "peak", "Embree's own", "ratio", "first pixel",
+                      "of processor", "processor time a path"},
+                     {"triangles", "bytes", "peak_bytes", "embree_bytes", "ratio", "first_pixel",
+                      "first_pixel_processor", "seconds_a_path"});
+  carlo::Series path{"a path", {}}, first{"first pixel", {}};
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    const fs::path scene = write_ball_scene(context.options().scratch, sizes[i]);
+    std::vector<Costs> all;
+    for (int run = 0; run < runs; ++run)
+      all.push_back(measure_apart(scene));
+    const double ours = spread_of(all, &Costs::ours).median;
+    const double embree = spread_of(all, &Costs::embree).median;
+    const double seconds = spread_of(all, &Costs::path).median;
+    const double processor = spread_of(all, &Costs::first_pixel_processor).median;
+    table.add_row({static_cast<std::int64_t>(sizes[i]),
+                   megabytes(ours),
+                   megabytes(spread_of(all, &Costs::peak).median),
+                   megabytes(embree),
+                   {carlo::number_text(ours / embree, 3), ours / embree},
+                   carlo::seconds_cell(spread_of(all, &Costs::first_pixel).median),
+                   carlo::seconds_cell(processor),
+                   carlo::seconds_cell(seconds)});
+    path.points.push_back({static_cast<double>(sizes[i]), seconds});
+    first.points.push_back({static_cast<double>(sizes[i]), processor});
+    context.progress(static_cast<double>(i + 1) / static_cast<double>(sizes.size()));
+  }
+  context.page().charts({{"Time a path",
+                          "one thread, scalar kernel, paths of four segments at most",
+                          {"triangles", carlo::Unit::count},
+                          {"processor seconds", carlo::Unit::seconds},
+                          {path}},
+                         {"Time to the first pixel",
+                          "reading the mesh, building the tree",
+                          {"triangles", carlo::Unit::count},
+                          {"processor seconds", carlo::Unit::seconds},
+                          {first}}});
+  context.table("triangles", table,
+                fmt::format("Medians of {} runs; of small meshes most memory is Embree's and the "
+                            "program's fixed part",
+                            runs));
+}
+
+}  // namespace bench
