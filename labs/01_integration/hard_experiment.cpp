@@ -73,6 +73,7 @@ struct Coverage {
 Coverage coverage(const Hard& hard, std::int64_t n, int repetitions, carlo::Rng& rng) {
   int held = 0;
   const auto start = std::chrono::steady_clock::now();
+  // slide: coverage
   for (int i = 0; i < repetitions; ++i) {
     const Integrand g = hard.make(rng);
     Moments values;
@@ -80,6 +81,7 @@ Coverage coverage(const Hard& hard, std::int64_t n, int repetitions, carlo::Rng&
       values.add(g.f(rng.uniform()));
     if (std::fabs(values.mean() - g.integral) <= 1.96 * values.standard_error()) ++held;
   }
+  // end slide
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   return {static_cast<double>(held) / repetitions, spent.count() / repetitions};
 }

@@ -73,6 +73,7 @@ Outcome low_bits_test(const Sample& sample) {
   return equidistribution(sample.words, 32 - sample.bits, 8);
 }
 
+// slide: correlation
 Outcome correlation_test(const Sample& sample) {
   const std::size_t n = sample.words.size();
   if (n < 1024) return std::nullopt;
@@ -85,6 +86,7 @@ Outcome correlation_test(const Sample& sample) {
   }
   return normal_result(12 * sum / std::sqrt(static_cast<double>(n - 1)));
 }
+// end slide
 
 Outcome serial_2d_test(const Sample& sample) {
   return serial(sample, 2, 8);
