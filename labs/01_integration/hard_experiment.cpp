@@ -79,7 +79,8 @@ Coverage coverage(const Hard& hard, std::int64_t n, int repetitions, carlo::Rng&
     Moments values;
     for (std::int64_t k = 0; k < n; ++k)
       values.add(g.f(rng.uniform()));
-    if (std::fabs(values.mean() - g.integral) <= 1.96 * values.standard_error()) ++held;
+    const double error = std::fabs(values.mean() - g.integral);
+    if (error <= 1.96 * values.standard_error()) ++held;
   }
   // end slide
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;

@@ -73,11 +73,11 @@ Outcome low_bits_test(const Sample& sample) {
   return equidistribution(sample.words, 32 - sample.bits, 8);
 }
 
-// slide: correlation
 Outcome correlation_test(const Sample& sample) {
   const std::size_t n = sample.words.size();
   if (n < 1024) return std::nullopt;
   const auto centred = [&](std::size_t i) { return sample.words[i] * 0x1p-32 - 0.5; };
+  // slide: correlation
   double sum = 0, before = centred(0);
   for (std::size_t i = 1; i < n; ++i) {
     const double now = centred(i);
@@ -85,8 +85,8 @@ Outcome correlation_test(const Sample& sample) {
     before = now;
   }
   return normal_result(12 * sum / std::sqrt(static_cast<double>(n - 1)));
+  // end slide
 }
-// end slide
 
 Outcome serial_2d_test(const Sample& sample) {
   return serial(sample, 2, 8);
