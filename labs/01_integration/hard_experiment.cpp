@@ -73,13 +73,16 @@ struct Coverage {
 Coverage coverage(const Hard& hard, std::int64_t n, int repetitions, carlo::Rng& rng) {
   int held = 0;
   const auto start = std::chrono::steady_clock::now();
+  // slide: coverage
   for (int i = 0; i < repetitions; ++i) {
     const Integrand g = hard.make(rng);
     Moments values;
     for (std::int64_t k = 0; k < n; ++k)
       values.add(g.f(rng.uniform()));
-    if (std::fabs(values.mean() - g.integral) <= 1.96 * values.standard_error()) ++held;
+    const double error = std::fabs(values.mean() - g.integral);
+    if (error <= 1.96 * values.standard_error()) ++held;
   }
+  // end slide
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   return {static_cast<double>(held) / repetitions, spent.count() / repetitions};
 }

@@ -82,6 +82,18 @@ carlo::Table steps_table(const std::vector<Step>& steps) {
   return table;
 }
 
+/// The first darts, for whoever wants to draw them.
+carlo::Table darts_table(carlo::Rng rng) {
+  constexpr int drawn = 600;
+  carlo::Table table({"x", "y", "dart"}, {"x", "y", "dart"});
+  for (int i = 0; i < drawn; ++i) {
+    const double x = rng.uniform();
+    const double y = rng.uniform();
+    table.add_row({x, y, std::hypot(x, y) < 1 ? "hit" : "miss"});
+  }
+  return table;
+}
+
 }  // namespace
 
 void board_experiment(Notebook& notebook) {
@@ -95,6 +107,7 @@ void board_experiment(Notebook& notebook) {
     notebook.table("darts", steps_table(steps), "One run: the estimate after N darts");
     notebook.raw_html(board_html());
     notebook.script(board_script(board_data(steps, rng)));
+    notebook.data("board", darts_table(rng), "The first 600 darts");
   });
 }
 

@@ -76,9 +76,11 @@ std::int64_t samples_needed(double deviation, double half_width, double z);
 
 /// Given, for Lab 2.5: word number i of the list of random words that belongs to `key`
 /// (splitmix64). A pure function: any word can be had without the ones before it.
+// slide: dart-word
 inline std::uint64_t dart_word(std::uint64_t key, std::int64_t i) {
   return carlo::mix(key + static_cast<std::uint64_t>(i) * 0x9E3779B97F4A7C15);
 }
+// end slide
 
 /// Lab 2.5. The hits among the n >= 0 darts number first, first + 1, ..., first + n - 1 of `key`;
 /// first >= 0. A word holds two darts: dart 2 i the low half of dart_word(key, i), dart 2 i + 1 the

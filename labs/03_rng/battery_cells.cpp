@@ -77,6 +77,7 @@ Outcome correlation_test(const Sample& sample) {
   const std::size_t n = sample.words.size();
   if (n < 1024) return std::nullopt;
   const auto centred = [&](std::size_t i) { return sample.words[i] * 0x1p-32 - 0.5; };
+  // slide: correlation
   double sum = 0, before = centred(0);
   for (std::size_t i = 1; i < n; ++i) {
     const double now = centred(i);
@@ -84,6 +85,7 @@ Outcome correlation_test(const Sample& sample) {
     before = now;
   }
   return normal_result(12 * sum / std::sqrt(static_cast<double>(n - 1)));
+  // end slide
 }
 
 Outcome serial_2d_test(const Sample& sample) {

@@ -176,14 +176,14 @@ carlo::Table short_table(const std::vector<RandomnessTest>& tests, const std::ve
 
 carlo::Table tails_table(const std::vector<RandomnessTest>& tests, const std::vector<Row>& rows) {
   carlo::Table table(
-      {"generator", "test", "numbers", "statistic", "lower tail", "upper tail", "verdict"},
-      {"generator", "test", "numbers", "statistic", "p_lower", "p_upper", "verdict"});
+      {"generator", "test", "numbers", "log2", "statistic", "lower tail", "upper tail", "verdict"},
+      {"generator", "test", "numbers", "log2", "statistic", "p_lower", "p_upper", "verdict"});
   for (const Row& row : rows) {
     for (std::size_t i = 0; i < tests.size(); ++i) {
       const Finding& f = row.findings[i];
       if (!f.judged) continue;
       table.add_row({row.generator->name, tests[i].name, std::int64_t{1} << f.log2_n,
-                     f.result.statistic, f.result.p_lower, f.result.p_upper,
+                     std::int64_t{f.log2_n}, f.result.statistic, f.result.p_lower, f.result.p_upper,
                      f.rejected ? "rejected" : "passed"});
     }
   }

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -50,6 +51,21 @@ Cloud corner_of_lcg(std::array<double, 3> normal) {
     cloud.points.push_back({x * 0x1p-25, y * 0x1p-25, z * 0x1p-25});
   }
   return cloud;
+}
+
+/// The first triples of a cloud, flattened: as the cube shows them from the front, and from the
+/// side from which its planes are lines.
+carlo::Table views_table(const Cloud& cloud) {
+  constexpr std::size_t drawn = 800;
+  const auto [a, b, c] = cloud.normal;
+  const double length = std::hypot(a, b, c), across = std::hypot(a, b);
+  carlo::Table table({"view", "across", "up"}, {"view", "across", "up"});
+  for (std::size_t i = 0; i < std::min(drawn, cloud.points.size()); ++i) {
+    const auto [x, y, z] = cloud.points[i];
+    table.add_row({"front", x, y});
+    table.add_row({"side", (a * x + b * y + c * z) / length, (b * x - a * y) / across});
+  }
+  return table;
 }
 
 struct Constants {
@@ -124,6 +140,7 @@ void planes_experiment(Notebook& notebook) {
                               carlo::cube_wires(), clouds};
   notebook.raw_html(turntable_html(cube));
   notebook.script(turntable_script(cube));
+  notebook.data("planes", views_table(clouds.front()), "RANDU from the front and along its planes");
   spectral_table(notebook);
 }
 

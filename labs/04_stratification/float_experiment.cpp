@@ -13,6 +13,7 @@ namespace {
 
 using Place = float (*)(std::int32_t i, std::int32_t n, float u);
 
+// slide: naive
 float naive(std::int32_t i, std::int32_t n, float u) {
   return (static_cast<float>(i) + u) / static_cast<float>(n);
 }
@@ -20,6 +21,7 @@ float naive(std::int32_t i, std::int32_t n, float u) {
 float clamped(std::int32_t i, std::int32_t n, float u) {
   return std::min(naive(i, n, u), 0x1.fffffep-1f);
 }
+// end slide
 
 struct Method {
   std::string name;

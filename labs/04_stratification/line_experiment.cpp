@@ -84,6 +84,7 @@ void line_experiment(Notebook& notebook) {
   notebook.table("line", measurement_table(curves_of(curves), 3), "Averages on [0, 1)");
   notebook.table("line_slopes", slope_table(curves), "Slope of log error, with 95 % interval");
   notebook.charts(error_charts("Averages on [0, 1)", "RMS error", curves_of(curves)));
+  notebook.data("line_all", measurement_table(curves_of(curves)), "All measurements");
 }
 
 }  // namespace lab04

@@ -43,6 +43,8 @@ void report(Notebook& notebook, const std::string& key, const Integrand& integra
                  fmt::format("{}: slope of log error, with 95 % interval", integrand.name));
   notebook.table(key, measurement_table(curves_of(found), 3), integrand.name);
   notebook.charts(error_charts(integrand.name, "RMS error", curves_of(found)));
+  notebook.data(key + "_all", measurement_table(curves_of(found)),
+                integrand.name + ": all measurements");
 }
 
 /// A count to two significant digits.
