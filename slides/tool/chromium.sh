@@ -1,0 +1,8 @@
+#!/usr/bin/env bash
+# Debian's Chromium with a profile of its own, no network chatter, and no sandbox of its own: that
+# one does not start for root.
+profile=$(mktemp -d)
+trap 'rm -rf "$profile"' EXIT
+chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run \
+  --disable-background-networking --disable-component-update --disable-sync \
+  "$@" --user-data-dir="$profile"

@@ -1,0 +1,214 @@
+// Definitions of figures and numbers (slides/figures/NN.json) and their data (slides/data/NN.json).
+
+import crypto from "node:crypto";
+import fs from "node:fs";
+import path from "node:path";
+
+import { programOf, spoken } from "./runs.mjs";
+
+export const plots = ["loglog", "lines", "points", "bars"];
+const kinds = [...plots, "image", "picture", "drawing", "functions"];
+const digits = 4; // of every number that is kept
+
+/** {figures: Map(id -> definition), numbers: Map("04.slope.jittered" -> definition)}. */
+export function readDefinitions(root, problems) {
+  const figures = new Map();
+  const numbers = new Map();
+  for (const [number, file, content] of jsonFiles(root, "figures", problems)) {
+    const command = (words) => (typeof words === "string" ? content.commands?.[words] : words);
+    for (const [id, given] of Object.entries(content.figures ?? {})) {
+      const figure = { ...given, id, number, file, command: command(given.command) };
+      figure.images = given.images?.map((image) => ({ ...image, command: command(image.command) }));
+      checkFigure(root, figure, problems);
+      figures.set(id, figure);
+    }
+    for (const [id, given] of Object.entries(content.numbers ?? {})) {
+      const wanted = { ...given, id, number, file, command: command(given.command) };
+      checkNumber(wanted, problems);
+      numbers.set(`${number}.${id}`, wanted);
+    }
+  }
+  return { figures, numbers };
+}
+
+function* jsonFiles(root, folder, problems) {
+  const absolute = path.join(root, "slides", folder);
+  if (!fs.existsSync(absolute)) return;
+  for (const entry of fs.readdirSync(absolute).sort()) {
+    const number = /^([0-9]{2})\.json$/.exec(entry)?.[1];
+    if (!number) continue;
+    const file = `slides/${folder}/${entry}`;
+    try {
+      yield [number, file, JSON.parse(fs.readFileSync(path.join(absolute, entry), "utf8"))];
+    } catch (error) {
+      problems.add(file, 0, `is no JSON: ${error.message}`);
+    }
+  }
+}
+
+function checkFigure(root, figure, problems) {
+  const wrong = (text) => problems.add(figure.file, 0, `figure "${figure.id}": ${text}`);
+  if (!figure.id.startsWith(`${figure.number}-`)) wrong(`its name must start with ${figure.number}-`);
+  if (!kinds.includes(figure.kind)) return wrong(`kind must be one of ${kinds.join(", ")}, got '${figure.kind}'`);
+  if (plots.includes(figure.kind) && !figure.series) {
+    for (const key of ["table", "x", "y"]) if (!figure[key]) wrong(`needs "${key}"`);
+  }
+  if (figure.kind === "picture" && !figure.alt) wrong('needs "alt": how the picture\'s description starts');
+  if (figure.kind === "functions" && !(figure.functions?.length && figure.x?.length === 2)) {
+    wrong('needs "x": [from, to] and "functions": [{"name", "js"}]');
+  }
+  if (figure.kind === "drawing" && !fs.existsSync(path.join(root, "slides/figures", figure.drawing ?? ""))) {
+    wrong(`"drawing" must name an SVG file of slides/figures, got '${figure.drawing}'`);
+  }
+  if (figure.kind === "image" && !figure.images?.length) wrong('needs "images": [{"command", "caption"}]');
+  for (const command of commandsOf(figure)) {
+    if (!programOf(command)) wrong(badCommand(command));
+  }
+  if ([...plots, "picture"].includes(figure.kind) && figure.command === undefined) wrong('needs "command"');
+}
+
+function checkNumber(wanted, problems) {
+  const wrong = (text) => problems.add(wanted.file, 0, `number "${wanted.id}": ${text}`);
+  if (!/^[a-z0-9.-]+$/.test(wanted.id)) wrong("its name has letters a to z, digits, dots and dashes only");
+  for (const key of ["table", "column"]) if (!wanted[key]) wrong(`needs "${key}"`);
+  if (!programOf(wanted.command)) wrong(badCommand(wanted.command));
+}
+
+const badCommand = (command) =>
+  `a command is ["lab", "4", "--solutions", ...] or ["render", ...], or the name of one under "commands", ` +
+  `got ${JSON.stringify(command)}`;
+
+/** The commands that a figure or number needs. */
+export const commandsOf = (wanted) =>
+  wanted.images ? wanted.images.map((image) => image.command) : wanted.command !== undefined ? [wanted.command] : [];
+
+/** What is kept changes with these; how it is drawn does not matter. */
+export function recipe(wanted) {
+  const { command, table, x, y, by, where, series, slopes, column } = wanted;
+  const text = JSON.stringify({ command, table, x, y, by, where, series, slopes, column });
+  return crypto.createHash("sha256").update(text).digest("hex").slice(0, 8);
+}
+
+const rounded = (value) => (typeof value === "number" ? Number(value.toPrecision(digits)) : value);
+
+function rowsOf(tables, { table, where }) {
+  if (!tables[table]) {
+    throw new Error(`the run has no table "${table}"; it has ${Object.keys(tables).join(", ")}`);
+  }
+  const wanted = Object.entries(where ?? {});
+  const rows = tables[table].filter((row) => wanted.every(([key, value]) => [value].flat().includes(row[key])));
+  if (rows.length === 0) throw new Error(`table "${table}" has no row where ${JSON.stringify(where)}`);
+  return rows;
+}
+
+function valueOf(row, column, table) {
+  if (!(column in row)) {
+    throw new Error(`table "${table}" has no column "${column}"; it has ${Object.keys(row).join(", ")}`);
+  }
+  return row[column];
+}
+
+/** A plot's points from a run's tables: [{name, points: [[x, y], ...], slope}]. Throws Error. */
+export function seriesOf(figure, tables) {
+  if (figure.series) {
+    return figure.series.flatMap((one) => seriesOf({ ...figure, ...one, series: undefined }, tables)
+      .map((found) => ({ ...found, name: one.name ?? found.name })));
+  }
+  const found = new Map();
+  for (const row of rowsOf(tables, figure)) {
+    const name = figure.by ? String(valueOf(row, figure.by, figure.table)) : "";
+    if (!found.has(name)) found.set(name, []);
+    found.get(name).push([figure.x, figure.y].map((key) => rounded(valueOf(row, key, figure.table))));
+  }
+  return [...found].map(([name, points]) => {
+    if (!points.some(([, y]) => Number.isFinite(y))) throw new Error(`"${figure.y}" of "${name}" is never a number`);
+    return { name, points, ...slopeOf(figure, name, tables) };
+  });
+}
+
+function slopeOf({ slopes, by, where }, name, tables) {
+  if (!slopes) return {};
+  const row = rowsOf(tables, { table: slopes.table, where: by ? { [by]: name } : where })[0];
+  return { slope: rounded(valueOf(row, slopes.column, slopes.table)) };
+}
+
+/** A number from a run's tables. Throws Error. */
+export function numberOf(wanted, tables) {
+  const rows = rowsOf(tables, wanted);
+  if (rows.length !== 1) {
+    throw new Error(`table "${wanted.table}" has ${rows.length} rows where ${JSON.stringify(wanted.where)}, expected one`);
+  }
+  const value = valueOf(rows[0], wanted.column, wanted.table);
+  if (!Number.isFinite(value)) throw new Error(`column "${wanted.column}" is ${JSON.stringify(value)}, expected a number`);
+  return rounded(value);
+}
+
+/** Number of a slide's text: three digits unless "digits" says otherwise; "format": "percent". */
+export function numberText(wanted, value) {
+  const scaled = wanted.format === "percent" ? 100 * value : value;
+  let text = scaled.toPrecision(wanted.digits ?? 3);
+  if (text.includes("e")) {
+    const size = Math.abs(scaled);
+    if (size >= 1e-3 && size < 1e15) text = String(Number(text));
+  }
+  const thousands = /^-?[0-9]{5,}$/.test(text) ? text.replace(/\B(?=([0-9]{3})+$)/g, "\u202f") : text;
+  return thousands.replace("-", "−") + (wanted.format === "percent" ? " %" : "");
+}
+
+/** {figures: {id: {recipe, series}}, numbers: {id: {recipe, value}}} of all decks, by deck number. */
+export function readData(root, problems) {
+  const data = new Map();
+  for (const [number, file, content] of jsonFiles(root, "data", problems)) data.set(number, { file, ...content });
+  return data;
+}
+
+/** Runs the commands of these decks' numbers again and writes slides/data/NN.json. */
+export function remake(root, definitions, runs, numbers, say) {
+  const wantedBy = new Map();
+  const add = (wanted, group) => {
+    if (!numbers.includes(wanted.number)) return;
+    if (!wantedBy.has(wanted.number)) wantedBy.set(wanted.number, { figures: [], numbers: [] });
+    wantedBy.get(wanted.number)[group].push(wanted);
+  };
+  for (const figure of definitions.figures.values()) if (plots.includes(figure.kind)) add(figure, "figures");
+  for (const wanted of definitions.numbers.values()) add(wanted, "numbers");
+  const done = new Set();
+  const tables = (wanted) => {
+    const fresh = !done.has(spoken(wanted.command));
+    if (fresh) say(spoken(wanted.command));
+    done.add(spoken(wanted.command));
+    return runs.tables(wanted.command, { fresh });
+  };
+  for (const [number, wanted] of wantedBy) {
+    const data = { figures: {}, numbers: {} };
+    for (const figure of wanted.figures) {
+      data.figures[figure.id] = { recipe: recipe(figure), series: extracted(figure, () => seriesOf(figure, tables(figure))) };
+    }
+    for (const one of wanted.numbers) {
+      data.numbers[one.id] = { recipe: recipe(one), value: extracted(one, () => numberOf(one, tables(one))) };
+    }
+    fs.mkdirSync(path.join(root, "slides/data"), { recursive: true });
+    fs.writeFileSync(path.join(root, `slides/data/${number}.json`), pretty(data));
+  }
+}
+
+/** work(), with the figure's or number's name in its errors. */
+function extracted(wanted, work) {
+  try {
+    return work();
+  } catch (error) {
+    error.message = `${wanted.file}: "${wanted.id}": ${error.message}`;
+    throw error;
+  }
+}
+
+/** JSON with a line for each series and number, so that a diff shows which has changed. */
+function pretty(data) {
+  const object = (entries, indent) => entries.length === 0 ? "{}"
+    : `{\n${entries.map(([key, text]) => `${indent}  ${JSON.stringify(key)}: ${text}`).join(",\n")}\n${indent}}`;
+  const figures = Object.entries(data.figures).map(([id, { recipe, series }]) => [id,
+    `{\n      "recipe": "${recipe}",\n      "series": [\n        ` +
+    `${series.map((one) => JSON.stringify(one)).join(",\n        ")}\n      ]\n    }`]);
+  const numbers = Object.entries(data.numbers).map(([id, one]) => [id, JSON.stringify(one)]);
+  return object([["figures", object(figures, "  ")], ["numbers", object(numbers, "  ")]], "") + "\n";
+}

@@ -1,0 +1,65 @@
+// Measures in Chromium whether everything stays inside its slide.
+
+import { createRequire } from "node:module";
+import fs from "node:fs";
+import path from "node:path";
+import { pathToFileURL } from "node:url";
+
+/** Adds a problem for each slide of out/slides/DECK.html from which something sticks out. */
+export async function checkOverflow(decks, book, out, problems) {
+  const require = createRequire(path.join(book.root, "build/slides/package.json"));
+  const puppeteer = require("puppeteer-core");
+  const browser = await puppeteer.launch({ executablePath: path.join(book.root, "slides/tool/chromium.sh"), args: [] });
+  try {
+    const page = await browser.newPage();
+    await page.setViewport({ width: 1280, height: 720 });
+    for (const deck of decks) {
+      await page.goto(pathToFileURL(path.join(out, `${deck.name}.html`)).href, { waitUntil: "load" });
+      const found = await page.evaluate(measure);
+      if (found.length !== deck.slides.length) {
+        problems.add(deck.file, 0, `${found.length} slides could be measured, expected ${deck.slides.length}`);
+      }
+      found.forEach(({ over, what }, index) => {
+        const slide = deck.slides[index];
+        if (what) problems.add(deck.file, slide.line, `slide ${slide.place}, "${slide.title}": ${what} sticks out by ${over} px`);
+      });
+    }
+  } finally {
+    await browser.close();
+  }
+}
+
+/** Runs in the page. By how much, in a slide's own pixels, which child leaves the space inside the padding. */
+function measure() {
+  const sections = [...document.querySelectorAll("section[data-marpit-pagination]")];
+  // Only the current slide is laid out; the others are measured as it would be.
+  const style = document.createElement("style");
+  style.textContent = "svg[data-marpit-svg]{visibility:visible!important;display:block!important;content-visibility:visible!important}";
+  document.head.append(style);
+  return sections.map((section) => {
+    const box = section.getBoundingClientRect();
+    const scale = box.width / section.offsetWidth;
+    const css = getComputedStyle(section);
+    const inside = {
+      left: box.left + parseFloat(css.paddingLeft) * scale, right: box.right - parseFloat(css.paddingRight) * scale,
+      top: box.top + parseFloat(css.paddingTop) * scale, bottom: box.bottom - parseFloat(css.paddingBottom) * scale };
+    let worst = { over: 0, what: "" };
+    const note = (over, what) => {
+      if (over > worst.over) worst = { over: Math.round(over), what };
+    };
+    note(section.scrollHeight - section.clientHeight, "something");
+    note(section.scrollWidth - section.clientWidth, "something");
+    for (const element of section.querySelectorAll("*")) {
+      if (element.closest("footer, header") || (element.ownerSVGElement && !element.matches("foreignObject *"))) continue;
+      if (element.closest("mjx-assistive-mml")) continue;
+      const place = element.getBoundingClientRect();
+      if (!place.width || !place.height) continue;
+      const over = Math.max(inside.left - place.left, place.right - inside.right, inside.top - place.top, place.bottom - inside.bottom) / scale;
+      if (over > 3) note(over, `<${element.tagName.toLowerCase()}> "${element.textContent.trim().slice(0, 40)}"`);
+      if (element.scrollWidth > element.clientWidth + 2 && element.clientWidth && getComputedStyle(element).overflowX !== "visible") {
+        note(element.scrollWidth - element.clientWidth, `<${element.tagName.toLowerCase()}> "${element.textContent.trim().slice(0, 40)}"`);
+      }
+    }
+    return worst;
+  });
+}

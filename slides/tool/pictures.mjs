@@ -1,0 +1,71 @@
+// Figures that are pictures: renders, pictures of a lab's page, drawings by hand.
+
+import fs from "node:fs";
+import path from "node:path";
+
+import { UserError } from "./problems.mjs";
+import { escaped, functionsSvg, plotSvg } from "./plot.mjs";
+import { plots } from "./figures.mjs";
+
+/** The figure as one line of HTML. `data`: what slides/data/NN.json keeps of it. */
+export function figureHtml(root, figure, alt, data, runs) {
+  const body = bodyOf(root, figure, data, runs).replaceAll("\n", " ");
+  return `<figure class="${figure.kind}" aria-label="${escaped(alt)}">${body}</figure>`;
+}
+
+function bodyOf(root, figure, data, runs) {
+  if (plots.includes(figure.kind)) return plotSvg(figure, structuredClone(data.series));
+  if (figure.kind === "functions") return functionsSvg(figure);
+  if (figure.kind === "drawing") return drawing(path.join(root, "slides/figures", figure.drawing));
+  const tiles = figure.kind === "image" ? renders(figure, runs) : pictures(figure, runs);
+  return `<div class="row">${tiles.join("")}</div>`;
+}
+
+const tile = (picture, caption) =>
+  `<div class="tile">${picture}${caption ? `<div class="caption">${escaped(caption)}</div>` : ""}</div>`;
+
+const drawing = (file) => fs.readFileSync(file, "utf8").replace(/<\?xml[^>]*>/, "").replaceAll(/<!--[\s\S]*?-->/g, "").trim();
+
+function renders(figure, runs) {
+  return figure.images.map(({ command, caption, crop }) => {
+    const png = runs.image(command);
+    const [width, height] = [png.readUInt32BE(16), png.readUInt32BE(20)];
+    const box = crop ?? [0, 0, width, height];
+    return tile(`<svg class="pixels" viewBox="${box.join(" ")}"><image width="${width}" height="${height}" ` +
+      `${figure.pixelated ? 'style="image-rendering:pixelated" ' : ""}href="data:image/png;base64,${png.toString("base64")}"/></svg>`, caption);
+  });
+}
+
+/** The figures of a lab's page whose descriptions start with one of figure.alt. */
+function pictures(figure, runs) {
+  const page = runs.page(figure.command);
+  const style = [...page.matchAll(/^\.tiles ([^{]+\{[^}]*\})/gm)].map((match) => match[1]).join(" ");
+  return [figure.alt].flat().map((alt, index) => {
+    const picture = pictureOf(page, alt);
+    if (!picture) throw new UserError(`${figure.file}: "${figure.id}": the lab's page has no picture whose description starts with "${alt}"`);
+    const caption = figure.captions ? figure.captions[index] : picture.caption;
+    if (!picture.svg) return tile(`<img ${figure.pixelated ? 'style="image-rendering:pixelated" ' : ""}src="${picture.source}">`, caption);
+    const text = picture.svg.replace(/<svg /, '<svg xmlns="http://www.w3.org/2000/svg" ').replace(/>/, `><style>${colours}${style}</style>`);
+    const box = /viewBox="([^"]+)"/.exec(picture.svg)[1].split(" ");
+    return tile(`<svg viewBox="${box.join(" ")}"><image x="${box[0]}" y="${box[1]}" width="${box[2]}" height="${box[3]}" ` +
+      `href="data:image/svg+xml;base64,${Buffer.from(text).toString("base64")}"/></svg>`, caption);
+  });
+}
+
+// The light colours of common/report/web/page.css.
+const colours = "svg{--paper:#fff;--panel:#f7f8fa;--ink:#1b1f24;--soft:#59636e;--rule:#d9dee4;--grid:#e6e9ee;--accent:#0072b2;" +
+  "--series-1:#0072b2;--series-2:#d55e00;--series-3:#009e73;--series-4:#cc79a7;--series-5:#b87a00;--series-6:#3a9bd6;" +
+  "--series-7:#6b7280;--series-8:#111;font-family:'DejaVu Sans',sans-serif;font-size:16px}";
+
+/** {svg or source, caption} of the first picture of a page whose description starts with `alt`. */
+export function pictureOf(page, alt) {
+  for (const [, inside] of page.matchAll(/<figure>([\s\S]*?)<\/figure>/g)) {
+    const description = /(?:aria-label|alt)="([^"]*)"/.exec(inside)?.[1];
+    const plain = description?.replaceAll("&#39;", "'").replaceAll("&quot;", '"').replaceAll("&lt;", "<").replaceAll("&gt;", ">").replaceAll("&amp;", "&");
+    if (!plain?.startsWith(alt)) continue;
+    const svg = /<svg[\s\S]*<\/svg>/.exec(inside)?.[0];
+    const source = /<img[^>]*src="([^"]*)"/.exec(inside)?.[1];
+    if (svg || source) return { svg, source, caption: plain };
+  }
+  return null;
+}

@@ -1,0 +1,71 @@
+// Runs the commands behind figures and numbers, and keeps what they wrote in build/slides/runs.
+
+import { spawnSync } from "node:child_process";
+import crypto from "node:crypto";
+import fs from "node:fs";
+import path from "node:path";
+
+import { UserError } from "./problems.mjs";
+
+/** ["lab", "4", "--quick"] -> the program that ./carlo would start, or null where it knows none. */
+export function programOf(command) {
+  if (!Array.isArray(command) || !command.every((word) => typeof word === "string")) return null;
+  if (command[0] === "render") return "carlo_render";
+  if (command[0] === "lab" && /^[1-9][0-9]?$/.test(command[1] ?? "") && command[2] === "--solutions") {
+    return `lab${command[1].padStart(2, "0")}_solution`;
+  }
+  return null;
+}
+
+/** As a person would type it. */
+export const spoken = (command) => `./carlo ${command.join(" ")}`;
+
+export class Runs {
+  constructor(root, programs) {
+    this.root = root;
+    this.programs = programs; // the folder of the built programs
+    this.folder = path.join(root, "build/slides/runs");
+  }
+
+  /** The lab's tables. `fresh` runs it even if its answer is kept. */
+  tables(command, options = {}) {
+    const file = this.#kept(command, "json", options, (base) => [
+      ...command.slice(3), "--json", `${base}.json`, "--page", `${base}.html`]);
+    return JSON.parse(fs.readFileSync(file, "utf8")).tables;
+  }
+
+  /** The lab's page, as HTML. */
+  page(command, options = {}) {
+    const file = this.#kept(command, "html", options, (base) => [
+      ...command.slice(3), "--json", `${base}.json`, "--page", `${base}.html`]);
+    return fs.readFileSync(file, "utf8");
+  }
+
+  /** The rendered PNG. */
+  image(command, options = {}) {
+    const file = this.#kept(command, "png", options, (base) => [
+      ...command.slice(1), "--quiet", "-o", base]);
+    return fs.readFileSync(file);
+  }
+
+  /** Runs the command unless its answer is younger than its program; returns the answer's file. */
+  #kept(command, extension, { fresh = false }, argumentsFor) {
+    const program = path.join(this.programs, programOf(command));
+    if (!fs.existsSync(program)) throw new UserError(`${program} is not built`);
+    const key = crypto.createHash("sha256").update(JSON.stringify(command)).digest("hex").slice(0, 16);
+    const base = path.join(this.folder, key);
+    const file = `${base}.${extension}`;
+    const upToDate = !fresh && fs.existsSync(file) && fs.statSync(file).mtimeMs > fs.statSync(program).mtimeMs;
+    if (upToDate) return file;
+    fs.mkdirSync(this.folder, { recursive: true });
+    const { status, signal, stdout, stderr, error } = spawnSync(program, argumentsFor(base), {
+      cwd: this.root, encoding: "utf8", maxBuffer: 1 << 26, stdio: ["ignore", "pipe", "pipe"] });
+    if (error) throw new UserError(`${spoken(command)}: ${error.message}`);
+    if (status !== 0) {
+      const said = (stderr.trim() || stdout.trim()).split("\n").at(-1);
+      throw new UserError(`${spoken(command)} failed (${signal ?? `exit code ${status}`}): ${said}`);
+    }
+    if (!fs.existsSync(file)) throw new UserError(`${spoken(command)} wrote no ${extension} file`);
+    return file;
+  }
+}
