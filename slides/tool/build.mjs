@@ -6,6 +6,7 @@ import path from "node:path";
 
 import { escaped } from "./plot.mjs";
 import { UserError } from "./problems.mjs";
+import { writeTheme } from "./theme.mjs";
 import { marpMarkdown } from "./transform.mjs";
 
 /** Writes `decks` as Markdown for Marp; returns the folder. */
@@ -33,6 +34,7 @@ function marp(book, folder, out, options) {
 /** HTML of `decks` in out/slides. Wrong mathematics is an error. */
 export function buildHtml(decks, book, out) {
   fs.mkdirSync(out, { recursive: true });
+  writeTheme(book.root);
   marp(book, writeMarkdown(decks, book, false), out, []);
   for (const deck of decks) checkHtml(deck, path.join(out, `${deck.name}.html`));
   writeIndex(book, out);

@@ -4,6 +4,7 @@ import crypto from "node:crypto";
 import fs from "node:fs";
 import path from "node:path";
 
+import { UserError } from "./problems.mjs";
 import { programOf, spoken } from "./runs.mjs";
 
 export const plots = ["loglog", "lines", "points", "bars"];
@@ -93,22 +94,22 @@ const rounded = (value) => (typeof value === "number" ? Number(value.toPrecision
 
 function rowsOf(tables, { table, where }) {
   if (!tables[table]) {
-    throw new Error(`the run has no table "${table}"; it has ${Object.keys(tables).join(", ")}`);
+    throw new UserError(`the run has no table "${table}"; it has ${Object.keys(tables).join(", ")}`);
   }
   const wanted = Object.entries(where ?? {});
   const rows = tables[table].filter((row) => wanted.every(([key, value]) => [value].flat().includes(row[key])));
-  if (rows.length === 0) throw new Error(`table "${table}" has no row where ${JSON.stringify(where)}`);
+  if (rows.length === 0) throw new UserError(`table "${table}" has no row where ${JSON.stringify(where)}`);
   return rows;
 }
 
 function valueOf(row, column, table) {
   if (!(column in row)) {
-    throw new Error(`table "${table}" has no column "${column}"; it has ${Object.keys(row).join(", ")}`);
+    throw new UserError(`table "${table}" has no column "${column}"; it has ${Object.keys(row).join(", ")}`);
   }
   return row[column];
 }
 
-/** A plot's points from a run's tables: [{name, points: [[x, y], ...], slope}]. Throws Error. */
+/** A plot's points from a run's tables: [{name, points: [[x, y], ...], slope}]. Throws UserError. */
 export function seriesOf(figure, tables) {
   if (figure.series) {
     return figure.series.flatMap((one) => seriesOf({ ...figure, ...one, series: undefined }, tables)
@@ -121,25 +122,25 @@ export function seriesOf(figure, tables) {
     found.get(name).push([figure.x, figure.y].map((key) => rounded(valueOf(row, key, figure.table))));
   }
   return [...found].map(([name, points]) => {
-    if (!points.some(([, y]) => Number.isFinite(y))) throw new Error(`"${figure.y}" of "${name}" is never a number`);
+    if (!points.some(([, y]) => Number.isFinite(y))) throw new UserError(`"${figure.y}" of "${name}" is never a number`);
     return { name, points, ...slopeOf(figure, name, tables) };
   });
 }
 
 function slopeOf({ slopes, by, where }, name, tables) {
   if (!slopes) return {};
-  const row = rowsOf(tables, { table: slopes.table, where: by ? { [by]: name } : where })[0];
+  const row = rowsOf(tables, { table: slopes.table, where: by ? { [slopes.key ?? by]: name } : where })[0];
   return { slope: rounded(valueOf(row, slopes.column, slopes.table)) };
 }
 
-/** A number from a run's tables. Throws Error. */
+/** A number from a run's tables. Throws UserError. */
 export function numberOf(wanted, tables) {
   const rows = rowsOf(tables, wanted);
   if (rows.length !== 1) {
-    throw new Error(`table "${wanted.table}" has ${rows.length} rows where ${JSON.stringify(wanted.where)}, expected one`);
+    throw new UserError(`table "${wanted.table}" has ${rows.length} rows where ${JSON.stringify(wanted.where)}, expected one`);
   }
   const value = valueOf(rows[0], wanted.column, wanted.table);
-  if (!Number.isFinite(value)) throw new Error(`column "${wanted.column}" is ${JSON.stringify(value)}, expected a number`);
+  if (!Number.isFinite(value)) throw new UserError(`column "${wanted.column}" is ${JSON.stringify(value)}, expected a number`);
   return rounded(value);
 }
 
@@ -197,7 +198,7 @@ function extracted(wanted, work) {
   try {
     return work();
   } catch (error) {
-    error.message = `${wanted.file}: "${wanted.id}": ${error.message}`;
+    if (error instanceof UserError) error.message = `${wanted.file}: "${wanted.id}": ${error.message}`;
     throw error;
   }
 }

@@ -1,8 +1,8 @@
-// Nothing from the network: emoji stay text, no fonts are fetched.
+// Nothing from the network: emoji stay text, the theme holds its fonts.
 import { fileURLToPath } from "node:url";
 
 export default {
   html: true,
-  themeSet: fileURLToPath(new URL("../theme.css", import.meta.url)),
+  themeSet: fileURLToPath(new URL("../../build/slides/theme.css", import.meta.url)),
   options: { emoji: { shortcode: false, unicode: false } },
 };

@@ -2,6 +2,7 @@
 
 import { numberOf, plots, seriesOf } from "./figures.mjs";
 import { pictureOf } from "./pictures.mjs";
+import { UserError } from "./problems.mjs";
 
 export function runCommands(book, numbers, problems) {
   for (const wanted of [...book.definitions.figures.values(), ...book.definitions.numbers.values()]) {
@@ -9,6 +10,7 @@ export function runCommands(book, numbers, problems) {
     try {
       runOne(wanted, book.runs);
     } catch (error) {
+      if (!(error instanceof UserError)) throw error;
       problems.add(wanted.file, 0, `"${wanted.id}": ${error.message}`);
     }
   }
@@ -20,7 +22,7 @@ function runOne(wanted, runs) {
   } else if (wanted.kind === "picture") {
     const page = runs.page(quick(wanted.command));
     const missing = [wanted.alt].flat().find((alt) => !pictureOf(page, alt));
-    if (missing) throw new Error(`the lab's page has no picture whose description starts with "${missing}"`);
+    if (missing) throw new UserError(`the lab's page has no picture whose description starts with "${missing}"`);
   } else if (plots.includes(wanted.kind)) {
     seriesOf(wanted, runs.tables(quick(wanted.command)));
   } else if (!wanted.kind) {

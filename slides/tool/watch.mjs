@@ -4,11 +4,14 @@ import { spawn } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
 
+import { writeTheme } from "./theme.mjs";
+
 const period = 400; // milliseconds; polling works on every file system
 
 /** `transform()` writes the decks' Markdown into `folder`. Never returns. */
 export async function watch(root, folder, out, transform) {
   let last = newest(path.join(root, "slides"));
+  writeTheme(root);
   transform();
   const program = path.join(root, "build/slides/node_modules/@marp-team/marp-cli/marp-cli.js");
   const marp = spawn(process.execPath, [program, "--config-file", path.join(root, "slides/tool/marp.config.mjs"),
