@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 
 namespace bench {
@@ -46,6 +47,7 @@ void Context::table(const std::string& key, const carlo::Table& table, std::stri
   results_[key] = table.json();
   bar_.clear();
   fmt::print("{}\n{}\n", caption, table.text());
+  std::fflush(stdout);
 }
 
 void Context::write() {
