@@ -103,7 +103,7 @@ DomainRecord domain_record(const DomainCase& of, std::int64_t n, const std::stri
 /// How many of the points lie in the domain, and the sums of f there and of its square.
 struct DomainSums {
   double accepted = 0;
-  long double sum = 0, squares = 0;
+  long double sum = 0, of_squares = 0;
 };
 
 DomainSums sums_of(const DomainCase& of, const Points& points) {
@@ -113,7 +113,7 @@ DomainSums sums_of(const DomainCase& of, const Points& points) {
     const long double y = evaluate(of.integrand, points.at(i));
     sums.accepted += 1;
     sums.sum += y;
-    sums.squares += y * y;
+    sums.of_squares += y * y;
   }
   return sums;
 }
@@ -168,7 +168,7 @@ TEST_CASE("Lab 1.7: the value comes from all n points, those outside count as 0"
     judge(equals("the value against the values of f at the points", record.value, expected,
                  1e-12 * expected,
                  {{expected * 4096 / sums.accepted, by_accepted}, {mean, volume_missing}}));
-    const long double spread = sums.squares - sums.sum * sums.sum / 4096;
+    const long double spread = sums.of_squares - sums.sum * sums.sum / 4096;
     const double error = of.volume() * std::sqrt(static_cast<double>(spread / 4095 / 4096));
     judge(equals("the standard error against the values of f at the points", record.error, error,
                  1e-10 * error,

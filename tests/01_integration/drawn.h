@@ -24,8 +24,9 @@ inline DrawnList drawn_list(std::uint64_t seed, std::int64_t n) {
   DrawnList list;
   list.cut = static_cast<std::size_t>(rng.uniform() * static_cast<double>(n));
   for (std::int64_t i = 0; i < n; ++i) {
-    const double x = rng.uniform();
-    list.numbers.push_back(10 * x * rng.uniform());
+    double x = 10 * rng.uniform();
+    x *= rng.uniform();
+    list.numbers.push_back(x);
   }
   return list;
 }
