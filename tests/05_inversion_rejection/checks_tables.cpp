@@ -70,9 +70,8 @@ struct Place {
   double index, fraction, before;
 };
 Place place_of(double u, const std::vector<double>& cdf) {
-  std::size_t i = 0;
-  while (!(cdf[i] > u))
-    ++i;
+  const auto i =
+      static_cast<std::size_t>(std::upper_bound(cdf.begin(), cdf.end(), u) - cdf.begin());
   const double before = i == 0 ? 0 : cdf[i - 1];
   return {number(i), (u - before) / (cdf[i] - before), before};
 }
