@@ -8,6 +8,7 @@
 #include "course/hints.h"
 #include "course/status.h"
 #include "course/verdicts.h"
+#include "course/watch/watch.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -29,6 +30,7 @@ struct Options {
   bool all = false, json = false, next = false;
   std::string file;          ///< keep: the judge's verdicts; explain: the build's log
   std::size_t messages = 3;  ///< explain
+  WatchOptions watch;
 
   fs::path labs() const { return root / "labs"; }
   fs::path state(const char* name) const { return root / ".carlo" / name; }
@@ -111,12 +113,21 @@ int main(int argc, char** argv) {
     CLI::App* explainer = verb("explain", "what a build's log says, the student's file first");
     explainer->add_option("log", options.file, "the log")->required();
     explainer->add_option("--messages", options.messages, "how many")->capture_default_str();
+    CLI::App* watcher = verb("watch", "judge an exercise whenever its file is saved");
+    watcher->add_option("lab", options.watch.lab, "which lab (default: that of what is next)");
+    watcher->add_option("--build", options.watch.build, "where ninja builds")->required();
+    watcher->add_flag("--poll", options.watch.look,
+                      "look at the files, where the system does not tell of changes");
     if (const auto code = parse_arguments(app, argc, argv)) return *code;
 
     if (hints->parsed()) hint(options, one->count() > 0);
     if (how_far->parsed()) status(options);
     if (keeper->parsed()) keep(options);
     if (explainer->parsed()) explain(options);
+    if (watcher->parsed()) {
+      options.watch.root = options.root;
+      return watch(options.watch);
+    }
     return 0;
   });
 }

@@ -86,7 +86,7 @@ bool is_own_file(const fs::path& relative) {
   return parts.size() == 3 && parts[1].size() > 3 && parts[1].substr(3) + ".cpp" == parts[2];
 }
 
-OwnCode::OwnCode(const fs::path& labs, const Lab& lab) : lab_(lab) {
+OwnCode::OwnCode(const fs::path& labs, const Lab& lab) : lab_(&lab) {
   for (const fs::path& file : own_files(labs, lab)) {
     const std::string text = text_of(file);
     all_ += text;
@@ -115,7 +115,7 @@ std::string OwnCode::digest(const Exercise& exercise) const {
   if (part == parts_.end()) return digest();
   std::string text = part->second.shared + part->second.text;
   for (const std::string& tag : exercise.uses) {
-    const Exercise* used = lab_.find(tag);
+    const Exercise* used = lab_->find(tag);
     if (used != nullptr) text += digest(*used);
   }
   return digest_of(text);
@@ -127,7 +127,7 @@ int OwnCode::open_functions(const Exercise& exercise) const {
 
 std::vector<const Exercise*> OwnCode::changed_since(const OwnCode& before) const {
   std::vector<const Exercise*> changed;
-  for (const Exercise& exercise : lab_.exercises) {
+  for (const Exercise& exercise : lab_->exercises) {
     const auto now = parts_.find(exercise.tag), then = before.parts_.find(exercise.tag);
     if (now == parts_.end() || then == before.parts_.end()) continue;
     if (now->second.text != then->second.text) changed.push_back(&exercise);

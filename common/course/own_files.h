@@ -44,7 +44,7 @@ class OwnCode {
   };
   void read(const std::string& text);
 
-  const Lab& lab_;
+  const Lab* lab_;
   std::string all_;
   std::map<std::string, Part> parts_;  ///< by tag
 };
