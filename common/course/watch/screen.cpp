@@ -1,0 +1,83 @@
+#include "course/watch/screen.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+namespace carlo {
+namespace {
+
+/// One character with what colours it: a colour's escape takes no room.
+struct Glyph {
+  std::string bytes;
+  int width = 0;
+};
+
+std::vector<Glyph> glyphs(const std::string& line) {
+  std::vector<Glyph> list;
+  for (std::size_t i = 0; i < line.size();) {
+    std::size_t end = i + 1;
+    const bool escape = line[i] == '\x1b';
+    if (escape) {
+      end = std::min(line.find('m', i), line.size() - 1) + 1;
+    } else {
+      while (end < line.size() && (line[end] & 0xC0) == 0x80)
+        ++end;
+    }
+    list.push_back({line.substr(i, end - i), escape ? 0 : 1});
+    i = end;
+  }
+  return list;
+}
+
+std::string wrapped_line(const std::string& line, int columns) {
+  const std::vector<Glyph> all = glyphs(line);
+  const std::size_t first = line.find_first_not_of(' ');
+  const int indent = first == std::string::npos
+                         ? 0
+                         : static_cast<int>(std::min(first, static_cast<std::size_t>(columns / 2)));
+  std::string out;
+  std::size_t from = 0;
+  int room = columns;
+  while (from < all.size()) {
+    int used = 0;
+    std::size_t end = from, space = from;
+    for (; end < all.size() && used + all[end].width <= room; ++end) {
+      used += all[end].width;
+      if (all[end].bytes == " ") space = end;
+    }
+    // Part at a space, unless that is only the indentation.
+    const bool parted = end < all.size() && space > from + static_cast<std::size_t>(indent);
+    const std::size_t last = parted ? space : end;
+    for (std::size_t i = from; i < last; ++i)
+      out += all[i].bytes;
+    from = parted ? space + 1 : end;
+    if (from < all.size()) out.append(1, '\n').append(static_cast<std::size_t>(indent), ' ');
+    room = columns - indent;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string wrapped_to(const std::string& text, int columns) {
+  std::string out;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    out += wrapped_line(line, std::max(columns, 20)) + "\n";
+  return out;
+}
+
+std::string first_rows(const std::string& text, int rows, const std::string& what) {
+  const auto count = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+  if (count <= rows) return text;
+  std::istringstream lines(text);
+  std::string out, line;
+  for (int i = 0; i + 1 < rows && std::getline(lines, line); ++i)
+    out += line + "\n";
+  return out + fmt::format("... {} more lines: {}\n", count - std::max(rows - 1, 0), what);
+}
+
+}  // namespace carlo

@@ -1,0 +1,195 @@
+#include "course/watch/session.h"
+
+#include "cli/atomic_file.h"
+#include "cli/error.h"
+#include "cli/terminal.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <system_error>
+
+namespace carlo {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point then) {
+  return std::chrono::duration<double>(Clock::now() - then).count();
+}
+
+}  // namespace
+
+WatchSession::WatchSession(WatchPlaces places, const Lab& lab)
+    : places_(std::move(places)),
+      lab_(lab),
+      hints_(places_.state("hints.json")),
+      book_(places_.state("verdicts.json")),
+      code_(places_.labs(), lab),
+      current_(next_exercise(status())) {
+  if (current_ == nullptr) current_ = &lab.exercises.front();
+}
+
+LabStatus WatchSession::status() const {
+  return status_of(lab_, places_.labs(), book_, hints_);
+}
+
+std::string WatchSession::program(const char* what) const {
+  return fmt::format("lab{:02}_{}", lab_.number, what);
+}
+
+void WatchSession::start(Phase phase, const std::vector<std::string>& command) {
+  phase_ = phase;
+  child_ = std::make_unique<Child>(command);
+}
+
+void WatchSession::stop() {
+  child_.reset();
+  phase_ = Phase::idle;
+  // What a judge that was stopped could not clear away.
+  std::error_code ec;
+  for (const auto& entry : fs::directory_iterator(places_.scratch, ec))
+    fs::remove_all(entry.path(), ec);
+}
+
+void WatchSession::run() {
+  stop();
+  panel_ = Panel::verdict;
+  whole_ = false;
+  code_ = OwnCode(places_.labs(), lab_);
+  began_ = Clock::now();
+  start(Phase::building,
+        {"ninja", "-C", places_.build.string(), program("judge"), program("worker")});
+}
+
+void WatchSession::files_changed() {
+  const OwnCode now(places_.labs(), lab_);
+  if (now.digest() == code_.digest()) return;
+  const std::vector<const Exercise*> changed = now.changed_since(code_);
+  if (!changed.empty()) {
+    // Of several, as after another version was copied here, the one at hand.
+    if (std::find(changed.begin(), changed.end(), current_) == changed.end()) {
+      current_ = changed.front();
+    }
+    all_ = false;
+  }
+  run();
+}
+
+bool WatchSession::child_spoke() {
+  if (!child_ || !child_->ended()) return false;
+  if (phase_ == Phase::building) {
+    built();
+  } else {
+    judged();
+  }
+  return true;
+}
+
+void WatchSession::built() {
+  build_seconds_ = seconds_since(began_);
+  messages_ = compiler_messages(child_->output(), places_.root);
+  compiles_ = child_->exit_code() == 0;
+  trouble_.clear();
+  if (!compiles_) {
+    if (messages_.empty()) trouble_ = plain_log(child_->output(), 30);
+    judge_seconds_ = 0;
+    has_run_ = true;
+    stop();
+    return;
+  }
+  built_at_ = Clock::now();
+  const std::string bin = (places_.build / "bin").string();
+  const fs::path folder = places_.labs() / fmt::format("{:02}_{}", lab_.number, lab_.name);
+  std::vector<std::string> command{
+      bin + "/" + program("judge"),  "--lab",  (folder / "lab.json").string(), "--worker",
+      bin + "/" + program("worker"), "--json", judged_file().string()};
+  if (!all_) command.insert(command.end(), {"--exercise", current_->number()});
+  start(Phase::judging, command);
+}
+
+void WatchSession::judged() {
+  judge_seconds_ = seconds_since(built_at_);
+  has_run_ = true;
+  std::error_code ec;
+  if (!fs::exists(judged_file(), ec)) {
+    trouble_ = "the judge came to no end:\n" + plain_log(child_->output(), 30);
+  } else if (OwnCode(places_.labs(), lab_).digest() == code_.digest()) {
+    take_verdicts();
+  }  // else the files were edited just now, and the next run has begun already or begins at once
+  stop();
+}
+
+void WatchSession::take_verdicts() {
+  try {
+    // Another ./carlo may have noted something meanwhile.
+    book_ = VerdictBook(places_.state("verdicts.json"));
+    book_.take(read_file(judged_file()), lab_, code_);
+    book_.save();
+  } catch (const Error& error) {
+    trouble_ = fmt::format("the verdict is not kept: {}\n", error.what());
+  }
+}
+
+void WatchSession::go_to(const Exercise* exercise) {
+  current_ = exercise;
+  all_ = false;
+  run();
+}
+
+void WatchSession::go_on(int step) {
+  const auto place = current_ - lab_.exercises.data();
+  const auto count = static_cast<std::ptrdiff_t>(lab_.exercises.size());
+  go_to(&lab_.exercises[static_cast<std::size_t>((place + step + count) % count)]);
+}
+
+void WatchSession::show_hint() {
+  try {
+    hints_ = HintState(places_.state("hints.json"));
+    hint_ = next_hint(*current_, hints_);
+  } catch (const Error& error) {
+    hint_ = fmt::format("{}\n", error.what());
+  }
+  const std::string again = "run again for the next";
+  if (const std::size_t at = hint_.find(again); at != std::string::npos) {
+    hint_.replace(at, again.size(), "h shows the next");
+  }
+  panel_ = Panel::hint;
+  whole_ = false;
+}
+
+bool WatchSession::key(char pressed) {
+  switch (pressed) {
+    case 'h':
+      show_hint();
+      return true;
+    case 'n':
+      go_on(1);
+      return true;
+    case 'p':
+      go_on(-1);
+      return true;
+    case 'a':
+      all_ = true;
+      run();
+      return true;
+    case 'r':
+      run();
+      return true;
+    case 'l':
+      panel_ = panel_ == Panel::list ? Panel::verdict : Panel::list;
+      return true;
+    case 'v':
+      whole_ = !whole_;
+      return true;
+    case 'q':
+    case '\x04':
+      quits_ = true;
+      return false;
+    default:
+      return false;
+  }
+}
+
+}  // namespace carlo

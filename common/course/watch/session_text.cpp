@@ -1,0 +1,110 @@
+// What a session says.
+
+#include "cli/terminal.h"
+#include "course/watch/session.h"
+
+#include <fmt/core.h>
+
+namespace carlo {
+namespace {
+
+/// Of an exercise in the row of all of them.
+std::string chip(const ExerciseStatus& status, bool current) {
+  const std::string number = status.exercise->number();
+  std::string text;
+  switch (status.stage) {
+    case Stage::passed:
+      text = coloured(Colour::green, "✓ " + number);
+      break;
+    case Stage::failed:
+      text = coloured(Colour::red, "✗ " + number);
+      break;
+    case Stage::begun:
+    case Stage::edited:
+      text = coloured(Colour::yellow, "~ " + number);
+      break;
+    case Stage::untouched:
+      text = coloured(Colour::dim, "– " + number);
+      break;
+  }
+  return current ? "[" + text + "]" : " " + text + " ";
+}
+
+}  // namespace
+
+std::string WatchSession::activity() const {
+  const std::string what = all_ ? fmt::format("lab {}", lab_.number) : current_->tag;
+  if (phase_ == Phase::building) return fmt::format("building for {} ...", what);
+  if (phase_ == Phase::judging) return fmt::format("judging {} ...", what);
+  return "";
+}
+
+std::string WatchSession::heading() const {
+  const LabStatus now = status();
+  std::string text = status_heading(now) + "\n";
+  for (const ExerciseStatus& exercise : now.exercises)
+    text += chip(exercise, exercise.exercise == current_);
+  return text + "\n";
+}
+
+std::string WatchSession::what_next() const {
+  const LabStatus now = status();
+  const Exercise* next = next_exercise(now, current_);
+  if (next == nullptr) {
+    return coloured(Colour::green, fmt::format("Lab {} is done.", lab_.number)) +
+           fmt::format(" ./carlo lab {} runs its experiments.\n", lab_.number);
+  }
+  if (next == current_) return "";
+  return fmt::format("Next: {}, {}\n", next->tag, next->title);
+}
+
+std::string WatchSession::verdict_text(const Exercise& exercise) const {
+  const KeptVerdict* verdict = book_.find(exercise);
+  const std::string title = fmt::format("{}, {}", exercise.tag, exercise.title);
+  if (verdict == nullptr) return title + "\n";
+  const std::string points = fmt::format("{:g} of {} points", verdict->points, exercise.points);
+  if (verdict->status == "passed") {
+    return fmt::format("{} {}: {}\n", coloured(Colour::green, "✓"), title, points);
+  }
+  const bool open = verdict->status == "not_implemented";
+  const std::string mark = open ? coloured(Colour::yellow, "–") : coloured(Colour::red, "✗");
+  return fmt::format("{} {}: {}\n{}{}", mark, title, points, open ? "    " : "", verdict->text);
+}
+
+std::string WatchSession::verdicts_text() const {
+  if (!all_) {
+    std::string text = verdict_text(*current_);
+    const KeptVerdict* verdict = book_.find(*current_);
+    if (verdict != nullptr && verdict->status == "passed") text += what_next();
+    return text;
+  }
+  std::string text;
+  for (const ExerciseStatus& exercise : status().exercises)
+    text += status_line(exercise, title_width(lab_)) + "\n";
+  return text + what_next();
+}
+
+std::string WatchSession::body() const {
+  if (panel_ == Panel::hint) return hint_;
+  if (panel_ == Panel::list) {
+    std::string text;
+    for (const ExerciseStatus& exercise : status().exercises)
+      text += status_line(exercise, title_width(lab_)) + "\n";
+    return text;
+  }
+  if (!has_run_) return "";
+  const std::size_t most = whole_ ? messages_.size() : compiles_ ? 1 : 2;
+  std::string text;
+  if (compiles_ && trouble_.empty()) {
+    text = verdicts_text() +
+           coloured(Colour::dim,
+                    fmt::format("{:.1f} s: build {:.1f}, tests {:.1f}",
+                                build_seconds_ + judge_seconds_, build_seconds_, judge_seconds_)) +
+           "\n";
+  } else if (!compiles_) {
+    text = coloured(Colour::red, "✗") + " the code does not compile\n";
+  }
+  return text + trouble_ + compiler_text(messages_, most);
+}
+
+}  // namespace carlo

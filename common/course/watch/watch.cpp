@@ -1,0 +1,254 @@
+#include "course/watch/watch.h"
+
+#include "cli/error.h"
+#include "cli/terminal.h"
+#include "course/watch/file_events.h"
+#include "course/watch/keyboard.h"
+#include "course/watch/screen.h"
+#include "course/watch/session.h"
+
+#include <fmt/core.h>
+#include <poll.h>
+#include <stdlib.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace carlo {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+/// A save is several events, and an editor may write twice.
+constexpr std::chrono::milliseconds calm{40};
+
+/// A folder for what children leave behind, by way of TMPDIR; it goes when this ends.
+class Scratch {
+ public:
+  Scratch() {
+    std::string name = (fs::temp_directory_path() / "carlo_watch_XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw Error("cannot make the folder {}", name);
+    path_ = name;
+    ::setenv("TMPDIR", name.c_str(), 1);
+  }
+  ~Scratch() {
+    std::error_code ec;
+    fs::remove_all(path_, ec);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// Signals as something to wait for.
+class Signals {
+ public:
+  Signals() {
+    ::sigemptyset(&set_);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGWINCH})
+      ::sigaddset(&set_, signal);
+    ::sigprocmask(SIG_BLOCK, &set_, &before_);
+    fd_ = ::signalfd(-1, &set_, SFD_NONBLOCK | SFD_CLOEXEC);
+    if (fd_ < 0) throw Error("cannot wait for signals: {}", std::strerror(errno));
+  }
+  ~Signals() {
+    ::close(fd_);
+    ::sigprocmask(SIG_SETMASK, &before_, nullptr);
+  }
+  Signals(const Signals&) = delete;
+  Signals& operator=(const Signals&) = delete;
+
+  int fd() const { return fd_; }
+  /// The next one that has come; 0 when none has.
+  int next() const {
+    signalfd_siginfo info{};
+    return ::read(fd_, &info, sizeof info) == sizeof info ? static_cast<int>(info.ssi_signo) : 0;
+  }
+
+ private:
+  sigset_t set_{}, before_{};
+  int fd_ = -1;
+};
+
+/// What a person sees: the whole screen anew, or lines.
+class Display {
+ public:
+  explicit Display(bool whole_screen) : whole_screen_(whole_screen) {}
+
+  void show(const WatchSession& session) {
+    if (whole_screen_) {
+      draw(session);
+    } else if (!session.busy()) {
+      fmt::print("{}\n", session.body());
+    } else if (session.activity() != said_) {
+      said_ = session.activity();
+      fmt::print("{}\n", said_);
+    }
+    (void)std::fflush(stdout);
+  }
+
+ private:
+  static void draw(const WatchSession& session) {
+    const ScreenSize size = screen_size();
+    const std::string keys =
+        "h hint  n next  p previous  a all  r run again  l list  v in full  q quit";
+    const std::string head = wrapped_to(session.heading(), size.columns);
+    const std::string activity = session.activity();
+    const std::string foot = wrapped_to(
+        activity.empty() ? coloured(Colour::dim, keys) : coloured(Colour::blue, activity),
+        size.columns);
+    const auto lines = [](const std::string& text) {
+      return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+    };
+    std::string body = wrapped_to(session.body(), size.columns);
+    // Two empty lines, and the one on which the cursor rests.
+    const int room = std::max(size.rows - lines(head) - lines(foot) - 3, 3);
+    if (session.in_short()) body = first_rows(body, room, "press v");
+    // Clears below as it goes, so that nothing flickers.
+    std::string screen = "\x1b[H";
+    for (const char c : head + "\n" + body + "\n" + foot) {
+      if (c == '\n') screen += "\x1b[K";
+      screen += c;
+    }
+    fmt::print("{}\x1b[J", screen);
+  }
+
+  bool whole_screen_;
+  std::string said_;
+};
+
+class Watch {
+ public:
+  Watch(const WatchPlaces& places, const Lab& lab, bool look)
+      : session_(places, lab), events_(folders(places, lab), look), display_(at_terminal()) {
+    if (at_terminal()) keyboard_.emplace();
+    if (keyboard_) fmt::print("\x1b[2J");
+    if (!keyboard_) {
+      fmt::print("watching lab {}{}; Ctrl-C ends\n", lab.number,
+                 events_.looks() ? fmt::format(" (looking every {} ms)", events_.interval_ms) : "");
+    }
+  }
+
+  int run() {
+    session_.run();
+    display_.show(session_);
+    while (!session_.quits() && code_ == 0)
+      step();
+    keyboard_.reset();
+    return code_;
+  }
+
+ private:
+  static std::vector<fs::path> folders(const WatchPlaces& places, const Lab& lab) {
+    std::vector<fs::path> list;
+    for (const fs::path& file : own_files(places.labs(), lab))
+      list.push_back(file.parent_path());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    return list;
+  }
+
+  void step() {
+    // poll() passes over descriptors below 0.
+    std::array<pollfd, 4> wait{{{signals_.fd(), POLLIN, 0},
+                                {session_.child() ? session_.child()->fd() : -1, POLLIN, 0},
+                                {events_.fd(), POLLIN, 0},
+                                {keyboard_ ? STDIN_FILENO : -1, POLLIN, 0}}};
+    if (::poll(wait.data(), wait.size(), timeout()) < 0 && errno != EINTR) {
+      throw Error("cannot wait: {}", std::strerror(errno));
+    }
+    if (wait[0].revents != 0) handle_signals();
+    if (wait[1].revents != 0 && session_.child_spoke()) display_.show(session_);
+    if (wait[2].revents != 0 || events_.looks()) look_at_files();
+    if (wait[3].revents != 0) handle_keys();
+    if (changed_ && Clock::now() - *changed_ >= calm) {
+      changed_.reset();
+      session_.files_changed();
+      display_.show(session_);
+    }
+  }
+
+  int timeout() const {
+    if (changed_) return static_cast<int>(calm.count());
+    return events_.looks() ? FileEvents::interval_ms : -1;
+  }
+
+  void look_at_files() {
+    if (events_.happened()) changed_ = Clock::now();
+  }
+
+  void handle_keys() {
+    const std::optional<std::string> keys = keyboard_->keys();
+    if (!keys) {
+      code_ = 128 + SIGHUP;
+      return;
+    }
+    bool anew = false;
+    for (const char key : *keys) {
+      if (!session_.quits()) anew = session_.key(key) || anew;
+    }
+    if (anew) display_.show(session_);
+  }
+
+  void handle_signals() {
+    while (const int signal = signals_.next()) {
+      if (signal == SIGTSTP) {
+        if (keyboard_) keyboard_->release();
+        ::raise(SIGSTOP);
+        if (keyboard_) keyboard_->acquire();
+      } else if (signal != SIGWINCH) {
+        code_ = 128 + signal;
+        return;
+      }
+      if (keyboard_) {
+        fmt::print("\x1b[2J");
+        display_.show(session_);
+      }
+    }
+  }
+
+  Signals signals_;
+  WatchSession session_;
+  FileEvents events_;
+  Display display_;
+  std::optional<Keyboard> keyboard_;
+  std::optional<Clock::time_point> changed_;
+  int code_ = 0;
+};
+
+const Lab& chosen(const std::vector<Lab>& labs, const WatchPlaces& places, int number) {
+  for (const Lab& lab : labs) {
+    if (lab.number == number) return lab;
+  }
+  if (number != 0) throw Error("there is no lab {}", number);
+  const VerdictBook book(places.state("verdicts.json"));
+  const HintState hints(places.state("hints.json"));
+  for (const Lab& lab : labs) {
+    if (next_exercise(status_of(lab, places.labs(), book, hints)) != nullptr) return lab;
+  }
+  return labs.back();
+}
+
+}  // namespace
+
+int watch(const WatchOptions& options) {
+  const Scratch scratch;
+  const WatchPlaces places{options.root, options.build, scratch.path()};
+  const std::vector<Lab> labs = load_labs(places.labs());
+  return Watch(places, chosen(labs, places, options.lab), options.look).run();
+}
+
+}  // namespace carlo
