@@ -62,7 +62,7 @@ expect_end=$(first '(//|#) end slide' common labs)
 sed -i "s,^ *${expect_end#*:},," "$tree/${expect_end%%:*}"
 expect "a snippet without end" "has no '// end slide'|has [0-9]+ lines"
 
-found=$(first '"lab", "[0-9]+", "--solutions"' slides/figures)
+found=$(first '"--solutions"' slides/figures)
 sed -i 's/"--solutions"/"--frob"/' "$tree/${found%%:*}"
 expect "a figure's command that is none" 'a command is \["lab"'
 sed -i 's/"--solutions"/"--solutions", "--seed", "99"/' "$tree/${found%%:*}"
