@@ -32,7 +32,7 @@ function slideMarkdown(slide, deck, book, paged) {
     } else if (/^<!-- (eq|label): /.test(line)) {
       equation = opened(line, slide, out);
     } else {
-      out.push(inline(line, deck, book, paged));
+      out.push(inline(line, slide, deck, book, paged));
       if (equation && endsMath(line, equation)) {
         out.push("", `</div><span class="number">(${equation.equation})</span></div>`, "");
         equation = null;
@@ -40,7 +40,7 @@ function slideMarkdown(slide, deck, book, paged) {
     }
   });
   const text = out.join("\n").replace(/<!-- notes:([\s\S]*?)-->/, (_, notes) => `<!--\nNotes.\n\n${notes.trim()}\n-->`);
-  return layout(slide) + text;
+  return footer(slide, deck) + layout(slide) + text;
 }
 
 /** A label's anchor; where it belongs to an equation, the box around it as well. */
@@ -62,17 +62,23 @@ function endsMath(line, equation) {
   return open ? marks > 0 : marks > 1;
 }
 
-/** Slides with a figure beside text get two columns, unless they say otherwise. */
+/** Hints cite "slides 04:variance-of-strata": the foot of that slide says so. */
+function footer(slide, deck) {
+  const labels = slide.labels.map((label) => `${deck.number}:${label.name}`);
+  return labels.length ? `<!-- _footer: ${JSON.stringify([deck.front.title, ...labels].join(" \u00a0 "))} -->\n` : "";
+}
+
+/** A class for slides that have none, by what is on them. */
 function layout(slide) {
   return slide.classes.length ? "" : `<!-- _class: ${hasFigure(slide) ? "figured" : "plain"} -->\n`;
 }
 
 const hasFigure = (slide) => slide.lines.some((line) => figureLine.test(line));
 
-function inline(line, deck, book, paged) {
+function inline(line, slide, deck, book, paged) {
   const figure = figureLine.exec(line);
   if (figure) {
-    const definition = book.definitions.figures.get(figure[2]);
+    const definition = { ...book.definitions.figures.get(figure[2]), narrow: slide.classes.includes("side") };
     const data = book.data.get(definition.number)?.figures?.[figure[2]];
     return figureHtml(book.root, definition, figure[1], data, book.runs);
   }
