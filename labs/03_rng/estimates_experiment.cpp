@@ -72,6 +72,7 @@ void show(Notebook& notebook, const std::string& key, const std::string& title,
     slopes.add_row({c.name, slope(c, c.against_points()), slope(c, c.against_seconds())});
   notebook.table(key + "_slopes", slopes, "Slope of log error, with 95 % interval");
   notebook.charts(carlo::error_charts(title, "root mean square error", curves, fitted));
+  notebook.data(key + "_all", carlo::measurement_table(curves), title + ": all measurements");
 }
 
 }  // namespace
