@@ -28,6 +28,9 @@ expect_error 'no lab 99' grade --calibrate --labs 1,99
 expect_error 'developer' setup --frob
 expect_error 'developer' setup --developer frob
 expect_error 'no lab 99' replay 99.1
+expect_error 'a deck is a number' slides x
+expect_error 'one thing at a time' slides --html --check
+expect_error 'does not know' slides --frob
 expect_error 'needs an exercise' replay 1
 expect_error 'needs a value' replay 1.2 --probe
 expect_error 'does not know' replay 1.2 --frob

@@ -50,11 +50,14 @@ function measure() {
     note(section.scrollHeight - section.clientHeight, "something");
     note(section.scrollWidth - section.clientWidth, "something");
     for (const element of section.querySelectorAll("*")) {
-      if (element.closest("footer, header") || (element.ownerSVGElement && !element.matches("foreignObject *"))) continue;
-      if (element.closest("mjx-assistive-mml")) continue;
+      if (element.closest("footer, mjx-assistive-mml")) continue;
+      const frame = section.contains(element.ownerSVGElement) && element.closest("figure svg");
+      // Of a drawing's parts only words may be cut off.
+      if (section.contains(element.ownerSVGElement) && !(frame && element.tagName === "text")) continue;
       const place = element.getBoundingClientRect();
       if (!place.width || !place.height) continue;
-      const over = Math.max(inside.left - place.left, place.right - inside.right, inside.top - place.top, place.bottom - inside.bottom) / scale;
+      const room = frame ? frame.getBoundingClientRect() : inside;
+      const over = Math.max(room.left - place.left, place.right - room.right, room.top - place.top, place.bottom - room.bottom) / scale;
       if (over > 3) note(over, `<${element.tagName.toLowerCase()}> "${element.textContent.trim().slice(0, 40)}"`);
       if (element.scrollWidth > element.clientWidth + 2 && element.clientWidth && getComputedStyle(element).overflowX !== "visible") {
         note(element.scrollWidth - element.clientWidth, `<${element.tagName.toLowerCase()}> "${element.textContent.trim().slice(0, 40)}"`);

@@ -31,8 +31,10 @@ function renders(figure, runs) {
     const png = runs.image(command);
     const [width, height] = [png.readUInt32BE(16), png.readUInt32BE(20)];
     const box = crop ?? [0, 0, width, height];
-    return tile(`<svg class="pixels" viewBox="${box.join(" ")}"><image width="${width}" height="${height}" ` +
-      `${figure.pixelated ? 'style="image-rendering:pixelated" ' : ""}href="data:image/png;base64,${png.toString("base64")}"/></svg>`, caption);
+    // The inner frame cuts off what is beside the crop where the outer one is wider.
+    const [x, y, w, h] = box;
+    return tile(`<svg class="pixels" viewBox="${box.join(" ")}"><svg x="${x}" y="${y}" width="${w}" height="${h}" viewBox="${box.join(" ")}"><image width="${width}" height="${height}" ` +
+      `${figure.pixelated ? 'style="image-rendering:pixelated" ' : ""}href="data:image/png;base64,${png.toString("base64")}"/></svg></svg>`, caption);
   });
 }
 

@@ -1,13 +1,17 @@
 // Draws plots as SVG. Colours come from the theme's classes: c1, c2, ...
 
-const width = 1000, height = 470;
 const frame = { left: 92, right: 215, top: 14, bottom: 58 };
 
 export const escaped = (text) =>
   String(text).replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;").replaceAll('"', "&quot;");
 
+/** A plot as wide as the slide; `figure.narrow`: for half of it. */
+const sizeOf = (figure) => figure.narrow ? { width: 640, height: 600 } : { width: 1100, height: 410 };
+
 /** figure: the definition; series: [{name, points, slope}]. */
 export function plotSvg(figure, series) {
+  const size = sizeOf(figure);
+  const { width, height } = size;
   const shown = series.map((one) => ({ ...one, label: labelOf(figure, one) }));
   if (figure.kind === "bars") return barsSvg(figure, shown);
   const log = { x: scaleOf(figure, "x") === "log", y: scaleOf(figure, "y") === "log" };
@@ -19,14 +23,19 @@ export function plotSvg(figure, series) {
   const box = { ...frame, right: named ? frame.right : 24 };
   const x = axis(figure.xrange ?? range(all.map((point) => point[0])), log.x, box.left, width - box.right, figure.xrange);
   const y = axis(figure.yrange ?? range(all.map((point) => point[1])), log.y, height - box.bottom, box.top, figure.yrange);
-  const parts = [gridX(x, box), gridY(y, box), titles(figure, box)];
+  const parts = [gridX(x, box, size), gridY(y, box, size), titles(figure, box, size)];
   for (const guide of figure.guides ?? []) parts.push(guideSvg(guide, x, y));
+  // What leaves a given range is cut off; marks at the range's ends are not.
+  const clip = `inset-${figure.id}`;
+  parts.push(`<clipPath id="${clip}"><rect x="${box.left - 8}" y="${box.top - 8}" width="${width - box.left - box.right + 16}" ` +
+    `height="${height - box.top - box.bottom + 16}"/></clipPath><g clip-path="url(#${clip})">`);
   shown.forEach((one, index) => parts.push(seriesSvg(figure, one, index, x, y)));
-  if (named) parts.push(endLabels(shown, y, width - box.right + 10));
-  return svg(parts);
+  parts.push("</g>");
+  if (named) parts.push(endLabels(shown, y, width - box.right + 10, height));
+  return svg(size, parts);
 }
 
-const svg = (parts) => `<svg class="plot" viewBox="0 0 ${width} ${height}" role="img">${parts.join("")}</svg>`;
+const svg = ({ width, height }, parts) => `<svg class="plot" viewBox="0 0 ${width} ${height}" role="img">${parts.join("")}</svg>`;
 
 const scaleOf = (figure, which) => figure[`${which}scale`] ?? (figure.kind === "loglog" ? "log" : "linear");
 
@@ -85,13 +94,13 @@ const text = (x, y, anchor, content, extra = "") =>
 const line = (x1, y1, x2, y2, kind) =>
   `<line class="${kind}" x1="${x1.toFixed(1)}" y1="${y1.toFixed(1)}" x2="${x2.toFixed(1)}" y2="${y2.toFixed(1)}"/>`;
 
-const gridX = (x, box) => x.ticks.map(({ value, at }) =>
+const gridX = (x, box, { height }) => x.ticks.map(({ value, at }) =>
   line(at, box.top, at, height - box.bottom, "grid") + text(at, height - box.bottom + 24, "middle", tickText(value, x.log))).join("");
 
-const gridY = (y, box) => y.ticks.map(({ value, at }) =>
+const gridY = (y, box, { width }) => y.ticks.map(({ value, at }) =>
   line(box.left, at, width - box.right, at, "grid") + text(box.left - 10, at + 6, "end", tickText(value, y.log))).join("");
 
-function titles(figure, box) {
+function titles(figure, box, { width, height }) {
   const [x, y] = [figure.xlabel ?? "", figure.ylabel ?? ""];
   const middle = (box.top + height - box.bottom) / 2;
   return text((box.left + width - box.right) / 2, height - 8, "middle", escaped(x), ' class="axis"') +
@@ -116,7 +125,7 @@ function seriesSvg(figure, { points }, index, x, y) {
 }
 
 /** Names at the right, beside each series' last point, pushed apart where they would overlap. */
-function endLabels(shown, y, left) {
+function endLabels(shown, y, left, height) {
   const gap = 27;
   const labels = shown.map((one, index) => ({ index, text: one.label, at: one.points.length ? y.at(one.points.at(-1)[1]) : frame.top }));
   labels.sort((a, b) => a.at - b.at);
@@ -131,13 +140,14 @@ function endLabels(shown, y, left) {
 
 /** One bar for each row, with its value at the end; a series for each colour. */
 function barsSvg(figure, shown) {
+  const { width, height } = sizeOf(figure);
   const rows = shown.flatMap((one, index) => one.points.map(([name, value]) => ({ name, value, index })));
-  const left = 330, right = width - 120, step = Math.min(64, (height - 20) / rows.length);
+  const left = figure.narrow ? 250 : 360, right = width - 120, step = Math.min(64, (height - 20) / rows.length);
   const log = scaleOf(figure, "y") === "log";
   const values = rows.map((row) => row.value).filter((value) => Number.isFinite(value) && (!log || value > 0));
   const scale = axis(log ? [Math.min(...values) / 2, Math.max(...values)] : [Math.min(0, ...values), Math.max(...values)], log, left, right, true);
   const base = log ? left : scale.at(0);
-  return svg(rows.map((row, k) => {
+  return svg({ width, height }, rows.map((row, k) => {
     const top = 10 + k * step;
     const end = Number.isFinite(row.value) && (!log || row.value > 0) ? scale.at(row.value) : base;
     const name = [figure.names?.[row.name] ?? row.name, shown.length > 1 ? shown[row.index].label : ""].filter(Boolean).join(", ");

@@ -32,7 +32,7 @@ function slideMarkdown(slide, deck, book, paged) {
     } else if (/^<!-- (eq|label): /.test(line)) {
       equation = opened(line, slide, out);
     } else {
-      out.push(inline(line, deck, book, paged));
+      out.push(inline(line, slide, deck, book, paged));
       if (equation && endsMath(line, equation)) {
         out.push("", `</div><span class="number">(${equation.equation})</span></div>`, "");
         equation = null;
@@ -69,10 +69,10 @@ function layout(slide) {
 
 const hasFigure = (slide) => slide.lines.some((line) => figureLine.test(line));
 
-function inline(line, deck, book, paged) {
+function inline(line, slide, deck, book, paged) {
   const figure = figureLine.exec(line);
   if (figure) {
-    const definition = book.definitions.figures.get(figure[2]);
+    const definition = { ...book.definitions.figures.get(figure[2]), narrow: slide.classes.includes("side") };
     const data = book.data.get(definition.number)?.figures?.[figure[2]];
     return figureHtml(book.root, definition, figure[1], data, book.runs);
   }
