@@ -11,12 +11,14 @@ namespace lab06 {
 
 using Function = std::function<double(double)>;
 
+// slide: density
 /// A probability density on the line, with its way to draw from it. The two belong together: for
 /// uniform u in [0, 1), sample(u) has the density pdf.
 struct Density {
   Function sample;  ///< takes any u in [0, 1), never 1
   Function pdf;     ///< per unit of x; 0 outside the support
 };
+// end slide
 
 /// x, or the last double below 1 where x is not below 1. A quotient that is below 1 on paper may be
 /// rounded to 1, which is no number to draw with.
