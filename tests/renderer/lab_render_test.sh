@@ -3,27 +3,7 @@
 # kind of scene, the stub's and what lab 08 does not know give one line, exit code 1, and no file.
 set -euo pipefail
 solution=$1 stub=$2 scenes=$3/common/scenes
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-failures=0
-
-complain() {
-  printf 'FAILED: %s\n' "$*"
-  failures=$((failures + 1))
-}
-
-# expect_error PATTERN PROGRAM ARGUMENTS...
-expect_error() {
-  local pattern=$1 program=$2 code=0 out=$scratch/out
-  shift 2
-  rm -rf "$out" && mkdir "$out"
-  (cd "$out" && "$program" "$@") >"$scratch/stdout" 2>"$scratch/stderr" || code=$?
-  [ "$code" = 1 ] || complain "exit code $code for: $*"
-  [ "$(wc -l <"$scratch/stderr")" = 1 ] || complain "not one line for: $*: $(cat "$scratch/stderr")"
-  grep -Eq "$pattern" "$scratch/stderr" || complain "'$(cat "$scratch/stderr")' is not '$pattern'"
-  [ ! -s "$scratch/stdout" ] || complain "output on stdout for: $*"
-  [ -z "$(find "$out" -type f)" ] || complain "files were left by: $*"
-}
+. "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/expect_error.sh"
 
 # expect_image KERNEL ARGUMENTS...
 expect_image() {
@@ -64,5 +44,4 @@ cat >"$scratch/point.xml" <<'XML'
 XML
 expect_error 'no point lights' "$solution" "$scratch/point.xml"
 
-printf '%d failures\n' "$failures"
-[ "$failures" = 0 ]
+finish

@@ -18,11 +18,6 @@ and the grader; not the solution of lab N, no references, no mistakes.
 END
 }
 
-fail() {
-  printf 'carlo: %s\n' "$*" >&2
-  exit 1
-}
-
 . "$here/tree.sh"
 
 lab='' file='' secret_file='' dirty=''

@@ -17,11 +17,6 @@ It is made from what is committed, and the same commit gives the same bytes.
 END
 }
 
-fail() {
-  printf 'carlo: %s\n' "$*" >&2
-  exit 1
-}
-
 . "$here/tree.sh"
 
 last='' file='' dirty=''

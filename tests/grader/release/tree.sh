@@ -1,8 +1,14 @@
 # Which files of the suite leave it, and how archives of them are made. To be sourced; ROOT is the
-# suite's folder, `fail` prints one line and ends.
+# suite's folder.
 #
 # What leaves is listed, what stays is not: a folder that somebody adds to the suite stays at home
 # until its name is written here.
+
+# fail MESSAGE: one line, and the end.
+fail() {
+  printf 'carlo: %s\n' "$*" >&2
+  exit 1
+}
 
 # lab_names ROOT: the labs of the course in order, as far as their folders are there.
 lab_names() {
