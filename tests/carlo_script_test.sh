@@ -23,6 +23,10 @@ expect_error 'needs a value' test --seed
 expect_error 'for one lab' test 1 2 --page x.html
 expect_error 'takes nothing else' test --hard 4
 expect_error 'no lab 99' lab 99
+expect_error 'no lab 99' watch 99
+expect_error 'takes one lab' watch 1 2
+expect_error "does not know '--frob'" watch --frob
+expect_error 'no lab labs/99_frob' test labs/99_frob/frob.cpp
 expect_error 'render, paths, integrators' bench frob
 expect_error 'no lab 99' grade --calibrate --labs 1,99
 expect_error 'developer' setup --frob

@@ -58,7 +58,8 @@ Stage stage_of(const ExerciseStatus& status, const KeptVerdict* verdict, const O
   if (status.open > 0 && status.open >= functions) return Stage::untouched;
   if (verdict == nullptr) return Stage::begun;
   if (age_of(*verdict, exercise, code) == Age::edited) {
-    return verdict->status == "not_implemented" ? Stage::begun : Stage::edited;
+    const bool was_open = verdict->status == "not_implemented";
+    return was_open || status.open > 0 ? Stage::begun : Stage::edited;
   }
   if (verdict->status == "not_implemented") return Stage::begun;
   return verdict->status == "passed" ? Stage::passed : Stage::failed;

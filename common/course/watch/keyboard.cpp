@@ -35,6 +35,23 @@ void say(std::string_view text) {
   }
 }
 
+/// Without what arrows and the like send: ESC, then [ and all up to a letter, or O and a letter.
+std::string without_sequences(std::string_view pressed) {
+  std::string keys;
+  for (std::size_t i = 0; i < pressed.size(); ++i) {
+    if (pressed[i] != '\x1b') {
+      keys += pressed[i];
+      continue;
+    }
+    ++i;
+    if (i >= pressed.size() || (pressed[i] != '[' && pressed[i] != 'O')) continue;
+    ++i;
+    while (i < pressed.size() && (pressed[i] < '@' || pressed[i] > '~'))
+      ++i;
+  }
+  return keys;
+}
+
 /// Only calls that a signal handler may make.
 void give_back() {
   if (before.held == 0) return;
@@ -97,8 +114,7 @@ std::optional<std::string> Keyboard::keys() {
   if (got < 0 && (errno == EINTR || errno == EAGAIN)) return "";
   // Of a terminal that is readable, nothing means that it has gone.
   if (got <= 0) return std::nullopt;
-  const std::string pressed(buffer.data(), static_cast<std::size_t>(got));
-  return pressed.front() == '\x1b' ? "" : pressed;
+  return without_sequences({buffer.data(), static_cast<std::size_t>(got)});
 }
 
 ScreenSize screen_size() {

@@ -73,6 +73,7 @@ class WatchSession {
   std::string verdict_text(const Exercise& exercise) const;
   std::string what_next() const;
   std::string verdicts_text() const;
+  std::string last_run() const;
 
   WatchPlaces places_;
   const Lab& lab_;

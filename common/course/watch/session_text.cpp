@@ -85,13 +85,17 @@ std::string WatchSession::verdicts_text() const {
 }
 
 std::string WatchSession::body() const {
-  if (panel_ == Panel::hint) return hint_;
+  if (panel_ == Panel::hint) return hint_ + "\n" + last_run();
   if (panel_ == Panel::list) {
     std::string text;
     for (const ExerciseStatus& exercise : status().exercises)
       text += status_line(exercise, title_width(lab_)) + "\n";
     return text;
   }
+  return last_run();
+}
+
+std::string WatchSession::last_run() const {
   if (!has_run_) return "";
   const std::size_t most = whole_ ? messages_.size() : compiles_ ? 1 : 2;
   std::string text;

@@ -26,6 +26,8 @@ student_patterns() {
   local root=$1 last=$2 lab
   cat <<'END'
 ^(CMakeLists\.txt|CMakePresets\.json|LICENSE|carlo|\.clang-format|\.editorconfig|\.gitignore)$
+^\.(vscode|devcontainer)/
+^\.github/workflows/grade\.yml$
 ^common/
 ^labs/CMakeLists\.txt$
 ^tests/CMakeLists\.txt$

@@ -1,0 +1,257 @@
+// How far a student is, what is kept of verdicts, and what is told of a compiler's words.
+
+#include "course/status.h"
+
+#include "cli/atomic_file.h"
+#include "cli/error.h"
+#include "course/compiler_messages.h"
+#include "course/own_files.h"
+#include "course/verdicts.h"
+#include "course/watch/screen.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+
+namespace fs = std::filesystem;
+using namespace carlo;
+
+namespace {
+
+constexpr const char* lab_text = R"({"lab": 1, "name": "demo", "title": "Demo", "exercises": [
+  {"tag": "Lab 1.1", "title": "First", "points": 2, "lecture": "L", "functions": ["f", "g"],
+   "hints": ["nudge", "plan"]},
+  {"tag": "Lab 1.2", "title": "Second", "points": 3, "lecture": "L", "functions": ["h"],
+   "hints": ["nudge", "plan"]},
+  {"tag": "Lab 1.3", "title": "Third", "points": 4, "lecture": "L", "functions": ["k"],
+   "hints": ["nudge", "plan"], "uses": ["Lab 1.1"]}]})";
+
+/// A tree with one lab.
+class Tree {
+ public:
+  Tree() : root_(fs::temp_directory_path() / fmt::format("carlo_status_{}", ::getpid())) {
+    fs::create_directories(root_ / "labs/01_demo");
+    write_file(root_ / "labs/01_demo/lab.json", lab_text);
+    write("return 1;", "throws", "throws");
+    list_ = load_labs(labs());
+  }
+  ~Tree() {
+    std::error_code ec;
+    fs::remove_all(root_, ec);
+  }
+  Tree(const Tree&) = delete;
+  Tree& operator=(const Tree&) = delete;
+
+  void write(const std::string& first, const std::string& second, const std::string& third,
+             const std::string& shared = "") const {
+    const auto body = [](const std::string& tag, const std::string& text) {
+      return text == "throws" ? fmt::format("  carlo::not_implemented(\"{}\", \"L\");\n", tag)
+                              : text + "\n";
+    };
+    write_file(root_ / "labs/01_demo/demo.cpp",
+               fmt::format("// Lab 01: demo\n{}\n// Lab 1.1 ----\n{}// Lab 1.2 ----\n{}"
+                           "// Lab 1.3 ----\n{}",
+                           shared, body("Lab 1.1", first), body("Lab 1.2", second),
+                           body("Lab 1.3", third)));
+  }
+  fs::path labs() const { return root_ / "labs"; }
+  fs::path kept() const { return root_ / ".carlo/verdicts.json"; }
+  const Lab& lab() const { return list_.front(); }
+  OwnCode code() const { return {labs(), lab()}; }
+  LabStatus status() const {
+    return status_of(lab(), labs(), VerdictBook(kept()), HintState(root_ / ".carlo/hints.json"));
+  }
+  Stage stage(std::size_t i) const { return status().exercises.at(i).stage; }
+  void judge(const std::string& number, const std::string& status, double points) const {
+    VerdictBook book(kept());
+    book.take(nlohmann::json{{"lab", 1},
+                             {"exercises",
+                              {{{"tag", "Lab " + number},
+                                {"points", points},
+                                {"status", status},
+                                {"message", "off by one"},
+                                {"text", "  off by one\n"}}}}}
+                  .dump(),
+              lab(), code());
+    book.save();
+  }
+
+ private:
+  fs::path root_;
+  std::vector<Lab> list_;
+};
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("an exercise is untouched, begun, judged, and edited since", "[course]") {
+  const Tree tree;
+  CHECK(tree.stage(0) == Stage::begun);
+  CHECK(tree.stage(1) == Stage::untouched);
+  tree.judge("1.1", "passed", 2);
+  CHECK(tree.stage(0) == Stage::passed);
+  CHECK_FALSE(tree.status().exercises[0].rest_edited);
+  tree.write("return 1;", "return 2;", "throws");
+  CHECK(tree.stage(0) == Stage::passed);
+  CHECK(tree.status().exercises[0].rest_edited);
+  tree.judge("1.2", "failed", 1);
+  CHECK(tree.stage(1) == Stage::failed);
+  CHECK(tree.status().points() == 3);
+  tree.write("return 3;", "return 2;", "throws");
+  CHECK(tree.stage(0) == Stage::edited);
+  CHECK(tree.stage(1) == Stage::failed);
+  tree.write("throws", "return 2;", "throws");
+  CHECK(tree.stage(0) == Stage::begun);  // one of its two functions
+  tree.write("return 1;", "return 2;", "throws");
+  CHECK(tree.stage(0) == Stage::passed);  // the text that was judged is back
+}
+
+TEST_CASE("helpers before the first heading, and exercises that are used, count as one's own",
+          "[course]") {
+  const Tree tree;
+  tree.write("return 1;", "return 2;", "return 3;");
+  for (const char* number : {"1.1", "1.2", "1.3"})
+    tree.judge(number, "passed", 2);
+  tree.write("return 4;", "return 2;", "return 3;");
+  CHECK(tree.stage(1) == Stage::passed);
+  CHECK(tree.stage(2) == Stage::edited);  // it uses Lab 1.1
+  tree.write("return 1;", "return 2;", "return 3;", "int helper();");
+  for (std::size_t i = 0; i < 3; ++i)
+    CHECK(tree.stage(i) == Stage::edited);
+}
+
+TEST_CASE("the part of the file that changed says which exercise is being worked on", "[course]") {
+  const Tree tree;
+  const OwnCode before = tree.code();
+  tree.write("return 1;", "return 2;", "throws");
+  const std::vector<const Exercise*> changed = tree.code().changed_since(before);
+  REQUIRE(changed.size() == 1);
+  CHECK(changed[0]->tag == "Lab 1.2");
+  CHECK(tree.code().digest() != before.digest());
+  tree.write("return 1;", "throws", "throws");
+  CHECK(tree.code().digest() == before.digest());
+}
+
+TEST_CASE("what is next is the first that has not passed, from here on and round", "[course]") {
+  const Tree tree;
+  tree.write("return 1;", "return 2;", "throws");
+  tree.judge("1.2", "passed", 3);
+  const LabStatus status = tree.status();
+  CHECK(next_exercise(status)->tag == "Lab 1.1");
+  CHECK(next_exercise(status, &tree.lab().exercises[0])->tag == "Lab 1.3");
+  CHECK(next_exercise(status, &tree.lab().exercises[2])->tag == "Lab 1.1");
+}
+
+TEST_CASE("status for people has no escapes when piped; for programs it is JSON", "[course]") {
+  const Tree tree;
+  tree.judge("1.1", "failed", 1);
+  const std::string text = status_text({tree.status()}, false);
+  CHECK(text.find('\x1b') == std::string::npos);
+  CHECK(has(text, "Lab 01  1 of 9 points, 0 of 3 exercises  Demo"));
+  CHECK(has(text, "1 of 2  not right yet"));
+  CHECK(has(text, "Next: Lab 1.1, First: ./carlo watch 1, ./carlo hint 1.1"));
+  const nlohmann::json json = nlohmann::json::parse(status_json({tree.status()}));
+  CHECK(json["next"] == "1.1");
+  CHECK(json["labs"][0]["exercises"][0]["stage"] == "not right yet");
+  CHECK(json["points"] == 1);
+}
+
+TEST_CASE("a file of verdicts that is none, and a judge's words that are none, are errors",
+          "[course]") {
+  const Tree tree;
+  VerdictBook book(tree.kept());
+  CHECK_THROWS_AS(book.take("{", tree.lab(), tree.code()), Error);
+  CHECK_THROWS_AS(book.take(R"({"lab": 2, "exercises": []})", tree.lab(), tree.code()), Error);
+  fs::create_directories(tree.kept().parent_path());
+  write_file(tree.kept(), "[]");
+  CHECK_THROWS_AS(VerdictBook(tree.kept()), Error);
+}
+
+TEST_CASE("only exercise files are a student's own", "[course]") {
+  CHECK(is_own_file("labs/02_pi/pi.cpp"));
+  CHECK(is_own_file("labs/08_path_tracer/steps/a_camera.cpp"));
+  CHECK_FALSE(is_own_file("labs/02_pi/main.cpp"));
+  CHECK_FALSE(is_own_file("labs/02_pi/pi.h"));
+  CHECK_FALSE(is_own_file("solutions/02_pi/pi.cpp"));
+}
+
+TEST_CASE("errors in the student's file come first, those it caused elsewhere next", "[course]") {
+  const std::string log =
+      "[1/2] Building CXX object x.o\n"
+      "FAILED: x.o\n"
+      "In file included from /tree/labs/02_pi/pi.cpp:1:\n"
+      "/tree/labs/02_pi/pi.h:7:3: error: 'Foo' does not name a type\n"
+      "    7 |   Foo foo;\n      |   ^~~\n"
+      "In file included from /usr/include/c++/12/algorithm:61,\n"
+      "                 from /tree/labs/02_pi/pi.cpp:3:\n"
+      "/usr/include/c++/12/bits/stl_algo.h: In instantiation of 'void std::sort(It, It)':\n"
+      "/tree/labs/02_pi/pi.cpp:30:12:   required from here\n"
+      "/usr/include/c++/12/bits/stl_algo.h:1900:5: error: no match for 'operator-' (operand types "
+      "are 'std::__cxx11::basic_string<char>' and 'std::vector<int, std::allocator<int> >')\n"
+      " 1900 |   x - y\n      |   ^\n"
+      "../../labs/02_pi/pi.cpp:12:5: warning: unused variable 'x' [-Wunused-variable]\n"
+      "/tree/labs/02_pi/pi.cpp: In function 'int lab02::f()':\n"
+      "../../labs/02_pi/pi.cpp:20:10: error: 'y' was not declared in this scope\n"
+      "   20 |   return y;\n      |          ^\n"
+      "../../labs/02_pi/pi.cpp:20:10: note: suggested alternative: 'z'\n"
+      "   20 |   return y;\n      |          ^\n      |          z\n"
+      "../../labs/02_pi/pi.cpp:20:10: error: 'y' was not declared in this scope\n";
+  const std::vector<CompilerMessage> messages = compiler_messages(log, "/tree");
+  REQUIRE(messages.size() == 4);
+  CHECK(messages[0].whose == CompilerMessage::Whose::own);
+  CHECK(messages[0].file == "labs/02_pi/pi.cpp");
+  CHECK(messages[0].line == 20);
+  CHECK(messages[0].column == 10);
+  CHECK(messages[0].excerpt.size() == 2);
+  CHECK(messages[1].whose == CompilerMessage::Whose::caused);
+  CHECK(messages[1].line == 30);
+  CHECK(messages[1].found_in == "/usr/include/c++/12/bits/stl_algo.h:1900");
+  CHECK(has(messages[1].text, "'std::string' and 'std::vector<int>'"));
+  CHECK(messages[2].file == "labs/02_pi/pi.h");
+  CHECK_FALSE(messages[3].error);
+  const std::string text = compiler_text(messages, 1);
+  CHECK(text.rfind("labs/02_pi/pi.cpp:20:10: error: 'y' was not declared", 0) == 0);
+  CHECK(has(text, "and 2 more errors\nand 1 more warning\n"));
+}
+
+TEST_CASE("Clang's way to the student's line, and what the linker misses", "[course]") {
+  const std::string log =
+      "/usr/include/c++/12/bits/stl_algo.h:10:5: error: invalid operands to binary expression\n"
+      "    x - y\n    ~ ^ ~\n"
+      "/tree/labs/02_pi/pi.cpp:30:12: note: in instantiation of function template specialization "
+      "'std::sort<It>' requested here\n"
+      "/usr/bin/ld: probes.cpp.o: in function `probe':\n"
+      "probes.cpp:(.text+0x1): undefined reference to `lab02::pi_estimate(lab02::Darts const&)'\n"
+      "ld.lld: error: undefined symbol: lab02::mean_of(lab02::Sums const&)\n";
+  const std::vector<CompilerMessage> messages = compiler_messages(log, "/tree");
+  REQUIRE(messages.size() == 3);
+  CHECK(messages[0].file == "labs/02_pi/pi.cpp");
+  CHECK(messages[0].line == 30);
+  CHECK(has(messages[1].text, "lab02::pi_estimate(lab02::Darts const&) is called but not defined"));
+  CHECK(has(messages[2].text, "lab02::mean_of(lab02::Sums const&) is called but not defined"));
+}
+
+TEST_CASE("a log in which nothing is recognised is shown without the commands", "[course]") {
+  const std::string log = "FAILED: x\n/usr/bin/c++ -c x.cpp\nc++: fatal: killed\nninja: stopped\n";
+  CHECK(compiler_messages(log, "/tree").empty());
+  CHECK(plain_log(log, 10) == "c++: fatal: killed\n");
+  CHECK(plain_log("a\nb\nc\n", 2) == "b\nc\n");
+}
+
+TEST_CASE("long lines go on below, indented; colours take no room", "[course]") {
+  CHECK(wrapped_to("    one two three four five six", 20) ==
+        "    one two three\n    four five six\n");
+  CHECK(wrapped_to("\x1b[31mred\x1b[0m and that is it", 20) ==
+        "\x1b[31mred\x1b[0m and that is it\n");
+  CHECK(wrapped_to(std::string(45, 'x'), 20) ==
+        std::string(20, 'x') + "\n" + std::string(20, 'x') + "\n" + std::string(5, 'x') + "\n");
+  CHECK(first_rows("a\nb\nc\nd\n", 3, "press v") == "a\nb\n... 2 more lines: press v\n");
+  CHECK(first_rows("a\nb\n", 3, "press v") == "a\nb\n");
+}
