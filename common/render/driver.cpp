@@ -92,6 +92,32 @@ class Job {
   Progress progress_;
 };
 
+RenderResult run_uniform(tbb::task_arena& arena, const Integrator& integrator, int width,
+                         int height, double radiance_scale, const RenderOptions& options) {
+  const std::uint32_t block = options.seconds ? 8 : block_size(options.spp);
+  RenderResult result{.film = Film(width, height, block, radiance_scale)};
+  Job job(integrator, result.film, options);
+  arena.execute([&] { result.counts = job.run(); });
+  result.seconds = job.elapsed();
+  return result;
+}
+
+RenderResult run_adaptive(tbb::task_arena& arena, const Integrator& integrator, int width,
+                          int height, double radiance_scale, const RenderOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const AdaptiveGoal goal{*options.target_error, options.spp, options.seconds};
+  Progress progress("rendering", options.progress);
+  AdaptiveResult result = arena.execute([&] {
+    return render_adaptively(integrator, width, height, radiance_scale, goal,
+                             [&](double fraction) { progress.update(fraction); });
+  });
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  return {.film = std::move(result.film),
+          .counts = result.counts,
+          .seconds = time.count(),
+          .adaptive = result.summary};
+}
+
 }  // namespace
 
 bool render_interrupted() {
@@ -111,12 +137,11 @@ RenderResult render(const Integrator& integrator, int width, int height, double 
   // not take kindly to its being lowered and raised again.
   static const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, max_threads);
   tbb::task_arena arena(threads);
-  const std::uint32_t block = options.seconds ? 8 : block_size(options.spp);
-  RenderResult result{Film(width, height, block, radiance_scale), {}, 0, threads, false};
   const InterruptGuard guard;
-  Job job(integrator, result.film, options);
-  arena.execute([&] { result.counts = job.run(); });
-  result.seconds = job.elapsed();
+  RenderResult result =
+      options.target_error ? run_adaptive(arena, integrator, width, height, radiance_scale, options)
+                           : run_uniform(arena, integrator, width, height, radiance_scale, options);
+  result.threads = threads;
   result.interrupted = interrupt_noted();
   return result;
 }

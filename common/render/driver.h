@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/film.h"
+#include "render/adaptive.h"
 #include "render/integrator.h"
 
 #include <cstdint>
@@ -13,14 +14,17 @@ struct RenderOptions {
   std::optional<double> seconds;  ///< stop after this time, with whole blocks in every pixel
   int threads = 0;                ///< 0: one for each core
   bool progress = true;
+  /// Samples each pixel until its relative error is this (adaptive.h); spp and seconds are limits.
+  std::optional<double> target_error = {};
 };
 
 struct RenderResult {
   Film film;
-  Counts counts;
+  Counts counts{};
   double seconds = 0;
   int threads = 1;
-  bool interrupted = false;  ///< by Ctrl-C; the film holds what was finished
+  bool interrupted = false;                      ///< by Ctrl-C; the film holds what was finished
+  std::optional<AdaptiveSummary> adaptive = {};  ///< of a render with target_error
 };
 
 /// The size of the blocks (film.h) for a planned number of samples: the largest power of two that

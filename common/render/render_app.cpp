@@ -8,6 +8,7 @@
 #include "render/driver.h"
 #include "render/error_map.h"
 #include "render/report.h"
+#include "render/samples_map.h"
 #include "scene/load_scene.h"
 
 #include <CLI/CLI.hpp>
@@ -27,11 +28,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Samples a pixel at most with --target-error.
+constexpr int default_cap = 1 << 16;
+
 struct Arguments {
   std::string scene, default_scene, output, reference, size, sampler;
   std::vector<std::string> definitions;
   std::optional<std::uint32_t> spp;
-  std::optional<double> seconds;
+  std::optional<double> seconds, target_error;
   std::optional<int> max_depth;
   std::uint64_t seed = 1;
   int threads = 0;
@@ -41,11 +45,13 @@ struct Arguments {
 void add_common_options(CLI::App& app, Arguments& a) {
   app.add_option("scene", a.scene, "scene file, Mitsuba 0.6-style XML (default: the Cornell box)");
   app.add_option("--default-scene", a.default_scene)->group("");  // for the script ./carlo
-  auto* spp = app.add_option("--spp", a.spp, "samples a pixel (default: the scene's)")
-                  ->check(CLI::Range(1u, 1u << 28));
+  app.add_option("--spp", a.spp, "samples a pixel (default: the scene's)")
+      ->check(CLI::Range(1u, 1u << 28));
   app.add_option("--seconds", a.seconds, "render for about this long instead")
-      ->check(CLI::Range(0.0, 1e7))
-      ->excludes(spp);
+      ->check(CLI::Range(0.0, 1e7));
+  app.add_option("--target-error", a.target_error,
+                 "sample each pixel until its relative error is this, such as .01, at 95 % "
+                 "confidence; --spp (default: 65536) and --seconds are limits then");
   app.add_option("--size", a.size, "film size, WIDTHxHEIGHT (default: the scene's)");
   app.add_option("--max-depth", a.max_depth, "longest path in segments, 0 for no limit")
       ->check(CLI::Range(0, 1 << 20));
@@ -91,6 +97,7 @@ void apply(const Arguments& a, Scene& scene) {
         parse_whole(std::string_view(a.size).substr(std::min(x + 1, a.size.size())), a.size);
     resize(scene, width, height);
   }
+  if (a.target_error) scene.spp = default_cap;
   if (a.spp) scene.spp = static_cast<int>(*a.spp);
   if (a.max_depth) scene.max_depth = *a.max_depth;
   if (a.sampler == "independent") scene.sampler = SamplerKind::independent;
@@ -116,25 +123,52 @@ fs::path with_suffix(const fs::path& stem, const char* suffix) {
   return fs::path(stem.string() + suffix);
 }
 
+/// The number of samples of each pixel.
+std::vector<std::uint32_t> sample_counts(const Film& film) {
+  std::vector<std::uint32_t> counts;
+  for (int y = 0; y < film.height(); ++y) {
+    for (int x = 0; x < film.width(); ++x)
+      counts.push_back(static_cast<std::uint32_t>(film.samples(x, y)));
+  }
+  return counts;
+}
+
 void write_outputs(const fs::path& stem, const RenderResult& result, const RenderReport& report) {
   const Image mean = result.film.mean();
-  write_exr(with_suffix(stem, ".exr"), {mean,
-                                        result.film.standard_error(),
-                                        {{"scene", report.scene},
-                                         {"seed", std::to_string(report.seed)},
-                                         {"spp", fmt::format("{}", report.spp)},
-                                         {"kernel", report.kernel}}});
+  ExrFile file{mean,
+               result.film.standard_error(),
+               {{"scene", report.scene},
+                {"seed", std::to_string(report.seed)},
+                {"spp", fmt::format("{}", report.spp)},
+                {"kernel", report.kernel}}};
+  if (result.adaptive) {
+    file.counts["samples"] = sample_counts(result.film);
+    write_png(with_suffix(stem, ".samples.png"), samples_map(result.film));
+  }
+  write_exr(with_suffix(stem, ".exr"), file);
   write_png(with_suffix(stem, ".png"), mean);
   write_png(with_suffix(stem, ".error.png"), error_map(result.film));
   write_file(with_suffix(stem, ".json"), to_json(report));
 }
 
+/// Refuses what does not go together.
+void check(const Arguments& a) {
+  if (a.seconds && a.spp && !a.target_error) {
+    throw Error("give --seconds or --spp: both are for --target-error only");
+  }
+  if (a.target_error && !(*a.target_error > 0 && *a.target_error < 1)) {
+    throw Error("--target-error is a fraction between 0 and 1, such as .01, got {}",
+                *a.target_error);
+  }
+}
+
 int run(const Arguments& a, const IntegratorFactory& factory) {
+  check(a);
   Scene scene = load_scene(a.scene, parse_definitions(a.definitions));
   apply(a, scene);
   const fs::path stem = output_stem(a);
   // Find out now, not after an hour, that the output cannot be written or the reference is missing.
-  for (const char* suffix : {".exr", ".png", ".error.png", ".json"}) {
+  for (const char* suffix : {".exr", ".png", ".error.png", ".samples.png", ".json"}) {
     const AtomicFile writable(with_suffix(stem, suffix));
   }
   std::optional<ExrFile> reference;
@@ -143,11 +177,13 @@ int run(const Arguments& a, const IntegratorFactory& factory) {
     compare(reference->image, Image(scene.width, scene.height));
   }
 
-  const auto integrator = factory(scene, a.seed, static_cast<std::uint32_t>(scene.spp));
-  const RenderOptions options{.spp = static_cast<std::uint32_t>(scene.spp),
+  const auto spp = static_cast<std::uint32_t>(scene.spp);
+  const auto integrator = factory(scene, a.seed, a.target_error ? adaptive_strata : spp);
+  const RenderOptions options{.spp = spp,
                               .seconds = a.seconds,
                               .threads = a.threads,
-                              .progress = !a.quiet};
+                              .progress = !a.quiet,
+                              .target_error = a.target_error};
   const RenderResult result =
       render(*integrator, scene.width, scene.height, radiance_scale(scene), options);
   RenderReport report = make_report(scene, result);
@@ -160,8 +196,9 @@ int run(const Arguments& a, const IntegratorFactory& factory) {
     fmt::print("{}", to_text(report));
     for (const std::string& note : scene.notes)
       fmt::print("  {:<16} {}\n", "note", note);
-    fmt::print("  {:<16} {}.png, .exr (with standard errors), .error.png (noise map), .json\n",
-               "written", stem.string());
+    fmt::print("  {:<16} {}.png, .exr (with standard errors), .error.png (noise map){}, .json\n",
+               "written", stem.string(),
+               result.adaptive ? ", .samples.png (where the samples went)" : "");
   }
   return result.interrupted ? 130 : 0;
 }
