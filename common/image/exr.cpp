@@ -52,7 +52,7 @@ OIIO::ImageSpec spec_of(const ExrFile& file) {
   for (const auto& [name, values] : file.counts)
     add(name, OIIO::TypeDesc::UINT32);
   if (file.counts.empty()) spec.channelformats.clear();
-  spec.attribute("compression", "zip");
+  spec.attribute("compression", "zip:1");
   spec.attribute("DateTime", fixed_date);
   for (const auto& [name, value] : file.attributes)
     spec.attribute(attribute_prefix + name, value);

@@ -44,6 +44,11 @@ class Film {
   void set_estimate(int x, int y, const std::array<double, 3>& mean,
                     const std::array<double, 3>& standard_error, std::uint64_t samples);
 
+  /// All that is known of a pixel, exactly; another film of the same size, block and scale may go
+  /// on from there.
+  const PixelSums& sums(int x, int y) const { return pixels_[index(x, y)]; }
+  void set_sums(int x, int y, const PixelSums& sums) { pixels_[index(x, y)] = sums; }
+
   /// Adds another film of the same size, block and scale.
   void merge(const Film& other);
 

@@ -23,28 +23,33 @@ constexpr int unit_size = 4, tile_size = 16;
 /// 95 % of normal errors are within this many standard errors.
 constexpr double confidence = 1.96;
 /// The worst pixel of a unit may be this much above the unit's root mean square error.
-constexpr double worst_excess = 1.5;
+constexpr double worst_excess = 3;
 constexpr double floor_fraction = 0.01;
 /// Larger jobs are split, so that all threads have work until the end.
 constexpr std::uint64_t most_paths_a_job = 1u << 20;
 
-/// The samples of a half after a number of rounds: first, 2 first, 4 first ...
+/// The samples of a half after a number of rounds: n, 3/2 n, 2 n, 3 n, 4 n ... The samples of each
+/// round are aligned runs of a power of two, which Sobol' points fill evenly.
 class Levels {
  public:
   explicit Levels(std::uint32_t spp) {
-    if (spp < 16) {
-      throw Error("--target-error needs at least 16 samples a pixel, got --spp {}", spp);
+    if (spp < 32) {
+      throw Error("--target-error needs at least 32 samples a pixel, got --spp {}", spp);
     }
     first_ = std::min(32u, std::bit_floor(spp / 2));
-    count_ = std::bit_width(spp / 2 / first_);
+    while (end(count_) <= spp / 2)
+      ++count_;
   }
   int count() const { return count_; }
-  std::uint32_t end(int level) const { return first_ << level; }
+  std::uint32_t end(int level) const {
+    const std::uint32_t octave = first_ << (level / 2);
+    return level % 2 == 0 ? octave : octave + octave / 2;
+  }
   std::uint32_t begin(int level) const { return level == 0 ? 0 : end(level - 1); }
 
  private:
-  std::uint32_t first_;
-  int count_;
+  std::uint32_t first_ = 0;
+  int count_ = 0;
 };
 
 struct Unit {
@@ -218,7 +223,9 @@ class AdaptiveJob {
   struct SquaredErrors {
     double mean = 0, worst = 0;
   };
-  SquaredErrors errors(int x0, int y0, std::size_t half) const {
+  SquaredErrors errors(std::size_t unit, std::size_t half) const {
+    const int x0 = static_cast<int>(unit) % columns_ * unit_size;
+    const int y0 = static_cast<int>(unit) / columns_ * unit_size;
     const int x1 = std::min(x0 + unit_size, width_), y1 = std::min(y0 + unit_size, height_);
     SquaredErrors result;
     for (int y = y0; y < y1; ++y) {
@@ -238,17 +245,15 @@ class AdaptiveJob {
   void decide() {
     const double allowed = goal_.target * goal_.target / (confidence * confidence);
     double missing = 0;
-    for (int y = 0; y < height_; y += unit_size) {
-      for (int x = 0; x < width_; x += unit_size) {
-        Unit& unit = const_cast<Unit&>(unit_of(x, y));
-        for (std::size_t half = 0; half < 2; ++half) {
-          if (unit.fell[half]) continue;
-          const SquaredErrors e = errors(x, y, half);
-          unit.fell[half] = e.mean <= allowed && e.worst <= worst_excess * worst_excess * allowed;
-          if (unit.fell[half])
-            finish(x, y, 1 - half);
-          else
-            missing += still_missing(e.mean / allowed);
+    for (std::size_t unit = 0; unit < units_.size(); ++unit) {
+      for (std::size_t half = 0; half < 2; ++half) {
+        if (units_[unit].fell[half]) continue;
+        const SquaredErrors e = errors(unit, half);
+        if (e.mean <= allowed && e.worst <= worst_excess * worst_excess * allowed) {
+          units_[unit].fell[half] = true;
+          finish(unit, 1 - half);
+        } else {
+          missing += still_missing(e.mean / allowed);
         }
       }
     }
@@ -258,10 +263,12 @@ class AdaptiveJob {
   /// An estimate of the samples that a unit lacks, for the progress bar.
   double still_missing(double excess) const {
     const double n = levels_.end(level_), most = levels_.end(levels_.count() - 1);
-    return unit_size * unit_size * (std::clamp(n * excess, 2 * n, std::fmax(most, 2 * n)) - n);
+    return unit_size * unit_size * (std::clamp(n * excess, 1.5 * n, std::fmax(most, 1.5 * n)) - n);
   }
 
-  void finish(int x0, int y0, std::size_t half) {
+  void finish(std::size_t unit, std::size_t half) {
+    const int x0 = static_cast<int>(unit) % columns_ * unit_size;
+    const int y0 = static_cast<int>(unit) / columns_ * unit_size;
     for (int y = y0; y < std::min(y0 + unit_size, height_); ++y) {
       for (int x = x0; x < std::min(x0 + unit_size, width_); ++x)
         halves_[half][pixel(x, y)].finish();

@@ -44,14 +44,15 @@ struct AdaptiveResult {
 /// both are sampled until both decisions have fallen, and what the estimates leave out is lost
 /// (`decided_only`).
 ///
-/// Decisions are taken for blocks of 4 x 4 pixels, after 32, 64, 128 ... samples a half (powers of
-/// two are what Sobol' points want): 16 pixels tell their variance more surely than one, and a rare
-/// bright path in one keeps all going. A block is done when its pixels' errors are within the
-/// target on average (root mean square) and the worst estimate is at most 1.5 times that.
+/// Decisions are taken for blocks of 4 x 4 pixels, after 32, 48, 64, 96, 128 ... samples a half
+/// (aligned powers of two are what Sobol' points want): 16 pixels tell their variance more surely
+/// than one, and a rare bright path in one keeps all going. A block is done when its pixels' errors
+/// are within the target on average (root mean square) and the worst estimate is at most 3 times
+/// that.
 ///
 /// In the caller's task arena. The film's bits do not depend on the number of threads. `progress`
 /// is told the fraction done, by one thread at a time. Throws Error if the target is not a finite
-/// number above 0 or spp is below 16.
+/// number above 0 or spp is below 32.
 AdaptiveResult render_adaptively(const Integrator& integrator, int width, int height,
                                  double radiance_scale, const AdaptiveGoal& goal,
                                  const std::function<void(double)>& progress);

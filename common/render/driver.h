@@ -5,9 +5,12 @@
 #include "render/integrator.h"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 namespace carlo {
+
+struct RenderResult;
 
 struct RenderOptions {
   std::uint32_t spp = 64;         ///< samples a pixel, unless `seconds` is set
@@ -16,6 +19,13 @@ struct RenderOptions {
   bool progress = true;
   /// Samples each pixel until its relative error is this (adaptive.h); spp and seconds are limits.
   std::optional<double> target_error = {};
+  /// The result of an earlier render with the same integrator to go on from; its film's block
+  /// stays.
+  const RenderResult* earlier = nullptr;
+  /// Called with what is there, between passes, when this many seconds have gone by; not if the
+  /// render is adaptive.
+  std::function<void(const RenderResult&)> checkpoint = {};
+  double checkpoint_seconds = 60;
 };
 
 struct RenderResult {
@@ -26,6 +36,10 @@ struct RenderResult {
   bool interrupted = false;                      ///< by Ctrl-C; the film holds what was finished
   std::optional<AdaptiveSummary> adaptive = {};  ///< of a render with target_error
 };
+
+/// Pixels a side of the squares that are rendered at once; all of a square's pixels have as many
+/// blocks.
+constexpr int driver_tile_size = 16;
 
 /// The size of the blocks (film.h) for a planned number of samples: the largest power of two that
 /// divides spp, leaves at least eight blocks if it can, and is at most 64.

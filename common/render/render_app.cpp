@@ -8,6 +8,7 @@
 #include "render/driver.h"
 #include "render/error_map.h"
 #include "render/report.h"
+#include "render/resume.h"
 #include "render/samples_map.h"
 #include "scene/load_scene.h"
 
@@ -37,9 +38,12 @@ struct Arguments {
   std::optional<std::uint32_t> spp;
   std::optional<double> seconds, target_error;
   std::optional<int> max_depth;
-  std::uint64_t seed = 1;
+  std::optional<std::uint64_t> seed;
   int threads = 0;
   bool quiet = false;
+  std::string resume;
+  double checkpoint = 60;
+  bool no_sums = false;
 };
 
 void add_common_options(CLI::App& app, Arguments& a) {
@@ -57,12 +61,19 @@ void add_common_options(CLI::App& app, Arguments& a) {
       ->check(CLI::Range(0, 1 << 20));
   app.add_option("--sampler", a.sampler, "independent, stratified or sobol")
       ->check(CLI::IsMember({"independent", "stratified", "sobol"}));
-  app.add_option("--seed", a.seed, "another seed gives independent noise")->capture_default_str();
+  app.add_option("--seed", a.seed, "another seed gives independent noise (default: 1)");
   app.add_option("--threads", a.threads, "default: one for each core")->check(CLI::Range(1, 1024));
   app.add_option("-D,--define", a.definitions, "NAME=VALUE for a $NAME of the scene");
   app.add_option("-o,--output", a.output,
                  "base name of .png, .exr, .error.png and .json (default: out/SCENE)");
   app.add_option("--reference", a.reference, "EXR to measure the error against");
+  app.add_option("--resume", a.resume,
+                 "go on with the render in this EXR, with its scene and settings, up to --spp or "
+                 "for --seconds more");
+  app.add_option("--checkpoint", a.checkpoint, "seconds after which a long render's EXR is written")
+      ->check(CLI::Range(0.0, 1e7))
+      ->capture_default_str();
+  app.add_flag("--no-sums", a.no_sums, "a smaller EXR, which cannot be resumed");
   app.add_flag("--quiet", a.quiet, "no progress bar, no report on stdout");
 }
 
@@ -133,23 +144,53 @@ std::vector<std::uint32_t> sample_counts(const Film& film) {
   return counts;
 }
 
-void write_outputs(const fs::path& stem, const RenderResult& result, const RenderReport& report) {
-  const Image mean = result.film.mean();
-  ExrFile file{mean,
-               result.film.standard_error(),
-               {{"scene", report.scene},
-                {"seed", std::to_string(report.seed)},
-                {"spp", fmt::format("{}", report.spp)},
-                {"kernel", report.kernel}}};
-  if (result.adaptive) {
-    file.counts["samples"] = sample_counts(result.film);
-    write_png(with_suffix(stem, ".samples.png"), samples_map(result.film));
+/// Writes the files of a render, and of a render under way.
+class Outputs {
+ public:
+  Outputs(fs::path stem, RenderSettings settings, bool sums)
+      : stem_(std::move(stem)), settings_(std::move(settings)), sums_(sums) {
+    // Find out now, not after an hour, that the output cannot be written.
+    for (const char* suffix : {".exr", ".png", ".error.png", ".samples.png", ".json"}) {
+      const AtomicFile writable(with_suffix(stem_, suffix));
+    }
   }
-  write_exr(with_suffix(stem, ".exr"), file);
-  write_png(with_suffix(stem, ".png"), mean);
-  write_png(with_suffix(stem, ".error.png"), error_map(result.film));
-  write_file(with_suffix(stem, ".json"), to_json(report));
-}
+
+  const fs::path& stem() const { return stem_; }
+
+  /// All that goes on needs: the image and how long it took.
+  void checkpoint(const RenderResult& result, const RenderReport& report) const {
+    write_exr(with_suffix(stem_, ".exr"), exr(result, report, true));
+    write_file(with_suffix(stem_, ".json"), to_json(report));
+  }
+
+  void write(const RenderResult& result, const RenderReport& report) const {
+    const ExrFile file = exr(result, report, sums_ && !result.adaptive);
+    write_exr(with_suffix(stem_, ".exr"), file);
+    write_png(with_suffix(stem_, ".png"), file.image);
+    write_png(with_suffix(stem_, ".error.png"), error_map(result.film));
+    if (result.adaptive) {
+      write_png(with_suffix(stem_, ".samples.png"), samples_map(result.film));
+    }
+    write_file(with_suffix(stem_, ".json"), to_json(report));
+  }
+
+ private:
+  ExrFile exr(const RenderResult& result, const RenderReport& report, bool sums) const {
+    ExrFile file{result.film.mean(),
+                 result.film.standard_error(),
+                 {{"scene", report.scene},
+                  {"seed", std::to_string(report.seed)},
+                  {"spp", fmt::format("{}", report.spp)},
+                  {"kernel", report.kernel}}};
+    if (result.adaptive) file.counts["samples"] = sample_counts(result.film);
+    if (sums) add_sums(file, settings_, result.film, result.counts);
+    return file;
+  }
+
+  fs::path stem_;
+  RenderSettings settings_;
+  bool sums_;
+};
 
 /// Refuses what does not go together.
 void check(const Arguments& a) {
@@ -160,44 +201,97 @@ void check(const Arguments& a) {
     throw Error("--target-error is a fraction between 0 and 1, such as .01, got {}",
                 *a.target_error);
   }
+  if (a.resume.empty()) return;
+  if (a.target_error) throw Error("--resume goes on with renders by --spp or --seconds only");
+  if (!a.spp && !a.seconds)
+    throw Error("--resume goes on up to --spp N or for --seconds S: which?");
 }
 
-int run(const Arguments& a, const IntegratorFactory& factory) {
+/// What the command line leaves open is as in the earlier render.
+void take_over(Arguments& a, const EarlierRender& earlier) {
+  if (a.scene.empty()) a.scene = earlier.setting("scene");
+  if (a.definitions.empty()) a.definitions = earlier.definitions();
+  if (a.size.empty()) a.size = fmt::format("{}x{}", earlier.width(), earlier.height());
+  if (a.sampler.empty()) a.sampler = earlier.setting("sampler");
+  if (!a.max_depth) a.max_depth = static_cast<int>(earlier.number("max_depth"));
+  if (!a.seed) a.seed = earlier.number("seed");
+  if (a.output.empty()) a.output = fs::path(a.resume).replace_extension().string() + ".exr";
+}
+
+/// The result that a render goes on from.
+RenderResult result_of(const EarlierRender& earlier, const Arguments& a, const Scene& scene) {
+  RenderResult result{.film = earlier.film(radiance_scale(scene)), .counts = earlier.counts()};
+  result.seconds = earlier.seconds(result.film);
+  const std::uint32_t block = result.film.block();
+  const auto pixels =
+      static_cast<std::uint64_t>(scene.width) * static_cast<std::uint64_t>(scene.height);
+  if (a.spp && (*a.spp % block != 0 || *a.spp * pixels <= result.film.samples())) {
+    throw Error("--spp {} is no way to go on from {:.6g}: expected more, a multiple of {}", *a.spp,
+                static_cast<double>(result.film.samples()) / static_cast<double>(pixels), block);
+  }
+  return result;
+}
+
+int run(Arguments a, const IntegratorFactory& factory) {
   check(a);
+  std::optional<EarlierRender> earlier;
+  if (!a.resume.empty()) {
+    earlier.emplace(a.resume);
+    take_over(a, *earlier);
+  }
   Scene scene = load_scene(a.scene, parse_definitions(a.definitions));
   apply(a, scene);
-  const fs::path stem = output_stem(a);
-  // Find out now, not after an hour, that the output cannot be written or the reference is missing.
-  for (const char* suffix : {".exr", ".png", ".error.png", ".samples.png", ".json"}) {
-    const AtomicFile writable(with_suffix(stem, suffix));
-  }
   std::optional<ExrFile> reference;
   if (!a.reference.empty()) {
     reference = read_exr(a.reference);
     compare(reference->image, Image(scene.width, scene.height));
   }
 
+  const std::uint64_t seed = a.seed.value_or(1);
   const auto spp = static_cast<std::uint32_t>(scene.spp);
-  const auto integrator = factory(scene, a.seed, a.target_error ? adaptive_strata : spp);
-  const RenderOptions options{.spp = spp,
-                              .seconds = a.seconds,
-                              .threads = a.threads,
-                              .progress = !a.quiet,
-                              .target_error = a.target_error};
+  const std::uint32_t planned = earlier ? static_cast<std::uint32_t>(earlier->number("planned_spp"))
+                                : a.target_error ? adaptive_strata
+                                                 : spp;
+  const auto integrator = factory(scene, seed, planned);
+  const RenderSettings settings =
+      render_settings(scene, integrator->name(), seed, planned, a.definitions);
+  std::optional<RenderResult> start;
+  if (earlier) {
+    earlier->require_same(settings);
+    start = result_of(*earlier, a, scene);
+  }
+  const Outputs outputs(output_stem(a), settings, !a.no_sums);
+  const auto report_on = [&](const RenderResult& result) {
+    RenderReport report = make_report(scene, result);
+    report.scene = a.scene;
+    report.kernel = integrator->name();
+    report.seed = seed;
+    if (reference) report.reference = compare_with_reference(result, a.reference, *reference);
+    return report;
+  };
+  const RenderOptions options{
+      .spp = spp,
+      .seconds = a.seconds,
+      .threads = a.threads,
+      .progress = !a.quiet,
+      .target_error = a.target_error,
+      .earlier = start ? &*start : nullptr,
+      .checkpoint = [&](const RenderResult& r) { outputs.checkpoint(r, report_on(r)); },
+      .checkpoint_seconds = a.checkpoint};
   const RenderResult result =
       render(*integrator, scene.width, scene.height, radiance_scale(scene), options);
-  RenderReport report = make_report(scene, result);
-  report.scene = a.scene;
-  report.kernel = integrator->name();
-  report.seed = a.seed;
-  if (reference) report.reference = compare_with_reference(result, a.reference, *reference);
-  write_outputs(stem, result, report);
+  const RenderReport report = report_on(result);
+  outputs.write(result, report);
   if (!a.quiet) {
     fmt::print("{}", to_text(report));
     for (const std::string& note : scene.notes)
       fmt::print("  {:<16} {}\n", "note", note);
+    if (start && start->seconds == 0) {
+      fmt::print("  {:<16} the time is that of this part: no report lies beside {}\n", "note",
+                 a.resume);
+    }
     fmt::print("  {:<16} {}.png, .exr (with standard errors), .error.png (noise map){}, .json\n",
-               "written", stem.string(),
+               "written", outputs.stem().string(),
                result.adaptive ? ", .samples.png (where the samples went)" : "");
   }
   return result.interrupted ? 130 : 0;
@@ -269,8 +363,10 @@ int render_app(int argc, char** argv, const IntegratorFactory& factory,
   add_common_options(app, arguments);
   if (add_options) add_options(app);
   if (const auto code = parse_arguments(app, argc, argv)) return *code;
-  if (arguments.scene.empty()) arguments.scene = arguments.default_scene;
-  if (arguments.scene.empty()) throw Error("which scene? (see ./carlo render --help)");
+  if (arguments.scene.empty() && arguments.resume.empty()) {
+    arguments.scene = arguments.default_scene;
+    if (arguments.scene.empty()) throw Error("which scene? (see ./carlo render --help)");
+  }
   return run(arguments, factory);
 }
 
