@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <type_traits>
 #include <vector>
 
 namespace carlo {
@@ -19,17 +21,42 @@ const std::string attribute_prefix = "carlo:";
 /// OpenEXR files carry a date; a fixed one keeps equal images equal.
 constexpr const char* fixed_date = "2000:01:01 00:00:00";
 
-std::vector<float> interleave(const ExrFile& file) {
-  std::vector<float> data;
-  data.reserve(file.image.pixels.size() * (file.standard_error ? 6 : 3));
+/// The pixels' channels one after the other, as 32-bit words: floats, then whole numbers.
+std::vector<std::uint32_t> interleave(const ExrFile& file) {
+  std::vector<std::uint32_t> data;
+  data.reserve(file.image.pixels.size() * ((file.standard_error ? 6 : 3) + file.counts.size()));
   for (std::size_t i = 0; i < file.image.pixels.size(); ++i) {
     for (int c = 0; c < 3; ++c)
-      data.push_back(file.image.pixels[i][c]);
-    if (!file.standard_error) continue;
-    for (int c = 0; c < 3; ++c)
-      data.push_back(file.standard_error->pixels[i][c]);
+      data.push_back(std::bit_cast<std::uint32_t>(file.image.pixels[i][c]));
+    for (int c = 0; c < 3 && file.standard_error; ++c)
+      data.push_back(std::bit_cast<std::uint32_t>(file.standard_error->pixels[i][c]));
+    for (const auto& [name, values] : file.counts)
+      data.push_back(values[i]);
   }
   return data;
+}
+
+OIIO::ImageSpec spec_of(const ExrFile& file) {
+  OIIO::ImageSpec spec(file.image.width, file.image.height, 0, OIIO::TypeDesc::FLOAT);
+  const auto add = [&spec](const std::string& name, OIIO::TypeDesc type) {
+    spec.channelnames.push_back(name);
+    spec.channelformats.push_back(type);
+    ++spec.nchannels;
+  };
+  for (const std::string& name : colour_channels)
+    add(name, OIIO::TypeDesc::FLOAT);
+  if (file.standard_error) {
+    for (const std::string& name : error_channels)
+      add(name, OIIO::TypeDesc::FLOAT);
+  }
+  for (const auto& [name, values] : file.counts)
+    add(name, OIIO::TypeDesc::UINT32);
+  if (file.counts.empty()) spec.channelformats.clear();
+  spec.attribute("compression", "zip:1");
+  spec.attribute("DateTime", fixed_date);
+  for (const auto& [name, value] : file.attributes)
+    spec.attribute(attribute_prefix + name, value);
+  return spec;
 }
 
 /// The places of three named channels among a file's, or nothing if one is missing.
@@ -44,13 +71,30 @@ std::optional<std::array<std::size_t, 3>> find_channels(const std::vector<std::s
   return places;
 }
 
-Image extract(const std::vector<float>& data, int width, int height, std::size_t channels,
-              const std::array<std::size_t, 3>& places) {
-  Image image(width, height);
+/// `count` channels from the one at `first` on, interleaved, of 32-bit values.
+template <class T>
+std::vector<T> read_channels(OIIO::ImageInput& in, const OIIO::ImageSpec& spec, std::size_t first,
+                             std::size_t count, const std::filesystem::path& path) {
+  std::vector<T> data(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
+                      count);
+  const auto begin = static_cast<int>(first);
+  const auto type = std::is_same_v<T, float> ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT32;
+  if (!in.read_image(0, 0, begin, begin + static_cast<int>(count), type, data.data())) {
+    throw Error("cannot read {}: {}", path.string(), in.geterror());
+  }
+  return data;
+}
+
+/// Three channels; only those that lie between them are read besides.
+Image read_colours(OIIO::ImageInput& in, const OIIO::ImageSpec& spec,
+                   const std::array<std::size_t, 3>& places, const std::filesystem::path& path) {
+  const auto [first, last] = std::minmax_element(places.begin(), places.end());
+  const std::size_t count = *last - *first + 1;
+  const auto data = read_channels<float>(in, spec, *first, count, path);
+  Image image(spec.width, spec.height);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    for (int c = 0; c < 3; ++c) {
-      image.pixels[i][c] = data[i * channels + places[static_cast<std::size_t>(c)]];
-    }
+    for (int c = 0; c < 3; ++c)
+      image.pixels[i][c] = data[i * count + places[static_cast<std::size_t>(c)] - *first];
   }
   return image;
 }
@@ -61,25 +105,15 @@ void write_exr(const std::filesystem::path& path, const ExrFile& file) {
   AtomicFile target(path);
   auto out = OIIO::ImageOutput::create("exr");
   if (!out) throw Error("cannot write {}: {}", path.string(), OIIO::geterror());
-  OIIO::ImageSpec spec(file.image.width, file.image.height, file.standard_error ? 6 : 3,
-                       OIIO::TypeDesc::FLOAT);
-  spec.channelnames.assign(colour_channels.begin(), colour_channels.end());
-  if (file.standard_error) {
-    spec.channelnames.insert(spec.channelnames.end(), error_channels.begin(), error_channels.end());
-  }
-  spec.attribute("compression", "zip");
-  spec.attribute("DateTime", fixed_date);
-  for (const auto& [name, value] : file.attributes)
-    spec.attribute(attribute_prefix + name, value);
-  const std::vector<float> data = interleave(file);
-  if (!out->open(target.path().string(), spec) ||
-      !out->write_image(OIIO::TypeDesc::FLOAT, data.data()) || !out->close()) {
+  const std::vector<std::uint32_t> data = interleave(file);
+  if (!out->open(target.path().string(), spec_of(file)) ||
+      !out->write_image(OIIO::TypeDesc::UNKNOWN, data.data()) || !out->close()) {
     throw Error("cannot write {}: {}", path.string(), out->geterror());
   }
   target.commit();
 }
 
-ExrFile read_exr(const std::filesystem::path& path) {
+ExrFile read_exr(const std::filesystem::path& path, const std::vector<std::string>& counts) {
   auto in = OIIO::ImageInput::open(path.string());
   if (!in) throw Error("cannot read {}: {}", path.string(), OIIO::geterror());
   if (std::string(in->format_name()) != "openexr") {
@@ -88,16 +122,17 @@ ExrFile read_exr(const std::filesystem::path& path) {
   const OIIO::ImageSpec spec = in->spec();
   const auto colour = find_channels(spec.channelnames, colour_channels);
   if (!colour) throw Error("cannot read {}: it has no channels R, G, B", path.string());
-  const auto channels = static_cast<std::size_t>(spec.nchannels);
-  std::vector<float> data(static_cast<std::size_t>(spec.width) *
-                          static_cast<std::size_t>(spec.height) * channels);
-  if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, data.data())) {
-    throw Error("cannot read {}: {}", path.string(), in->geterror());
-  }
   ExrFile file;
-  file.image = extract(data, spec.width, spec.height, channels, *colour);
+  file.image = read_colours(*in, spec, *colour, path);
   if (const auto error = find_channels(spec.channelnames, error_channels)) {
-    file.standard_error = extract(data, spec.width, spec.height, channels, *error);
+    file.standard_error = read_colours(*in, spec, *error, path);
+  }
+  for (const std::string& name : counts) {
+    const auto it = std::find(spec.channelnames.begin(), spec.channelnames.end(), name);
+    if (it == spec.channelnames.end()) continue;
+    const auto place = static_cast<std::size_t>(it - spec.channelnames.begin());
+    if (spec.channelformat(static_cast<int>(place)) != OIIO::TypeDesc::UINT32) continue;
+    file.counts[name] = read_channels<std::uint32_t>(*in, spec, place, 1, path);
   }
   for (const auto& attribute : spec.extra_attribs) {
     const std::string name = attribute.name().string();

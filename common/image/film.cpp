@@ -25,13 +25,31 @@ Film::Film(int width, int height, std::uint32_t block, double scale)
   pixels_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
 }
 
-void Film::add_block(int x, int y, const std::array<double, 3>& mean) {
-  PixelSums& pixel = pixels_[index(x, y)];
+void Film::add(PixelSums& pixel, const std::array<double, 3>& mean) const {
   for (std::size_t c = 0; c < 3; ++c) {
     pixel.sum[c].add(mean[c], sum_grid_);
     pixel.squares[c].add(mean[c] * mean[c], square_grid_);
   }
   pixel.blocks += 1;
+}
+
+void Film::add_block(int x, int y, const std::array<double, 3>& mean) {
+  PixelSums& pixel = pixels_[index(x, y)];
+  add(pixel, mean);
+  pixel.samples += block_;
+}
+
+void Film::set_estimate(int x, int y, const std::array<double, 3>& mean,
+                        const std::array<double, 3>& standard_error, std::uint64_t samples) {
+  PixelSums& pixel = pixels_[index(x, y)];
+  pixel = {};
+  for (const double side : {-1.0, 1.0}) {
+    std::array<double, 3> block;
+    for (std::size_t c = 0; c < 3; ++c)
+      block[c] = mean[c] + side * standard_error[c];
+    add(pixel, block);
+  }
+  pixel.samples = samples;
 }
 
 void Film::merge(const Film& other) {
@@ -45,6 +63,7 @@ void Film::merge(const Film& other) {
       pixels_[i].squares[c].add(other.pixels_[i].squares[c]);
     }
     pixels_[i].blocks += other.pixels_[i].blocks;
+    pixels_[i].samples += other.pixels_[i].samples;
   }
 }
 
@@ -90,7 +109,7 @@ Image Film::standard_error() const {
 std::uint64_t Film::samples() const {
   std::uint64_t n = 0;
   for (const PixelSums& pixel : pixels_)
-    n += std::uint64_t{pixel.blocks} * block_;
+    n += pixel.samples;
   return n;
 }
 

@@ -14,6 +14,7 @@ struct PixelSums {
   std::array<ExactSum, 3> sum;      ///< of block means
   std::array<ExactSum, 3> squares;  ///< of squared block means
   std::uint32_t blocks = 0;
+  std::uint64_t samples = 0;
 };
 
 /// Accumulates the samples of an image, with an honest error estimate.
@@ -37,6 +38,17 @@ class Film {
   /// to different pixels at once.
   void add_block(int x, int y, const std::array<double, 3>& mean);
 
+  /// Stores what was estimated elsewhere, for a pixel that has no block yet: two blocks, one
+  /// standard error to either side of the mean, have that mean and that standard error. Both
+  /// finite.
+  void set_estimate(int x, int y, const std::array<double, 3>& mean,
+                    const std::array<double, 3>& standard_error, std::uint64_t samples);
+
+  /// All that is known of a pixel, exactly; another film of the same size, block and scale may go
+  /// on from there.
+  const PixelSums& sums(int x, int y) const { return pixels_[index(x, y)]; }
+  void set_sums(int x, int y, const PixelSums& sums) { pixels_[index(x, y)] = sums; }
+
   /// Adds another film of the same size, block and scale.
   void merge(const Film& other);
 
@@ -52,8 +64,11 @@ class Film {
   Image standard_error() const;
 
   std::uint64_t samples() const;
+  std::uint64_t samples(int x, int y) const { return pixels_[index(x, y)].samples; }
 
  private:
+  void add(PixelSums& pixel, const std::array<double, 3>& mean) const;
+
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
            static_cast<std::size_t>(x);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace carlo {
 
@@ -16,12 +18,27 @@ class ExactSum {
   }
   void add(const ExactSum& other) { units_ += other.units_; }
 
+  /// The sum in units of the grid, as two's complement: the low 32 bits first.
+  std::array<std::uint32_t, 4> words() const {
+    std::array<std::uint32_t, 4> words;
+    for (unsigned i = 0; i < 4; ++i)
+      words[i] = static_cast<std::uint32_t>(units_ >> (32 * i));
+    return words;
+  }
+  static ExactSum from_words(const std::array<std::uint32_t, 4>& words) {
+    ExactSum sum;
+    for (unsigned i = 4; i-- > 0;)
+      sum.units_ = static_cast<Int128>(static_cast<Word128>(sum.units_) << 32 | words[i]);
+    return sum;
+  }
+
   double value(double grid) const { return static_cast<double>(units_) * grid; }
 
   friend bool operator==(const ExactSum&, const ExactSum&) = default;
 
  private:
   __extension__ using Int128 = __int128;
+  __extension__ using Word128 = unsigned __int128;
   Int128 units_ = 0;
 };
 

@@ -17,35 +17,59 @@
 namespace carlo {
 namespace {
 
-constexpr int tile_size = 16;
+constexpr int tile_size = driver_tile_size;
 constexpr std::size_t max_threads = 1024;
 
 class Job {
  public:
-  Job(const Integrator& integrator, Film& film, const RenderOptions& options)
+  /// Goes on from what `result` holds.
+  Job(const Integrator& integrator, RenderResult& result, const RenderOptions& options)
       : integrator_(integrator),
-        film_(film),
+        result_(result),
+        film_(result.film),
         options_(options),
-        columns_((film.width() + tile_size - 1) / tile_size),
-        rows_((film.height() + tile_size - 1) / tile_size),
+        columns_((film_.width() + tile_size - 1) / tile_size),
+        rows_((film_.height() + tile_size - 1) / tile_size),
+        earlier_seconds_(result.seconds),
         progress_("rendering", options.progress) {}
 
   /// Passes of one block in every pixel until the samples or the time are used up.
-  Counts run() {
+  void run() {
     const std::uint32_t passes = options_.seconds ? ~0u : options_.spp / film_.block();
-    for (std::uint32_t pass = 0; pass < passes && !stopped(pass); ++pass) {
+    for (std::uint32_t pass = first_pass(); pass < passes && !stopped(pass); ++pass) {
       tbb::parallel_for(
           0, columns_ * rows_, [&](int tile) { run_tile(tile, pass, passes); },
           tbb::simple_partitioner{});
+      if (pass + 1 < passes && !stopped(pass + 1)) save();
     }
-    return counts_;
+    result_.seconds = earlier_seconds_ + elapsed();
+  }
+
+ private:
+  /// Tiles may differ by a pass, after an interruption.
+  std::uint32_t first_pass() {
+    std::uint32_t first = film_.blocks(0, 0);
+    for (int y = 0; y < film_.height(); y += tile_size) {
+      for (int x = 0; x < film_.width(); x += tile_size) {
+        first = std::min(first, film_.blocks(x, y));
+        tiles_done_ += film_.blocks(x, y);
+      }
+    }
+    return first;
+  }
+
+  /// Lets the caller keep what is there, now and then.
+  void save() {
+    if (!options_.checkpoint || elapsed() - last_save_ < options_.checkpoint_seconds) return;
+    result_.seconds = earlier_seconds_ + elapsed();
+    options_.checkpoint(result_);
+    last_save_ = elapsed();
   }
 
   double elapsed() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
 
- private:
   /// With a time limit every pixel still gets two blocks, or there would be no error estimate.
   bool stopped(std::uint32_t pass) const {
     return interrupt_noted() || (options_.seconds && pass >= 2 && elapsed() >= *options_.seconds);
@@ -58,6 +82,7 @@ class Job {
     tile.y0 = number / columns_ * tile_size;
     tile.x1 = std::min(tile.x0 + tile_size, film_.width());
     tile.y1 = std::min(tile.y0 + tile_size, film_.height());
+    if (film_.blocks(tile.x0, tile.y0) > pass) return;  // an earlier render's
     tile.samples = film_.block();
     tile.first_sample = pass * film_.block();
     std::array<std::array<double, 3>, tile_size * tile_size> means;
@@ -74,7 +99,7 @@ class Job {
 
   void finish_tile(const Counts& counts, std::uint32_t passes) {
     const std::lock_guard lock(mutex_);
-    counts_ += counts;
+    result_.counts += counts;
     ++tiles_done_;
     const double total = static_cast<double>(columns_) * rows_ * passes;
     progress_.update(options_.seconds ? elapsed() / *options_.seconds
@@ -82,15 +107,43 @@ class Job {
   }
 
   const Integrator& integrator_;
+  RenderResult& result_;  ///< but for the film, written under the mutex
   Film& film_;
   const RenderOptions& options_;
   int columns_, rows_;
+  double earlier_seconds_, last_save_ = 0;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::mutex mutex_;  ///< guards the three below
-  Counts counts_;
+  std::mutex mutex_;  ///< guards the two below
   std::uint64_t tiles_done_ = 0;
   Progress progress_;
 };
+
+RenderResult run_uniform(tbb::task_arena& arena, const Integrator& integrator, int width,
+                         int height, double radiance_scale, const RenderOptions& options) {
+  const std::uint32_t block = options.seconds ? 8 : block_size(options.spp);
+  RenderResult result = options.earlier
+                            ? *options.earlier
+                            : RenderResult{.film = Film(width, height, block, radiance_scale)};
+  Job job(integrator, result, options);
+  arena.execute([&] { job.run(); });
+  return result;
+}
+
+RenderResult run_adaptive(tbb::task_arena& arena, const Integrator& integrator, int width,
+                          int height, double radiance_scale, const RenderOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const AdaptiveGoal goal{*options.target_error, options.spp, options.seconds};
+  Progress progress("rendering", options.progress);
+  AdaptiveResult result = arena.execute([&] {
+    return render_adaptively(integrator, width, height, radiance_scale, goal,
+                             [&](double fraction) { progress.update(fraction); });
+  });
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  return {.film = std::move(result.film),
+          .counts = result.counts,
+          .seconds = time.count(),
+          .adaptive = result.summary};
+}
 
 }  // namespace
 
@@ -111,12 +164,11 @@ RenderResult render(const Integrator& integrator, int width, int height, double 
   // not take kindly to its being lowered and raised again.
   static const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, max_threads);
   tbb::task_arena arena(threads);
-  const std::uint32_t block = options.seconds ? 8 : block_size(options.spp);
-  RenderResult result{Film(width, height, block, radiance_scale), {}, 0, threads, false};
   const InterruptGuard guard;
-  Job job(integrator, result.film, options);
-  arena.execute([&] { result.counts = job.run(); });
-  result.seconds = job.elapsed();
+  RenderResult result =
+      options.target_error ? run_adaptive(arena, integrator, width, height, radiance_scale, options)
+                           : run_uniform(arena, integrator, width, height, radiance_scale, options);
+  result.threads = threads;
   result.interrupted = interrupt_noted();
   return result;
 }

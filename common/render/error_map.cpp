@@ -1,34 +1,10 @@
 #include "render/error_map.h"
 
-#include <algorithm>
-#include <array>
+#include "render/colour_scale.h"
+
 #include <cmath>
 
 namespace carlo {
-namespace {
-
-/// Anchors of a dark-to-light map that is ordered in brightness, and so readable in grey and by
-/// colour-blind eyes; linear RGB.
-constexpr std::array<std::array<float, 3>, 5> anchors = {{{0.005f, 0.005f, 0.04f},
-                                                          {0.03f, 0.05f, 0.25f},
-                                                          {0.25f, 0.05f, 0.25f},
-                                                          {0.80f, 0.20f, 0.05f},
-                                                          {1.00f, 0.85f, 0.30f}}};
-
-Rgb colour(double t) {
-  const double x = std::clamp(t, 0.0, 1.0) * (anchors.size() - 1);
-  const auto i = std::min(static_cast<std::size_t>(x), anchors.size() - 2);
-  const auto f = static_cast<float>(x - static_cast<double>(i));
-  Rgb c;
-  for (int k = 0; k < 3; ++k) {
-    const auto channel = static_cast<std::size_t>(k);
-    c[k] = (1 - f) * anchors[i][channel] + f * anchors[i + 1][channel];
-  }
-  return c;
-}
-
-}  // namespace
-
 Image error_map(const Film& film) {
   Image map(film.width(), film.height());
   for (int y = 0; y < film.height(); ++y) {
@@ -43,7 +19,7 @@ Image error_map(const Film& film) {
         continue;
       }
       const double relative = mean > 0 ? std::sqrt(3 * variance) / mean : 0;
-      map.at(x, y) = relative > 0 ? colour((std::log10(relative) + 3) / 3) : colour(0);
+      map.at(x, y) = relative > 0 ? scale_colour((std::log10(relative) + 3) / 3) : scale_colour(0);
     }
   }
   return map;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "numeric/vec.h"
+#include "random/hash.h"
 
 #include <array>
 #include <cmath>
@@ -10,12 +11,20 @@
 
 namespace carlo {
 
-/// A rectangle of pixels, [x0, x1) x [y0, y1), and which samples of each to take.
+/// A rectangle of pixels, [x0, x1) x [y0, y1), and which samples of each to take. The streams of a
+/// pixel are sequences of samples that are independent of each other.
 struct Tile {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   std::uint32_t first_sample = 0;
   std::uint32_t samples = 0;
+  std::uint32_t stream = 0;
 };
+
+/// The seed of one of the streams of samples that an integrator with this seed has; of stream 0 it
+/// is the seed itself.
+constexpr std::uint64_t stream_seed(std::uint64_t seed, std::uint32_t stream) {
+  return stream == 0 ? seed : hash(seed, stream);
+}
 
 struct Counts {
   std::uint64_t paths = 0;
@@ -58,8 +67,8 @@ class BlockSum {
 /// what it returns then is thrown away.
 bool render_interrupted();
 
-/// Estimates the radiance of pixels. What a sample is worth depends on (seed, pixel, sample index)
-/// alone, so the driver may ask for tiles in any order and from any thread.
+/// Estimates the radiance of pixels. What a sample is worth depends on (seed, stream, pixel, sample
+/// index) alone, so the driver may ask for tiles in any order and from any thread.
 class Integrator {
  public:
   virtual ~Integrator() = default;

@@ -9,6 +9,8 @@
 #include "render/error_map.h"
 #include "render/render_page.h"
 #include "render/report.h"
+#include "render/resume.h"
+#include "render/samples_map.h"
 #include "scene/load_scene.h"
 
 #include <CLI/CLI.hpp>
@@ -29,32 +31,40 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Samples a pixel at most with --target-error.
+constexpr int default_cap = 1 << 16;
+
 struct Arguments {
   std::string scene, default_scene, output, reference, size, sampler;
   std::vector<std::string> definitions;
   std::optional<std::uint32_t> spp;
-  std::optional<double> seconds;
+  std::optional<double> seconds, target_error;
   std::optional<int> max_depth;
   std::optional<std::string> page;
-  std::uint64_t seed = 1;
+  std::optional<std::uint64_t> seed;
   int threads = 0;
   bool quiet = false;
+  std::string resume;
+  double checkpoint = 60;
+  bool no_sums = false;
 };
 
 void add_common_options(CLI::App& app, Arguments& a) {
   app.add_option("scene", a.scene, "scene file, Mitsuba 0.6-style XML (default: the Cornell box)");
   app.add_option("--default-scene", a.default_scene)->group("");  // for the script ./carlo
-  auto* spp = app.add_option("--spp", a.spp, "samples a pixel (default: the scene's)")
-                  ->check(CLI::Range(1u, 1u << 28));
+  app.add_option("--spp", a.spp, "samples a pixel (default: the scene's)")
+      ->check(CLI::Range(1u, 1u << 28));
   app.add_option("--seconds", a.seconds, "render for about this long instead")
-      ->check(CLI::Range(0.0, 1e7))
-      ->excludes(spp);
+      ->check(CLI::Range(0.0, 1e7));
+  app.add_option("--target-error", a.target_error,
+                 "sample each pixel until its relative error is this, such as .01, at 95 % "
+                 "confidence; --spp (default: 65536) and --seconds are limits then");
   app.add_option("--size", a.size, "film size, WIDTHxHEIGHT (default: the scene's)");
   app.add_option("--max-depth", a.max_depth, "longest path in segments, 0 for no limit")
       ->check(CLI::Range(0, 1 << 20));
   app.add_option("--sampler", a.sampler, "independent, stratified or sobol")
       ->check(CLI::IsMember({"independent", "stratified", "sobol"}));
-  app.add_option("--seed", a.seed, "another seed gives independent noise")->capture_default_str();
+  app.add_option("--seed", a.seed, "another seed gives independent noise (default: 1)");
   app.add_option("--threads", a.threads, "default: one for each core")->check(CLI::Range(1, 1024));
   app.add_option("-D,--define", a.definitions, "NAME=VALUE for a $NAME of the scene");
   app.add_option("-o,--output", a.output,
@@ -63,6 +73,13 @@ void add_common_options(CLI::App& app, Arguments& a) {
   app.add_option("--page", a.page, "also a page to look at the image (default: out/SCENE.html)")
       ->expected(0, 1)
       ->type_name("[FILE.html]");
+  app.add_option("--resume", a.resume,
+                 "go on with the render in this EXR, with its scene and settings, up to --spp or "
+                 "for --seconds more");
+  app.add_option("--checkpoint", a.checkpoint, "seconds after which a long render's EXR is written")
+      ->check(CLI::Range(0.0, 1e7))
+      ->capture_default_str();
+  app.add_flag("--no-sums", a.no_sums, "a smaller EXR, which cannot be resumed");
   app.add_flag("--quiet", a.quiet, "no progress bar, no report on stdout");
 }
 
@@ -97,6 +114,7 @@ void apply(const Arguments& a, Scene& scene) {
         parse_whole(std::string_view(a.size).substr(std::min(x + 1, a.size.size())), a.size);
     resize(scene, width, height);
   }
+  if (a.target_error) scene.spp = default_cap;
   if (a.spp) scene.spp = static_cast<int>(*a.spp);
   if (a.max_depth) scene.max_depth = *a.max_depth;
   if (a.sampler == "independent") scene.sampler = SamplerKind::independent;
@@ -135,55 +153,168 @@ std::optional<fs::path> page_path(const Arguments& a, const fs::path& stem) {
   return a.page->empty() ? with_suffix(stem, ".html") : fs::path(*a.page);
 }
 
-void write_outputs(const fs::path& stem, const RenderResult& result, const RenderReport& report) {
-  const Image mean = result.film.mean();
-  write_exr(with_suffix(stem, ".exr"), {mean,
-                                        result.film.standard_error(),
-                                        {{"scene", report.scene},
-                                         {"seed", std::to_string(report.seed)},
-                                         {"spp", fmt::format("{}", report.spp)},
-                                         {"kernel", report.kernel}}});
-  write_png(with_suffix(stem, ".png"), mean);
-  write_png(with_suffix(stem, ".error.png"), error_map(result.film));
-  write_file(with_suffix(stem, ".json"), to_json(report));
+/// The number of samples of each pixel.
+std::vector<std::uint32_t> sample_counts(const Film& film) {
+  std::vector<std::uint32_t> counts;
+  for (int y = 0; y < film.height(); ++y) {
+    for (int x = 0; x < film.width(); ++x)
+      counts.push_back(static_cast<std::uint32_t>(film.samples(x, y)));
+  }
+  return counts;
 }
 
-int run(const Arguments& a, const IntegratorFactory& factory, const std::string& command) {
+/// Writes the files of a render, and of a render under way.
+class Outputs {
+ public:
+  Outputs(fs::path stem, RenderSettings settings, bool sums)
+      : stem_(std::move(stem)), settings_(std::move(settings)), sums_(sums) {
+    // Find out now, not after an hour, that the output cannot be written.
+    for (const char* suffix : {".exr", ".png", ".error.png", ".samples.png", ".json"}) {
+      const AtomicFile writable(with_suffix(stem_, suffix));
+    }
+  }
+
+  const fs::path& stem() const { return stem_; }
+
+  /// All that goes on needs: the image and how long it took.
+  void checkpoint(const RenderResult& result, const RenderReport& report) const {
+    write_exr(with_suffix(stem_, ".exr"), exr(result, report, true));
+    write_file(with_suffix(stem_, ".json"), to_json(report));
+  }
+
+  void write(const RenderResult& result, const RenderReport& report) const {
+    const ExrFile file = exr(result, report, sums_ && !result.adaptive);
+    write_exr(with_suffix(stem_, ".exr"), file);
+    write_png(with_suffix(stem_, ".png"), file.image);
+    write_png(with_suffix(stem_, ".error.png"), error_map(result.film));
+    if (result.adaptive) {
+      write_png(with_suffix(stem_, ".samples.png"), samples_map(result.film));
+    }
+    write_file(with_suffix(stem_, ".json"), to_json(report));
+  }
+
+ private:
+  ExrFile exr(const RenderResult& result, const RenderReport& report, bool sums) const {
+    ExrFile file{result.film.mean(),
+                 result.film.standard_error(),
+                 {{"scene", report.scene},
+                  {"seed", std::to_string(report.seed)},
+                  {"spp", fmt::format("{}", report.spp)},
+                  {"kernel", report.kernel}}};
+    if (result.adaptive) file.counts["samples"] = sample_counts(result.film);
+    if (sums) add_sums(file, settings_, result.film, result.counts);
+    return file;
+  }
+
+  fs::path stem_;
+  RenderSettings settings_;
+  bool sums_;
+};
+
+/// Refuses what does not go together.
+void check(const Arguments& a) {
+  if (a.seconds && a.spp && !a.target_error) {
+    throw Error("give --seconds or --spp: both are for --target-error only");
+  }
+  if (a.target_error && !(*a.target_error > 0 && *a.target_error < 1)) {
+    throw Error("--target-error is a fraction between 0 and 1, such as .01, got {}",
+                *a.target_error);
+  }
+  if (a.resume.empty()) return;
+  if (a.target_error) throw Error("--resume goes on with renders by --spp or --seconds only");
+  if (!a.spp && !a.seconds)
+    throw Error("--resume goes on up to --spp N or for --seconds S: which?");
+}
+
+/// What the command line leaves open is as in the earlier render.
+void take_over(Arguments& a, const EarlierRender& earlier) {
+  if (a.scene.empty()) a.scene = earlier.setting("scene");
+  if (a.definitions.empty()) a.definitions = earlier.definitions();
+  if (a.size.empty()) a.size = fmt::format("{}x{}", earlier.width(), earlier.height());
+  if (a.sampler.empty()) a.sampler = earlier.setting("sampler");
+  if (!a.max_depth) a.max_depth = static_cast<int>(earlier.number("max_depth"));
+  if (!a.seed) a.seed = earlier.number("seed");
+  if (a.output.empty()) a.output = fs::path(a.resume).replace_extension().string() + ".exr";
+}
+
+/// The result that a render goes on from.
+RenderResult result_of(const EarlierRender& earlier, const Arguments& a, const Scene& scene) {
+  RenderResult result{.film = earlier.film(radiance_scale(scene)), .counts = earlier.counts()};
+  result.seconds = earlier.seconds(result.film);
+  const std::uint32_t block = result.film.block();
+  const auto pixels =
+      static_cast<std::uint64_t>(scene.width) * static_cast<std::uint64_t>(scene.height);
+  if (a.spp && (*a.spp % block != 0 || *a.spp * pixels <= result.film.samples())) {
+    throw Error("--spp {} is no way to go on from {:.6g}: expected more, a multiple of {}", *a.spp,
+                static_cast<double>(result.film.samples()) / static_cast<double>(pixels), block);
+  }
+  return result;
+}
+
+int run(Arguments a, const IntegratorFactory& factory, const std::string& command) {
+  check(a);
+  std::optional<EarlierRender> earlier;
+  if (!a.resume.empty()) {
+    earlier.emplace(a.resume);
+    take_over(a, *earlier);
+  }
   Scene scene = load_scene(a.scene, parse_definitions(a.definitions));
   apply(a, scene);
-  const fs::path stem = output_stem(a);
-  // Find out now, not after an hour, that the output cannot be written or the reference is missing.
-  for (const char* suffix : {".exr", ".png", ".error.png", ".json"}) {
-    const AtomicFile writable(with_suffix(stem, suffix));
-  }
-  const std::optional<fs::path> page = page_path(a, stem);
-  if (page) const AtomicFile writable(*page);
   std::optional<ExrFile> reference;
   if (!a.reference.empty()) {
     reference = read_exr(a.reference);
     compare(reference->image, Image(scene.width, scene.height));
   }
 
-  const auto integrator = factory(scene, a.seed, static_cast<std::uint32_t>(scene.spp));
-  const RenderOptions options{.spp = static_cast<std::uint32_t>(scene.spp),
-                              .seconds = a.seconds,
-                              .threads = a.threads,
-                              .progress = !a.quiet};
+  const std::uint64_t seed = a.seed.value_or(1);
+  const auto spp = static_cast<std::uint32_t>(scene.spp);
+  const std::uint32_t planned = earlier ? static_cast<std::uint32_t>(earlier->number("planned_spp"))
+                                : a.target_error ? adaptive_strata
+                                                 : spp;
+  const auto integrator = factory(scene, seed, planned);
+  const RenderSettings settings =
+      render_settings(scene, integrator->name(), seed, planned, a.definitions);
+  std::optional<RenderResult> start;
+  if (earlier) {
+    earlier->require_same(settings);
+    start = result_of(*earlier, a, scene);
+  }
+  const Outputs outputs(output_stem(a), settings, !a.no_sums);
+  const std::optional<fs::path> page = page_path(a, outputs.stem());
+  if (page) const AtomicFile writable(*page);
+  const auto report_on = [&](const RenderResult& result) {
+    RenderReport report = make_report(scene, result);
+    report.scene = a.scene;
+    report.kernel = integrator->name();
+    report.seed = seed;
+    if (reference) report.reference = compare_with_reference(result, a.reference, *reference);
+    return report;
+  };
+  const RenderOptions options{
+      .spp = spp,
+      .seconds = a.seconds,
+      .threads = a.threads,
+      .progress = !a.quiet,
+      .target_error = a.target_error,
+      .earlier = start ? &*start : nullptr,
+      .checkpoint = [&](const RenderResult& r) { outputs.checkpoint(r, report_on(r)); },
+      .checkpoint_seconds = a.checkpoint};
   const RenderResult result =
       render(*integrator, scene.width, scene.height, radiance_scale(scene), options);
-  RenderReport report = make_report(scene, result);
-  report.scene = a.scene;
-  report.kernel = integrator->name();
-  report.seed = a.seed;
-  if (reference) report.reference = compare_with_reference(result, a.reference, *reference);
-  write_outputs(stem, result, report);
+  const RenderReport report = report_on(result);
+  outputs.write(result, report);
   if (page) write_render_page(*page, command, report, result.film, reference);
   if (!a.quiet) {
     fmt::print("{}", to_text(report));
     for (const std::string& note : scene.notes)
       fmt::print("  {:<16} {}\n", "note", note);
-    fmt::print("  {:<16} {}.png, .exr (with standard errors), .error.png (noise map), .json\n",
-               "written", stem.string());
+    if (start && start->seconds == 0) {
+      fmt::print("  {:<16} the time is that of this part: no report lies beside {}\n", "note",
+                 a.resume);
+    }
+    fmt::print("  {:<16} {}.png, .exr (with standard errors), .error.png (noise map){}, .json\n",
+               "written", outputs.stem().string(),
+               result.adaptive ? ", .samples.png (where the samples went)" : "");
     if (page) fmt::print("  {:<16} {}\n", "page", page->string());
   }
   return result.interrupted ? 130 : 0;
@@ -256,8 +387,10 @@ int render_app(int argc, char** argv, const IntegratorFactory& factory,
   if (add_options) add_options(app);
   if (const auto code = parse_arguments(app, argc, argv)) return *code;
   tell_page_from_scene(arguments);
-  if (arguments.scene.empty()) arguments.scene = arguments.default_scene;
-  if (arguments.scene.empty()) throw Error("which scene? (see ./carlo render --help)");
+  if (arguments.scene.empty() && arguments.resume.empty()) {
+    arguments.scene = arguments.default_scene;
+    if (arguments.scene.empty()) throw Error("which scene? (see ./carlo render --help)");
+  }
   return run(arguments, factory, command_text(argc, argv));
 }
 

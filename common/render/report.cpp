@@ -61,6 +61,23 @@ std::string millions(double per_second) {
   return fmt::format("{:.2f} M", per_second / 1e6);
 }
 
+std::string target_text(const AdaptiveSummary& a) {
+  std::string text =
+      fmt::format("{:.3g} % of a pixel: within it are {:.1f} % of the pixels (expected)",
+                  100 * a.target, 100 * a.within);
+  if (a.capped > 0) {
+    text += fmt::format("; {:.1f} % were ended by --spp, --seconds or Ctrl-C", 100 * a.capped);
+  }
+  return text;
+}
+
+std::string samples_text(const AdaptiveSummary& a) {
+  return fmt::format(
+      "a pixel: {} to {}, median {}; map: dark blue {}, yellow {}; {:.1f} % of all served "
+      "decisions",
+      a.least, a.most, a.median, a.least, a.most, 100 * a.decided_only);
+}
+
 std::string time_text(const RenderReport& r) {
   const auto rate = [&r](std::uint64_t count) {
     return millions(static_cast<double>(count) / r.seconds);
@@ -98,6 +115,7 @@ RenderReport make_report(const Scene& scene, const RenderResult& result) {
   report.mean = mean_radiance(result.film);
   report.relative_error = relative_error(result.film, report.mean);
   report.finished = finished(result.film);
+  report.adaptive = result.adaptive;
   return report;
 }
 
@@ -133,6 +151,10 @@ ReportLines to_lines(const RenderReport& r) {
   line("mean radiance", fmt::format("R {:.6g}, G {:.6g}, B {:.6g}", r.mean.value[0],
                                     r.mean.value[1], r.mean.value[2]));
   line("standard error", error_text(r));
+  if (r.adaptive) {
+    line("target", target_text(*r.adaptive));
+    line("samples", samples_text(*r.adaptive));
+  }
   if (r.reference) {
     line("reference", r.reference->path);
     line("error",
@@ -183,6 +205,14 @@ std::string to_json(const RenderReport& r) {
                                  {"mean", numbers(r.mean.value)},
                                  {"standard_error", numbers(r.mean.standard_error)},
                                  {"relative_pixel_error", number(r.relative_error)}};
+  if (r.adaptive) {
+    json["target"] = {
+        {"relative_error", r.adaptive->target}, {"confidence", 0.95},
+        {"floor", r.adaptive->floor},           {"reached", r.adaptive->within},
+        {"capped", r.adaptive->capped},         {"decided_only", r.adaptive->decided_only},
+        {"spp_min", r.adaptive->least},         {"spp_median", r.adaptive->median},
+        {"spp_max", r.adaptive->most}};
+  }
   if (r.reference) {
     json["reference"] = {{"path", r.reference->path},
                          {"mse", number(r.reference->error.mse)},

@@ -35,6 +35,7 @@ struct RenderReport {
   MeanRadiance mean;
   double relative_error = 0;  ///< rms standard error of a pixel over the mean radiance
   double finished = 1;  ///< fraction of the pixels that have samples; the means are over these
+  std::optional<AdaptiveSummary> adaptive;
   std::optional<ReferenceReport> reference;
 };
 

@@ -79,12 +79,13 @@ class PathIntegrator final : public carlo::Integrator {
 
   void render(const carlo::Tile& tile, std::span<std::array<double, 3>> means,
               Counts& counts) const override {
+    const std::uint64_t seed = carlo::stream_seed(options_.seed, tile.stream);
     std::size_t i = 0;
     for (int y = tile.y0; y < tile.y1; ++y) {
       for (int x = tile.x0; x < tile.x1; ++x) {
         carlo::BlockSum sum;
         for (std::uint32_t s = 0; s < tile.samples; ++s) {
-          sum.add(sample(x, y, tile.first_sample + s, counts), counts);
+          sum.add(sample(x, y, seed, tile.first_sample + s, counts), counts);
         }
         means[i++] = sum.mean(tile.samples);
       }
@@ -104,9 +105,9 @@ class PathIntegrator final : public carlo::Integrator {
     std::uint32_t dimension = film_dimensions;  ///< the current vertex's first
   };
 
-  Rgb sample(int x, int y, std::uint32_t index, Counts& counts) const {
+  Rgb sample(int x, int y, std::uint64_t seed, std::uint32_t index, Counts& counts) const {
     const auto pixel = static_cast<std::uint32_t>(y * scene_.width + x);
-    Sampler sampler({options_.seed, pixel, index, options_.spp});
+    Sampler sampler({seed, pixel, index, options_.spp});
     const Vec2 jitter = sampler.next_2d();
     const Vec2 film((static_cast<float>(x) + jitter.x) / static_cast<float>(scene_.width),
                     (static_cast<float>(y) + jitter.y) / static_cast<float>(scene_.height));

@@ -59,12 +59,13 @@ class LabIntegrator final : public carlo::Integrator {
 
   void render(const carlo::Tile& tile, std::span<std::array<double, 3>> means,
               carlo::Counts& counts) const override {
+    const std::uint64_t seed = carlo::stream_seed(options_.seed, tile.stream);
     std::size_t i = 0;
     for (int y = tile.y0; y < tile.y1; ++y) {
       for (int x = tile.x0; x < tile.x1; ++x) {
         carlo::BlockSum sum;
         for (std::uint32_t s = 0; s < tile.samples && !carlo::render_interrupted(); ++s)
-          sum.add(sample(x, y, tile.first_sample + s), counts);
+          sum.add(sample(x, y, seed, tile.first_sample + s), counts);
         counts.paths += tile.samples;
         means[i++] = sum.mean(tile.samples);
       }
@@ -72,10 +73,10 @@ class LabIntegrator final : public carlo::Integrator {
   }
 
  private:
-  Rgb sample(int x, int y, std::uint32_t index) const {
+  Rgb sample(int x, int y, std::uint64_t seed, std::uint32_t index) const {
     const Scene& scene = world_.scene();
     const auto pixel = static_cast<std::uint32_t>(y * scene.width + x);
-    Sampled<Sampler> numbers({options_.seed, pixel, index, options_.spp});
+    Sampled<Sampler> numbers({seed, pixel, index, options_.spp});
     const Vec2 jitter = numbers.next_2d();
     const Ray ray =
         scene.camera.ray({(static_cast<float>(x) + jitter.x) / static_cast<float>(scene.width),
@@ -83,7 +84,7 @@ class LabIntegrator final : public carlo::Integrator {
     if (options_.method == Method::iterative) {
       return path_radiance(world_, ray, scene.max_depth, numbers);
     }
-    Rng rng(carlo::hash(options_.seed, pixel), index);
+    Rng rng(carlo::hash(seed, pixel), index);
     return options_.method == Method::recursive ? trace_path(world_, ray, rng)
                                                 : trace_specular(world_, ray, true, rng);
   }

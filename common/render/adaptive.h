@@ -1,0 +1,63 @@
+#pragma once
+
+#include "image/film.h"
+#include "render/integrator.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+namespace carlo {
+
+/// When an adaptive render is done.
+struct AdaptiveGoal {
+  double target = 0.01;           ///< relative error of a pixel, at 95 % confidence
+  std::uint32_t spp = 1u << 16;   ///< no pixel gets more samples
+  std::optional<double> seconds;  ///< stop after this time, with 64 samples in every pixel
+};
+
+/// What an adaptive render tells of itself besides its film.
+struct AdaptiveSummary {
+  double target = 0;
+  double floor = 0;   ///< luminance: errors of darker pixels are relative to this
+  double within = 0;  ///< expected fraction of the pixels whose error is within the target
+  double capped = 0;  ///< fraction of the pixels that were ended by spp, seconds or Ctrl-C
+  std::uint64_t least = 0, median = 0, most = 0;  ///< samples of a pixel
+  double decided_only = 0;  ///< fraction of the samples that served decisions, not the image
+};
+
+struct AdaptiveResult {
+  Film film;  ///< estimates, standard errors and numbers of samples
+  Counts counts;
+  AdaptiveSummary summary;
+};
+
+/// Renders so that each pixel's luminance is within `goal.target` of the truth, relatively, with 95
+/// % confidence. For pixels darker than 1 % of the image's mean, that 1 % takes their place in the
+/// quotient.
+///
+/// Samples that also decide when to stop are biased: a pixel whose bright paths have not come yet
+/// looks dark and finished. So each pixel has two halves of independent streams, and the one
+/// decides for the other: half A's estimate is its mean over the first n samples, where n is a
+/// function of half B's samples alone, and the other way round. Both estimates are exactly
+/// unbiased, their standard errors too, and so is the image, (A + B) / 2. Where the halves disagree
+/// both are sampled until both decisions have fallen, and what the estimates leave out is lost
+/// (`decided_only`).
+///
+/// Decisions are taken for blocks of 4 x 4 pixels, after 32, 48, 64, 96, 128 ... samples a half
+/// (aligned powers of two are what Sobol' points want): 16 pixels tell their variance more surely
+/// than one, and a rare bright path in one keeps all going. A block is done when its pixels' errors
+/// are within the target on average (root mean square) and the worst estimate is at most 3 times
+/// that.
+///
+/// In the caller's task arena. The film's bits do not depend on the number of threads. `progress`
+/// is told the fraction done, by one thread at a time. Throws Error if the target is not a finite
+/// number above 0 or spp is below 32.
+AdaptiveResult render_adaptively(const Integrator& integrator, int width, int height,
+                                 double radiance_scale, const AdaptiveGoal& goal,
+                                 const std::function<void(double)>& progress);
+
+/// The planned number of samples that suits the stratified sampler in an adaptive render.
+constexpr std::uint32_t adaptive_strata = 32;
+
+}  // namespace carlo

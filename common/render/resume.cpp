@@ -1,0 +1,205 @@
+#include "render/resume.h"
+
+#include "cli/atomic_file.h"
+#include "cli/error.h"
+#include "render/driver.h"
+#include "scene/fingerprint.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace carlo {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The order in which differences are told: the most telling first.
+constexpr std::array<const char*, 7> setting_names = {
+    "scene_digest", "seed", "sampler", "max_depth", "planned_spp", "kernel", "definitions"};
+
+constexpr const char* blocks_channel = "sums.blocks";
+
+/// The channel of 32 of the 128 bits of a sum, or of a sum of squares.
+std::string channel_name(bool squares, std::size_t colour, std::size_t word) {
+  return fmt::format("sums.{}{}{}", squares ? "squares." : "", "RGB"[colour], word);
+}
+
+std::vector<std::string> all_channels() {
+  std::vector<std::string> names{blocks_channel};
+  for (const bool squares : {false, true}) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      for (std::size_t word = 0; word < 4; ++word)
+        names.push_back(channel_name(squares, c, word));
+    }
+  }
+  return names;
+}
+
+const char* sampler_name(SamplerKind kind) {
+  if (kind == SamplerKind::independent) return "independent";
+  return kind == SamplerKind::stratified ? "stratified" : "sobol";
+}
+
+/// The driver gives all pixels of a tile as many blocks.
+bool even_tiles(const Film& film) {
+  for (int y = 0; y < film.height(); ++y) {
+    for (int x = 0; x < film.width(); ++x) {
+      const int x0 = x - x % driver_tile_size, y0 = y - y % driver_tile_size;
+      if (film.blocks(x, y) != film.blocks(x0, y0)) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+RenderSettings render_settings(const Scene& scene, const std::string& kernel, std::uint64_t seed,
+                               std::uint32_t planned, const std::vector<std::string>& definitions) {
+  return {{"scene_digest", fingerprint(scene)},
+          {"seed", std::to_string(seed)},
+          {"sampler", sampler_name(scene.sampler)},
+          {"max_depth", std::to_string(scene.max_depth)},
+          {"planned_spp", std::to_string(planned)},
+          {"kernel", kernel},
+          {"definitions", nlohmann::json(definitions).dump()}};
+}
+
+void add_sums(ExrFile& file, const RenderSettings& settings, const Film& film,
+              const Counts& counts) {
+  for (const auto& [name, value] : settings)
+    file.attributes[name] = value;
+  file.attributes["block"] = std::to_string(film.block());
+  file.attributes["paths"] = std::to_string(counts.paths);
+  file.attributes["rays"] = std::to_string(counts.rays);
+  file.attributes["cut_paths"] = std::to_string(counts.cut);
+  file.attributes["bad_samples"] = std::to_string(counts.bad);
+  const std::size_t pixels = file.image.pixels.size();
+  for (const std::string& name : all_channels())
+    file.counts[name].resize(pixels);
+  file.counts[blocks_channel].clear();
+  for (int y = 0; y < film.height(); ++y) {
+    for (int x = 0; x < film.width(); ++x)
+      file.counts[blocks_channel].push_back(film.blocks(x, y));
+  }
+  for (const bool squares : {false, true}) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      std::array<std::vector<std::uint32_t>*, 4> channels;
+      for (std::size_t word = 0; word < 4; ++word)
+        channels[word] = &file.counts[channel_name(squares, c, word)];
+      for (int y = 0; y < film.height(); ++y) {
+        for (int x = 0; x < film.width(); ++x) {
+          const PixelSums& sums = film.sums(x, y);
+          const auto words = (squares ? sums.squares : sums.sum)[c].words();
+          for (std::size_t word = 0; word < 4; ++word)
+            (*channels[word])[file.image.index(x, y)] = words[word];
+        }
+      }
+    }
+  }
+}
+
+EarlierRender::EarlierRender(fs::path path)
+    : path_(std::move(path)), file_(read_exr(path_, all_channels())) {
+  bool complete = file_.counts.size() == all_channels().size();
+  for (const char* name : setting_names)
+    complete = complete && file_.attributes.contains(name);
+  if (!complete) {
+    throw Error(
+        "cannot resume {}: it holds an image but not the sums of a render by --spp or --seconds",
+        path_.string());
+  }
+}
+
+const std::string& EarlierRender::setting(const std::string& name) const {
+  const auto it = file_.attributes.find(name);
+  if (it == file_.attributes.end()) {
+    throw Error("cannot resume {}: it does not tell its {}", path_.string(), name);
+  }
+  return it->second;
+}
+
+std::uint64_t EarlierRender::number(const std::string& name) const {
+  const std::string& text = setting(name);
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) {
+    throw Error("cannot resume {}: its {} is '{}', expected a whole number", path_.string(), name,
+                text);
+  }
+  return value;
+}
+
+std::vector<std::string> EarlierRender::definitions() const {
+  const auto json = nlohmann::json::parse(setting("definitions"), nullptr, false);
+  std::vector<std::string> list;
+  if (json.is_array()) {
+    for (const auto& item : json)
+      list.push_back(item.is_string() ? item.get<std::string>() : "");
+  }
+  return list;
+}
+
+void EarlierRender::require_same(const RenderSettings& settings) const {
+  for (const std::string name : setting_names) {
+    const std::string& then = setting(name);
+    const std::string& now = settings.at(name);
+    // What -D defines is in the scene already.
+    if (then == now || name == "definitions") continue;
+    if (name == "scene_digest") {
+      throw Error("cannot resume {}: the scene or the film is another now ({}, then {})",
+                  path_.string(), now, then);
+    }
+    throw Error("cannot resume {}: its {} is {}, this render's {}", path_.string(), name, then,
+                now);
+  }
+}
+
+Film EarlierRender::film(double radiance_scale) const {
+  const std::uint64_t block = number("block");
+  if (block < 1 || block > 64) {
+    throw Error("cannot resume {}: its block is {}, expected 1 to 64", path_.string(), block);
+  }
+  Film film(width(), height(), static_cast<std::uint32_t>(block), radiance_scale);
+  const auto words = [this](bool squares, std::size_t c, std::size_t pixel) {
+    std::array<std::uint32_t, 4> result;
+    for (std::size_t word = 0; word < 4; ++word)
+      result[word] = file_.counts.at(channel_name(squares, c, word))[pixel];
+    return ExactSum::from_words(result);
+  };
+  for (int y = 0; y < height(); ++y) {
+    for (int x = 0; x < width(); ++x) {
+      PixelSums sums;
+      const std::size_t pixel = file_.image.index(x, y);
+      for (std::size_t c = 0; c < 3; ++c) {
+        sums.sum[c] = words(false, c, pixel);
+        sums.squares[c] = words(true, c, pixel);
+      }
+      sums.blocks = file_.counts.at(blocks_channel)[pixel];
+      sums.samples = sums.blocks * block;
+      film.set_sums(x, y, sums);
+    }
+  }
+  if (film.mean().pixels != file_.image.pixels || !even_tiles(film)) {
+    throw Error("cannot resume {}: its sums do not belong to its image", path_.string());
+  }
+  return film;
+}
+
+Counts EarlierRender::counts() const {
+  return {number("paths"), number("rays"), number("cut_paths"), number("bad_samples")};
+}
+
+double EarlierRender::seconds(const Film& film) const {
+  const fs::path report = fs::path(path_).replace_extension(".json");
+  if (!fs::exists(report)) return 0;
+  const auto json = nlohmann::json::parse(read_file(report), nullptr, false);
+  if (!json.is_object() || !json.contains("seconds") || !json["seconds"].is_number()) return 0;
+  return json.value("samples", std::uint64_t{0}) == film.samples() ? json["seconds"].get<double>()
+                                                                   : 0;
+}
+
+}  // namespace carlo

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <string>
+
+namespace carlo {
+
+/// 16 hexadecimal digits that tell scenes apart by what their images depend on: all but the number
+/// of samples and the notes. Equal scenes have equal ones, however their files are written.
+std::string fingerprint(const Scene& scene);
+
+}  // namespace carlo
