@@ -54,6 +54,13 @@ export function buildPdf(decks, book, out) {
   marp(book, writeMarkdown(decks, book, true), out, ["--pdf", "--allow-local-files", "--browser", "chrome", "--browser-path", browser]);
 }
 
+/** Where each label is: hints and handouts cite slides by it. */
+function labelList(book) {
+  const items = [...book.labels].map(([key, label]) =>
+    `<li><a href="${label.deck.name}.html#${label.slide.place}">${key}</a>${label.equation ? ` (${label.equation})` : ""}</li>`);
+  return `<details><summary>The labels that hints and handouts cite</summary><ul>${items.join("")}</ul></details>`;
+}
+
 function writeIndex(book, out) {
   const rows = book.decks.map((deck) => {
     const link = (extension) => fs.existsSync(path.join(out, `${deck.name}.${extension}`))
@@ -69,12 +76,13 @@ function writeIndex(book, out) {
 body { font: 18px/1.6 system-ui, sans-serif; color: #1b1f24; max-width: 50rem; margin: 3rem auto; padding: 0 1rem; }
 h1 { font-size: 1.6rem; } table { border-collapse: collapse; width: 100%; }
 td, th { text-align: left; padding: .35rem .8rem .35rem 0; border-bottom: 1px solid #d9dee4; } a { color: #0072b2; }
-p { color: #59636e; }
+p, details { color: #59636e; } ul { columns: 2; }
 </style></head><body>
 <h1>Carlo: slides</h1>
 <table><tr><th></th><th>deck</th><th>slides</th><th>time</th><th></th><th></th></tr>
 ${rows.join("\n")}
 </table>
+${labelList(book)}
 <p>${total} minutes in all. In a deck: arrow keys turn pages, <kbd>f</kbd> fills the screen, <kbd>p</kbd> opens the speaker's notes.</p>
 </body></html>
 `);

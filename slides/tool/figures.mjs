@@ -133,10 +133,10 @@ function slopeOf({ slopes, by, where }, name, tables) {
   return { slope: rounded(valueOf(row, slopes.column, slopes.table)) };
 }
 
-/** A number from a run's tables. Throws UserError. */
+/** A number from a run's tables; from the first of several rows if `wanted.any`. Throws UserError. */
 export function numberOf(wanted, tables) {
   const rows = rowsOf(tables, wanted);
-  if (rows.length !== 1) {
+  if (rows.length !== 1 && !wanted.any) {
     throw new UserError(`table "${wanted.table}" has ${rows.length} rows where ${JSON.stringify(wanted.where)}, expected one`);
   }
   const value = valueOf(rows[0], wanted.column, wanted.table);

@@ -60,14 +60,17 @@ const colours = "svg{--paper:#fff;--panel:#f7f8fa;--ink:#1b1f24;--soft:#59636e;-
   "--series-7:#6b7280;--series-8:#111;font-family:'DejaVu Sans',sans-serif;font-size:16px}";
 
 /** {svg or source, caption} of the first picture of a page whose description starts with `alt`. */
-export function pictureOf(page, alt) {
-  for (const [, inside] of page.matchAll(/<figure>([\s\S]*?)<\/figure>/g)) {
-    const description = /(?:aria-label|alt)="([^"]*)"/.exec(inside)?.[1];
-    const plain = description?.replaceAll("&#39;", "'").replaceAll("&quot;", '"').replaceAll("&lt;", "<").replaceAll("&gt;", ">").replaceAll("&amp;", "&");
-    if (!plain?.startsWith(alt)) continue;
-    const svg = /<svg[\s\S]*<\/svg>/.exec(inside)?.[0];
-    const source = /<img[^>]*src="([^"]*)"/.exec(inside)?.[1];
-    if (svg || source) return { svg, source, caption: plain };
-  }
-  return null;
+function pictureOf(page, alt) {
+  return picturesOf(page).find(({ caption }) => caption.startsWith(alt)) ?? null;
+}
+
+export const descriptions = (page) => picturesOf(page).map(({ caption }) => caption);
+
+function picturesOf(page) {
+  const entities = { "&#39;": "'", "&quot;": '"', "&lt;": "<", "&gt;": ">", "&amp;": "&" };
+  return [...page.matchAll(/<figure>([\s\S]*?)<\/figure>/g)].map(([, inside]) => ({
+    svg: /<svg[\s\S]*<\/svg>/.exec(inside)?.[0],
+    source: /<img[^>]*src="([^"]*)"/.exec(inside)?.[1],
+    caption: (/(?:aria-label|alt)="([^"]*)"/.exec(inside)?.[1] ?? "").replace(/&[#a-z0-9]+;/g, (entity) => entities[entity] ?? entity),
+  })).filter(({ svg, source, caption }) => caption && (svg || source));
 }

@@ -1,7 +1,9 @@
 // Runs every command in its quick form: it must end well and give what figures and numbers take.
+// A quick run has fewer points, so that rows and pictures are looked for by their names alone, not by
+// the numbers in these.
 
 import { numberOf, plots, seriesOf } from "./figures.mjs";
-import { pictureOf } from "./pictures.mjs";
+import { descriptions } from "./pictures.mjs";
 import { UserError } from "./problems.mjs";
 
 export function runCommands(book, numbers, problems) {
@@ -20,20 +22,34 @@ function runOne(wanted, runs) {
   if (wanted.kind === "image") {
     wanted.images.forEach(({ command }) => runs.image(quick(command)));
   } else if (wanted.kind === "picture") {
-    const page = runs.page(quick(wanted.command));
-    const missing = [wanted.alt].flat().find((alt) => !pictureOf(page, alt));
-    if (missing) throw new UserError(`the lab's page has no picture whose description starts with "${missing}"`);
+    findPictures(wanted, runs.page(quick(wanted.command)));
   } else if (plots.includes(wanted.kind)) {
-    seriesOf(wanted, runs.tables(quick(wanted.command)));
+    const series = wanted.series?.map((one) => ({ ...one, where: names(one.where) }));
+    seriesOf({ ...wanted, series, where: names(wanted.where) }, runs.tables(quick(wanted.command)));
   } else if (!wanted.kind) {
-    numberOf(wanted, runs.tables(quick(wanted.command)));
+    numberOf({ ...wanted, where: names(wanted.where), any: true }, runs.tables(quick(wanted.command)));
   }
+}
+
+function findPictures({ alt }, page) {
+  const plain = (text) => text.replace(/[0-9][0-9 \u00a0\u202f]*/g, "#");
+  const all = descriptions(page).map(plain);
+  const missing = [alt].flat().find((start) => !all.some((text) => text.startsWith(plain(start))));
+  if (missing) throw new UserError(`the lab's page has no picture whose description starts with "${missing}"`);
+}
+
+/** The conditions on words, without those on numbers. */
+function names(where) {
+  const isNumber = (value) => [value].flat().every((one) => typeof one === "number");
+  return where && Object.fromEntries(Object.entries(where).filter(([, value]) => !isNumber(value)));
 }
 
 /** The same command, as cheap as it gets. */
 function quick(command) {
-  if (command[0] === "lab") return command.includes("--quick") ? command : [...command, "--quick"];
-  const priced = ["--size", "--spp", "--seconds"];
-  const kept = command.filter((word, index) => !priced.includes(word) && !priced.includes(command[index - 1]));
-  return [...kept, "--size", "16x16", "--spp", "1"];
+  if (command[0] === "lab") return [...without(command, ["--n"]), ...(command.includes("--quick") ? [] : ["--quick"])];
+  return [...without(command, ["--size", "--spp", "--seconds"]), "--size", "16x16", "--spp", "1"];
 }
+
+/** The command without these options and their values. */
+const without = (command, options) =>
+  command.filter((word, index) => !options.includes(word) && !options.includes(command[index - 1]));

@@ -40,7 +40,7 @@ function slideMarkdown(slide, deck, book, paged) {
     }
   });
   const text = out.join("\n").replace(/<!-- notes:([\s\S]*?)-->/, (_, notes) => `<!--\nNotes.\n\n${notes.trim()}\n-->`);
-  return layout(slide) + text;
+  return footer(slide, deck) + layout(slide) + text;
 }
 
 /** A label's anchor; where it belongs to an equation, the box around it as well. */
@@ -62,7 +62,13 @@ function endsMath(line, equation) {
   return open ? marks > 0 : marks > 1;
 }
 
-/** Slides with a figure beside text get two columns, unless they say otherwise. */
+/** Hints cite "slides 04:variance-of-strata": the foot of that slide says so. */
+function footer(slide, deck) {
+  const labels = slide.labels.map((label) => `${deck.number}:${label.name}`);
+  return labels.length ? `<!-- _footer: ${JSON.stringify([deck.front.title, ...labels].join(" \u00a0 "))} -->\n` : "";
+}
+
+/** A class for slides that have none, by what is on them. */
 function layout(slide) {
   return slide.classes.length ? "" : `<!-- _class: ${hasFigure(slide) ? "figured" : "plain"} -->\n`;
 }
