@@ -11,9 +11,9 @@ namespace lab06 {
 
 using Function = std::function<double(double)>;
 
-// slide: density
 /// A probability density on the line, with its way to draw from it. The two belong together: for
 /// uniform u in [0, 1), sample(u) has the density pdf.
+// slide: density
 struct Density {
   Function sample;  ///< takes any u in [0, 1), never 1
   Function pdf;     ///< per unit of x; 0 outside the support
