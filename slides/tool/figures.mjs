@@ -133,14 +133,14 @@ function slopeOf({ slopes, by, where }, name, tables) {
   return { slope: rounded(valueOf(row, slopes.column, slopes.table)) };
 }
 
-/** A number from a run's tables; from the first of several rows if `wanted.any`. Throws UserError. */
+/** A number from a run's tables; with `wanted.any` from the first of several rows, number or not. Throws UserError. */
 export function numberOf(wanted, tables) {
   const rows = rowsOf(tables, wanted);
   if (rows.length !== 1 && !wanted.any) {
     throw new UserError(`table "${wanted.table}" has ${rows.length} rows where ${JSON.stringify(wanted.where)}, expected one`);
   }
   const value = valueOf(rows[0], wanted.column, wanted.table);
-  if (!Number.isFinite(value)) throw new UserError(`column "${wanted.column}" is ${JSON.stringify(value)}, expected a number`);
+  if (!Number.isFinite(value) && !wanted.any) throw new UserError(`column "${wanted.column}" is ${JSON.stringify(value)}, expected a number`);
   return rounded(value);
 }
 

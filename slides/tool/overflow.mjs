@@ -50,7 +50,7 @@ function measure() {
     note(section.scrollHeight - section.clientHeight, "something");
     note(section.scrollWidth - section.clientWidth, "something");
     for (const element of section.querySelectorAll("*")) {
-      if (element.closest("footer, mjx-assistive-mml")) continue;
+      if (element.closest("footer, mjx-assistive-mml") || element.matches("mjx-container")) continue;
       const frame = section.contains(element.ownerSVGElement) && element.closest("figure svg");
       // Of a drawing's parts only words may be cut off.
       if (section.contains(element.ownerSVGElement) && !(frame && element.tagName === "text")) continue;

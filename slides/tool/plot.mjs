@@ -1,6 +1,7 @@
 // Draws plots as SVG. Colours come from the theme's classes: c1, c2, ...
 
-const frame = { left: 92, right: 215, top: 14, bottom: 58 };
+const frame = { left: 92, top: 14, bottom: 58 };
+const letter = 11; // width of a letter of a series' name, on average
 
 export const escaped = (text) =>
   String(text).replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;").replaceAll('"', "&quot;");
@@ -19,8 +20,8 @@ export function plotSvg(figure, series) {
     one.points = one.points.filter(([x, y]) => Number.isFinite(x) && Number.isFinite(y) && (!log.x || x > 0) && (!log.y || y > 0));
   }
   const all = shown.flatMap((one) => one.points);
-  const named = shown.some((one) => one.label);
-  const box = { ...frame, right: named ? frame.right : 24 };
+  const longest = Math.max(...shown.map((one) => one.label.length));
+  const box = { ...frame, right: 24 + letter * longest };
   const x = axis(figure.xrange ?? range(all.map((point) => point[0])), log.x, box.left, width - box.right, figure.xrange);
   const y = axis(figure.yrange ?? range(all.map((point) => point[1])), log.y, height - box.bottom, box.top, figure.yrange);
   const parts = [gridX(x, box, size), gridY(y, box, size), titles(figure, box, size)];
@@ -31,7 +32,7 @@ export function plotSvg(figure, series) {
     `height="${height - box.top - box.bottom + 16}"/></clipPath><g clip-path="url(#${clip})">`);
   shown.forEach((one, index) => parts.push(seriesSvg(figure, one, index, x, y)));
   parts.push("</g>");
-  if (named) parts.push(endLabels(shown, y, width - box.right + 10, height));
+  if (longest) parts.push(endLabels(shown, y, width - box.right + 10, height));
   return svg(size, parts);
 }
 
