@@ -236,14 +236,16 @@ TEST_CASE("the probes of an exercise have a time in all", "[run]") {
   CHECK(started < 30);
 }
 
-TEST_CASE("the disk cannot be filled", "[worker]") {
+TEST_CASE("the disk cannot be filled, by files without a name neither", "[worker]") {
   const Level level = GENERATE(Catch::Generators::from_range(levels()));
+  const std::string filling = GENERATE("fills the disk", "fills the disk unseen");
+  INFO(filling << " at level " << to_string(level));
   Limits limits;
   limits.deadline = std::chrono::seconds(60);
   limits.scratch_bytes = std::size_t{40} << 20;
   try {
-    run_probe(Worker(FIXTURE_WORKER, level), "fills the disk", {}, {}, limits);
-    FAIL("no failure at level " << to_string(level));
+    run_probe(Worker(FIXTURE_WORKER, level), filling, {}, {}, limits);
+    FAIL("no failure");
   } catch (const ProbeFailure& failure) {
     CHECK(has(failure.what(), "it filled the disk"));
   }

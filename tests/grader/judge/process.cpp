@@ -69,7 +69,9 @@ bool ended(pid_t pid, Outcome& outcome) {
 /// The limit that all processes together break, if any: no single one's limits see it.
 std::optional<Outcome::End> broken_together(const Command& command, const Limits& limits) {
   const std::optional<std::string>& folder = command.confinement.measured;
-  if (folder && fuller_than(*folder, limits.scratch_bytes)) return Outcome::End::flooded_disk;
+  if (folder && fuller_than(*folder, ::getpid(), limits.scratch_bytes)) {
+    return Outcome::End::flooded_disk;
+  }
   const bool counted = limits.memory_bytes != unlimited && !address_sanitizer();
   if (counted && descendants_bytes(::getpid()) > limits.memory_bytes) {
     return Outcome::End::flooded_memory;

@@ -7,9 +7,11 @@
 
 namespace carlo::grader {
 
-/// Whether the files below `folder` take more than `most` bytes of the disk, or are too many or lie
-/// too deep to be counted. What cannot be looked into counts as nothing.
-bool fuller_than(const std::filesystem::path& folder, std::size_t most);
+/// Whether the files below `folder`, and those that the descendants of a process hold open though
+/// they have no name any more, take more than `most` bytes, or are too many or lie too deep to be
+/// counted. What cannot be looked into counts as nothing; nor does a nameless file that is mapped
+/// and not open.
+bool fuller_than(const std::filesystem::path& folder, pid_t ancestor, std::size_t most);
 
 /// The resident memory of all descendants of a process together, in bytes. Pages that they share
 /// count for each of them.
