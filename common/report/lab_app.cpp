@@ -6,11 +6,17 @@
 #include "cli/terminal.h"
 #include "report/machine.h"
 #include "report/page.h"
+#include "report/predictions.h"
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <chrono>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <iostream>
+#include <optional>
 
 namespace carlo {
 namespace {
@@ -18,8 +24,35 @@ namespace {
 struct Arguments {
   LabOptions options;
   std::string page, json;
-  bool no_page = false;
+  bool no_page = false, no_predict = false;
 };
+
+/// Where a student runs the lab, ./carlo says which tree it is; what was predicted is kept there.
+std::optional<Predictions> predictions_of(const LabApp& lab, const Arguments& arguments) {
+  const char* tree = std::getenv("CARLO_COURSE");
+  if (tree == nullptr || *tree == '\0' || arguments.no_predict) return std::nullopt;
+  std::optional<Predictions> predictions(std::in_place, tree, lab.number);
+  const bool somebody = ::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1;
+  if (!somebody || !lab.part.empty()) return predictions;
+  predictions->ask(
+      [](const std::string& text) {
+        fmt::print("{}", text);
+        (void)std::fflush(stdout);
+      },
+      []() -> std::optional<std::string> {
+        std::string line;
+        if (!std::getline(std::cin, line)) return std::nullopt;
+        return line;
+      });
+  return predictions;
+}
+
+void show_predictions(const Predictions& predictions, Notebook& notebook) {
+  const Table table = predictions.table(notebook.results());
+  if (table.rows().empty()) return;
+  notebook.begin("What you predicted");
+  notebook.table("predictions", table, "Predictions, and what this run gave");
+}
 
 /// The command as one could type it again.
 std::string command_line(int number, int argc, char** argv) {
@@ -32,12 +65,14 @@ std::string command_line(int number, int argc, char** argv) {
   return command;
 }
 
-void run_experiments(const LabApp& lab, Notebook& notebook) {
+void run_experiments(const LabApp& lab, const std::optional<Predictions>& predictions,
+                     Notebook& notebook) {
   for (std::size_t i = 0; i < lab.experiments.size(); ++i) {
     notebook.set_experiment(static_cast<int>(i), static_cast<int>(lab.experiments.size()));
     lab.experiments[i](notebook);
   }
   notebook.finish();
+  if (predictions) show_predictions(*predictions, notebook);
   notebook.begin("What you should see");
   for (const std::string& paragraph : lab.what_you_should_see)
     notebook.say(paragraph);
@@ -58,10 +93,11 @@ nlohmann::json results(const LabApp& lab, const Notebook& notebook, double secon
 void run(const LabApp& lab, const Arguments& arguments, const std::string& command) {
   // A file that cannot be written is better known before the experiments than after them.
   if (!arguments.json.empty()) (void)AtomicFile(arguments.json);
+  const std::optional<Predictions> predictions = predictions_of(lab, arguments);
   Page page(lab.title, lab.subtitle);
   Notebook notebook(fmt::format("lab {:02}", lab.number), arguments.options, page);
   const auto start = std::chrono::steady_clock::now();
-  run_experiments(lab, notebook);
+  run_experiments(lab, predictions, notebook);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
 
   page.fact("Command", command);
@@ -100,6 +136,7 @@ int run_lab(const LabApp& lab, int argc, char** argv) {
     auto* page = app.add_option("--page", arguments.page, "where the page goes");
     page->capture_default_str();
     app.add_flag("--no-page", arguments.no_page, "write no page");
+    app.add_flag("--no-predict", arguments.no_predict, "ask for no predictions, and show none");
     if (lab.add_options) lab.add_options(app);
     if (const auto code = parse_arguments(app, argc, argv)) return *code;
     if (arguments.options.quick && n->count() == 0) arguments.options.n = lab.quick_n;

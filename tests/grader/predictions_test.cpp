@@ -1,0 +1,143 @@
+#include "report/predictions.h"
+
+#include "cli/atomic_file.h"
+#include "cli/error.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+using namespace carlo;
+using nlohmann::json;
+
+namespace {
+
+constexpr const char* exercises = R"([
+  {"tag": "Lab 1.1", "title": "First", "points": 2, "lecture": "L", "functions": ["f"],
+   "hints": ["nudge", "plan"],
+   "predict": {"question": "Which slope?", "kind": "number", "experiment": "slopes",
+               "row": {"method": "dice"}, "value": "slope"}},
+  {"tag": "Lab 1.2", "title": "Second", "points": 3, "lecture": "L", "functions": ["g"],
+   "hints": ["nudge", "plan"],
+   "predict": {"question": "Which is worst?", "kind": "choice", "choices": ["dice", "rule"],
+               "experiment": "slopes", "name": "method", "largest": "error"}}])";
+
+/// A tree with one lab of which Lab 1.1 is written.
+class Tree {
+ public:
+  explicit Tree(const std::string& list = exercises)
+      : root_(fs::temp_directory_path() / fmt::format("carlo_predict_{}", ::getpid())) {
+    fs::create_directories(root_ / "labs/01_demo");
+    write_file(root_ / "labs/01_demo/lab.json",
+               R"({"lab": 1, "name": "demo", "title": "Demo", "exercises": )" + list + "}");
+    write_file(root_ / "labs/01_demo/demo.cpp", "not_implemented(\"Lab 1.2\", \"L\");\n");
+  }
+  ~Tree() {
+    std::error_code ec;
+    fs::remove_all(root_, ec);
+  }
+  Tree(const Tree&) = delete;
+  Tree& operator=(const Tree&) = delete;
+  const fs::path& root() const { return root_; }
+  void finish() const { write_file(root_ / "labs/01_demo/demo.cpp", "done\n"); }
+
+ private:
+  fs::path root_;
+};
+
+/// What was said while these lines were typed.
+std::string asked(Predictions& predictions, std::vector<std::string> lines) {
+  std::string said;
+  predictions.ask([&](const std::string& text) { said += text; },
+                  [&]() -> std::optional<std::string> {
+                    if (lines.empty()) return std::nullopt;
+                    std::string line = lines.front();
+                    lines.erase(lines.begin());
+                    return line;
+                  });
+  return said;
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+const json tables{{"slopes",
+                   {{{"method", "dice"}, {"slope", -1.0}, {"error", 0.25}},
+                    {{"method", "rule"}, {"slope", -2.0}, {"error", 0.5}},
+                    {{"method", "dice"}, {"slope", -0.5}, {"error", 0.25}}}}};
+
+}  // namespace
+
+TEST_CASE("a prediction is asked for once, of what is written, and shown beside the result",
+          "[predictions]") {
+  const Tree tree;
+  {
+    Predictions predictions(tree.root(), 1);
+    const std::string said = asked(predictions, {"steep", "-1/3"});
+    CHECK(has(said, "Which slope?"));
+    CHECK(has(said, "that is no number"));
+    CHECK_FALSE(has(said, "Which is worst?"));
+  }
+  Predictions again(tree.root(), 1);
+  CHECK(asked(again, {"7"}).empty());
+  const json shown = again.table(tables).json();
+  REQUIRE(shown.size() == 1);
+  CHECK(shown[0]["predicted"] == -1.0 / 3);
+  CHECK(shown[0]["result"] == -0.5);  // the last row that fits
+  tree.finish();
+  Predictions later(tree.root(), 1);
+  CHECK(has(asked(later, {"3", "1"}), "a number from 1 to 2"));
+  const json both = later.table(tables).json();
+  REQUIRE(both.size() == 2);
+  CHECK(both[1]["predicted"] == "dice");
+  CHECK(both[1]["result"] == "rule");
+}
+
+TEST_CASE("Enter skips a question for good; the input's end only for now", "[predictions]") {
+  const Tree tree;
+  {
+    Predictions predictions(tree.root(), 1);
+    CHECK(has(asked(predictions, {}), "Which slope?"));
+    CHECK(has(asked(predictions, {""}), "Which slope?"));
+  }
+  Predictions again(tree.root(), 1);
+  CHECK(asked(again, {"1"}).empty());
+  CHECK(again.table(tables).rows().empty());
+}
+
+TEST_CASE("experiments that were left out have no result", "[predictions]") {
+  const Tree tree;
+  Predictions predictions(tree.root(), 1);
+  (void)asked(predictions, {"-0.5"});
+  CHECK(predictions.table(json::object()).rows().empty());
+  CHECK(predictions.table({{"slopes", json::array()}}).rows().empty());
+}
+
+TEST_CASE("numbers as people type them; a ratio of two rows", "[predictions]") {
+  Question question;
+  question.where = {{"experiment", "slopes"},
+                    {"row", {{"method", "rule"}}},
+                    {"over", {{"method", "dice"}}},
+                    {"value", "error"}};
+  CHECK(question.answer(tables) == 2.0);
+  CHECK(question.read(" -1/2 ") == -0.5);
+  CHECK(question.read("\u22121.5e1") == -15);
+  CHECK(question.read("+3") == 3);
+  for (const char* no : {"", "x", "1/0", "1/", "1 or 2", "nan", "inf"})
+    CHECK(question.read(no).is_null());
+}
+
+TEST_CASE("a question that lab.json asks badly is an error that names the exercise",
+          "[predictions]") {
+  std::string list = exercises;
+  list.replace(list.find("\"largest\""), 9, "\"highest\"");
+  const Tree tree(list);
+  CHECK_THROWS_AS(Predictions(tree.root(), 1), Error);
+}
