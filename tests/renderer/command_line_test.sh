@@ -3,13 +3,13 @@
 # and each bad argument gives one line on stderr, exit code 1, and no file.
 set -euo pipefail
 renderer=$1 source=$2
-. "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/expect_error.sh"
+. "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/refused.sh"
 
 # refused PATTERN ARGUMENTS...
 refused() {
   local pattern=$1
   shift
-  expect_error "$pattern" "$renderer" "$@"
+  refused "$pattern" "$renderer" "$@"
 }
 
 count=0
@@ -30,6 +30,10 @@ refused '33554432' "$good" --size 100000x100000 --spp 1
 refused 'spp' "$good" --spp 0
 refused 'spp' "$good" --spp many
 refused 'seconds' "$good" --spp 4 --seconds 3
+for target in 0 -.1 nan inf 1 all; do
+  refused 'target-error' "$good" "--target-error=$target" --size 8x8
+done
+refused '32 samples' "$good" --target-error .1 --spp 31 --size 8x8
 refused 'threads' "$good" --threads -2
 refused 'NAME=VALUE' "$good" -D nonsense
 refused 'bogus' "$good" -D bogus=1
@@ -46,6 +50,42 @@ for suffix in png exr error.png json; do
   [ -s "$scratch/good.$suffix" ] || complain "good.$suffix is missing"
 done
 grep -q 'standard error' "$scratch/stdout" || complain 'the report has no standard error'
+
+# With a target: a map of where the samples went, and what came of it.
+"$renderer" "$good" --size 16x16 --target-error .3 --spp 512 -o "$scratch/target" >"$scratch/stdout" ||
+  complain '--target-error failed'
+[ -s "$scratch/target.samples.png" ] || complain 'target.samples.png is missing'
+grep -q '"reached"' "$scratch/target.json" || complain 'the JSON report has no share of pixels'
+grep -q 'within it are' "$scratch/stdout" || complain 'the report has no share of pixels'
+
+# What is resumed has the bits of what was never interrupted; the files' only difference is the name.
+"$renderer" "$good" --quiet --size 32x32 --spp 64 --seed 9 -o "$scratch/whole"
+(cd "$scratch" && timeout --signal=INT 3 "$renderer" "$good" --quiet --size 32x32 --spp 4194304 --seed 9 \
+  -o part) || [ $? = 130 ] || [ $? = 124 ] || complain 'Ctrl-C'
+refused 'multiple of 64' --resume "$scratch/part.exr" --spp 70
+refused 'seed is 9' --resume "$scratch/part.exr" --spp 4194304 --seed 8
+refused 'kernel is' --resume "$scratch/part.exr" --spp 4194304 --kernel scalar
+refused 'scene or the film' "$good" --resume "$scratch/part.exr" --spp 4194304 --size 8x8
+refused 'which' --resume "$scratch/part.exr"
+refused 'target' --resume "$scratch/part.exr" --target-error .1
+refused 'not the sums' --resume "$source/tests/references/peer_cornell_phong.exr" --spp 128
+refused 'missing.exr' --resume missing.exr --spp 128
+head -c 3000 "$scratch/whole.exr" >"$scratch/short.exr"
+refused 'cannot read .*short.exr' --resume "$scratch/short.exr" --spp 128
+"$renderer" "$good" --quiet --size 32x32 --spp 64 --seed 9 --no-sums -o "$scratch/small"
+refused 'not the sums' --resume "$scratch/small.exr" --spp 128
+
+# A checkpoint outlives what cannot be caught.
+(cd "$scratch" && exec "$renderer" "$good" --quiet --size 32x32 --spp 4194304 --checkpoint .2 -o killed) &
+victim=$!
+for _ in $(seq 200); do
+  [ -s "$scratch/killed.json" ] && break
+  sleep .1
+done
+kill -KILL "$victim"
+wait "$victim" 2>/dev/null || true
+"$renderer" --quiet --resume "$scratch/killed.exr" --seconds .1 || complain 'no way to go on after SIGKILL'
+[ -s "$scratch/killed.png" ] || complain 'the resumed render did not go to the same place'
 
 # The film's size on the command line means the same as in the file, whatever side fov spans.
 sed 's|<float name="fov" value="39.3077"/>|<float name="fov" value="30"/><string name="fovAxis" value="y"/>|' \
