@@ -3,13 +3,13 @@
 # and each bad argument gives one line on stderr, exit code 1, and no file.
 set -euo pipefail
 renderer=$1 source=$2
-. "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/refused.sh"
+. "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/expect_error.sh"
 
 # refused PATTERN ARGUMENTS...
 refused() {
   local pattern=$1
   shift
-  refused "$pattern" "$renderer" "$@"
+  expect_error "$pattern" "$renderer" "$@"
 }
 
 count=0
