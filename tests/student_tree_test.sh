@@ -75,6 +75,7 @@ for last in 1 4 8; do
   [ "$(find "$tree/labs" -name lab.json | wc -l)" = "$last" ] || fail "labs beyond $last, or too few"
   expect_error "$tree" "a student's tree" starter --through 1
   expect_error "$tree" "a student's tree" test --hard
+  expect_error "$tree" "a student.s tree" slides --check
   expect_error "$tree" "a student's tree" test --solutions
   expect_error "$tree" "no solution of lab $last" lab "$last" --solutions
   configured "$scratch/$last"

@@ -26,8 +26,20 @@ function writeIfChanged(file, text) {
 
 function marp(book, folder, out, options) {
   const program = path.join(book.root, "build/slides/node_modules/@marp-team/marp-cli/marp-cli.js");
-  const { status, stdout, stderr } = spawnSync(process.execPath, [program, "--config-file", path.join(book.root, "slides/tool/marp.config.mjs"),
-    "--input-dir", folder, "--output", out, ...options], { cwd: book.root, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+  const { status, stdout, stderr } = spawnSync(
+    process.execPath,
+    [
+      program,
+      "--config-file",
+      path.join(book.root, "slides/tool/marp.config.mjs"),
+      "--input-dir",
+      folder,
+      "--output",
+      out,
+      ...options,
+    ],
+    { cwd: book.root, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] },
+  );
   if (status !== 0 || /\[ +ERROR/.test(stderr)) throw new UserError(`Marp failed:\n${stdout}${stderr}`);
 }
 
@@ -43,33 +55,55 @@ export function buildHtml(decks, book, out) {
 /** What MathJax could not read it writes in red, or as an error. */
 function checkHtml(deck, file) {
   const html = fs.readFileSync(file, "utf8");
-  const error = /data-mjx-error="([^"]*)"/.exec(html)?.[1] ?? (/data-mml-node="mtext" fill="red"/.test(html) ? "a command that MathJax does not know" : "");
+  const error =
+    /data-mjx-error="([^"]*)"/.exec(html)?.[1] ??
+    (/data-mml-node="mtext" fill="red"/.test(html) ? "a command that MathJax does not know" : "");
   if (error) throw new UserError(`${deck.file}: an equation is wrong: ${error}`);
   const missing = deck.slides.length - (html.match(/<section [^>]*data-marpit-pagination=/g) ?? []).length;
-  if (missing) throw new UserError(`${deck.file}: ${missing} of ${deck.slides.length} slides are missing in ${file}`);
+  if (missing)
+    throw new UserError(`${deck.file}: ${missing} of ${deck.slides.length} slides are missing in ${file}`);
 }
 
 export function buildPdf(decks, book, out) {
   const browser = path.join(book.root, "slides/tool/chromium.sh");
-  marp(book, writeMarkdown(decks, book, true), out, ["--pdf", "--allow-local-files", "--browser", "chrome", "--browser-path", browser]);
+  marp(book, writeMarkdown(decks, book, true), out, [
+    "--pdf",
+    "--allow-local-files",
+    "--browser",
+    "chrome",
+    "--browser-path",
+    browser,
+    "--browser-timeout",
+    "180",
+  ]);
 }
 
 /** Where each label is: hints and handouts cite slides by it. */
 function labelList(book) {
-  const items = [...book.labels].map(([key, label]) =>
-    `<li><a href="${label.deck.name}.html#${label.slide.place}">${key}</a>${label.equation ? ` (${label.equation})` : ""}</li>`);
+  const items = [...book.labels].map(
+    ([key, label]) =>
+      `<li><a href="${label.deck.name}.html#${label.slide.place}">${key}</a>${label.equation ? ` (${label.equation})` : ""}</li>`,
+  );
   return `<details><summary>The labels that hints and handouts cite</summary><ul>${items.join("")}</ul></details>`;
 }
 
 function writeIndex(book, out) {
   const rows = book.decks.map((deck) => {
-    const link = (extension) => fs.existsSync(path.join(out, `${deck.name}.${extension}`))
-      ? `<a href="${deck.name}.${extension}">${extension === "html" ? escaped(deck.front.title) : "PDF"}</a>` : extension === "html" ? escaped(deck.front.title) : "";
-    return `<tr><td>${deck.id}</td><td>${link("html")}</td><td>${deck.slides.length}</td><td>${deck.front.minutes} min</td>` +
-      `<td>${deck.front.lab ? `lab ${deck.front.lab}` : ""}</td><td>${link("pdf")}</td></tr>`;
+    const link = (extension) =>
+      fs.existsSync(path.join(out, `${deck.name}.${extension}`))
+        ? `<a href="${deck.name}.${extension}">${extension === "html" ? escaped(deck.front.title) : "PDF"}</a>`
+        : extension === "html"
+          ? escaped(deck.front.title)
+          : "";
+    return (
+      `<tr><td>${deck.id}</td><td>${link("html")}</td><td>${deck.slides.length}</td><td>${deck.front.minutes} min</td>` +
+      `<td>${deck.front.lab ? `lab ${deck.front.lab}` : ""}</td><td>${link("pdf")}</td></tr>`
+    );
   });
   const total = book.decks.reduce((sum, deck) => sum + Number(deck.front.minutes), 0);
-  fs.writeFileSync(path.join(out, "index.html"), `<!doctype html>
+  fs.writeFileSync(
+    path.join(out, "index.html"),
+    `<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>Carlo: slides</title>
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <style>
@@ -85,5 +119,6 @@ ${rows.join("\n")}
 ${labelList(book)}
 <p>${total} minutes in all. In a deck: arrow keys turn pages, <kbd>f</kbd> fills the screen, <kbd>p</kbd> opens the speaker's notes.</p>
 </body></html>
-`);
+`,
+  );
 }

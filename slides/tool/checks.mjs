@@ -25,7 +25,8 @@ export function checkSlides(book, decks, problems) {
         const wrong = (text) => problems.add(deck.file, slide.line + index, text);
         const snippet = snippetFence.exec(line);
         if (snippet) checkSnippet(book, snippet[2], slide.lines[index + 1], wrong);
-        else if (/^```.*snippet/.test(line)) wrong("a snippet's fence is written '```cpp snippet=common/file.h#name'");
+        else if (/^```.*snippet/.test(line))
+          wrong("a snippet's fence is written '```cpp snippet=common/file.h#name'");
         if (!inFence) checkLine(book, line, wrong);
       });
       checkNow(book, deck, slide, problems);
@@ -43,8 +44,10 @@ function checkSnippet(book, name, next, wrong) {
 function checkLine(book, line, wrong) {
   const figure = figureLine.exec(line);
   if (figure) checkFigure(book, figure[2], wrong);
-  else if (line.includes("](figure:")) wrong("a figure stands on a line of its own: ![what one sees](figure:04-slopes)");
-  else if (/!\[[^\]]*\]\(/.test(line)) wrong("pictures are figures made by a command: ![...](figure:04-slopes)");
+  else if (line.includes("](figure:"))
+    wrong("a figure stands on a line of its own: ![what one sees](figure:04-slopes)");
+  else if (/!\[[^\]]*\]\(/.test(line))
+    wrong("pictures are figures made by a command: ![...](figure:04-slopes)");
   for (const [, key] of line.matchAll(numberMark)) {
     const wanted = book.definitions.numbers.get(key);
     book.used.numbers.add(key);
@@ -72,7 +75,8 @@ function checkFigure(book, id, wrong) {
 function checkKept(wanted, kept, what, wrong) {
   const again = `./carlo slides --remake ${wanted.number}`;
   if (!kept) wrong(`${what} "${wanted.id}" has no data yet: ${again}`);
-  else if (kept.recipe !== recipe(wanted)) wrong(`${what} "${wanted.id}" was made by another command: ${again}`);
+  else if (kept.recipe !== recipe(wanted))
+    wrong(`${what} "${wanted.id}" was made by another command: ${again}`);
 }
 
 /** "Now do Lab 4.2": the exercise exists. */
@@ -83,7 +87,8 @@ function checkNow(book, deck, slide, problems) {
     problems.add(deck.file, slide.line, `a 'now' slide is called '# Now do Lab N.M', got "${slide.title}"`);
   }
   for (const tag of tags) {
-    if (!book.exercises.some((exercise) => exercise.tag === tag)) problems.add(deck.file, slide.line, `there is no exercise ${tag}`);
+    if (!book.exercises.some((exercise) => exercise.tag === tag))
+      problems.add(deck.file, slide.line, `there is no exercise ${tag}`);
   }
 }
 
@@ -96,7 +101,8 @@ function checkUse(book, problems) {
     if (!book.used.numbers.has(key)) problems.add(file, 0, `number "${key}" is on no slide`);
   }
   for (const { reference, file, line } of markers(book.root)) {
-    if (!book.used.snippets.has(reference)) problems.add(file, line, `the snippet ${reference} is on no slide`);
+    if (!book.used.snippets.has(reference))
+      problems.add(file, line, `the snippet ${reference} is on no slide`);
   }
 }
 
@@ -121,15 +127,28 @@ function checkCitations(book, problems) {
   for (const [key, label] of book.labels) {
     const lab = label.deck.front.lab;
     if (lab && !cited.has(`${lab.padStart(2, "0")} ${key}`)) {
-      problems.add(label.deck.file, label.line, `nothing in labs/${lab.padStart(2, "0")}_* cites slides ${key}`);
+      problems.add(
+        label.deck.file,
+        label.line,
+        `nothing in labs/${lab.padStart(2, "0")}_* cites slides ${key}`,
+      );
     }
   }
-  const covered = new Set(book.decks.map((deck) => deck.front.lab).filter(Boolean).map(Number));
+  const covered = new Set(
+    book.decks
+      .map((deck) => deck.front.lab)
+      .filter(Boolean)
+      .map(Number),
+  );
   for (const { tag, file, hints, lab } of book.exercises) {
     const own = hints.some((hint) => /\bslides [0-9]{2}:[a-z0-9-]+/.test(hint));
     if (covered.has(lab) && !own && !byExercise.has(tag)) {
-      problems.add(file, 0, `${tag} cites no slide: 'slides ${String(lab).padStart(2, "0")}:LABEL' in a hint, ` +
-        "or in a paragraph of the handout or the sources that names it");
+      problems.add(
+        file,
+        0,
+        `${tag} cites no slide: 'slides ${String(lab).padStart(2, "0")}:LABEL' in a hint, ` +
+          "or in a paragraph of the handout or the sources that names it",
+      );
     }
   }
 }
@@ -152,7 +171,11 @@ function checkDurations(book, problems) {
   for (const deck of book.decks) {
     const each = Number(deck.front.minutes) / deck.slides.length;
     if (each < 1 || each > 4) {
-      problems.add(deck.file, 0, `${deck.front.minutes} minutes for ${deck.slides.length} slides; a slide takes 1 to 4`);
+      problems.add(
+        deck.file,
+        0,
+        `${deck.front.minutes} minutes for ${deck.slides.length} slides; a slide takes 1 to 4`,
+      );
     }
   }
 }
@@ -161,28 +184,37 @@ function checkDurations(book, problems) {
 function checkLecture(book, problems) {
   const file = "slides/lecture.md";
   const absolute = path.join(book.root, file);
-  if (!fs.existsSync(absolute)) return problems.add(file, 0, "is missing: which slide covers which heading of the lecture");
-  fs.readFileSync(absolute, "utf8").split("\n").forEach((line, index) => {
-    const row = /^\| (.+?) \| ([0-9]{2}) \| (.+?) \|$/.exec(line);
-    if (!row) {
-      if (/^\|/.test(line) && !/^\| ?(-|Heading)/.test(line)) problems.add(file, index + 1, "a row is written '| heading | 04 | slide |'");
-      return;
-    }
-    const decks = book.decks.filter((deck) => deck.number === row[2]);
-    if (!decks.length) problems.add(file, index + 1, `there is no deck ${row[2]}`);
-    for (const title of row[3].split("; ")) {
-      if (decks.length && !decks.some((deck) => deck.slides.some((slide) => slide.title === title))) {
-        problems.add(file, index + 1, `deck ${row[2]} has no slide "${title}"`);
+  if (!fs.existsSync(absolute))
+    return problems.add(file, 0, "is missing: which slide covers which heading of the lecture");
+  fs.readFileSync(absolute, "utf8")
+    .split("\n")
+    .forEach((line, index) => {
+      const row = /^\| (.+?) \| ([0-9]{2}) \| (.+?) \|$/.exec(line);
+      if (!row) {
+        if (/^\|/.test(line) && !/^\| ?(-|Heading)/.test(line))
+          problems.add(file, index + 1, "a row is written '| heading | 04 | slide |'");
+        return;
       }
-    }
-  });
+      const decks = book.decks.filter((deck) => deck.number === row[2]);
+      if (!decks.length) problems.add(file, index + 1, `there is no deck ${row[2]}`);
+      for (const title of row[3].split("; ")) {
+        if (decks.length && !decks.some((deck) => deck.slides.some((slide) => slide.title === title))) {
+          problems.add(file, index + 1, `deck ${row[2]} has no slide "${title}"`);
+        }
+      }
+    });
 }
 
 /** All exercises of the labs: [{tag, file, hints, lab}]. */
 export function readExercises(root) {
-  const labs = fs.readdirSync(path.join(root, "labs")).sort().map((name) => `labs/${name}/lab.json`);
-  return labs.filter((file) => fs.existsSync(path.join(root, file))).flatMap((file) => {
-    const { lab, exercises } = JSON.parse(fs.readFileSync(path.join(root, file), "utf8"));
-    return exercises.map(({ tag, hints }) => ({ tag, file, hints, lab }));
-  });
+  const labs = fs
+    .readdirSync(path.join(root, "labs"))
+    .sort()
+    .map((name) => `labs/${name}/lab.json`);
+  return labs
+    .filter((file) => fs.existsSync(path.join(root, file)))
+    .flatMap((file) => {
+      const { lab, exercises } = JSON.parse(fs.readFileSync(path.join(root, file), "utf8"));
+      return exercises.map(({ tag, hints }) => ({ tag, file, hints, lab }));
+    });
 }

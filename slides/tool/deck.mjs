@@ -106,7 +106,11 @@ function readSlide({ line, lines }, deck, problems) {
         problems.add(deck.file, at(index), "the line after '<!-- eq: ... -->' must start with $$");
       }
     } else if (/<!-- *(eq|label)\b/.test(text)) {
-      problems.add(deck.file, at(index), `a label is written '<!-- eq: words-in-lower-case -->', got '${text}'`);
+      problems.add(
+        deck.file,
+        at(index),
+        `a label is written '<!-- eq: words-in-lower-case -->', got '${text}'`,
+      );
     }
   });
   slide.notes = /<!-- notes:([\s\S]*?)-->/.exec(lines.join("\n"))?.[1].trim() ?? "";
@@ -131,7 +135,8 @@ function numberEquations(decks, problems) {
         label.deck = deck;
         label.slide = slide;
         const key = `${deck.number}:${label.name}`;
-        if (seen.has(key)) problems.add(deck.file, label.line, `the label ${key} stands also in ${seen.get(key)}`);
+        if (seen.has(key))
+          problems.add(deck.file, label.line, `the label ${key} stands also in ${seen.get(key)}`);
         seen.set(key, `${deck.file}:${label.line}`);
       }
     });

@@ -50,7 +50,8 @@ function* jsonFiles(root, folder, problems) {
 function checkFigure(root, figure, problems) {
   const wrong = (text) => problems.add(figure.file, 0, `figure "${figure.id}": ${text}`);
   if (!figure.id.startsWith(`${figure.number}-`)) wrong(`its name must start with ${figure.number}-`);
-  if (!kinds.includes(figure.kind)) return wrong(`kind must be one of ${kinds.join(", ")}, got '${figure.kind}'`);
+  if (!kinds.includes(figure.kind))
+    return wrong(`kind must be one of ${kinds.join(", ")}, got '${figure.kind}'`);
   if (plots.includes(figure.kind) && !figure.series) {
     for (const key of ["table", "x", "y"]) if (!figure[key]) wrong(`needs "${key}"`);
   }
@@ -58,7 +59,10 @@ function checkFigure(root, figure, problems) {
   if (figure.kind === "functions" && !(figure.functions?.length && figure.x?.length === 2)) {
     wrong('needs "x": [from, to] and "functions": [{"name", "js"}]');
   }
-  if (figure.kind === "drawing" && !fs.existsSync(path.join(root, "slides/figures", figure.drawing ?? ""))) {
+  if (
+    figure.kind === "drawing" &&
+    !fs.existsSync(path.join(root, "slides/figures", figure.drawing ?? ""))
+  ) {
     wrong(`"drawing" must name an SVG file of slides/figures, got '${figure.drawing}'`);
   }
   if (figure.kind === "image" && !figure.images?.length) wrong('needs "images": [{"command", "caption"}]');
@@ -81,7 +85,11 @@ const badCommand = (command) =>
 
 /** The commands that a figure or number needs. */
 export const commandsOf = (wanted) =>
-  wanted.images ? wanted.images.map((image) => image.command) : wanted.command !== undefined ? [wanted.command] : [];
+  wanted.images
+    ? wanted.images.map((image) => image.command)
+    : wanted.command !== undefined
+      ? [wanted.command]
+      : [];
 
 /** What is kept changes with these; how it is drawn does not matter. */
 export function recipe(wanted) {
@@ -97,14 +105,18 @@ function rowsOf(tables, { table, where }) {
     throw new UserError(`the run has no table "${table}"; it has ${Object.keys(tables).join(", ")}`);
   }
   const wanted = Object.entries(where ?? {});
-  const rows = tables[table].filter((row) => wanted.every(([key, value]) => [value].flat().includes(row[key])));
+  const rows = tables[table].filter((row) =>
+    wanted.every(([key, value]) => [value].flat().includes(row[key])),
+  );
   if (rows.length === 0) throw new UserError(`table "${table}" has no row where ${JSON.stringify(where)}`);
   return rows;
 }
 
 function valueOf(row, column, table) {
   if (!(column in row)) {
-    throw new UserError(`table "${table}" has no column "${column}"; it has ${Object.keys(row).join(", ")}`);
+    throw new UserError(
+      `table "${table}" has no column "${column}"; it has ${Object.keys(row).join(", ")}`,
+    );
   }
   return row[column];
 }
@@ -112,8 +124,12 @@ function valueOf(row, column, table) {
 /** A plot's points from a run's tables: [{name, points: [[x, y], ...], slope}]. Throws UserError. */
 export function seriesOf(figure, tables) {
   if (figure.series) {
-    return figure.series.flatMap((one) => seriesOf({ ...figure, ...one, series: undefined }, tables)
-      .map((found) => ({ ...found, name: one.name ?? found.name })));
+    return figure.series.flatMap((one) =>
+      seriesOf({ ...figure, ...one, series: undefined }, tables).map((found) => ({
+        ...found,
+        name: one.name ?? found.name,
+      })),
+    );
   }
   const found = new Map();
   for (const row of rowsOf(tables, figure)) {
@@ -122,7 +138,8 @@ export function seriesOf(figure, tables) {
     found.get(name).push([figure.x, figure.y].map((key) => rounded(valueOf(row, key, figure.table))));
   }
   return [...found].map(([name, points]) => {
-    if (!points.some(([, y]) => Number.isFinite(y))) throw new UserError(`"${figure.y}" of "${name}" is never a number`);
+    if (!points.some(([, y]) => Number.isFinite(y)))
+      throw new UserError(`"${figure.y}" of "${name}" is never a number`);
     return { name, points, ...slopeOf(figure, name, tables) };
   });
 }
@@ -137,10 +154,13 @@ function slopeOf({ slopes, by, where }, name, tables) {
 export function numberOf(wanted, tables) {
   const rows = rowsOf(tables, wanted);
   if (rows.length !== 1 && !wanted.any) {
-    throw new UserError(`table "${wanted.table}" has ${rows.length} rows where ${JSON.stringify(wanted.where)}, expected one`);
+    throw new UserError(
+      `table "${wanted.table}" has ${rows.length} rows where ${JSON.stringify(wanted.where)}, expected one`,
+    );
   }
   const value = valueOf(rows[0], wanted.column, wanted.table);
-  if (!Number.isFinite(value) && !wanted.any) throw new UserError(`column "${wanted.column}" is ${JSON.stringify(value)}, expected a number`);
+  if (!Number.isFinite(value) && !wanted.any)
+    throw new UserError(`column "${wanted.column}" is ${JSON.stringify(value)}, expected a number`);
   return rounded(value);
 }
 
@@ -159,7 +179,8 @@ export function numberText(wanted, value) {
 /** {figures: {id: {recipe, series}}, numbers: {id: {recipe, value}}} of all decks, by deck number. */
 export function readData(root, problems) {
   const data = new Map();
-  for (const [number, file, content] of jsonFiles(root, "data", problems)) data.set(number, { file, ...content });
+  for (const [number, file, content] of jsonFiles(root, "data", problems))
+    data.set(number, { file, ...content });
   return data;
 }
 
@@ -171,7 +192,8 @@ export function remake(root, definitions, runs, numbers, say) {
     if (!wantedBy.has(wanted.number)) wantedBy.set(wanted.number, { figures: [], numbers: [] });
     wantedBy.get(wanted.number)[group].push(wanted);
   };
-  for (const figure of definitions.figures.values()) if (plots.includes(figure.kind)) add(figure, "figures");
+  for (const figure of definitions.figures.values())
+    if (plots.includes(figure.kind)) add(figure, "figures");
   for (const wanted of definitions.numbers.values()) add(wanted, "numbers");
   const done = new Set();
   const tables = (wanted) => {
@@ -183,10 +205,16 @@ export function remake(root, definitions, runs, numbers, say) {
   for (const [number, wanted] of wantedBy) {
     const data = { figures: {}, numbers: {} };
     for (const figure of wanted.figures) {
-      data.figures[figure.id] = { recipe: recipe(figure), series: extracted(figure, () => seriesOf(figure, tables(figure))) };
+      data.figures[figure.id] = {
+        recipe: recipe(figure),
+        series: extracted(figure, () => seriesOf(figure, tables(figure))),
+      };
     }
     for (const one of wanted.numbers) {
-      data.numbers[one.id] = { recipe: recipe(one), value: extracted(one, () => numberOf(one, tables(one))) };
+      data.numbers[one.id] = {
+        recipe: recipe(one),
+        value: extracted(one, () => numberOf(one, tables(one))),
+      };
     }
     fs.mkdirSync(path.join(root, "slides/data"), { recursive: true });
     fs.writeFileSync(path.join(root, `slides/data/${number}.json`), pretty(data));
@@ -205,11 +233,23 @@ function extracted(wanted, work) {
 
 /** JSON with a line for each series and number, so that a diff shows which has changed. */
 function pretty(data) {
-  const object = (entries, indent) => entries.length === 0 ? "{}"
-    : `{\n${entries.map(([key, text]) => `${indent}  ${JSON.stringify(key)}: ${text}`).join(",\n")}\n${indent}}`;
-  const figures = Object.entries(data.figures).map(([id, { recipe, series }]) => [id,
+  const object = (entries, indent) =>
+    entries.length === 0
+      ? "{}"
+      : `{\n${entries.map(([key, text]) => `${indent}  ${JSON.stringify(key)}: ${text}`).join(",\n")}\n${indent}}`;
+  const figures = Object.entries(data.figures).map(([id, { recipe, series }]) => [
+    id,
     `{\n      "recipe": "${recipe}",\n      "series": [\n        ` +
-    `${series.map((one) => JSON.stringify(one)).join(",\n        ")}\n      ]\n    }`]);
+      `${series.map((one) => JSON.stringify(one)).join(",\n        ")}\n      ]\n    }`,
+  ]);
   const numbers = Object.entries(data.numbers).map(([id, one]) => [id, JSON.stringify(one)]);
-  return object([["figures", object(figures, "  ")], ["numbers", object(numbers, "  ")]], "") + "\n";
+  return (
+    object(
+      [
+        ["figures", object(figures, "  ")],
+        ["numbers", object(numbers, "  ")],
+      ],
+      "",
+    ) + "\n"
+  );
 }

@@ -9,19 +9,35 @@ import { pathToFileURL } from "node:url";
 export async function checkOverflow(decks, book, out, problems) {
   const require = createRequire(path.join(book.root, "build/slides/package.json"));
   const puppeteer = require("puppeteer-core");
-  const browser = await puppeteer.launch({ executablePath: path.join(book.root, "slides/tool/chromium.sh"), args: [] });
+  const browser = await puppeteer.launch({
+    executablePath: path.join(book.root, "slides/tool/chromium.sh"),
+    timeout: 180000,
+    protocolTimeout: 600000,
+  });
   try {
     const page = await browser.newPage();
     await page.setViewport({ width: 1280, height: 720 });
     for (const deck of decks) {
-      await page.goto(pathToFileURL(path.join(out, `${deck.name}.html`)).href, { waitUntil: "load" });
+      await page.goto(pathToFileURL(path.join(out, `${deck.name}.html`)).href, {
+        waitUntil: "load",
+        timeout: 180000,
+      });
       const found = await page.evaluate(measure);
       if (found.length !== deck.slides.length) {
-        problems.add(deck.file, 0, `${found.length} slides could be measured, expected ${deck.slides.length}`);
+        problems.add(
+          deck.file,
+          0,
+          `${found.length} slides could be measured, expected ${deck.slides.length}`,
+        );
       }
       found.forEach(({ over, what }, index) => {
         const slide = deck.slides[index];
-        if (what) problems.add(deck.file, slide.line, `slide ${slide.place}, "${slide.title}": ${what} sticks out by ${over} px`);
+        if (what)
+          problems.add(
+            deck.file,
+            slide.line,
+            `slide ${slide.place}, "${slide.title}": ${what} sticks out by ${over} px`,
+          );
       });
     }
   } finally {
@@ -34,15 +50,19 @@ function measure() {
   const sections = [...document.querySelectorAll("section[data-marpit-pagination]")];
   // Only the current slide is laid out; the others are measured as it would be.
   const style = document.createElement("style");
-  style.textContent = "svg[data-marpit-svg]{visibility:visible!important;display:block!important;content-visibility:visible!important}";
+  style.textContent =
+    "svg[data-marpit-svg]{visibility:visible!important;display:block!important;content-visibility:visible!important}";
   document.head.append(style);
   return sections.map((section) => {
     const box = section.getBoundingClientRect();
     const scale = box.width / section.offsetWidth;
     const css = getComputedStyle(section);
     const inside = {
-      left: box.left + parseFloat(css.paddingLeft) * scale, right: box.right - parseFloat(css.paddingRight) * scale,
-      top: box.top + parseFloat(css.paddingTop) * scale, bottom: box.bottom - parseFloat(css.paddingBottom) * scale };
+      left: box.left + parseFloat(css.paddingLeft) * scale,
+      right: box.right - parseFloat(css.paddingRight) * scale,
+      top: box.top + parseFloat(css.paddingTop) * scale,
+      bottom: box.bottom - parseFloat(css.paddingBottom) * scale,
+    };
     let worst = { over: 0, what: "" };
     const note = (over, what) => {
       if (over > worst.over) worst = { over: Math.round(over), what };
@@ -57,10 +77,24 @@ function measure() {
       const place = element.getBoundingClientRect();
       if (!place.width || !place.height) continue;
       const room = frame ? frame.getBoundingClientRect() : inside;
-      const over = Math.max(room.left - place.left, place.right - room.right, room.top - place.top, place.bottom - room.bottom) / scale;
-      if (over > 3) note(over, `<${element.tagName.toLowerCase()}> "${element.textContent.trim().slice(0, 40)}"`);
-      if (element.scrollWidth > element.clientWidth + 2 && element.clientWidth && getComputedStyle(element).overflowX !== "visible") {
-        note(element.scrollWidth - element.clientWidth, `<${element.tagName.toLowerCase()}> "${element.textContent.trim().slice(0, 40)}"`);
+      const over =
+        Math.max(
+          room.left - place.left,
+          place.right - room.right,
+          room.top - place.top,
+          place.bottom - room.bottom,
+        ) / scale;
+      if (over > 3)
+        note(over, `<${element.tagName.toLowerCase()}> "${element.textContent.trim().slice(0, 40)}"`);
+      if (
+        element.scrollWidth > element.clientWidth + 2 &&
+        element.clientWidth &&
+        getComputedStyle(element).overflowX !== "visible"
+      ) {
+        note(
+          element.scrollWidth - element.clientWidth,
+          `<${element.tagName.toLowerCase()}> "${element.textContent.trim().slice(0, 40)}"`,
+        );
       }
     }
     return worst;

@@ -24,7 +24,12 @@ function bodyOf(root, figure, data, runs) {
 const tile = (picture, caption) =>
   `<div class="tile">${picture}${caption ? `<div class="caption">${escaped(caption)}</div>` : ""}</div>`;
 
-const drawing = (file) => fs.readFileSync(file, "utf8").replace(/<\?xml[^>]*>/, "").replaceAll(/<!--[\s\S]*?-->/g, "").trim();
+const drawing = (file) =>
+  fs
+    .readFileSync(file, "utf8")
+    .replace(/<\?xml[^>]*>/, "")
+    .replaceAll(/<!--[\s\S]*?-->/g, "")
+    .trim();
 
 function renders(figure, runs) {
   return figure.images.map(({ command, caption, crop }) => {
@@ -33,8 +38,11 @@ function renders(figure, runs) {
     const box = crop ?? [0, 0, width, height];
     // The inner frame cuts off what is beside the crop where the outer one is wider.
     const [x, y, w, h] = box;
-    return tile(`<svg class="pixels" viewBox="${box.join(" ")}"><svg x="${x}" y="${y}" width="${w}" height="${h}" viewBox="${box.join(" ")}"><image width="${width}" height="${height}" ` +
-      `${figure.pixelated ? 'style="image-rendering:pixelated" ' : ""}href="data:image/png;base64,${png.toString("base64")}"/></svg></svg>`, caption);
+    return tile(
+      `<svg class="pixels" viewBox="${box.join(" ")}"><svg x="${x}" y="${y}" width="${w}" height="${h}" viewBox="${box.join(" ")}"><image width="${width}" height="${height}" ` +
+        `${figure.pixelated ? 'style="image-rendering:pixelated" ' : ""}href="data:image/png;base64,${png.toString("base64")}"/></svg></svg>`,
+      caption,
+    );
   });
 }
 
@@ -44,18 +52,31 @@ function pictures(figure, runs) {
   const style = [...page.matchAll(/^\.tiles ([^{]+\{[^}]*\})/gm)].map((match) => match[1]).join(" ");
   return [figure.alt].flat().map((alt, index) => {
     const picture = pictureOf(page, alt);
-    if (!picture) throw new UserError(`${figure.file}: "${figure.id}": the lab's page has no picture whose description starts with "${alt}"`);
+    if (!picture)
+      throw new UserError(
+        `${figure.file}: "${figure.id}": the lab's page has no picture whose description starts with "${alt}"`,
+      );
     const caption = figure.captions ? figure.captions[index] : picture.caption;
-    if (!picture.svg) return tile(`<img ${figure.pixelated ? 'style="image-rendering:pixelated" ' : ""}src="${picture.source}">`, caption);
-    const text = picture.svg.replace(/<svg /, '<svg xmlns="http://www.w3.org/2000/svg" ').replace(/>/, `><style>${colours}${style}</style>`);
+    if (!picture.svg)
+      return tile(
+        `<img ${figure.pixelated ? 'style="image-rendering:pixelated" ' : ""}src="${picture.source}">`,
+        caption,
+      );
+    const text = picture.svg
+      .replace(/<svg /, '<svg xmlns="http://www.w3.org/2000/svg" ')
+      .replace(/>/, `><style>${colours}${style}</style>`);
     const box = /viewBox="([^"]+)"/.exec(picture.svg)[1].split(" ");
-    return tile(`<svg viewBox="${box.join(" ")}"><image x="${box[0]}" y="${box[1]}" width="${box[2]}" height="${box[3]}" ` +
-      `href="data:image/svg+xml;base64,${Buffer.from(text).toString("base64")}"/></svg>`, caption);
+    return tile(
+      `<svg viewBox="${box.join(" ")}"><image x="${box[0]}" y="${box[1]}" width="${box[2]}" height="${box[3]}" ` +
+        `href="data:image/svg+xml;base64,${Buffer.from(text).toString("base64")}"/></svg>`,
+      caption,
+    );
   });
 }
 
 // The light colours of common/report/web/page.css.
-const colours = "svg{--paper:#fff;--panel:#f7f8fa;--ink:#1b1f24;--soft:#59636e;--rule:#d9dee4;--grid:#e6e9ee;--accent:#0072b2;" +
+const colours =
+  "svg{--paper:#fff;--panel:#f7f8fa;--ink:#1b1f24;--soft:#59636e;--rule:#d9dee4;--grid:#e6e9ee;--accent:#0072b2;" +
   "--series-1:#0072b2;--series-2:#d55e00;--series-3:#009e73;--series-4:#cc79a7;--series-5:#b87a00;--series-6:#3a9bd6;" +
   "--series-7:#6b7280;--series-8:#111;font-family:'DejaVu Sans',sans-serif;font-size:16px}";
 
@@ -68,9 +89,14 @@ export const descriptions = (page) => picturesOf(page).map(({ caption }) => capt
 
 function picturesOf(page) {
   const entities = { "&#39;": "'", "&quot;": '"', "&lt;": "<", "&gt;": ">", "&amp;": "&" };
-  return [...page.matchAll(/<figure>([\s\S]*?)<\/figure>/g)].map(([, inside]) => ({
-    svg: /<svg[\s\S]*<\/svg>/.exec(inside)?.[0],
-    source: /<img[^>]*src="([^"]*)"/.exec(inside)?.[1],
-    caption: (/(?:aria-label|alt)="([^"]*)"/.exec(inside)?.[1] ?? "").replace(/&[#a-z0-9]+;/g, (entity) => entities[entity] ?? entity),
-  })).filter(({ svg, source, caption }) => caption && (svg || source));
+  return [...page.matchAll(/<figure>([\s\S]*?)<\/figure>/g)]
+    .map(([, inside]) => ({
+      svg: /<svg[\s\S]*<\/svg>/.exec(inside)?.[0],
+      source: /<img[^>]*src="([^"]*)"/.exec(inside)?.[1],
+      caption: (/(?:aria-label|alt)="([^"]*)"/.exec(inside)?.[1] ?? "").replace(
+        /&[#a-z0-9]+;/g,
+        (entity) => entities[entity] ?? entity,
+      ),
+    }))
+    .filter(({ svg, source, caption }) => caption && (svg || source));
 }

@@ -35,7 +35,8 @@ function findPictures({ alt }, page) {
   const plain = (text) => text.replace(/[0-9][0-9 \u00a0\u202f]*/g, "#");
   const all = descriptions(page).map(plain);
   const missing = [alt].flat().find((start) => !all.some((text) => text.startsWith(plain(start))));
-  if (missing) throw new UserError(`the lab's page has no picture whose description starts with "${missing}"`);
+  if (missing)
+    throw new UserError(`the lab's page has no picture whose description starts with "${missing}"`);
 }
 
 /** The conditions on words, without those on numbers. */
@@ -46,7 +47,8 @@ function names(where) {
 
 /** The same command, as cheap as it gets. */
 function quick(command) {
-  if (command[0] === "lab") return [...without(command, ["--n"]), ...(command.includes("--quick") ? [] : ["--quick"])];
+  if (command[0] === "lab")
+    return [...without(command, ["--n"]), ...(command.includes("--quick") ? [] : ["--quick"])];
   return [...without(command, ["--size", "--spp", "--seconds"]), "--size", "16x16", "--spp", "1"];
 }
 

@@ -30,21 +30,35 @@ export class Runs {
   /** The lab's tables. `fresh` runs it even if its answer is kept. */
   tables(command, options = {}) {
     const file = this.#kept(command, "json", options, (base) => [
-      ...command.slice(3), "--json", `${base}.json`, "--page", `${base}.html`]);
+      ...command.slice(3),
+      "--json",
+      `${base}.json`,
+      "--page",
+      `${base}.html`,
+    ]);
     return JSON.parse(fs.readFileSync(file, "utf8")).tables;
   }
 
   /** The lab's page, as HTML. */
   page(command, options = {}) {
     const file = this.#kept(command, "html", options, (base) => [
-      ...command.slice(3), "--json", `${base}.json`, "--page", `${base}.html`]);
+      ...command.slice(3),
+      "--json",
+      `${base}.json`,
+      "--page",
+      `${base}.html`,
+    ]);
     return fs.readFileSync(file, "utf8");
   }
 
   /** The rendered PNG. */
   image(command, options = {}) {
     const file = this.#kept(command, "png", options, (base) => [
-      ...command.slice(1), "--quiet", "-o", base]);
+      ...command.slice(1),
+      "--quiet",
+      "-o",
+      base,
+    ]);
     return fs.readFileSync(file);
   }
 
@@ -55,11 +69,16 @@ export class Runs {
     const key = crypto.createHash("sha256").update(JSON.stringify(command)).digest("hex").slice(0, 16);
     const base = path.join(this.folder, key);
     const file = `${base}.${extension}`;
-    const upToDate = !fresh && fs.existsSync(file) && fs.statSync(file).mtimeMs > fs.statSync(program).mtimeMs;
+    const upToDate =
+      !fresh && fs.existsSync(file) && fs.statSync(file).mtimeMs > fs.statSync(program).mtimeMs;
     if (upToDate) return file;
     fs.mkdirSync(this.folder, { recursive: true });
     const { status, signal, stdout, stderr, error } = spawnSync(program, argumentsFor(base), {
-      cwd: this.root, encoding: "utf8", maxBuffer: 1 << 26, stdio: ["ignore", "pipe", "pipe"] });
+      cwd: this.root,
+      encoding: "utf8",
+      maxBuffer: 1 << 26,
+      stdio: ["ignore", "pipe", "pipe"],
+    });
     if (error) throw new UserError(`${spoken(command)}: ${error.message}`);
     if (status !== 0) {
       const said = (stderr.trim() || stdout.trim()).split("\n").at(-1);

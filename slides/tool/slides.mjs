@@ -21,7 +21,9 @@ function readBook(programs) {
   const problems = new Problems();
   const decks = readDecks(root, problems);
   return {
-    root, decks, problems,
+    root,
+    decks,
+    problems,
     labels: allLabels(decks),
     definitions: readDefinitions(root, problems),
     data: readData(root, problems),
@@ -37,7 +39,9 @@ function chosen(book, wanted) {
   const has = (deck, id) => deck.id === id || deck.number === id;
   for (const id of ids) {
     if (!book.decks.some((deck) => has(deck, id))) {
-      throw new UserError(`there is no deck ${id}; there are: ${book.decks.map((deck) => deck.id).join(" ")}`);
+      throw new UserError(
+        `there is no deck ${id}; there are: ${book.decks.map((deck) => deck.id).join(" ")}`,
+      );
     }
   }
   return book.decks.filter((deck) => !ids.length || ids.some((id) => has(deck, id)));
@@ -48,13 +52,20 @@ const numbersOf = (decks) => [...new Set(decks.map((deck) => deck.number))];
 function refuse(problems) {
   if (!problems.count) return;
   problems.print();
-  throw new UserError(problems.count === 1 ? "one thing is wrong with the slides" : `${problems.count} things are wrong with the slides`);
+  throw new UserError(
+    problems.count === 1
+      ? "one thing is wrong with the slides"
+      : `${problems.count} things are wrong with the slides`,
+  );
 }
 
 /** What must be right before these decks can be built. */
 function refuseToBuild(book, decks) {
   checkSlides(book, decks, book.problems);
-  const files = numbersOf(decks).flatMap((number) => [`slides/figures/${number}.json`, `slides/data/${number}.json`]);
+  const files = numbersOf(decks).flatMap((number) => [
+    `slides/figures/${number}.json`,
+    `slides/data/${number}.json`,
+  ]);
   refuse(book.problems.of([...decks.map((deck) => deck.file), ...files]));
 }
 
@@ -63,10 +74,19 @@ const modes = {
   programs(book, decks, mode) {
     const numbers = numbersOf(decks);
     const pictures = (one) => ["image", "picture"].includes(one.kind);
-    const taken = { html: pictures, pdf: pictures, watch: pictures, remake: (one) => !pictures(one), run: () => true }[mode];
+    const taken = {
+      html: pictures,
+      pdf: pictures,
+      watch: pictures,
+      remake: (one) => !pictures(one),
+      run: () => true,
+    }[mode];
     if (!taken) return;
     const wanted = [...book.definitions.figures.values(), ...book.definitions.numbers.values()];
-    const programs = wanted.filter((one) => numbers.includes(one.number) && taken(one)).flatMap(commandsOf).map(programOf);
+    const programs = wanted
+      .filter((one) => numbers.includes(one.number) && taken(one))
+      .flatMap(commandsOf)
+      .map(programOf);
     console.log([...new Set(programs)].filter(Boolean).join(" "));
   },
 
@@ -74,8 +94,10 @@ const modes = {
     checkBook(book, book.problems);
     refuse(book.problems);
     const minutes = book.decks.reduce((sum, deck) => sum + Number(deck.front.minutes), 0);
-    say(`${book.decks.length} decks (${minutes} minutes), ${book.labels.size} labels, ` +
-      `${book.definitions.figures.size} figures and ${book.definitions.numbers.size} numbers are right`);
+    say(
+      `${book.decks.length} decks (${minutes} minutes), ${book.labels.size} labels, ` +
+        `${book.definitions.figures.size} figures and ${book.definitions.numbers.size} numbers are right`,
+    );
   },
 
   run(book, decks) {
@@ -104,7 +126,9 @@ const modes = {
     const problems = new Problems();
     await checkOverflow(decks, book, out, problems);
     refuse(problems);
-    say(`wrote ${path.relative(process.cwd(), path.join(out, "index.html"))} and the decks beside it, HTML and PDF`);
+    say(
+      `wrote ${path.relative(process.cwd(), path.join(out, "index.html"))} and the decks beside it, HTML and PDF`,
+    );
   },
 
   watch(first, decks, ids, programs) {

@@ -40,10 +40,12 @@ function unindented(lines) {
 export function markers(root) {
   const found = [];
   for (const file of sources(root)) {
-    fs.readFileSync(path.join(root, file), "utf8").split("\n").forEach((line, index) => {
-      const name = begin.exec(line)?.[1];
-      if (name) found.push({ reference: `${file}#${name}`, file, line: index + 1 });
-    });
+    fs.readFileSync(path.join(root, file), "utf8")
+      .split("\n")
+      .forEach((line, index) => {
+        const name = begin.exec(line)?.[1];
+        if (name) found.push({ reference: `${file}#${name}`, file, line: index + 1 });
+      });
   }
   return found;
 }

@@ -11,10 +11,15 @@ export function writeTheme(root) {
   const fonts = path.join(root, "build/slides/node_modules/@fontsource");
   const rules = faces.flatMap((face) => {
     const file = path.join(fonts, `${face}.css`);
-    return fs.readFileSync(file, "utf8").split("/* ").slice(1).filter((rule) => {
-      const subset = /^source-(?:sans-3|code-pro)-([a-z-]+?)-[0-9]/.exec(rule)?.[1];
-      return subsets.includes(subset);
-    }).map((rule) => inlined(`/* ${rule}`, path.dirname(file)));
+    return fs
+      .readFileSync(file, "utf8")
+      .split("/* ")
+      .slice(1)
+      .filter((rule) => {
+        const subset = /^source-(?:sans-3|code-pro)-([a-z-]+?)-[0-9]/.exec(rule)?.[1];
+        return subsets.includes(subset);
+      })
+      .map((rule) => inlined(`/* ${rule}`, path.dirname(file)));
   });
   const theme = path.join(root, "build/slides/theme.css");
   fs.writeFileSync(theme, fs.readFileSync(path.join(root, "slides/theme.css"), "utf8") + rules.join(""));

@@ -14,8 +14,16 @@ export const snippetFence = /^```([a-z+]*) snippet=(\S+)\s*$/;
 /** `book`: {root, decks, labels, definitions, data, runs}. `paged`: for PDF, where no other deck can be reached. */
 export function marpMarkdown(deck, book, paged) {
   const { marp, theme, math, title } = deck.front;
-  const head = ["---", ...Object.entries({ marp, theme, math, title: JSON.stringify(title) }).map(([key, value]) => `${key}: ${value}`),
-    "paginate: true", `footer: ${JSON.stringify(title)}`, "---", ""];
+  const head = [
+    "---",
+    ...Object.entries({ marp, theme, math, title: JSON.stringify(title) }).map(
+      ([key, value]) => `${key}: ${value}`,
+    ),
+    "paginate: true",
+    `footer: ${JSON.stringify(title)}`,
+    "---",
+    "",
+  ];
   const slides = deck.slides.map((slide) => slideMarkdown(slide, deck, book, paged));
   return head.join("\n") + slides.join("\n---\n");
 }
@@ -39,7 +47,9 @@ function slideMarkdown(slide, deck, book, paged) {
       }
     }
   });
-  const text = out.join("\n").replace(/<!-- notes:([\s\S]*?)-->/, (_, notes) => `<!--\nNotes.\n\n${notes.trim()}\n-->`);
+  const text = out
+    .join("\n")
+    .replace(/<!-- notes:([\s\S]*?)-->/, (_, notes) => `<!--\nNotes.\n\n${notes.trim()}\n-->`);
   return footer(slide, deck) + layout(slide) + text;
 }
 
@@ -65,7 +75,9 @@ function endsMath(line, equation) {
 /** Hints cite "slides 04:variance-of-strata": the foot of that slide says so. */
 function footer(slide, deck) {
   const labels = slide.labels.map((label) => `${deck.number}:${label.name}`);
-  return labels.length ? `<!-- _footer: ${JSON.stringify([deck.front.title, ...labels].join(" \u00a0 "))} -->\n` : "";
+  return labels.length
+    ? `<!-- _footer: ${JSON.stringify([deck.front.title, ...labels].join(" \u00a0 "))} -->\n`
+    : "";
 }
 
 /** A class for slides that have none, by what is on them. */
@@ -78,7 +90,10 @@ const hasFigure = (slide) => slide.lines.some((line) => figureLine.test(line));
 function inline(line, slide, deck, book, paged) {
   const figure = figureLine.exec(line);
   if (figure) {
-    const definition = { ...book.definitions.figures.get(figure[2]), narrow: slide.classes.includes("side") };
+    const definition = {
+      ...book.definitions.figures.get(figure[2]),
+      narrow: slide.classes.includes("side"),
+    };
     const data = book.data.get(definition.number)?.figures?.[figure[2]];
     return figureHtml(book.root, definition, figure[1], data, book.runs);
   }
@@ -87,12 +102,21 @@ function inline(line, slide, deck, book, paged) {
       const wanted = book.definitions.numbers.get(key);
       return numberText(wanted, book.data.get(wanted.number).numbers[wanted.id].value);
     })
-    .replace(reference, (_, text, number, name) => link(text, book.labels.get(`${number}:${name}`), deck, paged));
+    .replace(reference, (_, text, number, name) =>
+      link(text, book.labels.get(`${number}:${name}`), deck, paged),
+    );
 }
 
 /** [eq](04:label) shows the equation's number, other texts stay as they are. */
 function link(text, label, deck, paged) {
-  const shown = text === "eq" ? (label.equation ? `(${label.equation})` : `deck ${label.deck.id}, slide ${label.slide.place}`) : text;
+  const shown =
+    text === "eq"
+      ? label.equation
+        ? `(${label.equation})`
+        : `deck ${label.deck.id}, slide ${label.slide.place}`
+      : text;
   if (label.deck === deck) return `<a href="#${label.slide.place}">${shown}</a>`;
-  return paged ? `<span class="ref">${shown}</span>` : `<a href="${label.deck.name}.html#${label.slide.place}">${shown}</a>`;
+  return paged
+    ? `<span class="ref">${shown}</span>`
+    : `<a href="${label.deck.name}.html#${label.slide.place}">${shown}</a>`;
 }

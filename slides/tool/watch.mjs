@@ -14,8 +14,20 @@ export async function watch(root, folder, out, transform) {
   writeTheme(root);
   transform();
   const program = path.join(root, "build/slides/node_modules/@marp-team/marp-cli/marp-cli.js");
-  const marp = spawn(process.execPath, [program, "--config-file", path.join(root, "slides/tool/marp.config.mjs"),
-    "--watch", "--input-dir", folder, "--output", out], { cwd: root, stdio: ["ignore", "inherit", "inherit"] });
+  const marp = spawn(
+    process.execPath,
+    [
+      program,
+      "--config-file",
+      path.join(root, "slides/tool/marp.config.mjs"),
+      "--watch",
+      "--input-dir",
+      folder,
+      "--output",
+      out,
+    ],
+    { cwd: root, stdio: ["ignore", "inherit", "inherit"] },
+  );
   marp.on("exit", (code) => process.exit(code ?? 1));
   for (;;) {
     await new Promise((resolve) => setTimeout(resolve, period));
@@ -33,7 +45,7 @@ function newest(folder) {
     const name = path.join(folder, entry.name);
     // An editor may take a file away between the two calls.
     const stat = fs.statSync(name, { throwIfNoEntry: false });
-    time = Math.max(time, entry.isDirectory() ? newest(name) : stat?.mtimeMs ?? 0);
+    time = Math.max(time, entry.isDirectory() ? newest(name) : (stat?.mtimeMs ?? 0));
   }
   return time;
 }
