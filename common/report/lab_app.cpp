@@ -4,6 +4,7 @@
 #include "cli/atomic_file.h"
 #include "cli/main_guard.h"
 #include "cli/terminal.h"
+#include "report/crash_note.h"
 #include "report/machine.h"
 #include "report/page.h"
 #include "report/predictions.h"
@@ -96,6 +97,7 @@ void run(const LabApp& lab, const Arguments& arguments, const std::string& comma
   const std::optional<Predictions> predictions = predictions_of(lab, arguments);
   Page page(lab.title, lab.subtitle);
   Notebook notebook(fmt::format("lab {:02}", lab.number), arguments.options, page);
+  tell_crashes();
   const auto start = std::chrono::steady_clock::now();
   run_experiments(lab, predictions, notebook);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;

@@ -1,6 +1,7 @@
 #include "report/notebook.h"
 
 #include "cli/terminal.h"
+#include "report/crash_note.h"
 
 #include <fmt/core.h>
 
@@ -14,6 +15,7 @@ Notebook::Notebook(std::string label, const LabOptions& options, Page& page)
 
 void Notebook::begin(std::string_view title) {
   bar_.clear();
+  note_experiment(title);
   fmt::print("\n{}\n\n", coloured(Colour::bold, title));
   page_.section(title);
   left_out_here_.clear();

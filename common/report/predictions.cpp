@@ -203,8 +203,8 @@ void Predictions::save() const {
 }
 
 Table Predictions::table(const json& tables) const {
-  Table table({"exercise", "question", "you predicted", "this run"},
-              {"exercise", "question", "predicted", "result"});
+  Table table({"exercise", "you predicted", "this run", "question"},
+              {"exercise", "predicted", "result", "question"});
   for (const Question& question : questions_) {
     const json predicted = kept_.value(question.exercise, json());
     const json result = question.answer(tables);
@@ -215,7 +215,7 @@ Table Predictions::table(const json& tables) const {
     const auto cell = [](const json& value) {
       return value.is_number() ? Cell(shown(value), value.get<double>()) : Cell(shown(value));
     };
-    table.add_row({question.exercise, question.text, cell(predicted), cell(result)});
+    table.add_row({question.exercise, cell(predicted), cell(result), question.text});
   }
   return table;
 }
