@@ -42,6 +42,8 @@ refused 'missing.exr' "$good" --reference missing.exr
 refused 'differ in size' "$good" --size 8x8 --spp 1 \
   --reference "$source/tests/references/peer_cornell_phong.exr"
 refused 'frobnicate' "$good" --frobnicate
+refused 'ends in .html, got .page.txt' "$good" --page page.txt
+refused 'cannot write .*: ' "$good" --page no/such/folder/page.html
 
 # And the good case: four files, a report, exit code 0.
 (cd "$scratch" && "$renderer" "$good" --size 16x16 --spp 4 -o "$scratch/good" >stdout 2>stderr) ||
@@ -86,6 +88,16 @@ kill -KILL "$victim"
 wait "$victim" 2>/dev/null || true
 "$renderer" --quiet --resume "$scratch/killed.exr" --seconds .1 || complain 'no way to go on after SIGKILL'
 [ -s "$scratch/killed.png" ] || complain 'the resumed render did not go to the same place'
+
+# A page, if one is wanted: beside the image, or where the option says. A scene may follow the option.
+[ ! -e "$scratch/good.html" ] || complain 'a page that nobody asked for'
+"$renderer" --quiet --size 16x16 --spp 4 -o "$scratch/good" --page "$good"
+grep -q 'class="viewer"' "$scratch/good.html" || complain 'the page has no viewer'
+grep -q "./carlo render --quiet --size 16x16" "$scratch/good.html" || complain 'the page has no command'
+"$renderer" "$good" --quiet --size 16x16 --spp 4 -o "$scratch/other" --page "$scratch/page.html" \
+  --reference "$scratch/good.exr"
+grep -q '<dt>FLIP</dt>' "$scratch/page.html" || complain 'the page has no FLIP'
+[ ! -e "$scratch/other.html" ] || complain 'two pages'
 
 # The film's size on the command line means the same as in the file, whatever side fov spans.
 sed 's|<float name="fov" value="39.3077"/>|<float name="fov" value="30"/><string name="fovAxis" value="y"/>|' \

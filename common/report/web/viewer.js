@@ -3,8 +3,8 @@
 // exposure, zoom and the numbers of a pixel. By pointer, touch and keyboard.
 
 (() => {
-  const { load, roundRange, gradient, paintImage, paintMap, modes, number, percent, clamp } =
-    viewerPixels;
+  const { load, roundRange, gradient, paintImage, paintMap, drawSplit, drawPixel, modes, number,
+          percent, clamp } = viewerPixels;
 
   class Viewer {
     constructor(figure, spec, images, index) {
@@ -197,35 +197,15 @@
                           view.scale * this.spec.width, view.scale * this.spec.height);
         context.restore();
       });
-      if (!this.single) this.drawSplit(context, edge, view.height);
-      if (s.pixel) this.drawPixel(context, view);
+      if (!this.single) drawSplit(context, edge, view.height);
+      if (s.pixel) {
+        drawPixel(context, view.x + view.scale * (s.pixel[0] + 0.5),
+                  view.y + view.scale * (s.pixel[1] + 0.5), Math.max(view.scale, 5));
+      }
       const size = 100 * view.scale * ratio;
       this.find(".viewer-zoom").textContent = `${number(+size.toPrecision(3))} %`;
       // A finger scrolls the page until there is something to move.
       this.canvas.style.touchAction = s.zoom > 1 ? "none" : "pan-y";
-    }
-
-    drawSplit(context, edge, height) {
-      context.fillStyle = "#000";
-      context.fillRect(edge - 2, 0, 4, height);
-      context.fillStyle = "#fff";
-      context.fillRect(edge - 1, 0, 2, height);
-      context.beginPath();
-      context.arc(edge, height / 2, 9, 0, 7);
-      context.fill();
-      context.strokeStyle = "#000";
-      context.stroke();
-    }
-
-    drawPixel(context, view) {
-      const [px, py] = this.state.pixel, side = Math.max(view.scale, 5);
-      const x = view.x + view.scale * (px + 0.5) - side / 2;
-      const y = view.y + view.scale * (py + 0.5) - side / 2;
-      context.lineWidth = 1;
-      for (const [colour, margin] of [["#000", 1.5], ["#fff", 0.5]]) {
-        context.strokeStyle = colour;
-        context.strokeRect(x - margin, y - margin, side + 2 * margin, side + 2 * margin);
-      }
     }
 
     // The numbers of a pixel --------------------------------------------------------------------
@@ -248,7 +228,7 @@
       const left = this.images[this.state.left];
       return this.modesOf(left).filter((m) => m !== "image" && m !== "difference").map((m) => {
         const value = this.mapOf(left, m).values[i];
-        return `${modes[m].title.replace("Noise", "noise")} ${(m === "noise" ? percent : number)(value)}`;
+        return m === "noise" ? `noise ${percent(value)}` : `${modes[m].title} ${number(value)}`;
       }).join(", ");
     }
 
@@ -352,7 +332,8 @@
       };
       const spread = () => {
         const [a, b] = [...down.values()];
-        return { x: (a[0] + b[0]) / 2, y: (a[1] + b[1]) / 2, d: Math.hypot(a[0] - b[0], a[1] - b[1]) };
+        return { x: (a[0] + b[0]) / 2, y: (a[1] + b[1]) / 2,
+                 d: Math.hypot(a[0] - b[0], a[1] - b[1]) };
       };
       canvas.addEventListener("keydown", (event) => this.key(event));
       canvas.addEventListener("pointerdown", (event) => {

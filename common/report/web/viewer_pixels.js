@@ -124,6 +124,28 @@ const viewerPixels = (() => {
     }
   };
 
+  // The line between left and right, and a frame around one pixel.
+  const drawSplit = (context, edge, height) => {
+    context.fillStyle = "#000";
+    context.fillRect(edge - 2, 0, 4, height);
+    context.fillStyle = "#fff";
+    context.fillRect(edge - 1, 0, 2, height);
+    context.beginPath();
+    context.arc(edge, height / 2, 9, 0, 7);
+    context.fill();
+    context.strokeStyle = "#000";
+    context.stroke();
+  };
+
+  const drawPixel = (context, x, y, side) => {
+    context.lineWidth = 1;
+    for (const [colour, margin] of [["#000", 1.5], ["#fff", 0.5]]) {
+      const size = side + 2 * margin;
+      context.strokeStyle = colour;
+      context.strokeRect(x - size / 2, y - size / 2, size, size);
+    }
+  };
+
   // Numbers for people ---------------------------------------------------------------------------
 
   const number = (value) => {
@@ -167,5 +189,6 @@ const viewerPixels = (() => {
     },
   };
 
-  return { load, roundRange, gradient, paintImage, paintMap, modes, number, percent, clamp };
+  return { load, roundRange, gradient, paintImage, paintMap, drawSplit, drawPixel, modes, number,
+           percent, clamp };
 })();

@@ -8,38 +8,32 @@
 #include "report/machine.h"
 #include "report/stopwatch.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
 namespace bench {
-namespace {
-
-/// The parts' weights, summed: what progress() divides by.
-constexpr double all_weights = 100;
-
-}  // namespace
-
-Context::Context(const Options& options)
+Context::Context(const Options& options, double all_weights)
     : options_(options),
       page_("Speed against error",
             options.full ? "All scenes, integrators and samplers; what each idea buys."
                          : "A short run over the most telling scenes: ./carlo bench --full takes "
                            "all of them, and more samples."),
-      bar_("measuring", true) {}
+      bar_("measuring", true),
+      all_weights_(all_weights) {}
 
-void Context::begin(std::string_view title, double weight) {
+void Context::start(double weight) {
   done_ += weight_;
   weight_ = weight;
-  page_.section(title);
   progress(0);
 }
 
 void Context::progress(double fraction) {
   if (carlo::interrupt_noted()) throw carlo::Error("interrupted; no page was written");
-  bar_.update(std::min((done_ + weight_ * fraction) / all_weights, 1.0));
+  bar_.update(std::min((done_ + weight_ * fraction) / all_weights_, 1.0));
 }
 
 void Context::table(const std::string& key, const carlo::Table& table, std::string_view caption) {

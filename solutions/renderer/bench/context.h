@@ -25,18 +25,21 @@ struct Options {
   std::filesystem::path scenes, references, scratch;
   std::filesystem::path integrators, generators;  ///< what the labs' programs wrote; may be empty
   std::filesystem::path page;
+  std::vector<std::string> only;  ///< parts of the page; empty: all
 };
 
 /// What every part of the benchmark writes to: the page, and the same numbers as JSON.
 class Context {
  public:
-  explicit Context(const Options& options);
+  /// `all_weights`: the sum of what start() will be given.
+  Context(const Options& options, double all_weights);
 
   const Options& options() const { return options_; }
   carlo::Page& page() { return page_; }
 
-  /// Starts a part of the page; `weight` is the part's share of the run, roughly in seconds.
-  void begin(std::string_view title, double weight);
+  /// Starts the next part of the run; `weight` is its share, roughly in seconds.
+  void start(double weight);
+  void begin(std::string_view title) { page_.section(title); }
   /// How much of the current part is done, in [0, 1]. Throws Error after Ctrl-C.
   void progress(double fraction);
   void table(const std::string& key, const carlo::Table& table, std::string_view caption);
@@ -49,7 +52,7 @@ class Context {
   carlo::Page page_;
   carlo::Progress bar_;
   nlohmann::json results_ = nlohmann::json::object();
-  double done_ = 0, weight_ = 0;
+  double all_weights_, done_ = 0, weight_ = 0;
 };
 
 /// Median, least and greatest of several runs.

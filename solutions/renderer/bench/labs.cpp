@@ -102,7 +102,7 @@ void generators(Context& context) {
 }  // namespace
 
 void bench_labs(Context& context) {
-  context.begin("Labs: estimators and generators", 1);
+  context.begin("Labs: estimators and generators");
   if (!context.options().integrators.empty()) integrators(context);
   if (!context.options().generators.empty()) generators(context);
 }

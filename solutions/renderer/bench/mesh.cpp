@@ -85,7 +85,8 @@ std::filesystem::path write_ball_scene(const std::filesystem::path& folder, int 
 <sampler type="sobol"><integer name="sampleCount" value="4"/></sampler>
 <film type="hdrfilm"><integer name="width" value="128"/><integer name="height" value="128"/>
 <rfilter type="box"/></film></sensor>
-<bsdf type="twosided" id="white"><bsdf type="diffuse"><rgb name="reflectance" value="0.7"/></bsdf></bsdf>
+<bsdf type="twosided" id="white"><bsdf type="diffuse"><rgb name="reflectance" value="0.7"/></bsdf>
+</bsdf>
 <shape type="ply"><string name="filename" value="{}.ply"/><ref id="white"/></shape>
 <shape type="rectangle"><transform name="toWorld"><rotate x="1" angle="90"/>
 <translate y="3"/></transform>
