@@ -3,8 +3,6 @@
 #include "cli/arguments.h"
 #include "cli/error.h"
 #include "cli/main_guard.h"
-#include "cli/progress.h"
-#include "image/metrics.h"
 #include "render/driver.h"
 #include "render/half_sums.h"
 #include "render/render_app.h"
@@ -17,7 +15,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,19 +26,19 @@ namespace {
 namespace fs = std::filesystem;
 using carlo::Scene;
 
+/// Pixels a side of the tiles whose worst is compared.
 constexpr int tile = 8;
 
 struct Arguments {
   std::string folder = "common/scenes";
   std::vector<std::string> scenes;
-  double target = 0.05;
-  int seeds = 4, size = 32;
-  std::uint32_t spp = 1u << 16;
+  double target = 0.1;
+  int seeds = 8, size = 32, uniform_runs = 3;
+  std::uint32_t spp = 1u << 20;
   std::uint64_t seed = 1;
-  int threads = 1;
 };
 
-/// Processor seconds of this program so far, all threads.
+/// Processor seconds of this program so far.
 double processor_seconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -49,6 +49,13 @@ double processor_seconds() {
 double median(std::vector<double> x) {
   std::sort(x.begin(), x.end());
   return x[x.size() / 2];
+}
+
+double mean(const std::vector<double>& x) {
+  double sum = 0;
+  for (const double v : x)
+    sum += v;
+  return sum / static_cast<double>(x.size());
 }
 
 /// Luminance of each pixel.
@@ -66,23 +73,21 @@ Grey grey(const carlo::Film& film) {
 
 struct Run {
   Grey image;
-  double seconds = 0, samples = 0;
-  carlo::RenderResult result;
+  double seconds = 0;
+  carlo::AdaptiveSummary summary;
 };
 
-Run render(const Scene& scene, const Arguments& a, std::uint64_t seed, std::uint32_t spp,
-           bool adaptive) {
+/// One render on one thread: adaptive, or uniform with `spp` samples a pixel.
+Run render(const Scene& scene, std::uint64_t seed, std::uint32_t spp,
+           std::optional<double> target) {
   const auto integrator = renderer::make_path_integrator(
-      scene, {.seed = seed, .spp = adaptive ? carlo::adaptive_strata : spp});
+      scene, {.seed = seed, .spp = target ? carlo::adaptive_strata : spp});
   const double before = processor_seconds();
-  carlo::RenderOptions options{.spp = spp, .seconds = {}, .threads = a.threads, .progress = false};
-  if (adaptive) options.target_error = a.target;
-  carlo::RenderResult result =
-      carlo::render(*integrator, scene.width, scene.height, carlo::radiance_scale(scene), options);
-  const double seconds = processor_seconds() - before;
-  return {grey(result.film), seconds,
-          static_cast<double>(result.film.samples()) / (1.0 * scene.width * scene.height),
-          std::move(result)};
+  const carlo::RenderResult result = carlo::render(
+      *integrator, scene.width, scene.height, carlo::radiance_scale(scene),
+      {.spp = spp, .seconds = {}, .threads = 1, .progress = false, .target_error = target});
+  return {grey(result.film), processor_seconds() - before,
+          result.adaptive.value_or(carlo::AdaptiveSummary{})};
 }
 
 /// Errors of luminance relative to the truth, or to 1 % of its mean where that is more.
@@ -92,9 +97,7 @@ struct Errors {
 };
 
 Errors errors(const Grey& image, const Grey& truth, int size, double target) {
-  double mean = 0;
-  for (const double t : truth)
-    mean += t / static_cast<double>(truth.size());
+  const double floor = 0.01 * mean(truth);
   Errors result;
   for (int y0 = 0; y0 < size; y0 += tile) {
     for (int x0 = 0; x0 < size; x0 += tile) {
@@ -102,89 +105,151 @@ Errors errors(const Grey& image, const Grey& truth, int size, double target) {
       for (int y = y0; y < std::min(y0 + tile, size); ++y) {
         for (int x = x0; x < std::min(x0 + tile, size); ++x) {
           const auto i = static_cast<std::size_t>(y * size + x);
-          const double e = (image[i] - truth[i]) / std::fmax(truth[i], 0.01 * mean);
+          const double e = (image[i] - truth[i]) / std::fmax(truth[i], floor);
           sum += e * e;
           ++count;
-          result.within += std::abs(e) <= target ? 1.0 / static_cast<double>(truth.size()) : 0;
+          result.within += std::abs(e) <= target ? 1 : 0;
         }
       }
       result.worst_tile = std::fmax(result.worst_tile, std::sqrt(sum / count));
     }
   }
+  result.within /= static_cast<double>(truth.size());
   return result;
 }
 
-int run(const Arguments& a);
+/// What the adaptive renders of a scene came to.
+struct Adaptive {
+  std::vector<double> within, expected, worst_tile, seconds;
+  carlo::AdaptiveSummary example;
+  Grey truth;  ///< their mean: unbiased, and better than each by the root of their number
+};
+
+Adaptive measure(const Scene& scene, const Arguments& a) {
+  std::vector<Run> runs;
+  for (int i = 0; i < a.seeds; ++i)
+    runs.push_back(render(scene, a.seed + static_cast<std::uint64_t>(i), a.spp, a.target));
+  Adaptive result;
+  result.example = runs[0].summary;
+  Grey sum(runs[0].image.size());
+  for (const Run& run : runs) {
+    for (std::size_t i = 0; i < sum.size(); ++i)
+      sum[i] += run.image[i];
+  }
+  for (const Run& run : runs) {
+    Grey others = sum;  // a render is no judge of itself
+    for (std::size_t i = 0; i < sum.size(); ++i)
+      others[i] = (sum[i] - run.image[i]) / (a.seeds - 1);
+    const Errors e = errors(run.image, others, a.size, a.target);
+    result.within.push_back(e.within);
+    result.worst_tile.push_back(e.worst_tile);
+    result.expected.push_back(run.summary.within);
+    result.seconds.push_back(run.seconds);
+  }
+  result.truth = sum;
+  for (double& x : result.truth)
+    x /= a.seeds;
+  return result;
+}
+
+struct Uniform {
+  double spp = 0, seconds = 0;
+};
+
+/// How many samples in every pixel, and how long, it takes for the same worst tile: between two
+/// powers of two, on a straight line of logarithms.
+Uniform same_worst_tile(const Scene& scene, const Adaptive& adaptive, const Arguments& a) {
+  const double goal = median(adaptive.worst_tile);
+  double last_spp = 0, last_seconds = 0, last_worst = 0;
+  for (std::uint32_t spp = 16;; spp *= 2) {
+    std::vector<double> worst, seconds;
+    for (int i = 0; i < a.uniform_runs; ++i) {
+      const Run run = render(scene, a.seed + 1'000'000 + static_cast<std::uint64_t>(i), spp, {});
+      worst.push_back(errors(run.image, adaptive.truth, a.size, a.target).worst_tile);
+      seconds.push_back(run.seconds);
+    }
+    const double now = median(worst), time = median(seconds);
+    if (now <= goal && last_spp == 0) return {static_cast<double>(spp), time};
+    if (now <= goal) {
+      const double t = std::log(last_worst / goal) / std::log(last_worst / now);
+      return {last_spp * std::pow(spp / last_spp, t),
+              last_seconds * std::pow(time / last_seconds, t)};
+    }
+    if (spp >= a.spp) {
+      throw carlo::Error("uniform sampling does not reach the same worst tile with {} samples",
+                         spp);
+    }
+    last_spp = spp, last_seconds = time, last_worst = now;
+  }
+}
+
+void bench(const fs::path& file, const Arguments& a) {
+  Scene scene = carlo::load_scene(file);
+  carlo::resize(scene, a.size, a.size);
+  const Adaptive adaptive = measure(scene, a);
+  const Uniform uniform = same_worst_tile(scene, adaptive, a);
+  const double seconds = median(adaptive.seconds);
+  const auto& s = adaptive.example;
+  fmt::print(
+      "{:<20} {:>6.1f} {:>6.1f} {:>8.1f} {:>6.1f} {:>7} {:>7} {:>8} {:>9.4f} {:>9.3f} {:>9.0f} "
+      "{:>9.3f} {:>6.2f}\n",
+      file.stem().string(), 100 * mean(adaptive.within),
+      100 * *std::min_element(adaptive.within.begin(), adaptive.within.end()),
+      100 * mean(adaptive.expected), 100 * s.capped, s.least, s.median, s.most,
+      median(adaptive.worst_tile), seconds, uniform.spp, uniform.seconds,
+      uniform.seconds / seconds);
+  std::fflush(stdout);
+}
+
+int run(const Arguments& a) {
+  std::vector<fs::path> files(a.scenes.begin(), a.scenes.end());
+  if (files.empty()) {
+    files = {fs::path(a.folder) / "partial_occluders.xml", fs::path(a.folder) / "caustics.xml"};
+  }
+  fmt::print(
+      "target {:.3g} % of a pixel at 95 % confidence, {} x {} pixels, {} seeds, one thread; "
+      "medians\n"
+      "within: % of the pixels within the target (mean, worst seed; expected by the reports)\n"
+      "uniform: samples and processor seconds for the same error in the worst tile of {} x {}\n",
+      100 * a.target, a.size, a.size, a.seeds, tile, tile);
+  fmt::print("{:<20} {:>6} {:>6} {:>8} {:>6} {:>7} {:>7} {:>8} {:>9} {:>9} {:>9} {:>9} {:>6}\n",
+             "scene", "within", "worst", "expected", "capped", "spp min", "median", "max", "tile",
+             "CPU s", "uniform", "CPU s", "ratio");
+  std::fflush(stdout);
+  for (const fs::path& file : files)
+    bench(file, a);
+  return 0;
+}
 
 }  // namespace
 
 int main(int argc, char** argv) {
   return carlo::run_main([&] {
     Arguments a;
-    CLI::App app("measure", "./carlo bench target-error");
-    app.add_option("--scene", a.scenes, "scene files")->check(CLI::ExistingFile);
-    app.add_option("--folder", a.folder, "folder of scenes")->check(CLI::ExistingDirectory);
-    app.add_option("--target", a.target, "relative error");
-    app.add_option("--seeds", a.seeds, "adaptive renders");
-    app.add_option("--size", a.size, "side of the film");
-    app.add_option("--spp", a.spp, "cap");
-    app.add_option("--seed", a.seed, "first seed");
-    app.add_option("--threads", a.threads, "threads");
+    CLI::App app(
+        "Renders scenes with --target-error and many seeds: how many pixels are within the target, "
+        "and how long uniform sampling takes to the same error in the worst tile. What is true is "
+        "the mean of all renders but the one on trial.",
+        "./carlo bench target-error");
+    app.add_option("--scene", a.scenes, "scene files (default: partial occluders and caustics)")
+        ->check(CLI::ExistingFile);
+    app.add_option("--folder", a.folder, "folder of scenes")
+        ->check(CLI::ExistingDirectory)
+        ->capture_default_str();
+    app.add_option("--target", a.target, "relative error of a pixel")
+        ->check(CLI::Range(1e-6, 0.999))
+        ->capture_default_str();
+    app.add_option("--seeds", a.seeds, "adaptive renders of a scene")
+        ->check(CLI::Range(2, 10000))
+        ->capture_default_str();
+    app.add_option("--size", a.size, "side of the film in pixels")
+        ->check(CLI::Range(1, 4096))
+        ->capture_default_str();
+    app.add_option("--spp", a.spp, "samples a pixel at most")
+        ->check(CLI::Range(32u, 1u << 28))
+        ->capture_default_str();
+    app.add_option("--seed", a.seed, "the first seed")->capture_default_str();
     if (const auto code = carlo::parse_arguments(app, argc, argv)) return *code;
     return run(a);
   });
 }
-
-namespace {
-
-int run(const Arguments& a) {
-  for (const std::string& file : a.scenes) {
-    Scene scene = carlo::load_scene(file);
-    carlo::resize(scene, a.size, a.size);
-    std::vector<Run> adaptive;
-    double total = 0;
-    for (int s = 0; s < a.seeds; ++s) {
-      adaptive.push_back(render(scene, a, a.seed + static_cast<std::uint64_t>(s), a.spp, true));
-      total += adaptive.back().seconds;
-    }
-    Grey sum(adaptive[0].image.size());
-    for (const Run& r : adaptive)
-      for (std::size_t i = 0; i < sum.size(); ++i)
-        sum[i] += r.image[i];
-    std::vector<double> within, worst, spp, expected, seconds, decided, capped;
-    for (const Run& r : adaptive) {
-      Grey truth = sum;
-      for (std::size_t i = 0; i < sum.size(); ++i)
-        truth[i] = (sum[i] - r.image[i]) / (a.seeds - 1);
-      const Errors e = errors(r.image, truth, a.size, a.target);
-      within.push_back(e.within);
-      worst.push_back(e.worst_tile);
-      spp.push_back(r.samples);
-      seconds.push_back(r.seconds);
-      expected.push_back(r.result.adaptive->within);
-      decided.push_back(r.result.adaptive->decided_only);
-      capped.push_back(r.result.adaptive->capped);
-    }
-    fmt::print(
-        "{} target {} spp {:.0f} ({}..{}) s {:.2f} within {:.3f} (min {:.3f}) expected {:.3f} "
-        "worst tile {:.4f} decided only {:.3f} capped {:.3f}\n",
-        fs::path(file).stem().string(), a.target, median(spp), adaptive[0].result.adaptive->least,
-        adaptive[0].result.adaptive->most, median(seconds), median(within),
-        *std::min_element(within.begin(), within.end()), median(expected), median(worst),
-        median(decided), median(capped));
-    for (Grey& t : std::vector<Grey>{sum}) {
-      for (double& x : t)
-        x /= a.seeds;
-      for (std::uint32_t n = 256; n <= a.spp; n *= 4) {
-        const Run u = render(scene, a, 1000 + a.seed, n, false);
-        const Errors e = errors(u.image, t, a.size, a.target);
-        fmt::print("   uniform {} s {:.2f} worst {:.4f} within {:.3f}\n", n, u.seconds,
-                   e.worst_tile, e.within);
-        if (e.worst_tile < median(worst)) break;
-      }
-    }
-  }
-  return 0;
-}
-
-}  // namespace
