@@ -6,6 +6,7 @@
 #include "image/metrics.h"
 #include "render/driver.h"
 #include "render/render_app.h"
+#include "renderer/flat/flat_kernel.h"
 #include "renderer/path_integrator.h"
 #include "scene/load_scene.h"
 
@@ -13,6 +14,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <ctime>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -33,6 +35,7 @@ struct Arguments {
   int runs = 5;
   std::uint32_t spp = 64;
   int threads = 1;
+  std::string kernel = "best";
 };
 
 double median(std::vector<double> x) {
@@ -50,11 +53,17 @@ void bench(const Peer& peer, const Arguments& a) {
   double paths = 0;
   for (int run = 0; run < a.runs; ++run) {
     const auto seed = static_cast<std::uint64_t>(run + 1);
-    const auto integrator = renderer::make_path_integrator(scene, {.seed = seed, .spp = a.spp});
+    const auto integrator = renderer::make_path_integrator(
+        scene,
+        {.seed = seed,
+         .spp = a.spp,
+         .kernel = a.kernel == "scalar" ? renderer::Kernel::scalar : renderer::Kernel::best});
+    const std::clock_t start = std::clock();
     const carlo::RenderResult result =
         carlo::render(*integrator, scene.width, scene.height, carlo::radiance_scale(scene),
                       {.spp = a.spp, .seconds = {}, .threads = a.threads, .progress = false});
-    seconds.push_back(result.seconds);
+    seconds.push_back(a.threads == 1 ? static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC
+                                     : result.seconds);
     rel_mse.push_back(carlo::compare(result.film.mean(), reference).rel_mse);
     product.push_back(seconds.back() * rel_mse.back());
     paths = static_cast<double>(result.counts.paths);
@@ -81,7 +90,10 @@ int run(int argc, char** argv) {
   app.add_option("--threads", a.threads, "threads")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  app.add_option("--kernel", a.kernel, "best, scalar, or an instruction set: AVX3, AVX2, SSE4")
+      ->capture_default_str();
   if (const auto code = carlo::parse_arguments(app, argc, argv)) return *code;
+  if (a.kernel != "best" && a.kernel != "scalar") renderer::use_instruction_set(a.kernel);
   fmt::print("256 x 256, {} samples a pixel, {} thread(s), medians of {} runs\n", a.spp, a.threads,
              a.runs);
   fmt::print("{:<22} {:>8} {:>9} {:>10} {:>12} {:>17} {:>10} {:>8}\n", "scene", "seconds",

@@ -244,7 +244,7 @@ class PathIntegrator final : public carlo::Integrator {
 std::unique_ptr<carlo::Integrator> make_path_integrator(const Scene& scene,
                                                         const PathOptions& options) {
   if (options.kernel == Kernel::best && scene.sampler != carlo::SamplerKind::stratified &&
-      FlatScene::suits(carlo::needs(scene))) {
+      FlatScene::suits(carlo::needs(scene), scene)) {
     return make_flat_integrator(scene, options.seed);
   }
   switch (scene.sampler) {

@@ -58,7 +58,7 @@ std::vector<Named> flat_scenes() {
   std::vector<Named> scenes{{"assorted", assorted()}};
   for (const std::string& name : lab_scenes::names()) {
     Scene scene = lab_scenes::load(name);
-    if (renderer::FlatScene::suits(needs(scene))) scenes.push_back({name, std::move(scene)});
+    if (renderer::FlatScene::suits(needs(scene), scene)) scenes.push_back({name, std::move(scene)});
   }
   return scenes;
 }
@@ -82,7 +82,7 @@ TEST_CASE("The vector kernel agrees with the scalar integrator") {
   const std::vector<Named> scenes = flat_scenes();
   REQUIRE(scenes.size() >= 4);
   for (const auto& [name, full] : scenes) {
-    REQUIRE(renderer::FlatScene::suits(needs(full)));
+    REQUIRE(renderer::FlatScene::suits(needs(full), full));
     const Scene oracle_scene = small(full, SamplerKind::independent);
     const tiles::Estimate oracle = estimate(oracle_scene, renderer::Kernel::scalar, 1);
     for (const SamplerKind sampler : {SamplerKind::independent, SamplerKind::sobol}) {

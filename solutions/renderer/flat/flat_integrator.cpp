@@ -13,22 +13,23 @@ class FlatIntegrator final : public carlo::Integrator {
       : scene_(scene), flat_(scene), seed_(seed) {}
 
   std::string name() const override {
-    return fmt::format("vector path tracer, {} parallelograms, {}, {}", flat_.quads,
-                       flat_.phong ? "phong" : "diffuse", flat_instruction_set());
+    return fmt::format("vector path tracer, {}, {}", flat_.phong ? "phong" : "diffuse",
+                       flat_instruction_set());
   }
 
   void render(const carlo::Tile& tile, std::span<std::array<double, 3>> means,
               carlo::Counts& counts) const override {
     const bool sobol = scene_.sampler == carlo::SamplerKind::sobol;
-    render_flat(
-        {flat_, scene_.camera, scene_.width, scene_.height, scene_.max_depth, seed_, sobol, tile},
-        means, counts);
+    render_flat({flat_, scene_.camera, scene_.width, scene_.height, scene_.max_depth, seed_, sobol,
+                 tile, choices_},
+                means, counts);
   }
 
  private:
   const carlo::Scene& scene_;
   FlatScene flat_;
   std::uint64_t seed_;
+  FlatChoices choices_;
 };
 
 }  // namespace
