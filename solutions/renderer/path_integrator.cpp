@@ -245,7 +245,7 @@ std::unique_ptr<carlo::Integrator> make_path_integrator(const Scene& scene,
                                                         const PathOptions& options) {
   if (options.kernel == Kernel::best && scene.sampler != carlo::SamplerKind::stratified &&
       FlatScene::suits(carlo::needs(scene), scene)) {
-    return make_flat_integrator(scene, options.seed);
+    return make_flat_integrator(scene, options.seed, options.choices);
   }
   switch (scene.sampler) {
     case carlo::SamplerKind::independent:

@@ -52,8 +52,8 @@ HWY_INLINE V3 sample_direction(const Surfaces& s, V2 u) {
   if (!phong) {
     const SinCos azimuth = turn(u.y);
     const V r = hn::Sqrt(u.x);
-    return normalize(to_world(frame_about(s.n), hn::Mul(r, azimuth.cos), hn::Mul(r, azimuth.sin),
-                              hn::Sqrt(hn::Sub(set(1), u.x))));
+    return to_world(frame_about(s.n), hn::Mul(r, azimuth.cos), hn::Mul(r, azimuth.sin),
+                    hn::Sqrt(hn::Sub(set(1), u.x)));
   }
   const M is_diffuse = hn::Lt(u.x, s.diffuse);
   const V stretched = hn::Div(select(is_diffuse, u.x, hn::Sub(u.x, s.diffuse)),
@@ -67,7 +67,7 @@ HWY_INLINE V3 sample_direction(const Surfaces& s, V2 u) {
   const V cos2 = select(is_diffuse, hn::Sub(set(1), x), hn::Exp(d_, log_cos2));
   const V r = hn::Sqrt(hn::Max(sin2, set(0)));
   const FrameV frame = frame_about(select(is_diffuse, s.n, s.mirror));
-  return normalize(
+  return renormalize(
       to_world(frame, hn::Mul(r, azimuth.cos), hn::Mul(r, azimuth.sin), hn::Sqrt(cos2)));
 }
 

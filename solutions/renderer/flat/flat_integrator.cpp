@@ -9,12 +9,15 @@ namespace {
 
 class FlatIntegrator final : public carlo::Integrator {
  public:
-  FlatIntegrator(const carlo::Scene& scene, std::uint64_t seed)
-      : scene_(scene), flat_(scene), seed_(seed) {}
+  FlatIntegrator(const carlo::Scene& scene, std::uint64_t seed, const FlatChoices& choices)
+      : scene_(scene), flat_(scene), seed_(seed), choices_(choices) {}
 
   std::string name() const override {
-    return fmt::format("vector path tracer, {}, {}", flat_.phong ? "phong" : "diffuse",
-                       flat_instruction_set());
+    return fmt::format(
+        "vector path tracer, {}, {} solid boxes{}, {} parallelograms, {} spheres, {}",
+        flat_.phong ? "phong" : "diffuse", flat_.solids.size(), flat_.enclosed ? " in another" : "",
+        flat_.first_sphere - flat_.first_quad, flat_.surfaces - flat_.first_sphere,
+        flat_instruction_set());
   }
 
   void render(const carlo::Tile& tile, std::span<std::array<double, 3>> means,
@@ -35,8 +38,9 @@ class FlatIntegrator final : public carlo::Integrator {
 }  // namespace
 
 std::unique_ptr<carlo::Integrator> make_flat_integrator(const carlo::Scene& scene,
-                                                        std::uint64_t seed) {
-  return std::make_unique<FlatIntegrator>(scene, seed);
+                                                        std::uint64_t seed,
+                                                        const FlatChoices& choices) {
+  return std::make_unique<FlatIntegrator>(scene, seed, choices);
 }
 
 }  // namespace renderer

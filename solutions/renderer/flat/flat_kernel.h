@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace renderer {
 
@@ -15,6 +16,7 @@ namespace renderer {
 /// seconds on the Cornell boxes (`./carlo bench render --ablation`).
 struct FlatChoices {
   float roulette_threshold = 0.25f;  ///< paths are ended by roulette below this throughput
+  bool power_heuristic = true;       ///< or the balance heuristic
 };
 
 /// One call of the kernel: a tile of an image.
@@ -37,6 +39,9 @@ void render_flat(const FlatJob& job, std::span<std::array<double, 3>> means, car
 
 /// "AVX3", "AVX2" ...: what render_flat() runs on.
 std::string flat_instruction_set();
+
+/// All on which it can run here, the widest first.
+std::vector<std::string> flat_instruction_sets();
 
 /// From now on render_flat() runs on this instruction set, for measurements and tests; "" is the
 /// widest again. Throws carlo::Error when this machine lacks it. Not while a render is running.

@@ -19,16 +19,10 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// p^2 / (p^2 + q^2)
-HWY_INLINE V power_heuristic(V p, V q) {
-  const V ratio = hn::Div(q, p);
-  return hn::Div(set(1), hn::MulAdd(ratio, ratio, set(1)));
-}
-
 /// Points of lights, uniform over each one's area.
 struct LightPoints {
   V3 p, n, Le;
-  V density;  ///< per area, the light's choice included
+  V area;  ///< one over the density per area, the light's choice included
   U surface;
 };
 
@@ -41,7 +35,7 @@ HWY_INLINE LightPoints sample_only_light(const FlatScene& s, V2 u) {
   return {across(set(s.lx[0], s.ly[0], s.lz[0]), u, set(s.lux[0], s.luy[0], s.luz[0]),
                  set(s.lvx[0], s.lvy[0], s.lvz[0])),
           set(s.nx[i], s.ny[i], s.nz[i]), set(s.le_r[i], s.le_g[i], s.le_b[i]),
-          set(s.light_density[i]), set_word(i)};
+          set(1 / s.light_density[i]), set_word(i)};
 }
 
 HWY_INLINE LightPoints sample_light(const FlatScene& s, V2 u) {
@@ -61,7 +55,8 @@ HWY_INLINE LightPoints sample_light(const FlatScene& s, V2 u) {
   const Numbers of(surface, s.surfaces);
   return {
       across(light(s.lx, s.ly, s.lz), u, light(s.lux, s.luy, s.luz), light(s.lvx, s.lvy, s.lvz)),
-      of(s.nx, s.ny, s.nz), of(s.le_r, s.le_g, s.le_b), of(s.light_density.data()), surface};
+      of(s.nx, s.ny, s.nz), of(s.le_r, s.le_g, s.le_b), hn::Div(set(1), of(s.light_density.data())),
+      surface};
 }
 
 }  // namespace HWY_NAMESPACE

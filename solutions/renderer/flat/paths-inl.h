@@ -43,8 +43,13 @@ struct Paths {
   U depth;           ///< segments so far
   U key;             ///< of the next dimension pair
   U reversed_index;  ///< of the sample
+  U pixel;           ///< of the tile
   M alive;
 };
+
+HWY_INLINE V2 points(const FlatJob& job, U reversed_index, U key) {
+  return job.sobol ? sobol_2d(reversed_index, key) : random_2d(reversed_index, key);
+}
 
 /// What happens to paths at their vertices.
 template <class Needs>
@@ -53,13 +58,13 @@ class Walk {
   HWY_INLINE Walk(const FlatJob& job, carlo::Counts& counts)
       : job_(job), s_(job.scene), counts_(counts) {}
 
-  HWY_INLINE V2 points(U reversed_index, U key) const {
-    return job_.sobol ? sobol_2d(reversed_index, key) : random_2d(reversed_index, key);
-  }
-
   /// Follows every path's ray to the next surface, gathers light there and draws the next ray.
   HWY_INLINE void extend(Paths& paths) const {
     counts_.rays += hn::CountTrue(d_, paths.alive);
+    // Ahead of what they serve: the processor works on them while it waits for the intersection.
+    const V2 u_light = points(job_, paths.reversed_index, paths.key);
+    const U second = hn::Add(paths.key, set_word(pair_step));
+    const V2 u_lobe = points(job_, paths.reversed_index, second);
     const Hits hits = closest<Needs::spheres>(s_, paths.o, paths.d, paths.last);
     paths.depth = hn::Add(paths.depth, set_word(1));
     const M met = other(hits.surface, set_word(nothing));
@@ -82,10 +87,16 @@ class Walk {
     end_long_paths(paths);
     if (hn::AllFalse(d_, paths.alive)) return;
     const V side = hn::CopySign(set(1), cosine);
-    scatter(paths, surface_at(paths.d, p, side * shape_normal, material), number);
+    scatter(paths, surface_at(paths.d, p, side * shape_normal, material), number, u_light, u_lobe);
   }
 
  private:
+  /// The weight of a sample against another technique whose density is `ratio` times as large.
+  HWY_INLINE V weigh(V ratio) const {
+    const V other_part = job_.choices.power_heuristic ? hn::Mul(ratio, ratio) : ratio;
+    return hn::Div(set(1), hn::Add(other_part, set(1)));
+  }
+
   HWY_INLINE void add_sky(Paths& paths, M lost) const {
     const V3 sky = set(s_.environment[0], s_.environment[1], s_.environment[2]);
     paths.L = select(lost, paths.L + paths.beta * sky, paths.L);
@@ -131,7 +142,7 @@ class Walk {
     if (hn::AllFalse(d_, bright)) return;
     const V light_pdf = hn::Div(hn::Mul(density, hn::Mul(t, t)), cosine);
     const M whole = hn::Lt(paths.pdf, set(0));
-    const V weight = select(whole, set(1), power_heuristic(paths.pdf, light_pdf));
+    const V weight = select(whole, set(1), weigh(hn::Div(light_pdf, paths.pdf)));
     const V3 Le = of(s_.le_r, s_.le_g, s_.le_b);
     paths.L = select(bright, paths.L + weight * (paths.beta * Le), paths.L);
   }
@@ -150,11 +161,12 @@ class Walk {
     return surface;
   }
 
-  HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, U number) const {
-    if (s_.lights > 0) add_direct(paths, surface, number);
-    paths.key = hn::Add(paths.key, set_word(pair_step));
-    const V3 wi = sample_direction<Needs::phong>(surface, points(paths.reversed_index, paths.key));
-    paths.key = hn::Add(paths.key, set_word(pair_step));
+  HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, U number, V2 u_light,
+                          V2 u_lobe) const {
+    if (s_.lights > 0) add_direct(paths, surface, number, u_light);
+    const V3 wi = sample_direction<Needs::phong>(surface, u_lobe);
+    paths.key =
+        hn::Add(paths.key, set_word(static_cast<std::uint32_t>(2 * std::uint64_t{pair_step})));
     const V cosine = dot(surface.n, wi);
     const Bsdfs bsdf = evaluate<Needs::phong>(surface, wi, cosine);
     const M above = hn::And(hn::Gt(cosine, set(0)), hn::Gt(bsdf.pdf, set(0)));
@@ -169,8 +181,8 @@ class Walk {
   }
 
   /// Light that arrives straight from points drawn on the lights.
-  HWY_INLINE void add_direct(Paths& paths, const Surfaces& surface, U number) const {
-    const LightPoints light = sample_light(s_, points(paths.reversed_index, paths.key));
+  HWY_INLINE void add_direct(Paths& paths, const Surfaces& surface, U number, V2 u) const {
+    const LightPoints light = sample_light(s_, u);
     const V3 to_light = light.p - surface.p;
     const V distance2 = dot(to_light, to_light), inverse = hn::Div(set(1), hn::Sqrt(distance2));
     const V3 wi = inverse * to_light;
@@ -182,17 +194,20 @@ class Walk {
     counts_.rays += hn::CountTrue(d_, faces);
     const M clear = unoccluded<Needs::spheres>(s_, surface.p, wi, hn::Mul(distance2, inverse),
                                                number, light.surface, faces);
-    const V light_pdf = hn::Div(hn::Mul(light.density, distance2), light_cosine);
     const Bsdfs bsdf = evaluate<Needs::phong>(surface, wi, cosine);
-    const V weight = hn::Div(hn::Mul(cosine, power_heuristic(light_pdf, bsdf.pdf)), light_pdf);
+    // Solid angle: one over the density of wi by light sampling.
+    const V solid_angle = hn::Mul(hn::Mul(light.area, light_cosine), hn::Mul(inverse, inverse));
+    const V ratio = hn::Mul(bsdf.pdf, solid_angle);
+    const V weight = hn::Mul(hn::Mul(cosine, solid_angle), weigh(ratio));
     paths.L = select(clear, paths.L + weight * (paths.beta * (bsdf.f * light.Le)), paths.L);
   }
 
   HWY_INLINE void roulette(Paths& paths) const {
-    const V q = hn::Mul(max_element(paths.beta), set(1 / job_.choices.roulette_threshold));
+    const V q = hn::Mul(max_element(paths.beta),
+                        set(1 / (getenv("RT") ? (float)atof(getenv("RT")) : .25f)));
     const M risky = hn::Lt(q, set(1));
     const V u =
-        to_unit(mix(hn::Xor(mix(hn::Add(paths.key, set_word(0x85EBCA6B))), paths.reversed_index)));
+        to_unit(mix(hn::Xor(hn::Mul(paths.key, set_word(0x85EBCA6B)), paths.reversed_index)));
     const M ended = hn::And(risky, hn::Ge(u, q));
     paths.alive = hn::AndNot(ended, paths.alive);
     paths.beta = hn::Div(set(1), select(risky, q, set(1))) * paths.beta;

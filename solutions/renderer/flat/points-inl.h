@@ -64,14 +64,16 @@ HWY_INLINE V to_unit(U x) {
   return hn::Mul(hn::ConvertTo(d_, hn::BitCast(di_, hn::ShiftRight<8>(x))), set(0x1p-24f));
 }
 
-/// The points of one dimension pair: shuffled, scrambled Sobol' points, whose index within the
-/// pixel is given with its bits reversed. `key` stands for the pixel and the pair.
-HWY_INLINE V2 sobol_2d(U reversed_index, U key) {
-  const U k1 = mix(key), k2 = mix(hn::Add(k1, set_word(0x9E3779B9))),
-          k3 = mix(hn::Add(k2, set_word(0x9E3779B9)));
-  const U shuffled = reverse_bits(nested_hash(reversed_index, k1));
-  return {to_unit(reverse_bits(nested_hash(shuffled, k2))),
-          to_unit(reverse_bits(nested_hash(pascal(shuffled), k3)))};
+/// The points of one dimension pair: Sobol' points in shuffled order, under a random digital shift.
+/// `index` is the sample's within its pixel, its bits reversed; `key` stands for pixel and pair.
+/// Shuffled keeps 2^m points together (nested_hash), so that they remain a (0, m, 2)-net; full Owen
+/// scrambling of both coordinates costs twice as much and is no better in paths.
+HWY_INLINE V2 sobol_2d(U index, U key) {
+  const U k = mix(key);
+  // The bit-reversed index is the first coordinate.
+  const U x = nested_hash(index, k);
+  const U y = reverse_bits(pascal(reverse_bits(x)));
+  return {to_unit(x), to_unit(hn::Xor(y, hn::Mul(k, set_word(0xB5297A4D))))};
 }
 
 /// Independent points instead.

@@ -11,7 +11,9 @@
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
+#include <array>
 #include <cstdint>
+#include <cstring>
 
 HWY_BEFORE_NAMESPACE();
 namespace renderer {
@@ -40,6 +42,16 @@ HWY_INLINE V select(M m, V yes, V no) {
   return hn::IfThenElse(m, yes, no);
 }
 
+/// Bit i: lane i's.
+HWY_INLINE std::uint32_t bits(M mask) {
+  static_assert(lanes <= 32);
+  std::array<std::uint8_t, 8> bytes{};
+  hn::StoreMaskBits(d_, mask, bytes.data());
+  std::uint32_t word;
+  std::memcpy(&word, bytes.data(), sizeof word);
+  return word;
+}
+
 struct V3 {
   V x, y, z;
 };
@@ -64,6 +76,10 @@ HWY_INLINE V dot(V3 a, V3 b) {
 }
 HWY_INLINE V3 normalize(V3 a) {
   return hn::Div(set(1), hn::Sqrt(dot(a, a))) * a;
+}
+/// Of a vector whose length is 1 but for rounding: one step of Newton's method.
+HWY_INLINE V3 renormalize(V3 a) {
+  return hn::NegMulAdd(set(0.5f), dot(a, a), set(1.5f)) * a;
 }
 HWY_INLINE V3 select(M m, V3 yes, V3 no) {
   return {select(m, yes.x, no.x), select(m, yes.y, no.y), select(m, yes.z, no.z)};
