@@ -76,7 +76,7 @@ Scene boxes() {
                      {Diffuse{Rgb(0.8f)}, false}};
   add_box(scene, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 3}, 0);
   add_box(scene, {-1, 0, 0}, {0.8f, 0, 0}, {0.2f, 0.7f, 0}, {0.1f, 0.2f, 1}, 1);
-  add_box(scene, {0.5f, 0.5f, -0.3f}, {0.6f, 0.2f, 0}, {-0.2f, 0.6f, 0}, {0, 0, 1}, 2);
+  add_box(scene, {-0.4f, 0.5f, 0}, {0.9f, 0.3f, 0}, {-0.3f, 0.9f, 0}, {0, 0, 0.7f}, 2);
   add_box(scene, {-0.2f, 0, 2.5f}, {0.4f, 0, 0}, {0, 0.4f, 0}, {0, 0, 0.2f}, 2, Rgb(5, 4, 3));
   scene.shapes.push_back({carlo::Sphere{{0, -0.5f, 0.4f}, 0.4f}, 1, Rgb(0)});
   scene.shapes.push_back({carlo::Sphere{{1.3f, -0.4f, 0.3f}, 0.3f, true}, 2, Rgb(0)});

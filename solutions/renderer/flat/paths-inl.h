@@ -203,8 +203,7 @@ class Walk {
   }
 
   HWY_INLINE void roulette(Paths& paths) const {
-    const V q = hn::Mul(max_element(paths.beta),
-                        set(1 / (getenv("RT") ? (float)atof(getenv("RT")) : .25f)));
+    const V q = hn::Mul(max_element(paths.beta), set(1 / job_.choices.roulette_threshold));
     const M risky = hn::Lt(q, set(1));
     const V u =
         to_unit(mix(hn::Xor(hn::Mul(paths.key, set_word(0x85EBCA6B)), paths.reversed_index)));
