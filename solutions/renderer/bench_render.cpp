@@ -6,6 +6,7 @@
 #include "image/metrics.h"
 #include "render/driver.h"
 #include "render/render_app.h"
+#include "renderer/flat/flat_kernel.h"
 #include "renderer/path_integrator.h"
 #include "scene/load_scene.h"
 
@@ -13,6 +14,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <ctime>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -33,37 +35,87 @@ struct Arguments {
   int runs = 5;
   std::uint32_t spp = 64;
   int threads = 1;
+  std::vector<std::string> kernels = {"best"};
+  bool ablation = false;
 };
+
+/// A way to render that is compared with others.
+struct Variant {
+  std::string name;
+  std::string kernel = "best";  ///< or "scalar", or an instruction set
+  carlo::SamplerKind sampler = carlo::SamplerKind::sobol;
+  renderer::FlatChoices choices{};
+  std::vector<double> seconds{}, rel_mse{}, product{};
+};
+
+std::vector<Variant> variants(const Arguments& a) {
+  std::vector<Variant> result;
+  for (const std::string& kernel : a.kernels)
+    result.push_back({.name = kernel, .kernel = kernel});
+  if (!a.ablation) return result;
+  const std::string kernel = a.kernels.front();
+  for (const float threshold : {1.0f, 0.5f, 0.125f}) {
+    result.push_back({.name = fmt::format("roulette from {}", threshold),
+                      .kernel = kernel,
+                      .choices = {.roulette_threshold = threshold}});
+  }
+  result.push_back(
+      {.name = "balance heuristic", .kernel = kernel, .choices = {.power_heuristic = false}});
+  result.push_back(
+      {.name = "independent points", .kernel = kernel, .sampler = carlo::SamplerKind::independent});
+  return result;
+}
 
 double median(std::vector<double> x) {
   std::sort(x.begin(), x.end());
   return x[x.size() / 2];
 }
 
+/// One render. Seconds are the processor's when there is one thread: what else the machine does
+/// counts less.
+void render_once(carlo::Scene scene, const carlo::Image& reference, const Arguments& a,
+                 std::uint64_t seed, Variant& variant) {
+  scene.sampler = variant.sampler;
+  const bool scalar = variant.kernel == "scalar";
+  renderer::use_instruction_set(scalar || variant.kernel == "best" ? "" : variant.kernel);
+  const auto integrator = renderer::make_path_integrator(
+      scene, {.seed = seed,
+              .spp = a.spp,
+              .kernel = scalar ? renderer::Kernel::scalar : renderer::Kernel::best,
+              .choices = variant.choices});
+  const std::clock_t start = std::clock();
+  const carlo::RenderResult result =
+      carlo::render(*integrator, scene.width, scene.height, carlo::radiance_scale(scene),
+                    {.spp = a.spp, .seconds = {}, .threads = a.threads, .progress = false});
+  const double busy = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  variant.seconds.push_back(a.threads == 1 ? busy : result.seconds);
+  variant.rel_mse.push_back(carlo::compare(result.film.mean(), reference).rel_mse);
+  variant.product.push_back(variant.seconds.back() * variant.rel_mse.back());
+}
+
+void print(const Peer& peer, const Variant& variant, double paths) {
+  const auto [low, high] = std::minmax_element(variant.product.begin(), variant.product.end());
+  const double target = peer.seconds * peer.rel_mse;
+  fmt::print(
+      "{:<21} {:<19} {:>8.3f} {:>8.3f} {:>9.5f} {:>11.5f} {:>9.5f}-{:.5f} {:>8.4f} {:>8.2f}\n",
+      peer.scene, variant.name, median(variant.seconds), 1e6 * median(variant.seconds) / paths,
+      median(variant.rel_mse), median(variant.product), *low, *high, target,
+      target / median(variant.product));
+}
+
+/// All variants take turns, so that what else the machine does meets them alike.
 void bench(const Peer& peer, const Arguments& a) {
   const std::filesystem::path folder(a.references);
   carlo::Scene scene = carlo::load_scene(folder / (std::string(peer.scene) + ".xml"));
   const carlo::Image reference = carlo::read_exr(folder / (std::string(peer.scene) + ".exr")).image;
   scene.spp = static_cast<int>(a.spp);
-  scene.sampler = carlo::SamplerKind::sobol;
-  std::vector<double> seconds, rel_mse, product;
-  double paths = 0;
-  for (int run = 0; run < a.runs; ++run) {
-    const auto seed = static_cast<std::uint64_t>(run + 1);
-    const auto integrator = renderer::make_path_integrator(scene, {.seed = seed, .spp = a.spp});
-    const carlo::RenderResult result =
-        carlo::render(*integrator, scene.width, scene.height, carlo::radiance_scale(scene),
-                      {.spp = a.spp, .seconds = {}, .threads = a.threads, .progress = false});
-    seconds.push_back(result.seconds);
-    rel_mse.push_back(carlo::compare(result.film.mean(), reference).rel_mse);
-    product.push_back(seconds.back() * rel_mse.back());
-    paths = static_cast<double>(result.counts.paths);
+  std::vector<Variant> all = variants(a);
+  for (int i = 0; i < a.runs; ++i) {
+    for (Variant& variant : all)
+      render_once(scene, reference, a, static_cast<std::uint64_t>(i + 1), variant);
   }
-  const auto [low, high] = std::minmax_element(product.begin(), product.end());
-  const double target = peer.seconds * peer.rel_mse;
-  fmt::print("{:<22} {:>8.3f} {:>9.3f} {:>10.5f} {:>12.5f} {:>9.5f}-{:.5f} {:>10.4f} {:>8.2f}\n",
-             peer.scene, median(seconds), 1e6 * median(seconds) / paths, median(rel_mse),
-             median(product), *low, *high, target, target / median(product));
+  for (const Variant& variant : all)
+    print(peer, variant, static_cast<double>(a.spp) * scene.width * scene.height);
 }
 
 int run(int argc, char** argv) {
@@ -81,11 +133,17 @@ int run(int argc, char** argv) {
   app.add_option("--threads", a.threads, "threads")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  app.add_option(
+         "--kernel", a.kernels,
+         "best, scalar, or instruction sets: AVX3 (AVX-512), AVX2, SSE4; several: AVX3,AVX2")
+      ->delimiter(',')
+      ->capture_default_str();
+  app.add_flag("--ablation", a.ablation, "also with other choices, each by itself");
   if (const auto code = carlo::parse_arguments(app, argc, argv)) return *code;
-  fmt::print("256 x 256, {} samples a pixel, {} thread(s), medians of {} runs\n", a.spp, a.threads,
-             a.runs);
-  fmt::print("{:<22} {:>8} {:>9} {:>10} {:>12} {:>17} {:>10} {:>8}\n", "scene", "seconds",
-             "us/path", "relMSE", "relMSE x s", "(min-max)", "peer's", "better x");
+  fmt::print("256 x 256, {} samples a pixel, {} thread(s), medians of {} runs; seconds are {}\n",
+             a.spp, a.threads, a.runs, a.threads == 1 ? "the processor's" : "of the clock");
+  fmt::print("{:<21} {:<19} {:>8} {:>8} {:>9} {:>11} {:>17} {:>8} {:>8}\n", "scene", "kernel",
+             "seconds", "us/path", "relMSE", "relMSE x s", "(min-max)", "peer's", "better x");
   for (const Peer& peer : peers)
     bench(peer, a);
   return 0;

@@ -245,8 +245,8 @@ class PathIntegrator final : public carlo::Integrator {
 std::unique_ptr<carlo::Integrator> make_path_integrator(const Scene& scene,
                                                         const PathOptions& options) {
   if (options.kernel == Kernel::best && scene.sampler != carlo::SamplerKind::stratified &&
-      FlatScene::suits(carlo::needs(scene))) {
-    return make_flat_integrator(scene, options.seed);
+      FlatScene::suits(carlo::needs(scene), scene)) {
+    return make_flat_integrator(scene, options.seed, options.choices);
   }
   switch (scene.sampler) {
     case carlo::SamplerKind::independent:

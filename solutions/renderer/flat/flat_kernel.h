@@ -8,8 +8,16 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace renderer {
+
+/// Choices that leave the mean of every pixel as it is. The defaults have the least relMSE x
+/// seconds on the Cornell boxes (`./carlo bench render --ablation`).
+struct FlatChoices {
+  float roulette_threshold = 0.25f;  ///< paths are ended by roulette below this throughput
+  bool power_heuristic = true;       ///< or the balance heuristic
+};
 
 /// One call of the kernel: a tile of an image.
 struct FlatJob {
@@ -20,6 +28,7 @@ struct FlatJob {
   std::uint64_t seed;
   bool sobol;  ///< or independent points
   const carlo::Tile& tile;
+  const FlatChoices& choices;
 };
 
 /// Renders a tile with the widest instruction set of this machine: the mean of the samples of each
@@ -30,5 +39,12 @@ void render_flat(const FlatJob& job, std::span<std::array<double, 3>> means, car
 
 /// "AVX3", "AVX2" ...: what render_flat() runs on.
 std::string flat_instruction_set();
+
+/// All on which it can run here, the widest first.
+std::vector<std::string> flat_instruction_sets();
+
+/// From now on render_flat() runs on this instruction set, for measurements and tests; "" is the
+/// widest again. Throws carlo::Error when this machine lacks it. Not while a render is running.
+void use_instruction_set(const std::string& name);
 
 }  // namespace renderer

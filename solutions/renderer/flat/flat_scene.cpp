@@ -1,6 +1,7 @@
 #include "renderer/flat/flat_scene.h"
 
 #include "numeric/robust.h"
+#include "renderer/flat/flat_boxes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,12 +31,15 @@ double sum(Rgb c) {
   return static_cast<double>(c.r) + static_cast<double>(c.g) + static_cast<double>(c.b);
 }
 
+float f(double x) {
+  return static_cast<float>(x);
+}
+
 void add_plane(FlatScene& flat, std::size_t i, const Parallelogram& quad) {
   const Vec3d o(quad.origin), u(quad.u), v(quad.v), n = glm::normalize(glm::cross(u, v));
   // The dual vectors: a . u = 2, a . v = 0, and the other way round.
   const Vec3d across = glm::cross(v, n), a = 2.0 * across / glm::dot(across, u);
   const Vec3d along = glm::cross(n, u), b = 2.0 * along / glm::dot(along, v);
-  const auto f = [](double x) { return static_cast<float>(x); };
   flat.nx[i] = f(n.x), flat.ny[i] = f(n.y), flat.nz[i] = f(n.z);
   flat.d[i] = f(glm::dot(n, o));
   flat.ax[i] = f(a.x), flat.ay[i] = f(a.y), flat.az[i] = f(a.z);
@@ -44,64 +48,150 @@ void add_plane(FlatScene& flat, std::size_t i, const Parallelogram& quad) {
   flat.b0[i] = f(glm::dot(b, o) + 1);
 }
 
-void add_material(FlatScene& flat, std::size_t i, const carlo::Material& material) {
+void add_material(FlatScene& flat, const carlo::Material& material) {
+  const std::size_t i = flat.materials++;
+  if (!std::holds_alternative<carlo::Diffuse>(material.model) &&
+      !std::holds_alternative<carlo::Phong>(material.model)) {
+    return;  // no surface has it
+  }
   const Reflectances r = reflectances(material);
-  flat.kd_r[i] = r.kd.r, flat.kd_g[i] = r.kd.g, flat.kd_b[i] = r.kd.b;
-  flat.ks_r[i] = r.ks.r, flat.ks_g[i] = r.ks.g, flat.ks_b[i] = r.ks.b;
+  const Vec3d kd = Vec3d(r.kd) / carlo::pi,
+              ks = Vec3d(r.ks) * (static_cast<double>(r.exponent) + 2) / (2 * carlo::pi);
+  flat.kd_r[i] = f(kd.r), flat.kd_g[i] = f(kd.g), flat.kd_b[i] = f(kd.b);
+  flat.ks_r[i] = f(ks.r), flat.ks_g[i] = f(ks.g), flat.ks_b[i] = f(ks.b);
   flat.exponent[i] = r.exponent;
   const double d = sum(r.kd), s = sum(r.ks);
-  flat.diffuse[i] = d + s > 0 ? static_cast<float>(d / (d + s)) : 1;
+  flat.diffuse[i] = d + s > 0 ? f(d / (d + s)) : 1;
   flat.two_sided[i] = material.two_sided ? 1 : 0;
-  flat.phong = flat.phong || r.ks != Rgb(0);
-  flat.one_sided = flat.one_sided || !material.two_sided;
 }
 
 double area(const Parallelogram& quad) {
   return glm::length(glm::cross(Vec3d(quad.u), Vec3d(quad.v)));
 }
 
-void add_light(FlatScene& flat, std::size_t i, const Parallelogram& quad, double running,
-               double chance) {
+/// Of a light, what light sampling's choice goes by.
+double power(const carlo::Shape& shape) {
+  return shape.emits() ? area(std::get<Parallelogram>(shape.geometry)) * sum(shape.radiance) : 0;
+}
+
+void add_light(FlatScene& flat, std::size_t i, const Parallelogram& quad, double chance,
+               double running) {
   const std::size_t l = flat.lights++;
   flat.lx[l] = quad.origin.x, flat.ly[l] = quad.origin.y, flat.lz[l] = quad.origin.z;
   flat.lux[l] = quad.u.x, flat.luy[l] = quad.u.y, flat.luz[l] = quad.u.z;
   flat.lvx[l] = quad.v.x, flat.lvy[l] = quad.v.y, flat.lvz[l] = quad.v.z;
-  flat.light_quad[l] = static_cast<std::uint32_t>(i);
-  flat.light_cdf[l] = static_cast<float>(running);
-  flat.light_density[i] = static_cast<float>(chance / area(quad));
+  flat.light_surface[l] = static_cast<std::uint32_t>(i);
+  flat.light_cdf[l] = f(running);
+  flat.light_density[i] = f(chance / area(quad));
+}
+
+/// Writes the shapes' columns one by one.
+class Writer {
+ public:
+  Writer(FlatScene& flat, const carlo::Scene& scene) : flat_(flat), scene_(scene) {
+    for (const carlo::Shape& shape : scene.shapes)
+      power_ += power(shape);
+  }
+
+  void quad(std::size_t number, std::size_t shape_index) {
+    const carlo::Shape& shape = scene_.shapes[shape_index];
+    const auto& quad = std::get<Parallelogram>(shape.geometry);
+    add_plane(flat_, number, quad);
+    look(number, shape);
+    if (!shape.emits()) return;
+    const double chance = power(shape) / power_;
+    add_light(flat_, number, quad, chance, running_ += chance);
+  }
+
+  void box(const FoundBox& box) {
+    for (std::size_t face = 0; face < box.shape.size(); ++face)
+      if (box.shape[face]) quad(flat_.surfaces + face, *box.shape[face]);
+    flat_.surfaces += FlatScene::sides;
+  }
+
+  void sphere(const carlo::Shape& shape, const carlo::Sphere& sphere) {
+    const std::size_t i = flat_.surfaces++;
+    flat_.cx[i] = sphere.center.x, flat_.cy[i] = sphere.center.y, flat_.cz[i] = sphere.center.z;
+    flat_.radius[i] = sphere.flipped ? -sphere.radius : sphere.radius;
+    look(i, shape);
+  }
+
+ private:
+  void look(std::size_t i, const carlo::Shape& shape) {
+    const carlo::Material& material = scene_.materials[shape.material];
+    flat_.material[i] = shape.material;
+    flat_.le_r[i] = shape.radiance.r, flat_.le_g[i] = shape.radiance.g,
+    flat_.le_b[i] = shape.radiance.b;
+    flat_.phong = flat_.phong || reflectances(material).ks != Rgb(0);
+    flat_.one_sided = flat_.one_sided || !material.two_sided;
+  }
+
+  FlatScene& flat_;
+  const carlo::Scene& scene_;
+  double power_ = 0, running_ = 0;
+};
+
+/// The largest coordinate of the scene, which its rounding errors are relative to.
+float extent(const carlo::Scene& scene) {
+  float most = 0;
+  for (const carlo::Shape& shape : scene.shapes) {
+    Vec3 far(0);
+    if (const auto* sphere = std::get_if<carlo::Sphere>(&shape.geometry)) {
+      far = glm::abs(sphere->center) + Vec3(sphere->radius);
+    } else {
+      const auto& quad = std::get<Parallelogram>(shape.geometry);
+      far = glm::abs(quad.origin) + glm::abs(quad.u) + glm::abs(quad.v);
+    }
+    most = std::max({most, far.x, far.y, far.z});
+  }
+  return most;
+}
+
+/// How many numbers the scene's surfaces take.
+std::size_t numbers(const carlo::Scene& scene) {
+  const FlatBoxes boxes = find_boxes(scene);
+  const auto spheres = std::count_if(
+      scene.shapes.begin(), scene.shapes.end(),
+      [](const auto& shape) { return std::holds_alternative<carlo::Sphere>(shape.geometry); });
+  return (boxes.solids.size() + (boxes.enclosure ? 1 : 0)) * FlatScene::sides +
+         boxes.others.size() + static_cast<std::size_t>(spheres);
 }
 
 }  // namespace
 
-bool FlatScene::suits(const carlo::Needs& needs) {
-  return needs.parallelograms == needs.primitives() && needs.parallelograms <= most &&
-         needs.point_lights == 0 && !needs.mirror && !needs.dielectric;
+bool FlatScene::suits(const carlo::Needs& needs, const carlo::Scene& scene) {
+  return needs.parallelograms + needs.spheres == needs.primitives() && needs.primitives() <= most &&
+         scene.materials.size() <= most_materials && needs.sphere_lights == 0 &&
+         needs.point_lights == 0 && !needs.mirror && !needs.dielectric && numbers(scene) <= most;
 }
 
 FlatScene::FlatScene(const carlo::Scene& scene) {
-  double power = 0;
-  float reach = 0;
-  for (const carlo::Shape& shape : scene.shapes) {
-    const auto& quad = std::get<Parallelogram>(shape.geometry);
-    power += area(quad) * sum(shape.radiance);
-    const Vec3 far = glm::abs(quad.origin) + glm::abs(quad.u) + glm::abs(quad.v);
-    reach = std::max({reach, far.x, far.y, far.z});
-  }
-  slack = carlo::rounding_bound(8) * reach;
+  slack = carlo::rounding_bound(8) * extent(scene);
   environment[0] = scene.environment.r;
   environment[1] = scene.environment.g;
   environment[2] = scene.environment.b;
-  double running = 0;
+  for (const carlo::Material& m : scene.materials)
+    add_material(*this, m);
+  Writer write(*this, scene);
+  const FlatBoxes boxes = find_boxes(scene);
+  for (const FoundBox& solid : boxes.solids) {
+    solids.push_back(solid.box);
+    write.box(solid);
+  }
+  if (boxes.enclosure) {
+    enclosed = true;
+    camera_inside = boxes.camera_inside;
+    enclosure = boxes.enclosure->box;
+    write.box(*boxes.enclosure);
+  }
+  first_quad = surfaces;
+  for (const std::size_t i : boxes.others)
+    write.quad(surfaces++, i);
+  first_sphere = surfaces;
   for (const carlo::Shape& shape : scene.shapes) {
-    const auto& quad = std::get<Parallelogram>(shape.geometry);
-    const std::size_t i = quads++;
-    add_plane(*this, i, quad);
-    add_material(*this, i, scene.materials[shape.material]);
-    le_r[i] = shape.radiance.r, le_g[i] = shape.radiance.g, le_b[i] = shape.radiance.b;
-    if (!shape.emits()) continue;
-    const double chance = area(quad) * sum(shape.radiance) / power;
-    running += chance;
-    add_light(*this, i, quad, running, chance);
+    if (const auto* sphere = std::get_if<carlo::Sphere>(&shape.geometry)) {
+      write.sphere(shape, *sphere);
+    }
   }
 }
 

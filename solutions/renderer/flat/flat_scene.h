@@ -5,39 +5,72 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace renderer {
 
-/// A scene of a few parallelograms as the vector kernels read it: an array a property, one element
-/// a parallelogram, so that a loop over all of them broadcasts from memory and a lookup by index is
-/// a gather.
+/// A parallelepiped as three slabs: |axis_k . p - center_k| <= half_k, axes of length 1.
+struct FlatBox {
+  std::array<std::array<float, 3>, 3> axis{};
+  std::array<float, 3> center{}, half{};
+  /// Bit 2 k + 1: the face where axis_k . p - center_k = half_k belongs to it; bit 2 k: the other.
+  std::uint32_t faces = 0;
+};
+
+/// A scene of few parallelograms and spheres as the vector kernels read it. Surfaces have numbers;
+/// what belongs to a surface is found by its number in columns, a property a column.
+///
+/// Three kinds of parallelograms are told apart, since boxes are cheaper than their sides:
+/// - solids: parallelepipeds of six sides without emission, the camera outside. No path is ever
+///   inside of one, so that it is met from outside only, and never by a ray that leaves it;
+/// - the enclosure: a parallelepiped that holds the whole scene, of which some sides are there, and
+///   the camera on the inner side of each. Rays from surfaces start inside of it, and rays of the
+///   camera meet it where they leave it. Nothing lies behind its sides: it casts no shadow;
+/// - all others.
 struct FlatScene {
-  static constexpr std::size_t most = 64;
+  static constexpr std::size_t most = 128;  ///< numbers of surfaces
+  static constexpr std::size_t most_materials = 32;
+  static constexpr std::uint32_t sides = 8;  ///< numbers that a box takes; six are used
   template <class T>
   using Column = std::array<T, most>;
+  template <class T>
+  using MaterialColumn = std::array<T, most_materials>;
 
-  /// Whether the kernels can render the scene: parallelograms only, at most `most`, with diffuse
-  /// and Phong materials; lights are among them or around them.
-  static bool suits(const carlo::Needs& needs);
+  /// Whether the kernels can render the scene: parallelograms and spheres of diffuse and Phong
+  /// materials, at most `most` and `most_materials`; parallelogram lights, and light from around.
+  static bool suits(const carlo::Needs& needs, const carlo::Scene& scene);
 
   explicit FlatScene(const carlo::Scene& scene);
 
-  std::uint32_t quads = 0;
-  /// The plane n p = d with unit normal n, and a p, b p: -1 to 1 across the parallelogram.
+  /// Solid i has the numbers from i * sides on, one for each side in the order of FlatBox::faces.
+  /// The enclosure, if there is one, follows; then other parallelograms, then spheres.
+  std::vector<FlatBox> solids;
+  FlatBox enclosure;
+  bool enclosed = false, camera_inside = false;
+  std::uint32_t first_quad = 0, first_sphere = 0, surfaces = 0;
+
+  /// Of a parallelogram: the plane n p = d with unit normal n.
   Column<float> nx{}, ny{}, nz{}, d{};
+  /// And a p - a0, b p - b0: -1 to 1 across it.
   Column<float> ax{}, ay{}, az{}, a0{}, bx{}, by{}, bz{}, b0{};
-  /// What the surface does with light. `diffuse` is the chance of the diffuse lobe.
-  Column<float> kd_r{}, kd_g{}, kd_b{}, ks_r{}, ks_g{}, ks_b{}, exponent{}, diffuse{};
-  Column<std::uint32_t> two_sided{};
+  /// Of a sphere; its normal is (p - center) / radius, where radius < 0 if it is flipped.
+  Column<float> cx{}, cy{}, cz{}, radius{};
+  Column<std::uint32_t> material{};
   Column<float> le_r{}, le_g{}, le_b{};
-  Column<float>
-      light_density{};  ///< per area, of the points that light sampling draws; 0: no light
+  /// Per area, of the points that light sampling draws there; 0: no light.
+  Column<float> light_density{};
+
+  /// What the surface does with light: kd / pi, ks (n + 2) / (2 pi). `diffuse` is the share of kd
+  /// in kd + ks.
+  std::uint32_t materials = 0;
+  MaterialColumn<float> kd_r{}, kd_g{}, kd_b{}, ks_r{}, ks_g{}, ks_b{}, exponent{}, diffuse{};
+  MaterialColumn<std::uint32_t> two_sided{};
 
   std::uint32_t lights = 0;
-  /// Light i: corner, edges, normal, radiance over its density, its quad, and the running sum of
-  /// the chances with which lights are chosen.
+  /// Light i: corner, edges, its surface's number, and the running sum of the chances with which
+  /// lights are chosen.
   Column<float> lx{}, ly{}, lz{}, lux{}, luy{}, luz{}, lvx{}, lvy{}, lvz{};
-  Column<std::uint32_t> light_quad{};
+  Column<std::uint32_t> light_surface{};
   Column<float> light_cdf{};
 
   float environment[3] = {0, 0, 0};
@@ -45,6 +78,8 @@ struct FlatScene {
   /// touches it, and is rounded.
   float slack = 0;
   bool phong = false, one_sided = false;
+
+  bool spheres() const { return surfaces > first_sphere; }
 };
 
 }  // namespace renderer

@@ -1,5 +1,5 @@
-// Vectors of floats, one lane a path: directions, angles, sample points. Included once for each
-// instruction set (Highway's foreach_target).
+// Vectors of floats, one lane a path: directions and angles. Included once for each instruction set
+// (Highway's foreach_target).
 
 #if defined(CARLO_VECTOR_MATH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_VECTOR_MATH_INL
@@ -11,7 +11,9 @@
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
+#include <array>
 #include <cstdint>
+#include <cstring>
 
 HWY_BEFORE_NAMESPACE();
 namespace renderer {
@@ -40,6 +42,16 @@ HWY_INLINE V select(M m, V yes, V no) {
   return hn::IfThenElse(m, yes, no);
 }
 
+/// Bit i: lane i's.
+HWY_INLINE std::uint32_t bits(M mask) {
+  static_assert(lanes <= 32);
+  std::array<std::uint8_t, 8> bytes{};
+  hn::StoreMaskBits(d_, mask, bytes.data());
+  std::uint32_t word;
+  std::memcpy(&word, bytes.data(), sizeof word);
+  return word;
+}
+
 struct V3 {
   V x, y, z;
 };
@@ -64,6 +76,10 @@ HWY_INLINE V dot(V3 a, V3 b) {
 }
 HWY_INLINE V3 normalize(V3 a) {
   return hn::Div(set(1), hn::Sqrt(dot(a, a))) * a;
+}
+/// Of a vector whose length is 1 but for rounding: one step of Newton's method.
+HWY_INLINE V3 renormalize(V3 a) {
+  return hn::NegMulAdd(set(0.5f), dot(a, a), set(1.5f)) * a;
 }
 HWY_INLINE V3 select(M m, V3 yes, V3 no) {
   return {select(m, yes.x, no.x), select(m, yes.y, no.y), select(m, yes.z, no.z)};
@@ -117,74 +133,9 @@ HWY_INLINE SinCos turn(V u) {
           hn::Xor(select(odd, s, c), hn::BitCast(d_, cosine_sign))};
 }
 
-// Sample points: sampling/sobol.h, a lane a point ------------------------------------------------
-
-HWY_INLINE U reverse_bits(U x) {
-  using DB = hn::Repartition<std::uint8_t, DU>;
-  constexpr DB db;
-  alignas(16) static constexpr std::uint8_t nibbles[16] = {0, 8, 4, 12, 2, 10, 6, 14,
-                                                           1, 9, 5, 13, 3, 11, 7, 15};
-  alignas(16) static constexpr std::uint8_t bytes[16] = {3,  2,  1, 0, 7,  6,  5,  4,
-                                                         11, 10, 9, 8, 15, 14, 13, 12};
-  const U low = set_word(0x0F0F0F0F);
-  const auto table = hn::LoadDup128(db, nibbles);
-  const auto from_low = hn::TableLookupBytes(table, hn::BitCast(db, hn::And(x, low)));
-  const auto from_high =
-      hn::TableLookupBytes(table, hn::BitCast(db, hn::And(hn::ShiftRight<4>(x), low)));
-  const U swapped =
-      hn::Or(hn::ShiftLeft<4>(hn::BitCast(du_, from_low)), hn::BitCast(du_, from_high));
-  return hn::BitCast(du_,
-                     hn::TableLookupBytes(hn::BitCast(db, swapped), hn::LoadDup128(db, bytes)));
-}
-
-HWY_INLINE U nested_hash(U x, U seed) {
-  x = hn::Xor(x, hn::Mul(x, set_word(0x3D20ADEA)));
-  x = hn::Add(x, seed);
-  x = hn::Mul(x, hn::Or(hn::ShiftRight<16>(seed), set_word(1)));
-  x = hn::Xor(x, hn::Mul(x, set_word(0x05526C56)));
-  return hn::Xor(x, hn::Mul(x, set_word(0x53A22864)));
-}
-
-/// Pascal's triangle modulo 2 times x: the second Sobol' coordinate, bits still reversed.
-HWY_INLINE U pascal(U x) {
-  x = hn::Xor(x, hn::And(hn::ShiftRight<1>(x), set_word(0x55555555)));
-  x = hn::Xor(x, hn::And(hn::ShiftRight<2>(x), set_word(0x33333333)));
-  x = hn::Xor(x, hn::And(hn::ShiftRight<4>(x), set_word(0x0F0F0F0F)));
-  x = hn::Xor(x, hn::And(hn::ShiftRight<8>(x), set_word(0x00FF00FF)));
-  return hn::Xor(x, hn::ShiftRight<16>(x));
-}
-
-/// A bijection of words whose output bits depend on all input bits (C. Wellons' "lowbias32").
-HWY_INLINE U mix(U x) {
-  x = hn::Mul(hn::Xor(x, hn::ShiftRight<16>(x)), set_word(0x7FEB352D));
-  x = hn::Mul(hn::Xor(x, hn::ShiftRight<15>(x)), set_word(0x846CA68B));
-  return hn::Xor(x, hn::ShiftRight<16>(x));
-}
-
-/// In [0, 1), never 1.
-HWY_INLINE V to_unit(U x) {
-  return hn::Mul(hn::ConvertTo(d_, hn::BitCast(di_, hn::ShiftRight<8>(x))), set(0x1p-24f));
-}
-
 struct V2 {
   V x, y;
 };
-
-/// The points of one dimension pair: shuffled, scrambled Sobol' points, whose index within the
-/// pixel is given with its bits reversed. `key` stands for the pixel and the pair.
-HWY_INLINE V2 sobol_2d(U reversed_index, U key) {
-  const U k1 = mix(key), k2 = mix(hn::Add(k1, set_word(0x9E3779B9))),
-          k3 = mix(hn::Add(k2, set_word(0x9E3779B9)));
-  const U shuffled = reverse_bits(nested_hash(reversed_index, k1));
-  return {to_unit(reverse_bits(nested_hash(shuffled, k2))),
-          to_unit(reverse_bits(nested_hash(pascal(shuffled), k3)))};
-}
-
-/// Independent points instead.
-HWY_INLINE V2 random_2d(U reversed_index, U key) {
-  const U k = mix(hn::Xor(mix(key), mix(hn::Add(reversed_index, set_word(0x85EBCA6B)))));
-  return {to_unit(k), to_unit(mix(hn::Add(k, set_word(0x9E3779B9))))};
-}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace renderer

@@ -1,0 +1,199 @@
+#include "renderer/flat/flat_boxes.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace renderer {
+namespace {
+
+using carlo::Parallelogram;
+using carlo::Scene;
+using Vec3d = glm::dvec3;
+
+constexpr double tolerance = 1e-6;
+/// An enclosure of fewer sides costs more than its sides one by one.
+constexpr int least_sides = 4;
+
+struct Parallelepiped {
+  Vec3d origin;
+  std::array<Vec3d, 3> edge;
+  double size;  ///< its largest coordinate: what rounding is relative to
+
+  Vec3d corner(unsigned i) const {
+    Vec3d p = origin;
+    for (unsigned k = 0; k < 3; ++k)
+      p += static_cast<double>(i >> k & 1) * edge[k];
+    return p;
+  }
+};
+
+const Parallelogram* parallelogram(const Scene& scene, std::size_t i) {
+  return std::get_if<Parallelogram>(&scene.shapes[i].geometry);
+}
+
+std::array<Vec3d, 4> corners(const Parallelogram& quad) {
+  const Vec3d o(quad.origin), u(quad.u), v(quad.v);
+  return {o, o + u, o + v, o + u + v};
+}
+
+int common_corners(const Parallelogram& a, const Parallelogram& b, double near) {
+  int common = 0;
+  for (const Vec3d& p : corners(a)) {
+    for (const Vec3d& q : corners(b))
+      common += glm::length(p - q) <= near;
+  }
+  return common;
+}
+
+/// The box of which `a` is a side and `b` one that shares an edge with it, if they are such.
+std::optional<Parallelepiped> spanned(const Parallelogram& a, const Parallelogram& b) {
+  double size = 0;
+  for (const Parallelogram* quad : {&a, &b}) {
+    for (const Vec3d& p : corners(*quad))
+      size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  }
+  const double near = tolerance * size;
+  if (common_corners(a, b, near) != 2) return std::nullopt;
+  const Vec3d u(a.u), v(a.v), n = glm::normalize(glm::cross(u, v));
+  const auto low = [&](const Vec3d& p) { return std::abs(glm::dot(n, p - Vec3d(a.origin))); };
+  // Of b's edges, the one that leaves a's plane.
+  for (const Vec3d& w : {Vec3d(b.u), Vec3d(b.v)}) {
+    if (!(std::abs(glm::dot(n, w)) > near)) continue;
+    const Vec3d from = low(Vec3d(b.origin)) <= near ? w : -w;
+    const Parallelepiped box{Vec3d(a.origin), {u, v, from}, size};
+    return box;
+  }
+  return std::nullopt;
+}
+
+/// The side of the box (0 to 5, as in FlatBox::faces) that the parallelogram is.
+std::optional<unsigned> side(const Parallelepiped& box, const Parallelogram& quad) {
+  const auto points = corners(quad);
+  for (unsigned f = 0; f < 6; ++f) {
+    unsigned found = 0;
+    for (unsigned i = 0; i < 8; ++i) {
+      if ((i >> (f / 2) & 1) != (f & 1)) continue;
+      const Vec3d p = box.corner(i);
+      found += std::any_of(points.begin(), points.end(), [&](const Vec3d& q) {
+        return glm::length(p - q) <= tolerance * box.size;
+      });
+    }
+    if (found == 4) return f;
+  }
+  return std::nullopt;
+}
+
+FlatBox slabs(const Parallelepiped& box) {
+  FlatBox result;
+  const Vec3d middle = box.origin + 0.5 * (box.edge[0] + box.edge[1] + box.edge[2]);
+  for (unsigned k = 0; k < 3; ++k) {
+    Vec3d n = glm::normalize(glm::cross(box.edge[(k + 1) % 3], box.edge[(k + 2) % 3]));
+    if (glm::dot(n, box.edge[k]) < 0) n = -n;
+    result.axis[k] = {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
+    result.center[k] = static_cast<float>(glm::dot(n, middle));
+    result.half[k] = static_cast<float>(0.5 * glm::dot(n, box.edge[k]));
+  }
+  return result;
+}
+
+FoundBox gather_sides(const Scene& scene, const Parallelepiped& box,
+                      const std::vector<std::size_t>& candidates) {
+  FoundBox found{slabs(box), {}};
+  for (const std::size_t i : candidates) {
+    const auto f = side(box, *parallelogram(scene, i));
+    if (!f || found.shape[*f]) continue;
+    found.shape[*f] = i;
+    found.box.faces |= 1u << *f;
+  }
+  return found;
+}
+
+/// How far p is on the inner side of every one of the box's faces (bits as in FlatBox::faces);
+/// below 0: on the outer side of one.
+double depth_inside(const FlatBox& box, const Vec3d& p, std::uint32_t faces = 0x3F) {
+  double least = std::numeric_limits<double>::infinity();
+  for (unsigned f = 0; f < 6; ++f) {
+    if ((faces >> f & 1) == 0) continue;
+    const unsigned k = f / 2;
+    const Vec3d n(box.axis[k][0], box.axis[k][1], box.axis[k][2]);
+    const double along = glm::dot(n, p) - static_cast<double>(box.center[k]);
+    least = std::min(least, static_cast<double>(box.half[k]) + ((f & 1) != 0 ? -along : along));
+  }
+  return least;
+}
+
+/// Whether all shapes lie in the box, and the camera does not see the outer side of its sides.
+bool holds(const FlatBox& box, const Scene& scene) {
+  const Vec3d camera(scene.camera.origin);
+  if (!(depth_inside(box, camera, box.faces) > tolerance * glm::length(camera))) return false;
+  for (const carlo::Shape& shape : scene.shapes) {
+    if (const auto* sphere = std::get_if<carlo::Sphere>(&shape.geometry)) {
+      const auto r = static_cast<double>(sphere->radius);
+      if (!(depth_inside(box, Vec3d(sphere->center)) >= r * (1 - tolerance))) return false;
+      continue;
+    }
+    const auto points = corners(std::get<Parallelogram>(shape.geometry));
+    for (const Vec3d& p : points) {
+      const double size = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), 1e-30});
+      if (!(depth_inside(box, p) >= -tolerance * size)) return false;
+    }
+  }
+  return true;
+}
+
+bool dark(const Scene& scene, const FoundBox& box) {
+  return std::none_of(box.shape.begin(), box.shape.end(),
+                      [&](const auto& i) { return i && scene.shapes[*i].emits(); });
+}
+
+void remove_sides(std::vector<std::size_t>& quads, const FoundBox& box) {
+  for (const auto& i : box.shape)
+    if (i) std::erase(quads, *i);
+}
+
+/// The box with the most sides of which the parallelogram `first` is one.
+FoundBox largest_box(const Scene& scene, std::size_t first, const std::vector<std::size_t>& quads) {
+  FoundBox best;
+  for (const std::size_t i : quads) {
+    if (i == first) continue;
+    const auto box = spanned(*parallelogram(scene, first), *parallelogram(scene, i));
+    if (!box) continue;
+    FoundBox found = gather_sides(scene, *box, quads);
+    if (std::popcount(found.box.faces) > std::popcount(best.box.faces)) best = std::move(found);
+  }
+  return best;
+}
+
+}  // namespace
+
+FlatBoxes find_boxes(const Scene& scene) {
+  std::vector<std::size_t> quads;
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i)
+    if (parallelogram(scene, i) != nullptr) quads.push_back(i);
+  FlatBoxes result;
+  const Vec3d camera(scene.camera.origin);
+  for (std::vector<std::size_t> left = quads; !left.empty();) {
+    const std::size_t first = left.front();
+    const FoundBox box = largest_box(scene, first, quads);
+    const int sides = std::popcount(box.box.faces);
+    const double size = glm::length(camera);
+    if (!result.enclosure && sides >= least_sides && holds(box.box, scene)) {
+      result.enclosure = box;
+      result.camera_inside = depth_inside(box.box, camera) > tolerance * size;
+    } else if (sides == 6 && dark(scene, box) &&
+               depth_inside(box.box, camera) < -tolerance * size) {
+      result.solids.push_back(box);
+    } else {
+      result.others.push_back(first);
+      std::erase(left, first);
+      continue;
+    }
+    remove_sides(left, box);
+    remove_sides(quads, box);
+  }
+  return result;
+}
+
+}  // namespace renderer

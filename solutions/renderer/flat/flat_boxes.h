@@ -1,0 +1,31 @@
+#pragma once
+
+#include "renderer/flat/flat_scene.h"
+#include "scene/scene.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace renderer {
+
+/// A parallelepiped among a scene's shapes.
+struct FoundBox {
+  FlatBox box;
+  /// The shape that is each side, in the order of FlatBox::faces.
+  std::array<std::optional<std::size_t>, 6> shape;
+};
+
+/// A scene's parallelograms, sorted into boxes as FlatScene wants them. Sides agree with their
+/// shapes to a millionth of the box's size.
+struct FlatBoxes {
+  std::vector<FoundBox> solids;
+  std::optional<FoundBox> enclosure;
+  bool camera_inside = false;       ///< of the enclosure
+  std::vector<std::size_t> others;  ///< parallelograms in no box
+};
+
+FlatBoxes find_boxes(const carlo::Scene& scene);
+
+}  // namespace renderer

@@ -1,0 +1,65 @@
+// Lookups by number in short columns, a lane a number. Included once for each instruction set.
+
+#if defined(CARLO_LOOKUP_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef CARLO_LOOKUP_INL
+#undef CARLO_LOOKUP_INL
+#else
+#define CARLO_LOOKUP_INL
+#endif
+
+#include "renderer/flat/vector_math-inl.h"
+
+#include <hwy/highway.h>
+
+#include <array>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace renderer {
+namespace HWY_NAMESPACE {
+
+/// Numbers below `size`, ready for lookups. A permutation of a register costs a fraction of a
+/// gather, so columns of a few registers are read whole. Columns must be as long as the registers
+/// that cover `size`.
+class Numbers {
+ public:
+  HWY_INLINE Numbers(U numbers, std::uint32_t size)
+      : numbers_(numbers),
+        within_(hn::IndicesFromVec(d_, hn::And(numbers, set_word(lanes - 1)))),
+        registers_((size + lanes - 1) / lanes) {
+    for (std::size_t r = 1; r < most && r < registers_; ++r) {
+      beyond_[r] =
+          hn::RebindMask(d_, hn::Gt(numbers, set_word(static_cast<std::uint32_t>(r * lanes - 1))));
+    }
+  }
+
+  HWY_INLINE V operator()(const float* column) const {
+    if (registers_ > most) return hn::GatherIndex(d_, column, hn::BitCast(di_, numbers_));
+    V found = hn::TableLookupLanes(hn::LoadU(d_, column), within_);
+    for (std::size_t r = 1; r < registers_; ++r) {
+      found = select(beyond_[r], hn::TableLookupLanes(hn::LoadU(d_, column + r * lanes), within_),
+                     found);
+    }
+    return found;
+  }
+  HWY_INLINE U operator()(const std::uint32_t* column) const {
+    return hn::BitCast(du_, (*this)(reinterpret_cast<const float*>(column)));
+  }
+  template <class Column>
+  HWY_INLINE V3 operator()(const Column& x, const Column& y, const Column& z) const {
+    return {(*this)(x.data()), (*this)(y.data()), (*this)(z.data())};
+  }
+
+ private:
+  static constexpr std::size_t most = 4;
+  U numbers_;
+  decltype(hn::IndicesFromVec(d_, hn::Zero(du_))) within_;
+  std::size_t registers_;
+  std::array<M, most> beyond_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace renderer
+HWY_AFTER_NAMESPACE();
+
+#endif  // CARLO_LOOKUP_INL

@@ -1,0 +1,224 @@
+// Paths under way, one in each lane. Included once for each instruction set.
+
+#if defined(CARLO_PATHS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef CARLO_PATHS_INL
+#undef CARLO_PATHS_INL
+#else
+#define CARLO_PATHS_INL
+#endif
+
+#include "renderer/flat/bsdf-inl.h"
+#include "renderer/flat/flat_kernel.h"
+#include "renderer/flat/flat_scene.h"
+#include "renderer/flat/intersect-inl.h"
+#include "renderer/flat/lights-inl.h"
+#include "renderer/flat/lookup-inl.h"
+#include "renderer/flat/points-inl.h"
+#include "renderer/flat/vector_math-inl.h"
+
+#include <hwy/highway.h>
+
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace renderer {
+namespace HWY_NAMESPACE {
+
+constexpr std::uint32_t longest_path = 1 << 16;
+
+/// The dimension pairs of a path: one for the film, then two for each vertex. Pair p of a pixel has
+/// the key pixel + p * pair_step.
+constexpr std::uint32_t pair_step = 0x9E3779B1;
+
+/// What a scene needs, for which the code is compiled.
+template <bool phong_, bool spheres_>
+struct Features {
+  static constexpr bool phong = phong_, spheres = spheres_;
+};
+
+struct Paths {
+  V3 o, d, beta, L;
+  V pdf;             ///< of d; below 0: emission counts whole
+  U last;            ///< the surface that the ray left
+  U depth;           ///< segments so far
+  U key;             ///< of the next dimension pair
+  U reversed_index;  ///< of the sample
+  U pixel;           ///< of the tile
+  M alive;
+};
+
+HWY_INLINE V2 points(const FlatJob& job, U reversed_index, U key) {
+  return job.sobol ? sobol_2d(reversed_index, key) : random_2d(reversed_index, key);
+}
+
+/// What happens to paths at their vertices.
+template <class Needs>
+class Walk {
+ public:
+  HWY_INLINE Walk(const FlatJob& job, carlo::Counts& counts)
+      : job_(job), s_(job.scene), counts_(counts) {}
+
+  /// Follows every path's ray to the next surface, gathers light there and draws the next ray.
+  HWY_INLINE void extend(Paths& paths) const {
+    counts_.rays += hn::CountTrue(d_, paths.alive);
+    // Ahead of what they serve: the processor works on them while it waits for the intersection.
+    const V2 u_light = points(job_, paths.reversed_index, paths.key);
+    const U second = hn::Add(paths.key, set_word(pair_step));
+    const V2 u_lobe = points(job_, paths.reversed_index, second);
+    const Hits hits = closest<Needs::spheres>(s_, paths.o, paths.d, paths.last);
+    paths.depth = hn::Add(paths.depth, set_word(1));
+    const M met = other(hits.surface, set_word(nothing));
+    add_sky(paths, hn::AndNot(met, paths.alive));
+    paths.alive = hn::And(paths.alive, met);
+    if (hn::AllFalse(d_, paths.alive)) return;
+    // What missed looks at surface 0, for nothing.
+    const U number = hn::IfThenElseZero(hn::RebindMask(du_, met), hits.surface);
+    const Numbers of(number, s_.surfaces);
+    V3 p, shape_normal;
+    place(paths, hits.t, number, of, p, shape_normal);
+    const V cosine = hn::Neg(dot(shape_normal, paths.d));
+    const M front = hn::Gt(cosine, set(0));
+    add_emission(paths, hits.t, number, of, cosine, hn::And(front, paths.alive));
+    const Numbers material(of(s_.material.data()), s_.materials);
+    if (s_.one_sided) {
+      const M two_sided = other(material(s_.two_sided.data()), set_word(0));
+      paths.alive = hn::And(paths.alive, hn::Or(front, two_sided));
+    }
+    end_long_paths(paths);
+    if (hn::AllFalse(d_, paths.alive)) return;
+    const V side = hn::CopySign(set(1), cosine);
+    scatter(paths, surface_at(paths.d, p, side * shape_normal, material), number, u_light, u_lobe);
+  }
+
+ private:
+  /// The weight of a sample against another technique whose density is `ratio` times as large.
+  HWY_INLINE V weigh(V ratio) const {
+    const V other_part = job_.choices.power_heuristic ? hn::Mul(ratio, ratio) : ratio;
+    return hn::Div(set(1), hn::Add(other_part, set(1)));
+  }
+
+  HWY_INLINE void add_sky(Paths& paths, M lost) const {
+    const V3 sky = set(s_.environment[0], s_.environment[1], s_.environment[2]);
+    paths.L = select(lost, paths.L + paths.beta * sky, paths.L);
+  }
+
+  HWY_INLINE void end_long_paths(Paths& paths) const {
+    const std::uint32_t last =
+        job_.max_depth > 0 ? static_cast<std::uint32_t>(job_.max_depth) : longest_path;
+    const M over = hn::And(same(paths.depth, set_word(last)), paths.alive);
+    if (job_.max_depth == 0) counts_.cut += hn::CountTrue(d_, over);
+    paths.alive = hn::AndNot(over, paths.alive);
+  }
+
+  /// The point that was met, moved onto the surface (what is lost in o + t d comes back), and the
+  /// shape's normal there.
+  HWY_INLINE void place(const Paths& paths, V t, U number, const Numbers& of, V3& p,
+                        V3& normal) const {
+    const V3 far = add_scaled(paths.o, t, paths.d);
+    normal = of(s_.nx, s_.ny, s_.nz);
+    p = add_scaled(far, hn::Sub(of(s_.d.data()), dot(normal, far)), normal);
+    if constexpr (Needs::spheres) {
+      const M sphere = hn::RebindMask(d_, hn::Gt(number, set_word(s_.first_sphere - 1)));
+      if (hn::AllFalse(d_, sphere)) return;
+      const V3 center = of(s_.cx, s_.cy, s_.cz);
+      const V radius = of(s_.radius.data());
+      const V3 outward = normalize(far - center);
+      normal = select(sphere, hn::CopySign(set(1), radius) * outward, normal);
+      p = select(sphere, add_scaled(center, hn::Abs(radius), outward), p);
+    }
+  }
+
+  /// Emission met by the rays, weighed against light sampling.
+  HWY_INLINE void add_emission(Paths& paths, V t, U number, const Numbers& of, V cosine,
+                               M seen) const {
+    if (s_.lights == 0) return;
+    M bright = seen;
+    if (s_.lights == 1) {
+      bright = hn::And(seen, same(number, set_word(s_.light_surface[0])));
+      if (hn::AllFalse(d_, bright)) return;
+    }
+    const V density = of(s_.light_density.data());
+    bright = hn::And(bright, hn::Gt(density, set(0)));
+    if (hn::AllFalse(d_, bright)) return;
+    const V light_pdf = hn::Div(hn::Mul(density, hn::Mul(t, t)), cosine);
+    const M whole = hn::Lt(paths.pdf, set(0));
+    const V weight = select(whole, set(1), weigh(hn::Div(light_pdf, paths.pdf)));
+    const V3 Le = of(s_.le_r, s_.le_g, s_.le_b);
+    paths.L = select(bright, paths.L + weight * (paths.beta * Le), paths.L);
+  }
+
+  HWY_INLINE Surfaces surface_at(V3 d, V3 p, V3 n, const Numbers& material) const {
+    Surfaces surface;
+    surface.p = p;
+    surface.n = n;
+    surface.kd = material(s_.kd_r, s_.kd_g, s_.kd_b);
+    if constexpr (Needs::phong) {
+      surface.exponent = material(s_.exponent.data());
+      surface.diffuse = material(s_.diffuse.data());
+      surface.ks = material(s_.ks_r, s_.ks_g, s_.ks_b);
+      surface.mirror = add_scaled(d, hn::Mul(set(-2), dot(n, d)), n);
+    }
+    return surface;
+  }
+
+  HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, U number, V2 u_light,
+                          V2 u_lobe) const {
+    if (s_.lights > 0) add_direct(paths, surface, number, u_light);
+    const V3 wi = sample_direction<Needs::phong>(surface, u_lobe);
+    paths.key =
+        hn::Add(paths.key, set_word(static_cast<std::uint32_t>(2 * std::uint64_t{pair_step})));
+    const V cosine = dot(surface.n, wi);
+    const Bsdfs bsdf = evaluate<Needs::phong>(surface, wi, cosine);
+    const M above = hn::And(hn::Gt(cosine, set(0)), hn::Gt(bsdf.pdf, set(0)));
+    paths.alive = hn::And(paths.alive, above);
+    const V weight = Needs::phong ? hn::Div(cosine, bsdf.pdf) : set(pi);
+    paths.beta = paths.beta * (weight * bsdf.f);
+    paths.pdf = s_.lights > 0 ? bsdf.pdf : set(-1);
+    paths.o = surface.p;
+    paths.d = wi;
+    paths.last = number;
+    roulette(paths);
+  }
+
+  /// Light that arrives straight from points drawn on the lights.
+  HWY_INLINE void add_direct(Paths& paths, const Surfaces& surface, U number, V2 u) const {
+    const LightPoints light = sample_light(s_, u);
+    const V3 to_light = light.p - surface.p;
+    const V distance2 = dot(to_light, to_light), inverse = hn::Div(set(1), hn::Sqrt(distance2));
+    const V3 wi = inverse * to_light;
+    const V cosine = dot(surface.n, wi);
+    const V light_cosine = hn::Neg(dot(light.n, wi));
+    const M faces = hn::And(hn::And(hn::Gt(cosine, set(0)), hn::Gt(light_cosine, set(0))),
+                            hn::And(paths.alive, other(light.surface, number)));
+    if (hn::AllFalse(d_, faces)) return;
+    counts_.rays += hn::CountTrue(d_, faces);
+    const M clear = unoccluded<Needs::spheres>(s_, surface.p, wi, hn::Mul(distance2, inverse),
+                                               number, light.surface, faces);
+    const Bsdfs bsdf = evaluate<Needs::phong>(surface, wi, cosine);
+    // Solid angle: one over the density of wi by light sampling.
+    const V solid_angle = hn::Mul(hn::Mul(light.area, light_cosine), hn::Mul(inverse, inverse));
+    const V ratio = hn::Mul(bsdf.pdf, solid_angle);
+    const V weight = hn::Mul(hn::Mul(cosine, solid_angle), weigh(ratio));
+    paths.L = select(clear, paths.L + weight * (paths.beta * (bsdf.f * light.Le)), paths.L);
+  }
+
+  HWY_INLINE void roulette(Paths& paths) const {
+    const V q = hn::Mul(max_element(paths.beta), set(1 / job_.choices.roulette_threshold));
+    const M risky = hn::Lt(q, set(1));
+    const V u =
+        to_unit(mix(hn::Xor(hn::Mul(paths.key, set_word(0x85EBCA6B)), paths.reversed_index)));
+    const M ended = hn::And(risky, hn::Ge(u, q));
+    paths.alive = hn::AndNot(ended, paths.alive);
+    paths.beta = hn::Div(set(1), select(risky, q, set(1))) * paths.beta;
+  }
+
+  const FlatJob& job_;
+  const FlatScene& s_;
+  carlo::Counts& counts_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace renderer
+HWY_AFTER_NAMESPACE();
+
+#endif  // CARLO_PATHS_INL

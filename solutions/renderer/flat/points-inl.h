@@ -1,0 +1,89 @@
+// Sample points: sampling/sobol.h, a lane a point. Included once for each instruction set.
+
+#if defined(CARLO_POINTS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef CARLO_POINTS_INL
+#undef CARLO_POINTS_INL
+#else
+#define CARLO_POINTS_INL
+#endif
+
+#include "renderer/flat/vector_math-inl.h"
+
+#include <hwy/highway.h>
+
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace renderer {
+namespace HWY_NAMESPACE {
+
+HWY_INLINE U reverse_bits(U x) {
+  using DB = hn::Repartition<std::uint8_t, DU>;
+  constexpr DB db;
+  alignas(16) static constexpr std::uint8_t nibbles[16] = {0, 8, 4, 12, 2, 10, 6, 14,
+                                                           1, 9, 5, 13, 3, 11, 7, 15};
+  alignas(16) static constexpr std::uint8_t bytes[16] = {3,  2,  1, 0, 7,  6,  5,  4,
+                                                         11, 10, 9, 8, 15, 14, 13, 12};
+  const U low = set_word(0x0F0F0F0F);
+  const auto table = hn::LoadDup128(db, nibbles);
+  const auto from_low = hn::TableLookupBytes(table, hn::BitCast(db, hn::And(x, low)));
+  const auto from_high =
+      hn::TableLookupBytes(table, hn::BitCast(db, hn::And(hn::ShiftRight<4>(x), low)));
+  const U swapped =
+      hn::Or(hn::ShiftLeft<4>(hn::BitCast(du_, from_low)), hn::BitCast(du_, from_high));
+  return hn::BitCast(du_,
+                     hn::TableLookupBytes(hn::BitCast(db, swapped), hn::LoadDup128(db, bytes)));
+}
+
+HWY_INLINE U nested_hash(U x, U seed) {
+  x = hn::Xor(x, hn::Mul(x, set_word(0x3D20ADEA)));
+  x = hn::Add(x, seed);
+  x = hn::Mul(x, hn::Or(hn::ShiftRight<16>(seed), set_word(1)));
+  x = hn::Xor(x, hn::Mul(x, set_word(0x05526C56)));
+  return hn::Xor(x, hn::Mul(x, set_word(0x53A22864)));
+}
+
+/// Pascal's triangle modulo 2 times x: the second Sobol' coordinate, bits still reversed.
+HWY_INLINE U pascal(U x) {
+  x = hn::Xor(x, hn::And(hn::ShiftRight<1>(x), set_word(0x55555555)));
+  x = hn::Xor(x, hn::And(hn::ShiftRight<2>(x), set_word(0x33333333)));
+  x = hn::Xor(x, hn::And(hn::ShiftRight<4>(x), set_word(0x0F0F0F0F)));
+  x = hn::Xor(x, hn::And(hn::ShiftRight<8>(x), set_word(0x00FF00FF)));
+  return hn::Xor(x, hn::ShiftRight<16>(x));
+}
+
+/// A bijection of words whose output bits depend on all input bits (C. Wellons' "lowbias32").
+HWY_INLINE U mix(U x) {
+  x = hn::Mul(hn::Xor(x, hn::ShiftRight<16>(x)), set_word(0x7FEB352D));
+  x = hn::Mul(hn::Xor(x, hn::ShiftRight<15>(x)), set_word(0x846CA68B));
+  return hn::Xor(x, hn::ShiftRight<16>(x));
+}
+
+/// In [0, 1), never 1.
+HWY_INLINE V to_unit(U x) {
+  return hn::Mul(hn::ConvertTo(d_, hn::BitCast(di_, hn::ShiftRight<8>(x))), set(0x1p-24f));
+}
+
+/// The points of one dimension pair: Sobol' points in shuffled order, under a random digital shift.
+/// `index` is the sample's within its pixel, its bits reversed; `key` stands for pixel and pair.
+/// Shuffled keeps 2^m points together (nested_hash), so that they remain a (0, m, 2)-net; full Owen
+/// scrambling of both coordinates costs twice as much and is no better in paths.
+HWY_INLINE V2 sobol_2d(U index, U key) {
+  const U k = mix(key);
+  // The bit-reversed index is the first coordinate.
+  const U x = nested_hash(index, k);
+  const U y = reverse_bits(pascal(reverse_bits(x)));
+  return {to_unit(x), to_unit(hn::Xor(y, hn::Mul(k, set_word(0xB5297A4D))))};
+}
+
+/// Independent points instead.
+HWY_INLINE V2 random_2d(U reversed_index, U key) {
+  const U k = mix(hn::Xor(mix(key), mix(hn::Add(reversed_index, set_word(0x85EBCA6B)))));
+  return {to_unit(k), to_unit(mix(hn::Add(k, set_word(0x9E3779B9))))};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace renderer
+HWY_AFTER_NAMESPACE();
+
+#endif  // CARLO_POINTS_INL
