@@ -53,8 +53,9 @@ void Context::write() {
                           load[0], load[2])
             : "not known";
   const std::vector<std::pair<std::string, std::string>> facts = {
-      {"Command",
-       fmt::format("./carlo bench{} --seed {}", options_.full ? " --full" : "", options_.seed)},
+      {"Command", fmt::format("./carlo bench{}{}{} --seed {}", options_.full ? " --full" : "",
+                              options_.only.empty() ? "" : " --only ",
+                              fmt::join(options_.only, ","), options_.seed)},
       {"Seed", std::to_string(options_.seed)},
       {"Machine", carlo::machine_text()},
       {"Vector instructions", carlo::instruction_sets_text()},

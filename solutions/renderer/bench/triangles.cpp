@@ -9,13 +9,14 @@
 
 #include <fmt/core.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <memory>
@@ -87,17 +88,36 @@ struct Costs {
   double path;                                ///< processor seconds
 };
 
-/// The same program again, so that one mesh's memory does not hide another's.
-Costs measure_apart(const fs::path& scene) {
-  const std::string command = fmt::format(
-      "'{}' --mesh-costs '{}'", fs::read_symlink("/proc/self/exe").string(), scene.string());
-  const std::unique_ptr<FILE, int (*)(FILE*)> child(popen(command.c_str(), "r"), pclose);
-  Costs c{};
-  if (!child || std::fscanf(child.get(), "%lf %lf %lf %lf %lf %lf", &c.ours, &c.peak, &c.embree,
-                            &c.first_pixel, &c.first_pixel_processor, &c.path) != 6) {
-    throw Error("the measurement of {} failed", scene.string());
+/// What this program prints when it is started again with an option.
+std::string output_of_self(const char* option, const std::string& value) {
+  std::array<int, 2> ends{};
+  if (pipe(ends.data()) != 0) throw Error("no pipe to a program: {}", std::strerror(errno));
+  const pid_t child = fork();
+  if (child == 0) {
+    dup2(ends[1], STDOUT_FILENO);
+    close(ends[0]);
+    close(ends[1]);
+    execl("/proc/self/exe", "carlo_bench", option, value.c_str(), nullptr);
+    _exit(127);
   }
-  return c;
+  close(ends[1]);
+  std::string text;
+  std::array<char, 512> piece{};
+  for (ssize_t n = 0; (n = read(ends[0], piece.data(), piece.size())) > 0;)
+    text.append(piece.data(), static_cast<std::size_t>(n));
+  close(ends[0]);
+  int status = 0;
+  if (child < 0 || waitpid(child, &status, 0) != child || status != 0) {
+    throw Error("the measurement of {} failed", value);
+  }
+  return text;
+}
+
+/// In a program of its own, so that one mesh's memory does not hide another's.
+Costs measure_apart(const fs::path& scene) {
+  const auto c = nlohmann::json::parse(output_of_self("--mesh-costs", scene.string()))
+                     .get<std::vector<double>>();
+  return {c.at(0), c.at(1), c.at(2), c.at(3), c.at(4), c.at(5)};
 }
 
 carlo::Cell megabytes(double bytes) {
@@ -131,7 +151,7 @@ void print_mesh_costs(const fs::path& path) {
   const double ours = resident_bytes() - before;
   const double peak = std::max(peak_bytes() - before, ours);
   const Rendered rendered = render_timed(*integrator, scene, 8);
-  fmt::print("{} {} {} {} {} {}\n", ours, peak, embree_bytes(scene), first, processor,
+  fmt::print("[{}, {}, {}, {}, {}, {}]\n", ours, peak, embree_bytes(scene), first, processor,
              rendered.seconds / rendered.paths);
 }
 
