@@ -44,7 +44,7 @@ class Digest {
   template <class... T>
   void add(const std::variant<T...>& v) {
     add(v.index());
-    std::visit([this](const auto& x) { add(x); }, v);
+    std::visit([this](const auto& x) { this->add(x); }, v);
   }
 
   void add(const Camera& camera) {
