@@ -160,8 +160,8 @@ FoundBox largest_box(const Scene& scene, std::size_t first, const std::vector<st
     if (i == first) continue;
     const auto box = spanned(*parallelogram(scene, first), *parallelogram(scene, i));
     if (!box) continue;
-    FoundBox found = gather_sides(scene, *box, quads);
-    if (std::popcount(found.box.faces) > std::popcount(best.box.faces)) best = std::move(found);
+    const FoundBox found = gather_sides(scene, *box, quads);
+    if (std::popcount(found.box.faces) > std::popcount(best.box.faces)) best = found;
   }
   return best;
 }
