@@ -40,6 +40,14 @@ Reader make_reader() {
   return reader;
 }
 
+Reader reader_of(const fs::path& file) {
+  Reader reader = make_reader();
+  if (archive_read_open_filename(reader.get(), file.c_str(), 65536) != ARCHIVE_OK) {
+    throw Error("no zip or tar archive: {}", reason(reader.get()));
+  }
+  return reader;
+}
+
 /// The path with slashes and without empty and "." parts; none when it leads out of the archive.
 std::optional<std::string> safe_path(std::string path) {
   std::replace(path.begin(), path.end(), '\\', '/');
@@ -72,6 +80,26 @@ class Walk {
     }
   }
 
+  void part(const std::string& part, const Visitor& visit, const Refusal& refused) {
+    archive_entry* entry = nullptr;
+    while (next(entry)) {
+      const std::optional<std::string> path = safe_path(given_path(entry));
+      if (!path || (*path != part && !path->starts_with(part + "/"))) continue;
+      if (++use_.entries > limits_.entries) throw Error("more than {} files", limits_.entries);
+      one(entry, visit, refused);
+    }
+  }
+
+  std::vector<std::string> paths() {
+    std::vector<std::string> paths;
+    archive_entry* entry = nullptr;
+    while (next(entry)) {
+      if (!is_file(entry)) continue;
+      if (std::optional<std::string> path = safe_path(given_path(entry))) paths.push_back(*path);
+    }
+    return paths;
+  }
+
  private:
   bool next(archive_entry*& entry) {
     const int status = archive_read_next_header(reader_, &entry);
@@ -80,17 +108,23 @@ class Walk {
     return true;
   }
 
-  void one(archive_entry* entry, const Visitor& visit, const Refusal& refused) {
+  static std::string given_path(archive_entry* entry) {
     const char* name = archive_entry_pathname_utf8(entry);
     if (name == nullptr) name = archive_entry_pathname(entry);
-    const std::string given = name == nullptr ? "" : name;
-    const bool link = archive_entry_hardlink(entry) != nullptr;
-    const auto type = archive_entry_filetype(entry);
-    if (type == AE_IFDIR) return;
+    return name == nullptr ? "" : name;
+  }
+
+  static bool is_file(archive_entry* entry) {
+    return archive_entry_hardlink(entry) == nullptr && archive_entry_filetype(entry) == AE_IFREG;
+  }
+
+  void one(archive_entry* entry, const Visitor& visit, const Refusal& refused) {
+    if (archive_entry_filetype(entry) == AE_IFDIR) return;
+    const std::string given = given_path(entry);
     const std::optional<std::string> path = safe_path(given);
     if (!path) {
       refused(fmt::format("{}: leads out of the archive", given));
-    } else if (link || type != AE_IFREG) {
+    } else if (!is_file(entry)) {
       refused(fmt::format("{}: a link or a device, not a file", *path));
     } else {
       visit({*path, [this] { return read(); }});
@@ -155,11 +189,16 @@ std::string archive_ending(const std::string& name) {
 
 void visit_archive(const fs::path& file, const ArchiveLimits& limits, const Visitor& visit,
                    const Refusal& refused) {
-  const Reader reader = make_reader();
-  if (archive_read_open_filename(reader.get(), file.c_str(), 65536) != ARCHIVE_OK) {
-    throw Error("no zip or tar archive: {}", reason(reader.get()));
-  }
-  Walk(reader.get(), limits).all(visit, refused);
+  Walk(reader_of(file).get(), limits).all(visit, refused);
+}
+
+void visit_part(const fs::path& file, const std::string& part, const ArchiveLimits& limits,
+                const Visitor& visit, const Refusal& refused) {
+  Walk(reader_of(file).get(), limits).part(part, visit, refused);
+}
+
+std::vector<std::string> archive_paths(const fs::path& file) {
+  return Walk(reader_of(file).get(), {}).paths();
 }
 
 void visit_archive(std::string_view bytes, const ArchiveLimits& limits, const Visitor& visit,

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace carlo::grader {
 
@@ -33,10 +34,20 @@ struct ArchiveEntry {
 void visit_archive(const std::filesystem::path& file, const ArchiveLimits& limits,
                    const std::function<void(const ArchiveEntry&)>& visit,
                    const std::function<void(const std::string& what)>& refused);
+/// The same for one part of an archive of many: a file, or all below a folder. The others' are
+/// passed over, unread and uncounted: whatever they packed is no matter of this one.
+void visit_part(const std::filesystem::path& file, const std::string& part,
+                const ArchiveLimits& limits, const std::function<void(const ArchiveEntry&)>& visit,
+                const std::function<void(const std::string& what)>& refused);
 /// The same for an archive that is in memory.
 void visit_archive(std::string_view bytes, const ArchiveLimits& limits,
                    const std::function<void(const ArchiveEntry&)>& visit,
                    const std::function<void(const std::string& what)>& refused);
+
+/// The paths of all regular files of an archive that do not lead out of it. Nothing is unpacked, so
+/// that nothing that one of them holds can hide the others. Throws Error when it is no such
+/// archive.
+std::vector<std::string> archive_paths(const std::filesystem::path& file);
 
 /// Whether a file's name is one of an archive that we read.
 bool is_archive_name(const std::string& name);

@@ -4,6 +4,7 @@
 #include "cli/error.h"
 #include "grader/grade/foreign_symbols.h"
 #include "grader/judge/descriptor.h"
+#include "grader/judge/report.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -14,6 +15,7 @@
 #include <chrono>
 #include <cstdint>
 #include <fstream>
+#include <sstream>
 #include <system_error>
 
 namespace carlo::grader {
@@ -84,6 +86,13 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
     text.replace(at, from.size(), to);
 }
 
+/// Compilers quote what students wrote: control characters too.
+void add_harmless(std::string& messages, const std::string& said) {
+  std::istringstream lines(said);
+  for (std::string line; std::getline(lines, line);)
+    messages += harmless(line) + "\n";
+}
+
 /// Why a compiler was ended, for the student; "" when it ended itself.
 std::string cut_short(const Outcome& outcome) {
   using End = Outcome::End;
@@ -135,7 +144,7 @@ class Compilation {
     replace_all(said, work.path().string() + "/", "");
     for (const fs::path& header : tools_.headers)
       replace_all(said, header.string() + "/", "");
-    messages += said;
+    add_harmless(messages, said);
     return outcome.succeeded() && take_elf(work.path() / "exercise.o", object, readable);
   }
 
@@ -144,12 +153,21 @@ class Compilation {
   bool keeps_apart(const std::string& name, const fs::path& object, std::string& messages) {
     if (ours_.empty()) {
       for (const Recipe::Word& word : tools_.recipe.link) {
-        if (word.file && !has_ending(word.text, ".so")) add_symbols(ours_, symbols_in(word.text));
+        if (!word.file || has_ending(word.text, ".so")) continue;
+        const Outcome outcome = symbols_in(word.text);
+        if (!outcome.succeeded()) throw Error("nm cannot read {}", word.text);
+        add_symbols(ours_, outcome.output);
       }
     }
-    Symbols exercise;
-    add_symbols(exercise, symbols_in(object));
-    const std::string why = foreign_symbols(exercise, ours_, tools_.name_space);
+    const Outcome outcome = symbols_in(object);
+    std::string why = "it defines too many names, or such as cannot be read";
+    if (outcome.succeeded()) {
+      Symbols exercise;
+      add_symbols(exercise, outcome.output);
+      why = foreign_symbols(exercise, ours_, tools_.name_space);
+    } else if (!is_of_the_object(outcome)) {
+      throw Error("nm cannot read {}", object.string());
+    }
     if (!why.empty()) messages += fmt::format("{}: {}\n", name, why);
     return why.empty();
   }
@@ -173,7 +191,7 @@ class Compilation {
       replace_all(said, object.parent_path().string() + "/", "");
     for (const fs::path& input : tools_.inputs)
       replace_all(said, input.parent_path().string() + "/", "");
-    messages += said;
+    add_harmless(messages, said);
     return outcome.succeeded() && take_elf(work.path() / "worker", worker, runnable);
   }
 
@@ -189,16 +207,20 @@ class Compilation {
     return text.find(ending) != std::string::npos;
   }
 
-  /// What nm prints of an object or archive.
-  std::string symbols_in(const fs::path& file) {
+  /// Whether what was read, and not the machine, is why nm failed.
+  static bool is_of_the_object(const Outcome& outcome) {
+    using End = Outcome::End;
+    return outcome.end == End::flooded_output || outcome.end == End::flooded_memory ||
+           outcome.end == End::exited;
+  }
+
+  /// nm's list of an object or archive.
+  Outcome symbols_in(const fs::path& file) {
     const WorkFolder work(folder_ / "symbols");
     Limits limits = compile_limits();
     limits.output_bytes = limits.output_kept = std::size_t{32} << 20;
-    const Outcome outcome =
-        sandbox_.run({"/usr/bin/nm", "--extern-only", "--format=posix", file.string()},
-                     {{file}, work.path()}, limits);
-    if (!outcome.succeeded()) throw Error("nm cannot read {}", file.string());
-    return outcome.output;
+    return sandbox_.run({"/usr/bin/nm", "--extern-only", "--format=posix", file.string()},
+                        {{file}, work.path()}, limits);
   }
 
   /// A compiler or linker, as long as the lab's time lasts.

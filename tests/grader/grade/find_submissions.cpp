@@ -46,9 +46,8 @@ constexpr char between_names = 0;
 std::vector<std::string> entries_of(const fs::path& archive) {
   const auto names = [&] {
     std::string all;
-    visit_archive(
-        archive, {}, [&](const ArchiveEntry& entry) { all += entry.path + between_names; },
-        [](const std::string&) {});
+    for (const std::string& path : archive_paths(archive))
+      all += path + between_names;
     return all;
   };
   std::vector<std::string> paths;
@@ -152,7 +151,8 @@ class Finder {
 };
 
 /// Whether a text is UTF-8 without control characters, blanks and marks that change the direction
-/// of writing (U+0080 to U+009F, U+2000 to U+206F).
+/// of writing (U+0080 to U+009F, U+2000 to U+206F); and without the wide forms of =, + and @, which
+/// begin a formula in some spreadsheets (U+FF00 to U+FF3F), and what is no character (U+FFC0 on).
 bool is_harmless_utf8(const std::string& text) {
   for (std::size_t i = 0; i < text.size();) {
     const auto byte = [&](std::size_t at) {
@@ -171,6 +171,7 @@ bool is_harmless_utf8(const std::string& text) {
     }
     if (first == 0xC2 && byte(i + 1) < 0xA1) return false;
     if (first == 0xE2 && (byte(i + 1) == 0x80 || byte(i + 1) == 0x81)) return false;
+    if (first == 0xEF && (byte(i + 1) == 0xBC || byte(i + 1) == 0xBF)) return false;
     i += length;
   }
   return true;

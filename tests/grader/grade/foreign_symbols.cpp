@@ -33,8 +33,10 @@ bool is_replaceable(const std::string& symbol) {
   return !symbol.starts_with("_Z") || symbol.starts_with("_Zn") || symbol.starts_with("_Zd");
 }
 
+/// By the letters of what is not: nm has others than T and D for definitions in sections of odd
+/// names.
 bool is_defined(const std::string& letters) {
-  return letters.find_first_of("TDBRGSCAWVui") != std::string::npos;
+  return letters.find_first_not_of("Uwv") != std::string::npos;
 }
 
 /// Whether defining it would take the place of something of ours.
@@ -53,6 +55,8 @@ void add_symbols(Symbols& symbols, const std::string& nm_output) {
     std::istringstream words(line);
     std::string name, letter;
     if (!(words >> name >> letter) || letter.size() != 1) continue;
+    // To the linker write@@VERSION defines write.
+    if (const auto version = name.find('@'); version != 0) name = name.substr(0, version);
     std::string& letters = symbols[name];
     if (!has(letters, letter)) letters += letter;
   }

@@ -34,6 +34,9 @@ TEST_CASE("what takes the place of ours is refused, and named", "[symbols]") {
   CHECK(why("main T 0 5\n", ours).find("it defines main") == 0);
   CHECK(why("write T 0 5\n", ours).find("it defines write") == 0);
   CHECK(why("write W 0 5\n", ours).find("it defines write") == 0);
+  CHECK(why("write P 0 5\n", ours).find("it defines write") == 0);  // in a section ".pdata"
+  CHECK(why("write@@GLIBC_2.2.5 T 0 5\n", ours).find("it defines write") == 0);
+  CHECK(why("write@GLIBC_2.2.5 U\n", ours).empty());
   CHECK(why("_Znwm T 0 5\n", ours).find("it defines operator new(unsigned long)") == 0);
   CHECK(why("_ZNSt6vectorIdE4growEv T 0 12\n", ours).find("it defines std::vector") == 0);
 }

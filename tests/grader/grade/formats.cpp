@@ -34,14 +34,18 @@ json test_json(const LabGrade& lab, const ExerciseGrade& exercise) {
   return test;
 }
 
-/// XML 1.0 has no place for most control characters, nor for bytes that are no UTF-8: a student's
-/// program may have said either.
+/// XML 1.0 has no place for most control characters, for U+FFFE and U+FFFF, nor for bytes that are
+/// no UTF-8: a student's program may have said any of them.
 std::string xml_text(const std::string& text) {
   // The JSON library replaces what is no UTF-8.
   const std::string dumped = json(text).dump(-1, ' ', false, json::error_handler_t::replace);
   std::string clean = json::parse(dumped).get<std::string>();
   for (char& c : clean) {
     if (static_cast<unsigned char>(c) < 32 && c != '\n' && c != '\t') c = ' ';
+  }
+  for (const char* none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"}) {
+    for (std::size_t at = 0; (at = clean.find(none, at)) != std::string::npos;)
+      clean.replace(at, 3, 3, ' ');
   }
   return clean;
 }

@@ -125,7 +125,7 @@ TEST_CASE("the class's CSV is sorted and holds points alone", "[grade]") {
 TEST_CASE("Gradescope's and JUnit's files are well formed whatever a program said", "[grade]") {
   LabGrade lab = judged(demo_lab(), verdict(2, 1.5));
   lab.compiler = "warning: \xFF <b> \x01";
-  lab.exercises[1].text += "\xFF]]>&";
+  lab.exercises[1].text += "\xFF]]>&\xEF\xBF\xBE";  // U+FFFE
   const Record graded = record("a", lab);
   const json results = json::parse(gradescope_json(graded));
   CHECK(results["score"] == 3.5);
@@ -140,6 +140,7 @@ TEST_CASE("Gradescope's and JUnit's files are well formed whatever a program sai
   CHECK(suite.attribute("tests").as_int() == 2);
   CHECK(suite.attribute("failures").as_int() == 1);
   CHECK_FALSE(has(junit_xml(graded), "\x1b"));
+  CHECK_FALSE(has(junit_xml(graded), "\xEF\xBF\xBE"));
 }
 
 TEST_CASE("a record is read back as it was written", "[grade]") {

@@ -90,11 +90,13 @@ class Collector {
 
   void archive(const fs::path& file, const std::string& inside) {
     guarded(file.filename().string(), [&] {
-      visit_archive(
-          file, limits_, [&](const ArchiveEntry& entry) { in_part(entry, inside); },
-          [&](const std::string& what) {
-            if (inside.empty() || what.starts_with(inside + "/")) ignore(what);
-          });
+      const auto visit = [&](const ArchiveEntry& entry) { in_part(entry, inside); };
+      const auto refused = [&](const std::string& what) { ignore(what); };
+      if (inside.empty()) {
+        visit_archive(file, limits_, visit, refused);
+      } else {
+        visit_part(file, inside, limits_, visit, refused);
+      }
     });
   }
 
@@ -121,7 +123,9 @@ class Collector {
     std::error_code ec;
     const auto read_whole = [&] {
       const auto bytes = fs::file_size(path, ec);
-      if (ec || bytes > ArchiveLimits{}.entry_bytes) throw Error("too large");
+      if (ec || bytes > limits_.entry_bytes) throw Error("too large");
+      use_.bytes += bytes;
+      if (use_.bytes > limits_.total_bytes) throw Error("too much to read, with all before it");
       return read_file(path);
     };
     if (fs::symlink_status(path, ec).type() != fs::file_type::regular) {
@@ -167,7 +171,12 @@ class Collector {
       found.problem = fmt::format("{}: larger than 1 MB, which no solution is", path);
       found.text = sha256(found.text);
     }
-    candidates[last_part(path)].push_back(found);
+    // Two that differ tell all; a thousand copies would fill the memory.
+    std::vector<Candidate>& list = candidates[last_part(path)];
+    const bool known = std::any_of(list.begin(), list.end(), [&](const Candidate& earlier) {
+      return earlier.text == found.text;
+    });
+    if (!known && list.size() < 2) list.push_back(found);
   }
 
   std::set<std::string> wanted_;

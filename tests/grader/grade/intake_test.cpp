@@ -40,7 +40,7 @@ struct Entry {
 
 /// A zip in memory, with names as they are given.
 std::string zip(const std::vector<Entry>& entries) {
-  std::string bytes(std::size_t{4} << 20, '\0');
+  std::string bytes(std::size_t{8} << 20, '\0');
   std::size_t used = 0;
   archive* writer = archive_write_new();
   archive_write_set_format_zip(writer);
@@ -195,6 +195,48 @@ TEST_CASE("one submission or many is seen from what stands at the top", "[intake
   CHECK(take_in(dora, demo_labs()).labs.at(1).files.at("integration.cpp") == "d");
 }
 
+TEST_CASE("what one packed into a class's archive is no matter of the others", "[intake]") {
+  const ScratchFolder folder;
+  std::vector<Entry> entries{{"alice/integration.cpp", "a"}};
+  for (int i = 0; i < 20'001; ++i)
+    entries.push_back({"bob/" + std::to_string(i), ""});
+  entries.push_back({"carol/integration.cpp", "c"});
+  put(folder.path() / "export.zip", zip(entries));
+  const std::vector<Source> found =
+      find_submissions({folder.path() / "export.zip"}, demo_labs(), false);
+  REQUIRE(found.size() == 3);
+  CHECK(take_in(found[0], demo_labs()).labs.at(1).files.at("integration.cpp") == "a");
+  CHECK(take_in(found[1], demo_labs()).labs.at(1).files.empty());
+  CHECK(take_in(found[2], demo_labs()).labs.at(1).files.at("integration.cpp") == "c");
+}
+
+TEST_CASE("an archive of many is listed and a part of it read without unpacking the others",
+          "[intake]") {
+  const ScratchFolder folder;
+  const fs::path file = folder.path() / "export.zip";
+  put(file, zip({{"bob/large", std::string(2000, 'x')}, {"carol/integration.cpp", "c"}}));
+  CHECK(archive_paths(file) == std::vector<std::string>{"bob/large", "carol/integration.cpp"});
+  std::string text;
+  const auto read = [&](const std::string& part) {
+    visit_part(
+        file, part, {.entries = 1, .total_bytes = 1000},
+        [&](const ArchiveEntry& entry) { text = entry.read(); }, [](const std::string&) {});
+  };
+  CHECK_NOTHROW(read("carol"));
+  CHECK(text == "c");
+  CHECK_THROWS_AS(read("bob"), Error);
+}
+
+TEST_CASE("a thousand copies of a file, or different ones, are as one or two", "[intake]") {
+  const ScratchFolder folder;
+  for (int i = 0; i < 1000; ++i)
+    put(folder.path() / std::to_string(i) / "integration.cpp", "one");
+  CHECK(take(folder.path()).labs.at(1).files.at("integration.cpp") == "one");
+  for (int i = 0; i < 1000; ++i)
+    put(folder.path() / std::to_string(i) / "integration.cpp", std::to_string(i));
+  CHECK(take(folder.path()).labs.at(1).problems.size() == 1);
+}
+
 TEST_CASE("names of submissions are harmless, and no two are the same", "[intake]") {
   std::vector<std::string> taken{"secret"};
   CHECK(folder_name("Alice Smith_12", taken) == "Alice_Smith_12");
@@ -206,6 +248,9 @@ TEST_CASE("names of submissions are harmless, and no two are the same", "[intake
   CHECK(folder_name("a\xE2\x80\xAE"
                     "b",
                     taken) == "a___b");  // right-to-left override
+  CHECK(folder_name("\xEF\xBC\x9D"
+                    "cmd",
+                    taken) == "___cmd");  // a wide equals sign
   CHECK(folder_name("secret", taken) == "secret-2");
   CHECK(folder_name(std::string(300, 'a'), taken).size() == 100);
 }

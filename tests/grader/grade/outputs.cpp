@@ -1,6 +1,7 @@
 #include "grader/grade/outputs.h"
 
 #include "cli/atomic_file.h"
+#include "grader/judge/report.h"
 #include "grader/judge/results.h"
 #include "grader/page/grade_page.h"
 
@@ -25,11 +26,8 @@ std::string of_points(const std::optional<double>& points, int max) {
 std::string quoted(const std::string& text) {
   std::string out;
   std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    std::replace_if(
-        line.begin(), line.end(), [](unsigned char c) { return c < 32 || c == 127; }, ' ');
-    out += fmt::format("  | {}\n", line);
-  }
+  for (std::string line; std::getline(lines, line);)
+    out += fmt::format("  | {}\n", harmless(line));
   return out;
 }
 

@@ -22,18 +22,6 @@ std::size_t width(const std::string& text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// What a student's program says must not steer the terminal nor start a line of the report:
-/// control characters, the C1 ones (in UTF-8: 0xC2 0x80 to 0x9F) among them, become spaces.
-std::string harmless(std::string text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto c = static_cast<unsigned char>(text[i]);
-    const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0U;
-    if (c < 32 || c == 127) text[i] = ' ';
-    if (c == 0xC2 && next >= 0x80 && next < 0xA0) text[i] = text[i + 1] = ' ';
-  }
-  return text;
-}
-
 std::string indent(const std::string& text, const std::string& margin) {
   std::string out;
   std::istringstream lines(text);
@@ -189,6 +177,16 @@ std::string advice(const LabResult& result) {
 }
 
 }  // namespace
+
+std::string harmless(std::string text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0U;
+    if (c < 32 || c == 127) text[i] = ' ';
+    if (c == 0xC2 && next >= 0x80 && next < 0xA0) text[i] = text[i + 1] = ' ';
+  }
+  return text;
+}
 
 std::string shortfall(const ExerciseResult& result, const LabResult& lab) {
   if (result.status == Status::passed) return "";
