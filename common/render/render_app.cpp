@@ -221,7 +221,8 @@ void check(const Arguments& a) {
                 *a.target_error);
   }
   if (a.resume.empty()) return;
-  if (a.target_error) throw Error("--resume goes on by --spp or --seconds, not with --target-error");
+  if (a.target_error)
+    throw Error("--resume goes on by --spp or --seconds, not with --target-error");
   if (!a.spp && !a.seconds)
     throw Error("--resume goes on up to --spp N or for --seconds S: which?");
 }
