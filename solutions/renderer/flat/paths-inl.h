@@ -118,13 +118,13 @@ class Walk {
     normal = of(s_.nx, s_.ny, s_.nz);
     p = add_scaled(far, hn::Sub(of(s_.d.data()), dot(normal, far)), normal);
     if constexpr (Needs::spheres) {
-      const M sphere = hn::RebindMask(d_, hn::Gt(number, set_word(s_.first_sphere - 1)));
-      if (hn::AllFalse(d_, sphere)) return;
+      const M flat = hn::RebindMask(d_, hn::Gt(set_word(s_.first_sphere), number));
+      if (hn::AllTrue(d_, flat)) return;
       const V3 center = of(s_.cx, s_.cy, s_.cz);
       const V radius = of(s_.radius.data());
       const V3 outward = normalize(far - center);
-      normal = select(sphere, hn::CopySign(set(1), radius) * outward, normal);
-      p = select(sphere, add_scaled(center, hn::Abs(radius), outward), p);
+      normal = select(flat, normal, hn::CopySign(set(1), radius) * outward);
+      p = select(flat, p, add_scaled(center, hn::Abs(radius), outward));
     }
   }
 
