@@ -71,12 +71,25 @@ grep -q 'standard error' "$scratch/stdout" || complain 'the report has no standa
 grep -q '"reached"' "$scratch/target.json" || complain 'the JSON report has no share of pixels'
 grep -q 'within it are' "$scratch/stdout" || complain 'the report has no share of pixels'
 
-# What is resumed has the bits of what was never interrupted; the files' only difference is the name.
+# start_long NAME: a render without end in $long, which has written its first checkpoint.
+start_long() {
+  (cd "$scratch" &&
+    exec "$renderer" "$good" --quiet --size 32x32 --spp 4194304 --seed 9 --checkpoint .2 -o "$1") &
+  long=$!
+  for _ in $(seq 600); do
+    [ ! -s "$scratch/$1.json" ] || return 0
+    sleep .1
+  done
+  complain "no checkpoint of $1 within a minute"
+}
+
+# What goes on, and what does not (the bits are tests/common/resume_test.cpp's).
 "$renderer" "$good" --quiet --size 32x32 --spp 64 --seed 9 -o "$scratch/whole"
+start_long part
+kill -INT "$long"
 code=0
-(cd "$scratch" && timeout --signal=INT 3 "$renderer" "$good" --quiet --size 32x32 --spp 4194304 \
-  --seed 9 -o part) || code=$?
-[ "$code" = 124 ] || complain "exit code $code after Ctrl-C"
+wait "$long" || code=$?
+[ "$code" = 130 ] || complain "exit code $code after Ctrl-C"
 expect_error 'multiple of 64' --resume "$scratch/part.exr" --spp 70
 expect_error 'seed is 9' --resume "$scratch/part.exr" --spp 4194304 --seed 8
 expect_error 'kernel is' --resume "$scratch/part.exr" --spp 4194304 --kernel scalar
@@ -91,14 +104,9 @@ expect_error 'cannot read .*short.exr' --resume "$scratch/short.exr" --spp 128
 expect_error 'not the sums' --resume "$scratch/small.exr" --spp 128
 
 # A checkpoint outlives what cannot be caught.
-(cd "$scratch" && exec "$renderer" "$good" --quiet --size 32x32 --spp 4194304 --checkpoint .2 -o killed) &
-victim=$!
-for _ in $(seq 200); do
-  [ -s "$scratch/killed.json" ] && break
-  sleep .1
-done
-kill -KILL "$victim"
-wait "$victim" 2>/dev/null || true
+start_long killed
+kill -KILL "$long"
+wait "$long" 2>/dev/null || true
 "$renderer" --quiet --resume "$scratch/killed.exr" --seconds .1 || complain 'no way to go on after SIGKILL'
 [ -s "$scratch/killed.png" ] || complain 'the resumed render did not go to the same place'
 
