@@ -54,6 +54,8 @@ class Levels {
 
 struct Unit {
   std::array<bool, 2> fell{};  ///< whether the decision that a half takes has fallen
+  /// Squared relative error times samples, as a half saw it when it last looked.
+  std::array<double, 2> noise{};
   bool active() const { return !(fell[0] && fell[1]); }
 };
 
@@ -241,23 +243,51 @@ class AdaptiveJob {
     return result;
   }
 
-  /// After a round: each half of each active unit looks whether the other is finished.
+  /// After a round: each half of each active unit looks whether the other is finished. Only what
+  /// the same half of other units saw before their decisions counts besides, so that decisions stay
+  /// functions of that half's samples alone.
   void decide() {
     const double allowed = goal_.target * goal_.target / (confidence * confidence);
+    const double n = levels_.end(level_);
+    std::vector<std::array<SquaredErrors, 2>> found(units_.size());
+    for (std::size_t unit = 0; unit < units_.size(); ++unit) {
+      for (std::size_t half = 0; half < 2; ++half) {
+        if (units_[unit].fell[half]) continue;
+        found[unit][half] = errors(unit, half);
+        units_[unit].noise[half] = n * found[unit][half].mean;
+      }
+    }
     double missing = 0;
     for (std::size_t unit = 0; unit < units_.size(); ++unit) {
       for (std::size_t half = 0; half < 2; ++half) {
         if (units_[unit].fell[half]) continue;
-        const SquaredErrors e = errors(unit, half);
-        if (e.mean <= allowed && e.worst <= worst_excess * worst_excess * allowed) {
+        const SquaredErrors& e = found[unit][half];
+        const double mean = std::fmax(e.mean, noise_around(unit, half) / n);
+        if (mean <= allowed && e.worst <= worst_excess * worst_excess * allowed) {
           units_[unit].fell[half] = true;
           finish(unit, 1 - half);
         } else {
-          missing += still_missing(e.mean / allowed);
+          missing += still_missing(mean / allowed);
         }
       }
     }
     expected_paths_ = static_cast<double>(counts_.paths) + missing;
+  }
+
+  /// The mean noise of a unit and the eight around it, as one half's samples show it.
+  double noise_around(std::size_t unit, std::size_t half) const {
+    const int column = static_cast<int>(unit) % columns_, row = static_cast<int>(unit) / columns_;
+    const int rows = static_cast<int>(units_.size()) / columns_;
+    double sum = 0, count = 0;
+    for (int y = std::max(row - 1, 0); y <= std::min(row + 1, rows - 1); ++y) {
+      for (int x = std::max(column - 1, 0); x <= std::min(column + 1, columns_ - 1); ++x) {
+        sum += units_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
+                      static_cast<std::size_t>(x)]
+                   .noise[half];
+        ++count;
+      }
+    }
+    return sum / count;
   }
 
   /// An estimate of the samples that a unit lacks, for the progress bar.

@@ -47,8 +47,9 @@ struct AdaptiveResult {
 /// Decisions are taken for blocks of 4 x 4 pixels, after 32, 48, 64, 96, 128 ... samples a half
 /// (aligned powers of two are what Sobol' points want): 16 pixels tell their variance more surely
 /// than one, and a rare bright path in one keeps all going. A block is done when its pixels' errors
-/// are within the target on average (root mean square) and the worst estimate is at most 3 times
-/// that.
+/// are within the target on average (root mean square), would be with the noise of the blocks
+/// around it, too, and the worst estimate is at most 3 times the target. The neighbours are what
+/// finds most of the bright paths that a block has not met.
 ///
 /// In the caller's task arena. The film's bits do not depend on the number of threads. `progress`
 /// is told the fraction done, by one thread at a time. Throws Error if the target is not a finite
