@@ -5,6 +5,7 @@
 #include "grader/grade/apart.h"
 #include "grader/grade/archive.h"
 #include "grader/grade/sha256.h"
+#include "grader/judge/report.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -105,7 +106,7 @@ class Collector {
 
  private:
   void ignore(const std::string& what) {
-    if (ignored.size() < most_ignored) ignored.push_back(what);
+    if (ignored.size() < most_ignored) ignored.push_back(harmless(what));
     if (ignored.size() == most_ignored) ignored.push_back("and more");
   }
 
@@ -166,9 +167,9 @@ class Collector {
   }
 
   void candidate(const std::string& path, std::string text) {
-    Candidate found{path, plain_text(std::move(text)), ""};
+    Candidate found{harmless(path), plain_text(std::move(text)), ""};
     if (found.text.size() > largest_source) {
-      found.problem = fmt::format("{}: larger than 1 MB, which no solution is", path);
+      found.problem = fmt::format("{}: larger than 1 MB, which no solution is", found.path);
       found.text = sha256(found.text);
     }
     // Two that differ tell all; a thousand copies would fill the memory.

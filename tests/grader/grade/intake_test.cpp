@@ -100,6 +100,17 @@ TEST_CASE("exercise files are found by the end of their path, and nothing else i
   CHECK(has(intake.ignored, "solutions/"));
 }
 
+TEST_CASE("a name starts no line of a report", "[intake]") {
+  const ScratchFolder folder;
+  put(folder.path() / "a\nLab 01: 20 of 20 points", "");
+  put(folder.path() / "integration.cpp", "one");
+  put(folder.path() / "b\n20 of 20 points/integration.cpp", "two");
+  const Intake intake = take(folder.path());
+  CHECK(has(intake.ignored, "a Lab 01"));
+  CHECK_FALSE(has(intake.ignored, "\n"));
+  CHECK_FALSE(has(intake.labs.at(1).problems, "\n"));
+}
+
 TEST_CASE("two different files of one name are a problem of that lab, equal ones are none",
           "[intake]") {
   const ScratchFolder folder;

@@ -32,8 +32,11 @@ std::vector<std::string> bubblewrap(const std::vector<std::string>& argv, const 
   for (const fs::path& path : view.readable)
     add("--ro-bind", path);
   add("--bind", scratch);
-  // Folders that bubblewrap makes lie in memory that no limit counts: nothing may be written there.
-  line.insert(line.end(), {"--remount-ro", "/dev", "--remount-ro", "/"});
+  // Root's user needs no capability to write the kernel's settings below /proc/sys, and with them
+  // may start programs outside; bubblewrap 0.8 leaves them open. Folders that bubblewrap makes lie
+  // in memory that no limit counts: nothing may be written there.
+  for (const char* path : {"/proc", "/dev", "/"})
+    line.insert(line.end(), {"--remount-ro", path});
   line.insert(line.end(), {"--chdir", scratch.string(), "--"});
   line.insert(line.end(), argv.begin(), argv.end());
   return line;

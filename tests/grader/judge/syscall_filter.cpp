@@ -99,7 +99,7 @@ constexpr long denied[] = {
 };
 
 // Rights, owners and times of files: Landlock does not guard them, and where the sandbox has no
-// user of its own they may be those of files of ours.
+// user of its own they may be those of files of ours; of the machine's devices, where it is root's.
 constexpr long denied_on_our_disk[] = {
     SYS_fchmod,    SYS_fchmodat,
     452,  // fchmodat2
@@ -166,9 +166,9 @@ SyscallFilter::SyscallFilter(bool own_process_only) {
   jump(BPF_JSET, new_namespaces, 0, 1);
   statement(BPF_RET | BPF_K, refusal);
   statement(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
+  for (const long call : denied_on_our_disk)
+    deny(call);
   if (own_process_only) {
-    for (const long call : denied_on_our_disk)
-      deny(call);
     only_own_process(SYS_kill, true);
     only_own_process(SYS_prlimit64, true);
     for (const long call : {SYS_tkill, SYS_tgkill, SYS_rt_sigqueueinfo, SYS_rt_tgsigqueueinfo})

@@ -9,12 +9,12 @@ namespace carlo::grader {
 
 /// A seccomp filter: the system calls that no exercise needs fail with EPERM. These are sockets,
 /// looking into or signalling other processes, mounts, namespaces, keys, shared memory that
-/// outlives its process, kernel facilities with a history of holes, leaving the session.
+/// outlives its process, rights and owners of files, kernel facilities with a history of holes,
+/// leaving the session.
 class SyscallFilter {
  public:
   /// `own_process_only`: signals and limits reach the filtered process alone, named to limit_to()
-  /// before install(), and rights and owners of files stay as they are. False where namespaces see
-  /// to that.
+  /// before install(). False where namespaces see to that.
   explicit SyscallFilter(bool own_process_only);
 
   /// For a child after fork(): puts its id where the filter asks for it. Allocates nothing.
