@@ -13,11 +13,11 @@ class FlatIntegrator final : public carlo::Integrator {
       : scene_(scene), flat_(scene), seed_(seed), choices_(choices) {}
 
   std::string name() const override {
-    return fmt::format(
-        "vector path tracer, {}, {} solid boxes{}, {} parallelograms, {} spheres, {}",
-        flat_.phong ? "phong" : "diffuse", flat_.solids.size(), flat_.enclosed ? " in another" : "",
-        flat_.first_sphere - flat_.first_quad, flat_.surfaces - flat_.first_sphere,
-        flat_instruction_set());
+    std::string text = fmt::format("vector path tracer, {}", flat_.phong ? "phong" : "diffuse");
+    add(text, flat_.solids.size(), flat_.enclosed ? "boxes in a box" : "boxes");
+    add(text, flat_.first_sphere - flat_.first_quad, "other parallelograms");
+    add(text, flat_.surfaces - flat_.first_sphere, "spheres");
+    return fmt::format("{}, {}", text, flat_instruction_set());
   }
 
   void render(const carlo::Tile& tile, std::span<std::array<double, 3>> means,
@@ -29,6 +29,11 @@ class FlatIntegrator final : public carlo::Integrator {
   }
 
  private:
+  /// What the scene does not have is not told.
+  static void add(std::string& text, std::size_t count, const char* what) {
+    if (count > 0) text += fmt::format(", {}: {}", what, count);
+  }
+
   const carlo::Scene& scene_;
   FlatScene flat_;
   std::uint64_t seed_;
