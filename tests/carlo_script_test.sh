@@ -27,7 +27,7 @@ expect_error 'no lab 99' watch 99
 expect_error 'takes one lab' watch 1 2
 expect_error "does not know '--frob'" watch --frob
 expect_error 'no lab labs/99_frob' test labs/99_frob/frob.cpp
-expect_error 'render, paths, integrators' bench frob
+expect_error 'render, paths, target-error, integrators' bench frob
 expect_error 'no lab 99' grade --calibrate --labs 1,99
 expect_error 'developer' setup --frob
 expect_error 'developer' setup --developer frob
