@@ -172,9 +172,8 @@ std::string status_line(const ExerciseStatus& status, std::size_t titles) {
   const Exercise& exercise = *status.exercise;
   const std::string gap(titles - std::min(titles, width(exercise.title)), ' ');
   const std::string had = status.stage == Stage::edited ? "had " : "";
-  std::string line =
-      fmt::format("{} {}  {}{}  {}{} of {}", mark(status.stage), exercise.number(), exercise.title,
-                  gap, fmt::format("{:g}", status.points), had, exercise.points);
+  std::string line = fmt::format("{} {}  {}{}  {}{:g} of {}", mark(status.stage), exercise.number(),
+                                 exercise.title, gap, had, status.points, exercise.points);
   if (const std::string more = remark(status); !more.empty()) {
     line += "  " + coloured(Colour::dim, more);
   }

@@ -101,7 +101,7 @@ std::string prompt(const Question& question) {
       fmt::format("\nPredict first (Lab {}): {}\n", question.exercise, question.text);
   for (std::size_t i = 0; i < question.choices.size(); ++i)
     text += fmt::format("  {} {}\n", i + 1, question.choices[i]);
-  return text + (question.choices.empty() ? "a number, such as -0.5 or 1/3 (Enter skips): "
+  return text + (question.choices.empty() ? "a number, such as 2.5 or 1/3 (Enter skips): "
                                           : "its number (Enter skips): ");
 }
 
@@ -188,7 +188,7 @@ void Predictions::ask(const std::function<void(const std::string&)>& say,
       read = question.read(*typed);
       if (!read.is_null()) break;
       say(question.choices.empty()
-              ? "that is no number; such as -0.5 or 1/3 (Enter skips): "
+              ? "that is no number; such as 2.5 or 1/3 (Enter skips): "
               : fmt::format("a number from 1 to {} (Enter skips): ", question.choices.size()));
     }
     kept_[question.exercise] = read;
