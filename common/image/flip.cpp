@@ -129,18 +129,18 @@ constexpr double widest = 0.04;
 /// contrast sensitivity, a sum of Gaussians, whose weights in the plane sum to 1.
 template <std::size_t n>
 Plane seen(const Plane& channel, const Sensitivity (&terms)[n], double pixels_per_degree) {
-  using std::numbers::pi;
+  constexpr double pi2 = std::numbers::pi * std::numbers::pi;
   const int radius =
-      static_cast<int>(std::ceil(3 * std::sqrt(widest / (2 * pi * pi)) * pixels_per_degree));
+      static_cast<int>(std::ceil(3 * std::sqrt(widest / (2 * pi2)) * pixels_per_degree));
   Plane sum(channel.width, channel.height);
   double total = 0;
   for (const Sensitivity& term : terms) {
     const Kernel gauss = kernel(radius, [&](double i) {
       const double x = i / pixels_per_degree;
-      return std::exp(-pi * pi * x * x / term.b);
+      return std::exp(-pi2 * x * x / term.b);
     });
     const double mass = std::accumulate(gauss.begin(), gauss.end(), 0.0);
-    const double weight = term.a * std::sqrt(pi / term.b);
+    const double weight = term.a * std::sqrt(std::numbers::pi / term.b);
     const Plane blurred = filtered(channel, gauss, gauss);
     for (std::size_t i = 0; i < sum.values.size(); ++i)
       sum.values[i] += weight * blurred.values[i];
