@@ -112,7 +112,7 @@ json Question::answer(const json& tables) const {
   if (table == tables.end()) return {};
   if (choices.empty()) {
     const auto column = where.at("value").get<std::string>();
-    const json value = value_at(*table, where.at("row"), column);
+    json value = value_at(*table, where.at("row"), column);
     if (!where.contains("over") || value.is_null()) return value;
     const json base = value_at(*table, where.at("over"), column);
     if (base.is_null() || base.get<double>() == 0) return {};
@@ -149,8 +149,8 @@ json Question::read(const std::string& typed) const {
   return choices[static_cast<std::size_t>(*value) - 1];
 }
 
-Predictions::Predictions(fs::path root, int number)
-    : file_(std::move(root) / ".carlo/predictions.json") {
+Predictions::Predictions(const fs::path& root, int number)
+    : file_(root / ".carlo/predictions.json") {
   const fs::path labs = file_.parent_path().parent_path() / "labs";
   for (const Lab& lab : load_labs(labs)) {
     if (lab.number != number) continue;

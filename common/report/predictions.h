@@ -40,7 +40,7 @@ class Predictions {
  public:
   /// Of lab `number` of the tree `root`; kept in root/.carlo/predictions.json. Throws Error when
   /// lab.json asks what is no such question, or the file is something else.
-  Predictions(std::filesystem::path root, int number);
+  Predictions(const std::filesystem::path& root, int number);
 
   /// Asks those that have no answer yet and whose exercise is written: `say` prints a text, `hear`
   /// gives the line that was typed, or nothing at the input's end. An empty line skips a question
