@@ -72,21 +72,36 @@ Double3 local(const Rows& rows, std::size_t i) {
 
 constexpr int rings = 8, sectors = 8;
 
-/// Of the density whose chances are the theory's kd and ks; the last is what no cell gets.
-std::vector<double> cell_masses(const PhongTheory& theory, double degrees) {
+/// The part of the lobe, (n + 1)/(2 pi) cos^n about the mirror direction, that each cell holds.
+std::vector<double> lobe_masses(double n, double degrees) {
   const double angle = degrees * pi / 180;
-  const Double3 normal(0, 0, 1), wo(std::sin(angle), 0, std::cos(angle));
-  std::vector<double> mass(rings * sectors + 1);
-  over_square(800, [&](double u, double v, double weight) {
-    const double r = std::sqrt(1 - u * u), phi = 2 * pi * v;
-    const auto cell = static_cast<std::size_t>(static_cast<int>(u * rings) * sectors +
-                                               static_cast<int>(v * sectors));
-    mass[cell] +=
-        2 * pi * weight * theory.pdf(normal, wo, {r * std::cos(phi), r * std::sin(phi), u});
+  const Double3 mirror(-std::sin(angle), 0, std::cos(angle));
+  std::vector<double> mass(rings * sectors);
+  over_turns(800, [&](double u, double cosine, double sine, double weight) {
+    // The mirror direction has no y: what lies at -y is the same again.
+    if (sine < 0) return;
+    const double r = std::sqrt(1 - u * u), v = std::atan2(sine, cosine) / (2 * pi);
+    const auto ring = static_cast<std::size_t>(u * rings) * sectors;
+    const auto sector = static_cast<std::size_t>(v * sectors);
+    const double part = weight * (n + 1) * cos_power(mirror, {r * cosine, r * sine, u}, n);
+    mass[ring + sector] += part;
+    mass[ring + sectors - 1 - sector] += part;
   });
-  mass.back() = 1;
-  for (std::size_t i = 0; i + 1 < mass.size(); ++i)
-    mass.back() -= mass[i];
+  return mass;
+}
+
+/// Of the density whose chances are the theory's kd and ks; the last is what no cell gets.
+std::vector<double> cell_masses(const PhongTheory& theory, const std::vector<double>& lobe) {
+  std::vector<double> mass;
+  mass.reserve(lobe.size() + 1);
+  double none = 1;
+  for (std::size_t i = 0; i < lobe.size(); ++i) {
+    const auto ring = static_cast<double>(i / sectors);
+    const double diffuse = (2 * ring + 1) / (rings * rings) / sectors;
+    mass.push_back(theory.kd * diffuse + theory.ks * lobe[i]);
+    none -= mass.back();
+  }
+  mass.push_back(none);
   return mass;
 }
 
@@ -115,19 +130,19 @@ Fit fit_of(const std::vector<double>& counts, const std::vector<double>& mass) {
 }
 
 /// What counts that do not fit `mass` fit instead.
-std::vector<Diagnosis> of_cells(const SampleCase& c, const std::vector<double>& counts,
+std::vector<Diagnosis> of_cells(const PhongTheory& right, const std::vector<double>& lobe,
+                                const std::vector<double>& counts,
                                 const std::vector<double>& mass) {
   double empty = 0;
   for (std::size_t i = 0; i < counts.size(); ++i)
     empty += counts[i] == 0 && mass[i] * draws > 50 ? 1 : 0;
   if (empty >= 8) return {reused};
-  const PhongTheory right(phong_cases()[c.material]);
   const double sum = right.kd + right.ks;
   const auto fits = [&](double diffuse, double specular) {
     PhongTheory other = right;
     other.kd = diffuse;
     other.ks = specular;
-    return fit_of(counts, cell_masses(other, c.degrees)).good();
+    return fit_of(counts, cell_masses(other, lobe)).good();
   };
   if (fits(right.kd / sum, right.ks / sum)) return {never_absorbs};
   if (fits(right.kd, std::max(right.ks - right.kd, 0.0)) ||
@@ -175,12 +190,14 @@ void judge_cells(const SampleCase& c, const Rows& rows) {
   }
   judge(holds("directions below the horizon, " + title(c), below == 0,
               fmt::format("{:g} of {}", below, draws), "none", {kept_below}));
-  const std::vector<double> mass = cell_masses(PhongTheory(phong_cases()[c.material]), c.degrees);
+  const PhongTheory theory(phong_cases()[c.material]);
+  const std::vector<double> lobe = lobe_masses(theory.n, c.degrees);
+  const std::vector<double> mass = cell_masses(theory, lobe);
   const Fit fit = fit_of(counts, mass);
   Verdict verdict = chi_square_fits("cells of directions, " + title(c), fit.statistic, fit.freedom);
   verdict.effect = effect_on_cells(fit.statistic, fit.freedom, draws);
   if (!verdict.passed) verdict.figure = cells_picture(counts, mass);
-  if (!verdict.passed && below == 0) verdict.diagnoses = of_cells(c, counts, mass);
+  if (!verdict.passed && below == 0) verdict.diagnoses = of_cells(theory, lobe, counts, mass);
   judge(verdict);
 }
 

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <vector>
 
@@ -16,6 +15,7 @@
 
 namespace lab08_tests {
 
+using Double2 = glm::dvec2;
 using Double3 = glm::dvec3;
 constexpr double pi = std::numbers::pi;
 
@@ -26,12 +26,27 @@ struct Moments {
   carlo::grader::Theory theory() const { return {mean, sd()}; }
 };
 
-/// Midpoint rule over [0, 1)^2.
-inline void over_square(int n,
-                        const std::function<void(double u, double v, double weight)>& visit) {
+/// Midpoint rule over [0, 1)^2: visit(u, v, weight).
+template <class F>
+void over_square(int n, const F& visit) {
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j)
       visit((i + 0.5) / n, (j + 0.5) / n, 1.0 / n / n);
+  }
+}
+
+/// Midpoint rule over heights u in [0, 1) and one turn: visit(u, cos(phi), sin(phi), weight). The
+/// turn's cosines are worked out once, not for every height.
+template <class F>
+void over_turns(int n, const F& visit) {
+  std::vector<Double2> turns;
+  for (int j = 0; j < n; ++j) {
+    const double phi = 2 * pi * (j + 0.5) / n;
+    turns.emplace_back(std::cos(phi), std::sin(phi));
+  }
+  for (int i = 0; i < n; ++i) {
+    for (const Double2 turn : turns)
+      visit((i + 0.5) / n, turn.x, turn.y, 1.0 / n / n);
   }
 }
 
@@ -69,24 +84,26 @@ inline Moments by_area(Lamp lamp, Slip slip = Slip::none) {
     m.mean += value * weight;
     m.square += value * value * weight;
   };
-  over_square(600, [&](double u, double v, double weight) {
-    switch (lamp) {
-      case Lamp::disk: {
-        const double r = std::sqrt(u), phi = 2 * pi * v;
-        return add({r * std::cos(phi), r * std::sin(phi), 1}, {0, 0, -1}, pi, weight);
-      }
-      case Lamp::sphere: {
-        const double z = 1 - 2 * u, r = std::sqrt(1 - z * z), phi = 2 * pi * v;
-        const Double3 n(r * std::cos(phi), r * std::sin(phi), z);
-        const double angle = 50 * pi / 180;
-        return add(Double3(2 * std::sin(angle), 0, 2 * std::cos(angle)) + n, n, 4 * pi, weight);
-      }
-      case Lamp::wall:
-        return add({1, v, u}, {-1, 0, 0}, 1, weight);
-      default:
-        return add({u - 0.5, v - 0.5, 1}, {0, 0, -1}, 1, weight);
-    }
-  });
+  constexpr int cells = 600;
+  if (lamp == Lamp::disk) {
+    over_turns(cells, [&](double u, double cosine, double sine, double weight) {
+      const double r = std::sqrt(u);
+      add({r * cosine, r * sine, 1}, {0, 0, -1}, pi, weight);
+    });
+  } else if (lamp == Lamp::sphere) {
+    const double angle = 50 * pi / 180;
+    const Double3 centre(2 * std::sin(angle), 0, 2 * std::cos(angle));
+    over_turns(cells, [&](double u, double cosine, double sine, double weight) {
+      const double z = 1 - 2 * u, r = std::sqrt(1 - z * z);
+      const Double3 n(r * cosine, r * sine, z);
+      add(centre + n, n, 4 * pi, weight);
+    });
+  } else {
+    over_square(cells, [&](double u, double v, double weight) {
+      if (lamp == Lamp::wall) return add({1, v, u}, {-1, 0, 0}, 1, weight);
+      add({u - 0.5, v - 0.5, 1}, {0, 0, -1}, 1, weight);
+    });
+  }
   return m;
 }
 
@@ -120,10 +137,15 @@ struct PhongTheory {
     const double angle = degrees * pi / 180;
     const Double3 normal(0, 0, 1), wo(std::sin(angle), 0, std::cos(angle));
     Moments m;
-    over_square(1000, [&](double u, double v, double weight) {
-      const double r = std::sqrt(1 - u * u), phi = 2 * pi * v;
-      const Double3 wi(r * std::cos(phi), r * std::sin(phi), u);
-      const double value = f(normal, wo, wi) * u, density = pdf(normal, wo, wi);
+    over_turns(1000, [&](double u, double cosine, double sine, double weight) {
+      // wo has no y: what lies at -y is the same again.
+      if (sine < 0) return;
+      weight *= 2;
+      const double r = std::sqrt(1 - u * u);
+      const Double3 wi(r * cosine, r * sine, u);
+      const double power = cos_power(mirrored(normal, wo), wi, n);
+      const double value = (kd / pi + ks * (n + 2) / (2 * pi) * power) * u;
+      const double density = kd * u / pi + ks * (n + 1) / (2 * pi) * power;
       if (!(density > 0)) return;
       m.mean += 2 * pi * weight * value;
       m.square += 2 * pi * weight * value * value / density;
@@ -159,9 +181,9 @@ struct ConeTheory {
         glm::cross(axis, std::abs(axis.z) < 0.9 ? Double3(0, 0, 1) : Double3(1, 0, 0)));
     const Double3 third = glm::cross(axis, across);
     whole = 2 * pi * one_minus_cos;
-    over_square(1000, [&](double u, double v, double weight) {
-      const double h = u * one_minus_cos, r = std::sqrt(h * (2 - h)), phi = 2 * pi * v;
-      const double z = ((1 - h) * axis + r * std::cos(phi) * across + r * std::sin(phi) * third).z;
+    over_turns(1000, [&](double u, double cosine_phi, double sine_phi, double weight) {
+      const double h = u * one_minus_cos, r = std::sqrt(h * (2 - h));
+      const double z = ((1 - h) * axis + r * cosine_phi * across + r * sine_phi * third).z;
       if (!(z > 0)) return;
       above += whole * weight;
       cosine += whole * weight * z;
