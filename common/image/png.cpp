@@ -24,7 +24,7 @@ std::uint8_t encode(float linear) {
 
 }  // namespace
 
-void write_png(const std::filesystem::path& path, const Image& image, float stops) {
+std::string png(const Image& image, float stops) {
   const float gain = std::exp2(stops);
   std::vector<std::uint8_t> bytes;
   bytes.reserve(image.pixels.size() * 3);
@@ -32,7 +32,6 @@ void write_png(const std::filesystem::path& path, const Image& image, float stop
     for (int c = 0; c < 3; ++c)
       bytes.push_back(encode(gain * pixel[c]));
   }
-  // In memory first: stb's own file output does not notice a full disk.
   std::string png;
   const auto append = [](void* context, void* data, int size) {
     static_cast<std::string*>(context)->append(static_cast<const char*>(data),
@@ -40,9 +39,14 @@ void write_png(const std::filesystem::path& path, const Image& image, float stop
   };
   if (stbi_write_png_to_func(append, &png, image.width, image.height, 3, bytes.data(),
                              3 * image.width) == 0) {
-    throw Error("cannot write {}: out of memory", path.string());
+    throw Error("cannot make a PNG of {} x {} pixels: out of memory", image.width, image.height);
   }
-  write_file(path, png);
+  return png;
+}
+
+void write_png(const std::filesystem::path& path, const Image& image, float stops) {
+  // In memory first: stb's own file output does not notice a full disk.
+  write_file(path, png(image, stops));
 }
 
 }  // namespace carlo

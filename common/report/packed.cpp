@@ -1,6 +1,7 @@
 #include "report/packed.h"
 
 #include "cli/error.h"
+#include "report/base64.h"
 
 #include <zlib.h>
 
@@ -19,29 +20,16 @@ std::uint32_t upper_bits(float value) {
   return std::isinf(value) ? bits >> 8 : (bits + 0x80) >> 8;
 }
 
-std::vector<Bytef> deflated(const std::vector<Bytef>& bytes) {
+std::string deflated(const std::vector<Bytef>& bytes) {
   uLongf size = compressBound(static_cast<uLong>(bytes.size()));
-  std::vector<Bytef> result(size);
-  if (compress2(result.data(), &size, bytes.data(), static_cast<uLong>(bytes.size()), 6) != Z_OK) {
+  std::string result(size, '\0');
+  // zlib's bytes are unsigned.
+  auto* const room = reinterpret_cast<Bytef*>(result.data());
+  if (compress2(room, &size, bytes.data(), static_cast<uLong>(bytes.size()), 6) != Z_OK) {
     throw Error("cannot compress an image for the page: out of memory");
   }
   result.resize(size);
   return result;
-}
-
-/// RFC 4648.
-std::string base64(const std::vector<Bytef>& bytes) {
-  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t word = 0;
-    for (std::size_t k = i; k < i + 3; ++k)
-      word = word << 8 | (k < bytes.size() ? bytes[k] : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += i + k <= bytes.size() ? digits[word >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
 }
 
 }  // namespace

@@ -2,12 +2,12 @@
 
 #include "report/format.h"
 #include "report/page.h"
+#include "report/picture.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace lab07 {
 namespace {
@@ -33,61 +33,6 @@ constexpr std::string_view style = R"(<style>
 std::string figure(std::string_view title, std::string_view note, const std::string& drawing) {
   return fmt::format("<figure>\n<figcaption>{}<span>{}</span></figcaption>\n{}</figure>\n",
                      carlo::html_escaped(title), carlo::html_escaped(note), drawing);
-}
-
-void put(std::string& bytes, std::uint32_t value, int count) {
-  for (int i = 0; i < count; ++i)
-    bytes += static_cast<char>(value >> (8 * i) & 255);
-}
-
-/// An image file that needs no compressor: an 8-bit grey BMP, stored from the bottom row up.
-std::string bitmap(std::span<const double> image, int width, double white) {
-  const auto columns = static_cast<std::size_t>(width);
-  const std::size_t rows = image.size() / columns, stride = (columns + 3) / 4 * 4;
-  constexpr std::uint32_t header = 14 + 40 + 4 * 256;
-  const auto size = static_cast<std::uint32_t>(stride * rows);
-  std::string bytes = "BM";
-  put(bytes, header + size, 4);
-  put(bytes, 0, 4);
-  put(bytes, header, 4);
-  put(bytes, 40, 4);
-  put(bytes, static_cast<std::uint32_t>(columns), 4);
-  put(bytes, static_cast<std::uint32_t>(rows), 4);
-  put(bytes, 1, 2);  // plane
-  put(bytes, 8, 2);  // bits a pixel
-  put(bytes, 0, 4);  // not compressed
-  put(bytes, size, 4);
-  put(bytes, 0, 4);  // size on paper, both ways
-  put(bytes, 0, 4);
-  put(bytes, 256, 4);
-  put(bytes, 0, 4);
-  for (std::uint32_t grey = 0; grey < 256; ++grey)
-    put(bytes, grey * 0x010101, 4);
-  for (std::size_t row = rows; row-- > 0;) {
-    for (std::size_t column = 0; column < stride; ++column) {
-      const double linear = column < columns ? image[row * columns + column] / white : 0;
-      // The sRGB curve, nearly.
-      const double shown = 255 * std::pow(std::clamp(linear, 0.0, 1.0), 1 / 2.2);
-      put(bytes, static_cast<std::uint32_t>(std::lround(shown)), 1);
-    }
-  }
-  return bytes;
-}
-
-std::string base64(const std::string& bytes) {
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      group <<= 8;
-      if (i + k < bytes.size()) group |= static_cast<unsigned char>(bytes[i + k]);
-    }
-    for (std::size_t k = 0; k < 4; ++k)
-      text += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
 }
 
 }  // namespace
@@ -136,11 +81,13 @@ std::string histogram_picture(std::string_view title, std::string_view note, dou
 
 std::string image_picture(std::string_view title, std::string_view note,
                           std::span<const double> image, int width, double white) {
-  return figure(
-      title, note,
-      fmt::format("<img width=\"{0}\" height=\"{0}\" alt=\"{1}\" "
-                  "src=\"data:image/bmp;base64,{2}\">\n",
-                  width, carlo::html_escaped(title), base64(bitmap(image, width, white))));
+  const int height = static_cast<int>(image.size()) / width;
+  carlo::Image grey(width, height);
+  for (std::size_t i = 0; i < image.size(); ++i)
+    grey.pixels[i] = carlo::Rgb(static_cast<float>(image[i]));
+  return figure(title, note,
+                fmt::format("<img width=\"{}\" height=\"{}\" alt=\"{}\" src=\"{}\">\n", width,
+                            height, carlo::html_escaped(title), carlo::picture_url(grey, white)));
 }
 
 }  // namespace lab07

@@ -1,12 +1,12 @@
 #include "pictures.h"
 
 #include "report/page.h"
+#include "report/picture.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace lab08 {
 namespace {
@@ -24,63 +24,6 @@ constexpr std::string_view style = R"(<style>
 </style>
 )";
 
-void put(std::string& bytes, std::uint32_t value, int count) {
-  for (int i = 0; i < count; ++i)
-    bytes += static_cast<char>(value >> (8 * i) & 255);
-}
-
-std::uint32_t shown(float linear, double white) {
-  // The sRGB curve, nearly.
-  const double x = std::clamp(static_cast<double>(linear) / white, 0.0, 1.0);
-  return static_cast<std::uint32_t>(std::lround(255 * std::pow(x, 1 / 2.2)));
-}
-
-/// An image file that needs no compressor: a 24-bit BMP, stored from the bottom row up.
-std::string bitmap(const carlo::Image& image, double white) {
-  const auto width = static_cast<std::uint32_t>(image.width);
-  const auto height = static_cast<std::uint32_t>(image.height);
-  const std::uint32_t stride = (3 * width + 3) / 4 * 4, size = stride * height;
-  constexpr std::uint32_t header = 14 + 40;
-  std::string bytes = "BM";
-  put(bytes, header + size, 4);
-  put(bytes, 0, 4);
-  put(bytes, header, 4);
-  put(bytes, 40, 4);
-  put(bytes, width, 4);
-  put(bytes, height, 4);
-  put(bytes, 1, 2);   // plane
-  put(bytes, 24, 2);  // bits a pixel
-  put(bytes, 0, 4);   // not compressed
-  put(bytes, size, 4);
-  for (int i = 0; i < 4; ++i)  // size on paper, both ways; no palette
-    put(bytes, 0, 4);
-  for (int y = image.height; y-- > 0;) {
-    for (int x = 0; x < image.width; ++x) {
-      const carlo::Rgb& c = image.at(x, y);
-      for (const float channel : {c.b, c.g, c.r})
-        put(bytes, shown(channel, white), 1);
-    }
-    bytes.append(stride - 3 * width, '\0');
-  }
-  return bytes;
-}
-
-std::string base64(const std::string& bytes) {
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      group <<= 8;
-      if (i + k < bytes.size()) group |= static_cast<unsigned char>(bytes[i + k]);
-    }
-    for (std::size_t k = 0; k < 4; ++k)
-      text += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string tiles(const std::vector<std::string>& pictures) {
@@ -97,10 +40,10 @@ std::string image_picture(std::string_view title, std::string_view note, const c
                           double white) {
   return fmt::format(
       "<figure>\n<figcaption>{0}<span>{1}</span></figcaption>\n"
-      "<img width=\"{2}\" height=\"{3}\" alt=\"{0}\" src=\"data:image/bmp;base64,{4}\">\n"
+      "<img width=\"{2}\" height=\"{3}\" alt=\"{0}\" src=\"{4}\">\n"
       "</figure>\n",
       carlo::html_escaped(title), carlo::html_escaped(note), image.width, image.height,
-      base64(bitmap(image, white)));
+      carlo::picture_url(image, white));
 }
 
 }  // namespace lab08
