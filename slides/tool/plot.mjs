@@ -12,11 +12,13 @@ export const escaped = (text) =>
 
 /** A plot as wide as the slide; `figure.narrow`: for half of it. */
 const sizeOf = (figure) => (figure.narrow ? { width: 640, height: 600 } : { width: 1100, height: 410 });
+const square = ({ height }, box) => ({
+  height,
+  width: height - box.top - box.bottom + box.left + box.right,
+});
 
 /** figure: the definition; series: [{name, points, slope}]. */
 export function plotSvg(figure, series) {
-  const size = sizeOf(figure);
-  const { width, height } = size;
   const shown = series.map((one) => ({ ...one, label: labelOf(figure, one) }));
   if (figure.kind === "bars") return barsSvg(figure, shown);
   const log = { x: scaleOf(figure, "x") === "log", y: scaleOf(figure, "y") === "log" };
@@ -28,6 +30,8 @@ export function plotSvg(figure, series) {
   const all = shown.flatMap((one) => one.points);
   const longest = Math.max(...shown.map((one) => one.label.length));
   const box = { ...frame, right: 24 + letter * longest };
+  const size = figure.square ? square(sizeOf(figure), box) : sizeOf(figure);
+  const { width, height } = size;
   const x = axis(
     figure.xrange ?? range(all.map((point) => point[0])),
     log.x,
@@ -50,7 +54,8 @@ export function plotSvg(figure, series) {
     `<clipPath id="${clip}"><rect x="${box.left - 8}" y="${box.top - 8}" width="${width - box.left - box.right + 16}" ` +
       `height="${height - box.top - box.bottom + 16}"/></clipPath><g clip-path="url(#${clip})">`,
   );
-  shown.forEach((one, index) => parts.push(seriesSvg(figure, one, index, x, y)));
+  const crowded = figure.kind === "points" && all.length > 300;
+  shown.forEach((one, index) => parts.push(seriesSvg({ ...figure, crowded }, one, index, x, y)));
   parts.push("</g>");
   if (longest) parts.push(endLabels(shown, y, width - box.right + 10, height));
   return svg(size, parts);
@@ -164,7 +169,7 @@ function guideSvg({ slope, at, to, label }, x, y) {
 function seriesSvg(figure, { points }, index, x, y) {
   const places = points.map(([px, py]) => [x.at(px).toFixed(1), y.at(py).toFixed(1)]);
   const marks = figure.marks ?? !["functions"].includes(figure.kind);
-  const radius = figure.kind === "points" ? (points.length > 300 ? 2 : 4) : 5;
+  const radius = figure.crowded ? 2.4 : figure.kind === "points" ? 4 : 5;
   const dots = marks
     ? places.map(([px, py]) => `<circle cx="${px}" cy="${py}" r="${radius}"/>`).join("")
     : "";
