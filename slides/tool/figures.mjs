@@ -102,13 +102,18 @@ export function recipe(wanted) {
 
 const rounded = (value) => (typeof value === "number" ? Number(value.toPrecision(digits)) : value);
 
+/** Numbers to six digits: what a lab keeps in float is 0.00100000005. */
+const same = (one, other) =>
+  one === other ||
+  (typeof one === "number" && typeof other === "number" && one.toPrecision(6) === other.toPrecision(6));
+
 function rowsOf(tables, { table, where }) {
   if (!tables[table]) {
     throw new UserError(`the run has no table "${table}"; it has ${Object.keys(tables).join(", ")}`);
   }
   const wanted = Object.entries(where ?? {});
   const rows = tables[table].filter((row) =>
-    wanted.every(([key, value]) => [value].flat().includes(row[key])),
+    wanted.every(([key, value]) => [value].flat().some((one) => same(one, row[key]))),
   );
   if (rows.length === 0) throw new UserError(`table "${table}" has no row where ${JSON.stringify(where)}`);
   return rows;

@@ -10,8 +10,9 @@ export const escaped = (text) =>
     .replaceAll(">", "&gt;")
     .replaceAll('"', "&quot;");
 
-/** A plot as wide as the slide; `figure.narrow`: for half of it. */
-const sizeOf = (figure) => (figure.narrow ? { width: 640, height: 600 } : { width: 1100, height: 410 });
+/** A plot as wide as the slide; `figure.narrow`: for half of it; `figure.height`: where there is less room. */
+const sizeOf = ({ narrow, height }) =>
+  narrow ? { width: 640, height: 600 } : { width: 1100, height: height ?? 410 };
 const square = ({ height }, box) => ({
   height,
   width: height - box.top - box.bottom + box.left + box.right,
