@@ -66,7 +66,7 @@ function pictures(figure, runs) {
       );
     const text = picture.svg
       .replace(/<svg /, '<svg xmlns="http://www.w3.org/2000/svg" ')
-      .replace(/>/, `><style>${colours}svg{font-size:${letters}px}${style}</style>`);
+      .replace(/>/, `><style>${colours}${style} svg text{font-size:${letters}px}</style>`);
     const box = /viewBox="([^"]+)"/.exec(picture.svg)[1].split(" ");
     return tile(
       `<svg viewBox="${box.join(" ")}"><image x="${box[0]}" y="${box[1]}" width="${box[2]}" height="${box[3]}" ` +

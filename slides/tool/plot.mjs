@@ -117,9 +117,11 @@ function linearTicks(a, b) {
 }
 
 function tickText(value, log) {
-  const exponent = Math.round(Math.log10(Math.abs(value)));
-  if (log && Math.abs(Math.log10(value) - exponent) < 1e-9 && (exponent < -2 || exponent > 3)) {
-    return `10<tspan dy="-8" font-size="15">${String(exponent).replace("-", "−")}</tspan>`;
+  const exponent = Math.floor(Math.log10(Math.abs(value)) + 1e-9);
+  if (log && (exponent < -2 || exponent > 3)) {
+    const digit = Math.round(value / 10 ** exponent);
+    const power = `10<tspan dy="-8" font-size="15">${String(exponent).replace("-", "−")}</tspan>`;
+    return digit === 1 ? power : `${digit}·${power}`;
   }
   return String(Number(value.toPrecision(6))).replace("-", "−");
 }
