@@ -22,7 +22,7 @@ function bodyOf(root, figure, data, runs) {
 }
 
 const tile = (picture, caption) =>
-  `<div class="tile">${picture}${caption ? `<div class="caption">${escaped(caption)}</div>` : ""}</div>`;
+  `<div class="tile">${picture}${caption ? `<div class="caption">${escaped(caption.replaceAll("'", "’"))}</div>` : ""}</div>`;
 
 const drawing = (file) =>
   fs

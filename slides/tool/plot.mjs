@@ -1,5 +1,7 @@
 // Draws plots as SVG. Colours come from the theme's classes: c1, c2, ...
 
+import { numberText } from "./figures.mjs";
+
 const frame = { left: 92, top: 14, bottom: 58 };
 const letter = 11; // width of a letter of a series' name, on average
 
@@ -68,7 +70,7 @@ const svg = ({ width, height }, parts) =>
 const scaleOf = (figure, which) => figure[`${which}scale`] ?? (figure.kind === "loglog" ? "log" : "linear");
 
 function labelOf(figure, { name, slope }) {
-  const text = figure.names?.[name] ?? name;
+  const text = (figure.names?.[name] ?? name).replaceAll("'", "’");
   return slope === undefined ? text : `${text} ${slope.toFixed(2).replace("-", "−")}`;
 }
 
@@ -239,7 +241,7 @@ function barsSvg(figure, shown) {
         text(left - 14, top + step / 2 + 6, "end", escaped(name)) +
         `<g class="c${(row.index % 8) + 1}"><rect x="${Math.min(base, end).toFixed(1)}" y="${(top + step * 0.15).toFixed(1)}" ` +
         `width="${Math.abs(end - base).toFixed(1)}" height="${(step * 0.7).toFixed(1)}"/></g>` +
-        text(Math.max(base, end) + 10, top + step / 2 + 6, "start", String(row.value).replace("-", "−"))
+        text(Math.max(base, end) + 10, top + step / 2 + 6, "start", numberText(figure, row.value))
       );
     }),
   );
