@@ -68,6 +68,9 @@ expect "a figure's command that is none" 'a command is \["lab"'
 sed -i 's/"--solutions"/"--solutions", "--seed", "99"/' "$tree/${found%%:*}"
 expect "a figure whose command was changed" 'was made by another command'
 
+sed -i 's/"format": "percent"/"format": "furlongs"/' "$tree"/slides/figures/*.json
+expect "a number in a unit that nobody knows" 'format must be one of percent, ns'
+
 figure=$(first 'figure:[a-z0-9-]+' slides --include='0*.md')
 sed -i "s/(${figure#*:})/(figure:00-none)/" "$tree/${figure%%:*}"
 expect "a figure that is not defined" 'no figure "00-none"'

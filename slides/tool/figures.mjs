@@ -76,6 +76,8 @@ function checkNumber(wanted, problems) {
   const wrong = (text) => problems.add(wanted.file, 0, `number "${wanted.id}": ${text}`);
   if (!/^[a-z0-9.-]+$/.test(wanted.id)) wrong("its name has letters a to z, digits, dots and dashes only");
   for (const key of ["table", "column"]) if (!wanted[key]) wrong(`needs "${key}"`);
+  if (wanted.format && !formats[wanted.format])
+    wrong(`format must be one of ${Object.keys(formats).join(", ")}, got '${wanted.format}'`);
   if (!programOf(wanted.command)) wrong(badCommand(wanted.command));
 }
 
@@ -93,12 +95,17 @@ export const commandsOf = (wanted) =>
 
 /** What is kept changes with these; how it is drawn does not matter. */
 export function recipe(wanted) {
-  const { command, table, x, y, by, where, series, slopes, column } = wanted;
-  const text = JSON.stringify({ command, table, x, y, by, where, series, slopes, column });
+  const { command, table, x, y, by, where, series, slopes, column, over } = wanted;
+  const text = JSON.stringify({ command, table, x, y, by, where, series, slopes, column, over });
   return crypto.createHash("sha256").update(text).digest("hex").slice(0, 8);
 }
 
 const rounded = (value) => (typeof value === "number" ? Number(value.toPrecision(digits)) : value);
+
+/** Numbers to six digits: what a lab keeps in float is 0.00100000005. */
+const same = (one, other) =>
+  one === other ||
+  (typeof one === "number" && typeof other === "number" && one.toPrecision(6) === other.toPrecision(6));
 
 function rowsOf(tables, { table, where }) {
   if (!tables[table]) {
@@ -106,7 +113,7 @@ function rowsOf(tables, { table, where }) {
   }
   const wanted = Object.entries(where ?? {});
   const rows = tables[table].filter((row) =>
-    wanted.every(([key, value]) => [value].flat().includes(row[key])),
+    wanted.every(([key, value]) => [value].flat().some((one) => same(one, row[key]))),
   );
   if (rows.length === 0) throw new UserError(`table "${table}" has no row where ${JSON.stringify(where)}`);
   return rows;
@@ -150,8 +157,20 @@ function slopeOf({ slopes, by, where }, name, tables) {
   return { slope: rounded(valueOf(row, slopes.column, slopes.table)) };
 }
 
-/** A number from a run's tables; with `wanted.any` from the first of several rows, number or not. Throws UserError. */
+/**
+ * A number from a run's tables, divided by that of `wanted.over` if there is one. With `wanted.any`
+ * from the first of several rows, number or not. Throws UserError.
+ */
 export function numberOf(wanted, tables) {
+  if (!wanted.over) return rounded(cellOf(wanted, tables));
+  const { over, ...above } = wanted;
+  const value = cellOf(above, tables) / cellOf({ ...above, ...over }, tables);
+  if (!Number.isFinite(value) && !wanted.any)
+    throw new UserError(`the quotient is ${value}, expected a number`);
+  return rounded(value);
+}
+
+function cellOf(wanted, tables) {
   const rows = rowsOf(tables, wanted);
   if (rows.length !== 1 && !wanted.any) {
     throw new UserError(
@@ -161,19 +180,22 @@ export function numberOf(wanted, tables) {
   const value = valueOf(rows[0], wanted.column, wanted.table);
   if (!Number.isFinite(value) && !wanted.any)
     throw new UserError(`column "${wanted.column}" is ${JSON.stringify(value)}, expected a number`);
-  return rounded(value);
+  return value;
 }
 
-/** Number of a slide's text: three digits unless "digits" says otherwise; "format": "percent". */
+const formats = { percent: [100, " %"], ns: [1e9, ""] }; // factor, unit
+
+/** Number of a slide's text: three digits unless "digits" says otherwise, in the unit of "format". */
 export function numberText(wanted, value) {
-  const scaled = wanted.format === "percent" ? 100 * value : value;
+  const [factor, unit] = formats[wanted.format] ?? [1, ""];
+  const scaled = factor * value;
   let text = scaled.toPrecision(wanted.digits ?? 3);
   if (text.includes("e")) {
     const size = Math.abs(scaled);
     if (size >= 1e-3 && size < 1e15) text = String(Number(text));
   }
   const thousands = /^-?[0-9]{5,}$/.test(text) ? text.replace(/\B(?=([0-9]{3})+$)/g, "\u202f") : text;
-  return thousands.replace("-", "−") + (wanted.format === "percent" ? " %" : "");
+  return thousands.replace("-", "−") + unit;
 }
 
 /** {figures: {id: {recipe, series}}, numbers: {id: {recipe, value}}} of all decks, by deck number. */

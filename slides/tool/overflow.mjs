@@ -1,11 +1,13 @@
-// Measures in Chromium whether everything stays inside its slide.
+// Measures in Chromium whether everything stays inside its slide, and whether figures can be read.
 
 import { createRequire } from "node:module";
 import fs from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 
-/** Adds a problem for each slide of out/slides/DECK.html from which something sticks out. */
+const smallest = 14; // letters of a figure, in a slide's pixels
+
+/** Adds a problem for each slide of out/slides/DECK.html from which something sticks out, or with tiny letters. */
 export async function checkOverflow(decks, book, out, problems) {
   const require = createRequire(path.join(book.root, "build/slides/package.json"));
   const puppeteer = require("puppeteer-core");
@@ -30,14 +32,12 @@ export async function checkOverflow(decks, book, out, problems) {
           `${found.length} slides could be measured, expected ${deck.slides.length}`,
         );
       }
-      found.forEach(({ over, what }, index) => {
+      found.forEach(({ over, what, letters }, index) => {
         const slide = deck.slides[index];
-        if (what)
-          problems.add(
-            deck.file,
-            slide.line,
-            `slide ${slide.place}, "${slide.title}": ${what} sticks out by ${over} px`,
-          );
+        const wrong = (text) =>
+          problems.add(deck.file, slide.line, `slide ${slide.place}, "${slide.title}": ${text}`);
+        if (what) wrong(`${what} sticks out by ${over} px`);
+        if (letters < smallest) wrong(`letters of ${letters.toFixed(1)} px in a figure, less than ${smallest}`);
       });
     }
   } finally {
@@ -45,7 +45,10 @@ export async function checkOverflow(decks, book, out, problems) {
   }
 }
 
-/** Runs in the page. By how much, in a slide's own pixels, which child leaves the space inside the padding. */
+/**
+ * Runs in the page. By how much, in a slide's own pixels, which child leaves the space inside the
+ * padding, and how large the smallest letters of its figures are.
+ */
 function measure() {
   const sections = [...document.querySelectorAll("section[data-marpit-pagination]")];
   // Only the current slide is laid out; the others are measured as it would be.
@@ -67,6 +70,15 @@ function measure() {
     const note = (over, what) => {
       if (over > worst.over) worst = { over: Math.round(over), what };
     };
+    // A picture in a picture says itself how large its letters are (pictures.mjs).
+    const sizes = [...section.querySelectorAll("figure svg text, figure svg image[data-letters]")].map(
+      (element) => {
+        const { a, b } = element.getScreenCTM();
+        const own = element.dataset.letters ?? getComputedStyle(element).fontSize;
+        return (parseFloat(own) * Math.hypot(a, b)) / scale;
+      },
+    );
+    const letters = Math.min(Infinity, ...sizes);
     note(section.scrollHeight - section.clientHeight, "something");
     note(section.scrollWidth - section.clientWidth, "something");
     for (const element of section.querySelectorAll("*")) {
@@ -97,6 +109,6 @@ function measure() {
         );
       }
     }
-    return worst;
+    return { ...worst, letters: Number.isFinite(letters) ? letters : 1000 };
   });
 }

@@ -22,7 +22,7 @@ function bodyOf(root, figure, data, runs) {
 }
 
 const tile = (picture, caption) =>
-  `<div class="tile">${picture}${caption ? `<div class="caption">${escaped(caption)}</div>` : ""}</div>`;
+  `<div class="tile">${picture}${caption ? `<div class="caption">${escaped(caption.replaceAll("'", "’"))}</div>` : ""}</div>`;
 
 const drawing = (file) =>
   fs
@@ -50,7 +50,9 @@ function renders(figure, runs) {
 function pictures(figure, runs) {
   const page = runs.page(figure.command);
   const style = [...page.matchAll(/^\.tiles ([^{]+\{[^}]*\})/gm)].map((match) => match[1]).join(" ");
-  return [figure.alt].flat().map((alt, index) => {
+  const wanted = [figure.alt].flat();
+  const letters = wanted.length > 2 ? 21 : 18; // three pictures beside each other are small
+  return wanted.map((alt, index) => {
     const picture = pictureOf(page, alt);
     if (!picture)
       throw new UserError(
@@ -64,11 +66,11 @@ function pictures(figure, runs) {
       );
     const text = picture.svg
       .replace(/<svg /, '<svg xmlns="http://www.w3.org/2000/svg" ')
-      .replace(/>/, `><style>${colours}${style}</style>`);
+      .replace(/>/, `><style>${colours}${style} svg text{font-size:${letters}px}</style>`);
     const box = /viewBox="([^"]+)"/.exec(picture.svg)[1].split(" ");
     return tile(
       `<svg viewBox="${box.join(" ")}"><image x="${box[0]}" y="${box[1]}" width="${box[2]}" height="${box[3]}" ` +
-        `href="data:image/svg+xml;base64,${Buffer.from(text).toString("base64")}"/></svg>`,
+        `${text.includes("<text") ? `data-letters="${letters}" ` : ""}href="data:image/svg+xml;base64,${Buffer.from(text).toString("base64")}"/></svg>`,
       caption,
     );
   });
@@ -78,7 +80,7 @@ function pictures(figure, runs) {
 const colours =
   "svg{--paper:#fff;--panel:#f7f8fa;--ink:#1b1f24;--soft:#59636e;--rule:#d9dee4;--grid:#e6e9ee;--accent:#0072b2;" +
   "--series-1:#0072b2;--series-2:#d55e00;--series-3:#009e73;--series-4:#cc79a7;--series-5:#b87a00;--series-6:#3a9bd6;" +
-  "--series-7:#6b7280;--series-8:#111;font-family:'DejaVu Sans',sans-serif;font-size:16px}";
+  "--series-7:#6b7280;--series-8:#111;font-family:'DejaVu Sans',sans-serif}";
 
 /** {svg or source, caption} of the first picture of a page whose description starts with `alt`. */
 function pictureOf(page, alt) {

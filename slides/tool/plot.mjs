@@ -1,5 +1,7 @@
 // Draws plots as SVG. Colours come from the theme's classes: c1, c2, ...
 
+import { numberText } from "./figures.mjs";
+
 const frame = { left: 92, top: 14, bottom: 58 };
 const letter = 11; // width of a letter of a series' name, on average
 
@@ -10,13 +12,16 @@ export const escaped = (text) =>
     .replaceAll(">", "&gt;")
     .replaceAll('"', "&quot;");
 
-/** A plot as wide as the slide; `figure.narrow`: for half of it. */
-const sizeOf = (figure) => (figure.narrow ? { width: 640, height: 600 } : { width: 1100, height: 410 });
+/** A plot as wide as the slide; `figure.narrow`: for half of it; `figure.height`: where there is less room. */
+const sizeOf = ({ narrow, height }) =>
+  narrow ? { width: 640, height: 600 } : { width: 1100, height: height ?? 410 };
+const square = ({ height }, box) => ({
+  height,
+  width: height - box.top - box.bottom + box.left + box.right,
+});
 
 /** figure: the definition; series: [{name, points, slope}]. */
 export function plotSvg(figure, series) {
-  const size = sizeOf(figure);
-  const { width, height } = size;
   const shown = series.map((one) => ({ ...one, label: labelOf(figure, one) }));
   if (figure.kind === "bars") return barsSvg(figure, shown);
   const log = { x: scaleOf(figure, "x") === "log", y: scaleOf(figure, "y") === "log" };
@@ -28,6 +33,8 @@ export function plotSvg(figure, series) {
   const all = shown.flatMap((one) => one.points);
   const longest = Math.max(...shown.map((one) => one.label.length));
   const box = { ...frame, right: 24 + letter * longest };
+  const size = figure.square ? square(sizeOf(figure), box) : sizeOf(figure);
+  const { width, height } = size;
   const x = axis(
     figure.xrange ?? range(all.map((point) => point[0])),
     log.x,
@@ -50,7 +57,8 @@ export function plotSvg(figure, series) {
     `<clipPath id="${clip}"><rect x="${box.left - 8}" y="${box.top - 8}" width="${width - box.left - box.right + 16}" ` +
       `height="${height - box.top - box.bottom + 16}"/></clipPath><g clip-path="url(#${clip})">`,
   );
-  shown.forEach((one, index) => parts.push(seriesSvg(figure, one, index, x, y)));
+  const crowded = figure.kind === "points" && all.length > 300;
+  shown.forEach((one, index) => parts.push(seriesSvg({ ...figure, crowded }, one, index, x, y)));
   parts.push("</g>");
   if (longest) parts.push(endLabels(shown, y, width - box.right + 10, height));
   return svg(size, parts);
@@ -62,7 +70,7 @@ const svg = ({ width, height }, parts) =>
 const scaleOf = (figure, which) => figure[`${which}scale`] ?? (figure.kind === "loglog" ? "log" : "linear");
 
 function labelOf(figure, { name, slope }) {
-  const text = figure.names?.[name] ?? name;
+  const text = (figure.names?.[name] ?? name).replaceAll("'", "’");
   return slope === undefined ? text : `${text} ${slope.toFixed(2).replace("-", "−")}`;
 }
 
@@ -111,9 +119,11 @@ function linearTicks(a, b) {
 }
 
 function tickText(value, log) {
-  const exponent = Math.round(Math.log10(Math.abs(value)));
-  if (log && Math.abs(Math.log10(value) - exponent) < 1e-9 && (exponent < -2 || exponent > 3)) {
-    return `10<tspan dy="-8" font-size="15">${String(exponent).replace("-", "−")}</tspan>`;
+  const exponent = Math.floor(Math.log10(Math.abs(value)) + 1e-9);
+  if (log && (exponent < -2 || exponent > 3)) {
+    const digit = Math.round(value / 10 ** exponent);
+    const power = `10<tspan dy="-8" font-size="15">${String(exponent).replace("-", "−")}</tspan>`;
+    return digit === 1 ? power : `${digit}·${power}`;
   }
   return String(Number(value.toPrecision(6))).replace("-", "−");
 }
@@ -164,7 +174,7 @@ function guideSvg({ slope, at, to, label }, x, y) {
 function seriesSvg(figure, { points }, index, x, y) {
   const places = points.map(([px, py]) => [x.at(px).toFixed(1), y.at(py).toFixed(1)]);
   const marks = figure.marks ?? !["functions"].includes(figure.kind);
-  const radius = figure.kind === "points" ? (points.length > 300 ? 2 : 4) : 5;
+  const radius = figure.crowded ? 2.4 : figure.kind === "points" ? 4 : 5;
   const dots = marks
     ? places.map(([px, py]) => `<circle cx="${px}" cy="${py}" r="${radius}"/>`).join("")
     : "";
@@ -231,7 +241,7 @@ function barsSvg(figure, shown) {
         text(left - 14, top + step / 2 + 6, "end", escaped(name)) +
         `<g class="c${(row.index % 8) + 1}"><rect x="${Math.min(base, end).toFixed(1)}" y="${(top + step * 0.15).toFixed(1)}" ` +
         `width="${Math.abs(end - base).toFixed(1)}" height="${(step * 0.7).toFixed(1)}"/></g>` +
-        text(Math.max(base, end) + 10, top + step / 2 + 6, "start", String(row.value).replace("-", "−"))
+        text(Math.max(base, end) + 10, top + step / 2 + 6, "start", numberText(figure, row.value))
       );
     }),
   );

@@ -27,7 +27,9 @@ function runOne(wanted, runs) {
     const series = wanted.series?.map((one) => ({ ...one, where: names(one.where) }));
     seriesOf({ ...wanted, series, where: names(wanted.where) }, runs.tables(quick(wanted.command)));
   } else if (!wanted.kind) {
-    numberOf({ ...wanted, where: names(wanted.where), any: true }, runs.tables(quick(wanted.command)));
+    const over = wanted.over && { ...wanted.over, where: names(wanted.over.where) };
+    const any = { ...wanted, over, where: names(wanted.where), any: true };
+    numberOf(any, runs.tables(quick(wanted.command)));
   }
 }
 
