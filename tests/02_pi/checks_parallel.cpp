@@ -44,6 +44,10 @@ const Diagnosis left_running{"threads-left-running",
                              "a sampler still runs after the function has ended."};
 const Diagnosis goes_on{"works-on-after-a-failure",
                         "further chunks are begun although one has failed already."};
+const Diagnosis race{"data-race",
+                     "two threads that take a chunk at the same moment get the same one: reading "
+                     "the number of the next chunk and advancing it must be one step that nobody "
+                     "comes between (one ++ of a std::atomic, or a lock around both)."};
 
 bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
@@ -145,6 +149,28 @@ TEST_CASE("Lab 2.6: every chunk is sampled once, with its own generator", "[lab0
   judge_chunks(30 * chunk + 1, 1);
   judge_chunks(30 * chunk + 1, 4);
   judge_chunks(30 * chunk, 4);
+}
+
+// One thread is stopped at every instruction between two of its chunks until another one has taken
+// a chunk (stepping.h), so that a counter that can be torn is torn, whatever the machine does.
+TEST_CASE("Lab 2.6: threads that take a chunk at the same moment take different ones",
+          "[lab02][ex6]") {
+  constexpr double chunks = 20'000;
+  const Rows rows = probe("Lab 2.6 meeting", {.numbers = {{"threads", 3}, {"chunks", chunks}}},
+                          {.rows = static_cast<std::size_t>(chunks) + 1});
+  const double strays = rows.values.back();
+  const auto twice = std::count_if(rows.values.begin(), rows.values.end() - 1,
+                                   [](double count) { return count > 1; });
+  const auto never = std::count(rows.values.begin(), rows.values.end() - 1, 0.0);
+  std::vector<Diagnosis> diagnoses;
+  if (strays > 0) diagnoses = {wrong_streams};
+  if (rows.values.front() == chunks) diagnoses = {same_stream};
+  if (diagnoses.empty() && twice > 0) diagnoses = {race};
+  judge(holds(fmt::format("{:g} chunks, taken by threads that meet", chunks),
+              twice == 0 && never == 0 && strays == 0,
+              fmt::format("{} taken twice or more, {} never, {:g} generators of no chunk", twice,
+                          never, strays),
+              "each taken once", diagnoses));
 }
 
 // The samplers wait for each other: with three threads, three are inside at once.
