@@ -110,8 +110,10 @@ void judge_interval(Case darts, double z) {
   Verdict lower = equals("the lower limit from " + of, rows.at(0, 0), 4 * share.lower, 1e-9);
   Verdict upper = equals("the upper limit from " + of, rows.at(0, 1), 4 * share.upper, 1e-9);
   for (Verdict* limit : {&lower, &upper}) {
-    if (!limit->passed)
+    if (!limit->passed) {
       limit->diagnoses = interval_diagnoses({rows.at(0, 0), rows.at(0, 1)}, darts, z);
+      limit->looked_for = {normal_interval, interval_not_scaled, not_shrunk};
+    }
     judge(*limit);
   }
 }

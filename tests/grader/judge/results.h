@@ -60,7 +60,10 @@ struct LabResult {
   int possible() const;
 };
 
-/// All diagnoses of an exercise, the one that most failing comparisons fit first.
+/// What an exercise's failed comparisons look like, as few diagnoses as explain them: the one that
+/// fits most of them, taking off those that looked for it and found something else; then such as
+/// explain what is left and were never looked for in vain. So a value that fits a mistake by
+/// chance, in one case of many, names nothing (diagnoses.cpp).
 std::vector<Diagnosis> diagnoses(const ExerciseResult& result);
 
 /// Points for people: "2", "1.5", "0.75".
