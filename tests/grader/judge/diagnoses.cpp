@@ -18,6 +18,10 @@ struct Candidate {
   int misses = 0;
 
   int merit() const { return static_cast<int>(explains.size()) - misses; }
+  /// Nothing tells the two apart.
+  bool fits_like(const Candidate& other) const {
+    return explains == other.explains && misses == other.misses;
+  }
   bool adds_to(const std::vector<bool>& explained) const {
     return std::any_of(explains.begin(), explains.end(),
                        [&](std::size_t i) { return !explained[i]; });
@@ -69,7 +73,8 @@ std::vector<Diagnosis> diagnoses(const ExerciseResult& result) {
   std::vector<Diagnosis> told;
   std::vector<bool> explained(failed.size(), false);
   for (const Candidate& candidate : likely) {
-    if (!told.empty() && (candidate.misses > 0 || !candidate.adds_to(explained))) continue;
+    const bool surely = candidate.misses == 0 && candidate.adds_to(explained);
+    if (!told.empty() && !surely && !candidate.fits_like(likely.front())) continue;
     told.push_back(candidate.diagnosis);
     for (const std::size_t i : candidate.explains)
       explained[i] = true;
