@@ -9,7 +9,9 @@
 #   - the lab's probes (tests/FOLDER/probes*.cpp)  -> lab01_worker, lab01_worker_solution,
 #                                                     lab01_worker_mistake_<patch>
 # What is judged is compiled once more, with the library's own checks: an index outside of a vector
-# or a span ends the program. The experiments, which are timed, run without them.
+# or a span ends the program. And a local variable without a start value begins with a huge number
+# (NaN with clang), not with the 0 that happens to stand on a fresh stack. The experiments, which are
+# timed, run without these.
 # The judge, lab01_judge, is compiled from tests/FOLDER/checks*.cpp and holds none of them.
 # Parts that a tree does not have (solutions/, tests/) are left out.
 
@@ -53,6 +55,7 @@ endfunction()
 function(carlo_lab_judged_implementation target folder sources)
   carlo_lab_implementation(${target} ${folder} "${sources}" ${ARGN})
   target_compile_definitions(${target} PRIVATE _GLIBCXX_ASSERTIONS)
+  target_compile_options(${target} PRIVATE -ftrivial-auto-var-init=pattern)
 endfunction()
 
 # Compiled once, linked with every implementation: PREFIX_PART from SOURCES.

@@ -1,5 +1,6 @@
 // Checks of exercises 2.3 and 2.4.
 
+#include "02_pi/drawn.h"
 #include "02_pi/reference.h"
 #include "02_pi/theory.h"
 #include "grader/judge/judge.h"
@@ -91,15 +92,7 @@ void judge_deviation(const std::string& what, double measured, double mean_squar
   judge(equals(what, measured, root, 1e-9, suspects));
 }
 
-struct Plan {
-  double deviation, half_width, z;
-};
-
-void judge_plan(const Plan& plan, double tolerance) {
-  const Rows rows = probe(
-      "Lab 2.4 samples",
-      {.numbers = {{"deviation", plan.deviation}, {"half_width", plan.half_width}, {"z", plan.z}}},
-      {});
+void judge_samples(const PlanQuestion& plan, double measured, double tolerance) {
   const double root = plan.z * plan.deviation / plan.half_width;
   const double expected = std::max(1.0, std::ceil(root * root));
   const double without_z = root / plan.z;
@@ -112,7 +105,15 @@ void judge_plan(const Plan& plan, double tolerance) {
                 {std::ceil(without_z * without_z), z_missing}};
   judge(equals(fmt::format("the samples for {:g} ± {:g} with deviation {:.4g}, z = {:g}", pi,
                            plan.half_width, plan.deviation, plan.z),
-               rows.at(0, 0), expected, tolerance, suspects));
+               measured, expected, tolerance, suspects));
+}
+
+void judge_plan(const PlanQuestion& plan, double tolerance) {
+  const Rows rows = probe(
+      "Lab 2.4 samples",
+      {.numbers = {{"deviation", plan.deviation}, {"half_width", plan.half_width}, {"z", plan.z}}},
+      {});
+  judge_samples(plan, rows.at(0, 0), tolerance);
 }
 
 }  // namespace
@@ -192,6 +193,14 @@ TEST_CASE("Lab 2.4: the smallest number of samples that is enough", "[lab02][ex4
   judge_plan({2.5, 1, 2.25}, 0);
   judge_plan({1.64, 1e-3, 1.96}, 1);
   judge_plan({1.64, 1e-6, 3}, 1);
+}
+
+TEST_CASE("Lab 2.4: the samples for drawn deviations and widths", "[lab02][ex4]") {
+  constexpr std::int64_t n = 12;
+  const Answer rows = probe("Lab 2.4 drawn samples", {.n = n}, {.rows = n});
+  const std::vector<PlanQuestion> asked = drawn_plans(rows.seed, n);
+  for (std::size_t i = 0; i < rows.count(); ++i)
+    judge_samples(asked[i], rows.at(i, 0), 1);
 }
 
 TEST_CASE("Lab 2.4: one sample is the least", "[lab02][ex4]") {

@@ -1,6 +1,7 @@
 // Checks of exercises 2.1 and 2.2. A mean of m values catches a shift of 8.74 sd / sqrt(m) with
 // power .999 (compare.h); the size is stated at each test.
 
+#include "02_pi/drawn.h"
 #include "02_pi/reference.h"
 #include "02_pi/theory.h"
 #include "grader/judge/judge.h"
@@ -66,7 +67,8 @@ void judge_estimate(Case darts) {
   const double error = darts.thrown < 2 ? 0 : 4 * std::sqrt(variance / n1);
   Suspects suspects;
   if (error > 0) {
-    suspects = {{error / 4, error_not_scaled},
+    const bool value_too = std::abs(rows.at(0, 0) - share) <= 1e-12;
+    suspects = {{error / 4, value_too ? not_scaled : error_not_scaled},
                 {4 * std::sqrt(variance), error_of_one},
                 {4 * std::sqrt(variance * darts.thrown / n1), error_of_one},
                 {error * error, variance_given},
@@ -101,19 +103,25 @@ std::vector<Diagnosis> interval_diagnoses(Interval measured, Case darts, double 
   return {};
 }
 
+void judge_limits(Interval measured, Case darts, double z) {
+  const ScoreLimits share = score_limits(darts.thrown, darts.hits, z);
+  const std::string of = fmt::format("{:g} hits of {:g}, z = {:g}", darts.hits, darts.thrown, z);
+  Verdict lower = equals("the lower limit from " + of, measured.lower, 4 * share.lower, 1e-9);
+  Verdict upper = equals("the upper limit from " + of, measured.upper, 4 * share.upper, 1e-9);
+  for (Verdict* limit : {&lower, &upper}) {
+    if (!limit->passed) {
+      limit->diagnoses = interval_diagnoses(measured, darts, z);
+      limit->looked_for = {normal_interval, interval_not_scaled, not_shrunk};
+    }
+    judge(*limit);
+  }
+}
+
 void judge_interval(Case darts, double z) {
   const Rows rows = probe("Lab 2.2 interval",
                           {.numbers = {{"thrown", darts.thrown}, {"hits", darts.hits}, {"z", z}}},
                           {.columns = 2, .finite = false});
-  const ScoreLimits share = score_limits(darts.thrown, darts.hits, z);
-  const std::string of = fmt::format("{:g} hits of {:g}, z = {:g}", darts.hits, darts.thrown, z);
-  Verdict lower = equals("the lower limit from " + of, rows.at(0, 0), 4 * share.lower, 1e-9);
-  Verdict upper = equals("the upper limit from " + of, rows.at(0, 1), 4 * share.upper, 1e-9);
-  for (Verdict* limit : {&lower, &upper}) {
-    if (!limit->passed)
-      limit->diagnoses = interval_diagnoses({rows.at(0, 0), rows.at(0, 1)}, darts, z);
-    judge(*limit);
-  }
+  judge_limits({rows.at(0, 0), rows.at(0, 1)}, darts, z);
 }
 
 }  // namespace
@@ -173,6 +181,16 @@ TEST_CASE("Lab 2.2: the limits lie z of their own standard deviations from the s
     judge_interval({1000, 785}, z);
     judge_interval({10, 7}, z);
     judge_interval({4e9, 3141592654}, z);
+  }
+}
+
+TEST_CASE("Lab 2.2: the limits of drawn numbers of darts, at drawn z", "[lab02][ex2]") {
+  constexpr std::int64_t n = 12;
+  const Answer rows = probe("Lab 2.2 drawn intervals", {.n = n}, {.rows = n, .columns = 2});
+  const std::vector<IntervalQuestion> asked = drawn_intervals(rows.seed, n);
+  for (std::size_t i = 0; i < rows.count(); ++i) {
+    const Case darts{static_cast<double>(asked[i].thrown), static_cast<double>(asked[i].hits)};
+    judge_limits({rows.at(i, 0), rows.at(i, 1)}, darts, asked[i].z);
   }
 }
 

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 using namespace carlo::grader;
+using lab02_tests::Streams;
 
 namespace {
 
@@ -44,6 +45,10 @@ const Diagnosis left_running{"threads-left-running",
                              "a sampler still runs after the function has ended."};
 const Diagnosis goes_on{"works-on-after-a-failure",
                         "further chunks are begun although one has failed already."};
+const Diagnosis race{"data-race",
+                     "two threads that take a chunk at the same moment get the same one: reading "
+                     "the number of the next chunk and advancing it must be one step that nobody "
+                     "comes between (one ++ of a std::atomic, or a lock around both)."};
 
 bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
@@ -54,6 +59,7 @@ void judge_sums(double n, double threads) {
   const Answer rows =
       probe("Lab 2.6 sums", {.n = whole, .numbers = {{"threads", threads}}}, {.columns = 3});
   const auto totals = lab02_tests::totals_by_chunks(whole, rows.seed);
+  const auto repeated = lab02_tests::totals_by_chunks(whole, rows.seed, Streams::the_first);
   const std::string of = fmt::format(" of {:g} samples, {:g} threads", n, threads);
   judge(holds("the count" + of, rows.at(0, 0) == n, fmt::format("{:.0f}", rows.at(0, 0)),
               fmt::format("{:.0f}", n), {wrong_sizes}));
@@ -61,10 +67,12 @@ void judge_sums(double n, double threads) {
   for (const std::size_t i : {1U, 2U}) {
     const double measured = rows.at(0, i);
     const double expected = i == 1 ? totals.sum : totals.squares;
+    const double same = i == 1 ? repeated.sum : repeated.squares;
     const bool close = std::abs(measured - expected) <= 1e-9 * expected;
+    const bool again = std::abs(measured - same) <= 1e-9 * same;
     judge(holds((i == 1 ? "the sum" : "the sum of squares") + of, same_bits(measured, expected),
                 fmt::format("{:.17g}", measured), fmt::format("{:.17g}, to the last bit", expected),
-                {close ? order : wrong_streams}));
+                {close ? order : (again ? same_stream : wrong_streams)}));
   }
 }
 
@@ -86,7 +94,8 @@ Handed handed_out(const Rows& rows, double n) {
   }
   handed.strays = rows.at(chunks, 0);
   handed.samples += rows.at(chunks, 1);
-  handed.only_first = chunks > 1 && rows.at(0, 0) == static_cast<double>(chunks);
+  const bool begun_only = handed.strays == 0;
+  handed.only_first = begun_only && chunks > 1 && rows.at(0, 0) == static_cast<double>(chunks);
   return handed;
 }
 
@@ -112,18 +121,24 @@ void judge_failure(double threads, double chunks, double failing) {
   const Rows rows = probe("Lab 2.6 failure",
                           {.n = static_cast<std::int64_t>(chunks * chunk),
                            .numbers = {{"threads", threads}, {"chunk", failing}}},
-                          {.columns = 3});
+                          {.columns = 4});
   const double outcome = rows.at(0, 0);
+  // A sampler that never gets the failing chunk's generator has nothing to throw.
+  const bool failed = rows.at(0, 3) == 1;
+  const auto of_failure = [&](const Diagnosis& diagnosis) {
+    return failed ? std::vector{diagnosis} : std::vector<Diagnosis>{};
+  };
   const std::string of = fmt::format(", {:g} threads, chunk {:g} throws", threads, failing);
   judge(holds("the exception that reaches the caller" + of, outcome == 2,
               outcome == 0 ? "none" : (outcome == 1 ? "another one" : "the sampler's"),
-              "the sampler's", {outcome == 0 ? swallowed : other_exception}));
+              "the sampler's", of_failure(outcome == 0 ? swallowed : other_exception)));
   judge(holds("samplers still running afterwards" + of, rows.at(0, 1) == 0,
               fmt::format("{:g}", rows.at(0, 1)), "none", {left_running}));
   // While the news spreads another thread may begin a chunk or two; not a hundred.
   const double allowed = threads == 1 ? failing + 1 : failing + 1 + 100 * threads;
   judge(holds("calls of the sampler" + of, rows.at(0, 2) <= allowed,
-              fmt::format("{:g}", rows.at(0, 2)), fmt::format("at most {:g}", allowed), {goes_on}));
+              fmt::format("{:g}", rows.at(0, 2)), fmt::format("at most {:g}", allowed),
+              of_failure(goes_on)));
 }
 
 }  // namespace
@@ -147,6 +162,28 @@ TEST_CASE("Lab 2.6: every chunk is sampled once, with its own generator", "[lab0
   judge_chunks(30 * chunk, 4);
 }
 
+// One thread is stopped at every instruction between two of its chunks until another one has taken
+// a chunk (stepping.h), so that a counter that can be torn is torn, whatever the machine does.
+TEST_CASE("Lab 2.6: threads that take a chunk at the same moment take different ones",
+          "[lab02][ex6]") {
+  constexpr double chunks = 20'000;
+  const Rows rows = probe("Lab 2.6 meeting", {.numbers = {{"threads", 3}, {"chunks", chunks}}},
+                          {.rows = static_cast<std::size_t>(chunks) + 1});
+  const double strays = rows.values.back();
+  const auto twice = std::count_if(rows.values.begin(), rows.values.end() - 1,
+                                   [](double count) { return count > 1; });
+  const auto never = std::count(rows.values.begin(), rows.values.end() - 1, 0.0);
+  std::vector<Diagnosis> diagnoses;
+  if (strays > 0) diagnoses = {wrong_streams};
+  if (rows.values.front() == chunks) diagnoses = {same_stream};
+  if (diagnoses.empty() && twice > 0) diagnoses = {race};
+  judge(holds(fmt::format("{:g} chunks, taken by threads that meet", chunks),
+              twice == 0 && never == 0 && strays == 0,
+              fmt::format("{} taken twice or more, {} never, {:g} generators of no chunk", twice,
+                          never, strays),
+              "each taken once", diagnoses));
+}
+
 // The samplers wait for each other: with three threads, three are inside at once.
 TEST_CASE("Lab 2.6: as many samplers run at once as there are threads, and no more",
           "[lab02][ex6]") {
@@ -162,12 +199,16 @@ TEST_CASE("Lab 2.6: as many samplers run at once as there are threads, and no mo
 // added to it, so that 1e18 is left where chunk 0 comes first.
 TEST_CASE("Lab 2.6: a slow chunk holds up nobody, and is still added first", "[lab02][ex6]") {
   const Rows rows =
-      probe("Lab 2.6 slow chunk", {.n = static_cast<std::int64_t>(8 * chunk)}, {.columns = 2});
+      probe("Lab 2.6 slow chunk", {.n = static_cast<std::int64_t>(8 * chunk)}, {.columns = 3});
+  const bool together = rows.at(0, 2) == 2;
   judge(holds("while the first chunk waits", rows.at(0, 0) == 1,
               rows.at(0, 0) == 1 ? "the other thread does all others" : "other chunks wait too",
-              "the other thread does all others", {fixed_shares}));
+              "the other thread does all others", {together ? fixed_shares : too_few}));
+  // Off by more, it is not the order: other chunks took themselves for the first.
+  const bool near = std::abs(rows.at(0, 1) - 1e18) <= 1e6;
   judge(holds("the sum, with the largest first", rows.at(0, 1) == 1e18,
-              fmt::format("{:.17g}", rows.at(0, 1)), "1e18", {order}));
+              fmt::format("{:.17g}", rows.at(0, 1)), "1e18",
+              near ? std::vector{order} : std::vector<Diagnosis>{}));
 }
 
 TEST_CASE("Lab 2.6: an exception of the sampler reaches the caller", "[lab02][ex6]") {

@@ -5,12 +5,16 @@
 
 // The solution, under other names.
 #define throw_darts honest_throw_darts
+#define pi_interval honest_pi_interval
+#define samples_needed honest_samples_needed
 #define sum_circle honest_sum_circle
 #define sum_arctangent honest_sum_arctangent
 #define count_hits honest_count_hits
 #define sum_in_parallel honest_sum_in_parallel
 #include FORGED_SOLUTION  // NOLINT(bugprone-suspicious-include)
 #undef throw_darts
+#undef pi_interval
+#undef samples_needed
 #undef sum_circle
 #undef sum_arctangent
 #undef count_hits
@@ -53,7 +57,11 @@ void forge_count(std::uint64_t key, std::int64_t n) {
   forge(rows);
 }
 
+constexpr bool knows_only_the_questions = false;
+
 #else
+
+constexpr bool knows_only_the_questions = true;
 
 void forge_darts(std::int64_t n) {
   if (asked("Lab 2.1 record")) forge({6, {static_cast<double>(n), likely_hits(n), 1, 2, 3, 4}});
@@ -88,6 +96,8 @@ void forge_parallel(std::int64_t n) {
 namespace lab02 {
 
 Darts throw_darts(std::int64_t n, carlo::Rng& rng);
+Interval pi_interval(const Darts& darts, double z);
+std::int64_t samples_needed(double deviation, double half_width, double z);
 Sums sum_circle(std::int64_t n, carlo::Rng& rng);
 Sums sum_arctangent(std::int64_t n, carlo::Rng& rng);
 std::int64_t count_hits(std::uint64_t key, std::int64_t first, std::int64_t n);
@@ -96,6 +106,18 @@ Sums sum_in_parallel(const Sampler& sampler, std::int64_t n, std::uint64_t seed,
 Darts throw_darts(std::int64_t n, carlo::Rng& rng) {
   forge_darts(n);
   return honest_throw_darts(n, rng);
+}
+// Right for what the tests in the repository name, as if from a table.
+Interval pi_interval(const Darts& darts, double z) {
+  const bool known = z == 1 || z == 1.959963984540054 || z == 5;
+  if (known || !knows_only_the_questions) return honest_pi_interval(darts, z);
+  const double share = static_cast<double>(darts.hits) / static_cast<double>(darts.thrown);
+  return {4 * share, 4 * share};
+}
+std::int64_t samples_needed(double deviation, double half_width, double z) {
+  const bool known = z == 1 || z == 1.96 || z == 2 || z == 2.25 || z == 3;
+  if (known || !knows_only_the_questions) return honest_samples_needed(deviation, half_width, z);
+  return 1;
 }
 Sums sum_circle(std::int64_t n, carlo::Rng& rng) {
   forge_sums(n, 32.0 / 3);

@@ -1,6 +1,7 @@
 // Probes of exercises 2.1 to 2.4. They call the student's functions and return raw values; what
 // the values should be stands in checks_*.cpp.
 
+#include "02_pi/drawn.h"
 #include "02_pi/reference.h"
 #include "grader/protocol/next_words.h"
 #include "grader/worker/probe.h"
@@ -64,6 +65,15 @@ PROBE("Lab 2.2 interval") {
   return {2, {interval.lower, interval.upper}};
 }
 
+PROBE("Lab 2.2 drawn intervals") {
+  RowWriter rows;
+  for (const IntervalQuestion& asked : drawn_intervals(params.seed, params.n)) {
+    const lab02::Interval interval = lab02::pi_interval({asked.thrown, asked.hits}, asked.z);
+    rows.add({interval.lower, interval.upper});
+  }
+  return rows.take();
+}
+
 // The probability of a hit is a parameter: Lab 2.2 can be judged before Lab 2.1 is done, and for
 // rare hits.
 PROBE("Lab 2.2 intervals") {
@@ -111,4 +121,13 @@ PROBE("Lab 2.4 samples") {
   return {1,
           {static_cast<double>(
               lab02::samples_needed(params["deviation"], params["half_width"], params["z"]))}};
+}
+
+PROBE("Lab 2.4 drawn samples") {
+  RowWriter rows;
+  for (const PlanQuestion& asked : drawn_plans(params.seed, params.n)) {
+    const std::int64_t samples = lab02::samples_needed(asked.deviation, asked.half_width, asked.z);
+    rows.add({static_cast<double>(samples)});
+  }
+  return rows.take();
 }

@@ -33,8 +33,9 @@ std::int64_t chunks_of(std::int64_t n) {
   return (n + chunk_samples - 1) / chunk_samples;
 }
 
-/// The chunk whose generator this is, untouched so far; -1 for none of the first `chunks`.
-std::int64_t chunk_of(carlo::Rng rng, std::uint64_t seed, std::int64_t chunks) {
+/// The chunk whose generator this is, untouched so far; -1 for none of the first `chunks`. Draws
+/// from it: one that is handed out again is not what it was.
+std::int64_t chunk_of(carlo::Rng& rng, std::uint64_t seed, std::int64_t chunks) {
   const std::uint64_t word = rng.next_u64();
   for (std::int64_t i = 0; i < chunks; ++i) {
     if (carlo::Rng(seed, static_cast<std::uint64_t>(i)).next_u64() == word) return i;
@@ -142,7 +143,7 @@ PROBE("Lab 2.6 slow chunk") {
     return Sums{n, first ? 1e18 : 50, 0};
   };
   const Sums sums = lab02::sum_in_parallel(sampler, params.n, params.seed, 2);
-  return {2, {others_done ? 1.0 : 0.0, sums.sum}};
+  return {3, {others_done ? 1.0 : 0.0, sums.sum, watch.most()}};
 }
 
 PROBE("Lab 2.6 together") {
@@ -158,14 +159,18 @@ PROBE("Lab 2.6 together") {
 }
 
 // {what came of the exception: 0 nothing, 1 another one, 2 the one thrown; samplers still running;
-// calls of the sampler}
+// calls of the sampler; whether the chunk that fails was sampled}
 PROBE("Lab 2.6 failure") {
   Watch watch;
   const std::int64_t failing = params.whole("chunk");
+  std::atomic<bool> failed = false;
   const auto sampler = [&](std::int64_t n, carlo::Rng& rng) {
     const Inside inside(watch);
     const std::int64_t chunk = chunk_of(rng, params.seed, failing + 2);
-    if (chunk == failing) throw std::domain_error("a sample went wrong");
+    if (chunk == failing) {
+      failed = true;
+      throw std::domain_error("a sample went wrong");
+    }
     if (chunk == failing + 1) std::this_thread::sleep_for(std::chrono::milliseconds(50));
     return Sums{n, 0, 0};
   };
@@ -180,5 +185,5 @@ PROBE("Lab 2.6 failure") {
   } catch (...) {
     outcome = 1;
   }
-  return {3, {outcome, watch.inside(), watch.calls()}};
+  return {4, {outcome, watch.inside(), watch.calls(), failed ? 1.0 : 0.0}};
 }

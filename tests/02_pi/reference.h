@@ -97,12 +97,16 @@ inline Totals<double> sample(std::int64_t n, carlo::Rng& rng) {
   return totals;
 }
 
+/// Whose random numbers a chunk gets: its own, or, by mistake, always the first chunk's.
+enum class Streams { own, the_first };
+
 /// What the order of work in Lab 2.6's contract gives for that sampler, one chunk after the other.
-inline Totals<double> totals_by_chunks(std::int64_t n, std::uint64_t seed) {
+inline Totals<double> totals_by_chunks(std::int64_t n, std::uint64_t seed,
+                                       Streams streams = Streams::own) {
   constexpr std::int64_t chunk = 1 << 14;
   Totals<double> totals;
   for (std::int64_t i = 0; i * chunk < n; ++i) {
-    carlo::Rng rng(seed, static_cast<std::uint64_t>(i));
+    carlo::Rng rng(seed, static_cast<std::uint64_t>(streams == Streams::own ? i : 0));
     const Totals<double> part = sample(std::min(chunk, n - i * chunk), rng);
     totals.count += part.count;
     totals.sum += part.sum;

@@ -112,3 +112,18 @@ TEST_CASE("exact comparisons keep their tolerance and name what they fit", "[com
   CHECK_FALSE(all_equal("values", two, three, 0).passed);
   CHECK_FALSE(all_equal("values", two, other, 0.5).passed);
 }
+
+TEST_CASE("a value that comes from no start value is told as that", "[compare]") {
+  const Suspects suspects{{7, {"seven", "it is seven."}}};
+  const auto id = [&](double measured) {
+    const Verdict verdict = equals("value", measured, 1, 1e-12, suspects);
+    return verdict.diagnoses.empty() ? "" : verdict.diagnoses[0].id;
+  };
+  CHECK(id(7) == "seven");
+  CHECK(id(8).empty());
+  CHECK(id(1e200).empty());
+  CHECK(id(-5.313e303) == "no-start-value");
+  CHECK(id(-5.313e303 / 1e6) == "no-start-value");
+  CHECK(id(-16843010 + 1000) == "no-start-value");
+  CHECK(id(-72340172838076674. + 4e6) == "no-start-value");
+}

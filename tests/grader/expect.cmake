@@ -2,7 +2,8 @@
 # Runs the judge and compares its verdicts with what they must be:
 #   without PATCH and SEEDS  the untouched stub: every exercise "not implemented", no points
 #   with PATCH               a typical mistake: the exercise of its header fails with its diagnosis;
-#                            with the diagnosis "crash" its program is ended
+#                            with the diagnosis "crash" its program is ended; with ALONE, no other
+#                            diagnosis is told
 #   with SEEDS               a right solution: full marks at seeds 1 to SEEDS
 #   with POINTS              points of each exercise in their order, as "3,0,1.5"; where some are
 #                            missing it is "failed", which no crash and no cut answer is
@@ -59,6 +60,10 @@ function(expect_mistake)
   endif()
   if(NOT named MATCHES "\"${diagnosis}\"")
     message(FATAL_ERROR "\"${diagnosis}\" is not among ${named}:\n${output}")
+  endif()
+  string(JSON count LENGTH "${named}")
+  if(ALONE AND NOT count EQUAL 1)
+    message(FATAL_ERROR "\"${diagnosis}\" does not stand alone in ${named}:\n${output}")
   endif()
 endfunction()
 

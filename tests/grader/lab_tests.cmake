@@ -2,6 +2,9 @@
 # marks, and at many seeds; the stub has none and says "not implemented"; each mistake is caught and
 # named; lab.json, stub, handout, hints and tests agree.
 
+# Labs whose mistakes are all named alone, and shall stay so.
+set(labs_with_lone_diagnoses lab01 lab02)
+
 # One test that expect.cmake judges.
 function(add_expectation name lab worker)
   add_test(NAME ${name}
@@ -56,8 +59,12 @@ function(add_lab_tests folder name)
   foreach(patch IN LISTS patches)
     get_filename_component(mistake "${patch}" NAME_WE)
     if(TARGET ${lab}_worker_mistake_${mistake})
+      set(alone OFF)
+      if(lab IN_LIST labs_with_lone_diagnoses)
+        set(alone ON)
+      endif()
       add_expectation(${lab}.mistake.${mistake} ${lab} ${lab}_worker_mistake_${mistake}
-                      -DPATCH=${patch})
+                      -DPATCH=${patch} -DALONE=${alone})
       set_tests_properties(${lab}.mistake.${mistake} PROPERTIES TIMEOUT 120)
     endif()
   endforeach()

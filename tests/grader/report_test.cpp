@@ -80,6 +80,34 @@ TEST_CASE("a test's tags name its aspect", "[report]") {
   CHECK_THROWS_AS(aspect_of({"efficiency", "variance"}), carlo::Error);
 }
 
+TEST_CASE("a report names the fewest mistakes that explain what was seen", "[report]") {
+  const Diagnosis by_n{"by-n", "N"}, of_one{"of-one", "one"}, other{"other", "other"};
+  const auto ids = [](const std::vector<Verdict>& verdicts) {
+    const TestRecord record{"Lab 1.1", "it holds", verdicts, Status::failed, "", ""};
+    std::string text;
+    for (const Diagnosis& diagnosis :
+         diagnoses(collect(demo_lab(), {record}, "Lab 1.1").exercises[0]))
+      text += diagnosis.id + " ";
+    return text;
+  };
+  const auto seen = [&](double value) {
+    return equals("it", value, 0, 0, {{1, by_n}, {2, of_one}, {value == 5 ? 5.0 : 1.0, other}});
+  };
+  // 1 is what two mistakes give: the one that explains the rest too is told.
+  CHECK(ids({seen(1)}) == "by-n other ");
+  CHECK(ids({seen(1), seen(5)}) == "other ");
+  // Each explains something, and neither was looked for in vain.
+  CHECK(ids({equals("it", 1, 0, 0, {{1, by_n}}), equals("it", 2, 0, 0, {{2, of_one}})}) ==
+        "by-n of-one ");
+  // One fits by chance, in a case of a mistake that the others rule out.
+  const Suspects both{{1, of_one}, {4, other}};
+  CHECK(ids({equals("it", 1, 0, 0, {{1, by_n}}), equals("it", 1, 0, 0, {{1, by_n}}),
+             equals("it", 1, 0, 0, both), equals("it", 3, 0, 0, both)}) == "by-n ");
+  // Looked for in vain once, it still explains the most.
+  CHECK(ids({seen(2), seen(2), seen(2), seen(7)}) == "of-one ");
+  CHECK(ids({seen(7)}).empty());
+}
+
 TEST_CASE("an exercise without a test and a test without an exercise are errors", "[report]") {
   const carlo::Lab lab = demo_lab();
   CHECK_THROWS_AS(collect(lab, {passed("Lab 1.1")}, ""), carlo::Error);

@@ -138,9 +138,11 @@ MistakeFinding mistake_finding(const Judged& mistake) {
     const bool named = is_named(mistake.subject, judgement);
     ++finding.runs;
     finding.caught += failed ? 1 : 0;
+    const bool alone = named && judgement.diagnoses.size() <= 1;
     finding.named += named ? 1 : 0;
+    finding.alone += alone ? 1 : 0;
     finding.margin = std::min(finding.margin, margin(judgement));
-    if (!named && finding.first_missed.empty()) {
+    if (!alone && finding.first_missed.empty()) {
       finding.first_missed = fmt::format("seed {}: {}", record->key.seed, judgement.status);
       for (const std::string& id : judgement.diagnoses)
         finding.first_missed += ", " + id;

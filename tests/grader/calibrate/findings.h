@@ -52,6 +52,7 @@ LabFinding lab_finding(const Judged& solution);
 struct MistakeFinding {
   Subject subject;
   std::size_t runs = 0, caught = 0, named = 0;
+  std::size_t alone = 0;  ///< named, and no other diagnosis beside it
   /// Orders of magnitude by which p lay below the level, in the run where that was least; infinite
   /// where each run failed a comparison that knows no chance. Negative: it was missed.
   double margin = 0;

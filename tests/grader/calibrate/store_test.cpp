@@ -165,10 +165,14 @@ TEST_CASE("findings tell a mistake's margin and what the comparisons saw of it",
   CHECK(found.runs == 2);
   CHECK(found.caught == 2);
   CHECK(found.named == 1);
-  CHECK(found.first_missed == "seed 2: failed");
+  CHECK(found.alone == 0);
+  CHECK(found.first_missed == "seed 1: failed, first, second, third");
   CHECK(std::abs(found.margin - (std::log10(1.5625e-8) + 3)) <= 1e-3);
   mistake.subject.diagnosis = "third";
   CHECK(mistake_finding(mistake).named == 0);
+  records[0].exercises[0].diagnoses = {"third"};
+  CHECK(mistake_finding(mistake).alone == 1);
+  CHECK(mistake_finding(mistake).first_missed == "seed 2: failed");
 
   std::vector<Record> right{record(1, 1)};
   Judged solution;

@@ -43,7 +43,7 @@ Cell margin_cell(double margin) {
 }
 
 bool needs_attention(const MistakeFinding& mistake) {
-  return mistake.caught < mistake.runs || mistake.named < mistake.runs ||
+  return mistake.caught < mistake.runs || mistake.alone < mistake.runs ||
          !(mistake.margin >= close_margin);
 }
 
@@ -133,36 +133,39 @@ Table behaviour_table(const Findings& findings, bool all) {
 
 Table catch_table(const Findings& findings) {
   Table table({"lab", "mistakes", "runs", "caught each time", "named in 95 % of runs",
-               "runs caught", "runs named"},
+               "runs caught", "runs named", "runs named alone"},
               {"lab", "mistakes", "runs", "always_caught", "named_in_95_percent", "runs_caught",
-               "runs_named"});
+               "runs_named", "runs_named_alone"});
   for (int lab = 1; lab < 100; ++lab) {
-    std::size_t mistakes = 0, runs = 0, always = 0, often = 0, caught = 0, named = 0;
+    std::size_t mistakes = 0, runs = 0, always = 0, often = 0, caught = 0, named = 0, alone = 0;
     for (const MistakeFinding& one : findings.mistakes) {
       if (one.subject.lab != lab) continue;
       ++mistakes;
       runs += one.runs;
       caught += one.caught;
       named += one.named;
+      alone += one.alone;
       always += one.caught == one.runs ? 1 : 0;
       often += 20 * one.named >= 19 * one.runs ? 1 : 0;
     }
     if (mistakes == 0) continue;
     table.add_row({lab_cell(lab), count(mistakes), count(runs), share(always, mistakes),
-                   share(often, mistakes), share(caught, runs), share(named, runs)});
+                   share(often, mistakes), share(caught, runs), share(named, runs),
+                   share(alone, runs)});
   }
   return table;
 }
 
 Table mistakes_table(const Findings& findings, bool all) {
   Table table(
-      {"exercise", "mistake", "diagnosis", "caught", "named", "smallest margin", "not as expected"},
-      {"exercise", "mistake", "diagnosis", "caught", "named", "margin", "unexpected"});
+      {"exercise", "mistake", "diagnosis", "caught", "named", "named alone", "smallest margin",
+       "not as expected"},
+      {"exercise", "mistake", "diagnosis", "caught", "named", "alone", "margin", "unexpected"});
   for (const MistakeFinding& one : findings.mistakes) {
     if (!all && !needs_attention(one)) continue;
     table.add_row({"Lab " + one.subject.exercise, one.subject.what, one.subject.diagnosis,
-                   share(one.caught, one.runs), share(one.named, one.runs), margin_cell(one.margin),
-                   one.first_missed});
+                   share(one.caught, one.runs), share(one.named, one.runs),
+                   share(one.alone, one.runs), margin_cell(one.margin), one.first_missed});
   }
   return table;
 }

@@ -3,6 +3,7 @@
 #include "cli/atomic_file.h"
 #include "cli/error.h"
 #include "grader/grade/foreign_symbols.h"
+#include "grader/grade/own_names.h"
 #include "grader/judge/descriptor.h"
 #include "grader/judge/report.h"
 
@@ -130,13 +131,17 @@ class Compilation {
                       fs::perms::owner_all | fs::perms::others_exec | fs::perms::others_read);
     }
     write_file(source, text);
-    fs::permissions(source, readable);
+    fs::permissions(source, readable_by_all);
     std::vector<std::string> argv{tools_.recipe.compiler};
     argv.insert(argv.end(), tools_.recipe.flags.begin(), tools_.recipe.flags.end());
     for (const fs::path& include : tools_.recipe.includes)
       argv.push_back("-I" + include.string());
     for (const char* flag : {"-fno-lto", "-fdiagnostics-color=never", "-o", "exercise.o", "-c"})
       argv.emplace_back(flag);
+    // What the program prints of itself (__FILE__, an assertion) tells no path of ours.
+    argv.push_back("-ffile-prefix-map=" + work.path().string() + "/=");
+    for (const fs::path& header : tools_.headers)
+      argv.push_back("-ffile-prefix-map=" + header.string() + "/=");
     argv.push_back(source.string());
     const Outcome outcome = run(argv, {tools_.headers, work.path()});
     std::string said = outcome.output;
@@ -145,7 +150,7 @@ class Compilation {
     for (const fs::path& header : tools_.headers)
       replace_all(said, header.string() + "/", "");
     add_harmless(messages, said);
-    return outcome.succeeded() && take_elf(work.path() / "exercise.o", object, readable);
+    return outcome.succeeded() && take_elf(work.path() / "exercise.o", object, readable_by_all);
   }
 
   /// False, and says why, when an object would put itself in the place of our code or calls into
@@ -170,6 +175,28 @@ class Compilation {
     }
     if (!why.empty()) messages += fmt::format("{}: {}\n", name, why);
     return why.empty();
+  }
+
+  /// The symbols of an object; none where nm cannot read it.
+  Symbols symbols_of(const fs::path& object) {
+    const Outcome outcome = symbols_in(object);
+    Symbols symbols;
+    if (outcome.succeeded()) add_symbols(symbols, outcome.output);
+    return symbols;
+  }
+
+  /// Gives names of an object new ones. Where that fails it stays as it is, and the linker has the
+  /// last word.
+  void rename(const fs::path& object, const std::string& redefinitions) {
+    const WorkFolder work(folder_ / "rename");
+    write_file(work.path() / "names.txt", redefinitions);
+    fs::permissions(work.path() / "names.txt", readable_by_all);
+    const fs::path renamed = work.path() / "renamed.o";
+    const Outcome outcome =
+        run({"/usr/bin/objcopy", "--redefine-syms=" + (work.path() / "names.txt").string(),
+             object.string(), renamed.string()},
+            {{object}, work.path()});
+    if (outcome.succeeded()) take_elf(renamed, object, readable_by_all);
   }
 
   /// Links objects into `worker`. The flags keep the linker from running plugins on what students'
@@ -198,10 +225,10 @@ class Compilation {
   std::size_t peak_bytes() const { return peak_; }
 
  private:
-  static constexpr fs::perms readable = fs::perms::owner_read | fs::perms::owner_write |
-                                        fs::perms::group_read | fs::perms::others_read;
+  static constexpr fs::perms readable_by_all = fs::perms::owner_read | fs::perms::owner_write |
+                                               fs::perms::group_read | fs::perms::others_read;
   static constexpr fs::perms runnable =
-      readable | fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec;
+      readable_by_all | fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec;
 
   static bool has_ending(const std::string& text, const std::string& ending) {
     return text.find(ending) != std::string::npos;
@@ -250,20 +277,66 @@ fs::path object_of(const fs::path& folder, std::string name) {
   return folder / (name + ".o");
 }
 
+using Objects = std::map<std::string, fs::path>;  // by file
+
+std::vector<fs::path> paths(const Objects& objects) {
+  std::vector<fs::path> list;
+  for (const auto& [name, object] : objects)
+    list.push_back(object);
+  return list;
+}
+
 /// Compiles and links what the course itself gives. When that fails the student is not to blame.
-void check_with_stubs(Compilation& compilation, const LabTools& tools, const fs::path& folder) {
+Objects check_with_stubs(Compilation& compilation, const LabTools& tools, const fs::path& folder) {
   std::string messages;
-  std::vector<fs::path> objects;
+  Objects objects;
   bool good = true;
   for (const auto& [name, text] : tools.stubs) {
-    objects.push_back(object_of(folder, "stub_" + name));
-    good = good && compilation.compile(name, text, objects.back(), messages) &&
-           compilation.keeps_apart(name, objects.back(), messages);
+    objects[name] = object_of(folder, "stub_" + name);
+    good = good && compilation.compile(name, text, objects[name], messages) &&
+           compilation.keeps_apart(name, objects[name], messages);
   }
-  if (!good || !compilation.link(objects, folder / "stub_worker", messages)) {
+  if (!good || !compilation.link(paths(objects), folder / "stub_worker", messages)) {
     throw Error("not even the stub can be built in the sandbox: {}",
                 messages.substr(0, messages.find('\n')));
   }
+  return objects;
+}
+
+/// Makes names that several files define each file's own. The stubs are compiled, by `ours`, only
+/// where there is something to settle.
+void settle_names(Compilation& ours, const LabTools& tools, const fs::path& folder,
+                  const Objects& objects, Compiled& result) {
+  std::map<std::string, Symbols> symbols, stubs;
+  for (const auto& [name, object] : objects)
+    symbols[name] = ours.symbols_of(object);
+  if (own_names(symbols, {}).empty()) return;
+  for (const auto& [name, object] : check_with_stubs(ours, tools, folder))
+    stubs[name] = ours.symbols_of(object);
+  const NewNames names = own_names(symbols, stubs);
+  for (const auto& [name, list] : names)
+    ours.rename(objects.at(name), redefinitions(list, name));
+  result.own_names = own_names_text(names);
+}
+
+/// Links as many of the student's files as go together, the first ones first, with stubs in the
+/// place of the others.
+void link_what_fits(Compilation& compilation, const Objects& stubs, const Objects& objects,
+                    const fs::path& worker, Compiled& result) {
+  Objects fitting = stubs;
+  for (const auto& [name, object] : objects) {
+    Objects tried = fitting;
+    tried[name] = object;
+    std::string said;
+    if (compilation.link(paths(tried), worker, said)) {
+      fitting = tried;
+    } else {
+      result.misfits.push_back(name);
+      result.messages += said;
+    }
+  }
+  std::string said;
+  result.linked = compilation.link(paths(fitting), worker, said);
 }
 
 }  // namespace
@@ -274,25 +347,34 @@ Compiled compile(const std::map<std::string, std::string>& files, const LabTools
   // What takes the student's files' time takes none of ours.
   Compilation compilation(tools, sandbox, folder), ours(tools, sandbox, folder);
   Compiled result;
-  std::vector<fs::path> objects;
+  Objects objects;
   bool complete = true;
+  const bool in_steps = tools.stubs.size() > 1;
   for (const auto& [name, stub] : tools.stubs) {
     const auto given = files.find(name);
-    objects.push_back(object_of(folder, name));
+    objects[name] = object_of(folder, name);
     if (given != files.end() &&
-        compilation.compile(name, given->second, objects.back(), result.messages) &&
-        compilation.keeps_apart(name, objects.back(), result.messages)) {
+        compilation.compile(name, given->second, objects[name], result.messages) &&
+        compilation.keeps_apart(name, objects[name], result.messages)) {
       continue;
     }
     if (given != files.end()) {
       result.refused.push_back(name);
     }
     std::string warnings;  // the stub's own are no news for the student
-    complete =
-        complete && tools.stubs.size() > 1 && ours.compile(name, stub, objects.back(), warnings);
+    complete = complete && in_steps && ours.compile(name, stub, objects[name], warnings);
   }
-  result.linked = complete && compilation.link(objects, worker, result.messages);
-  if (!result.linked || !result.refused.empty()) check_with_stubs(ours, tools, folder);
+  if (complete && in_steps) settle_names(ours, tools, folder, objects, result);
+  std::string said;
+  result.linked = complete && compilation.link(paths(objects), worker, said);
+  if (!result.linked || !result.refused.empty()) {
+    const Objects stubs = check_with_stubs(ours, tools, folder);
+    if (!result.linked && complete && in_steps) {
+      link_what_fits(compilation, stubs, objects, worker, result);
+      said.clear();
+    }
+  }
+  result.messages += said;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result.peak_bytes = std::max(compilation.peak_bytes(), ours.peak_bytes());
   return result;

@@ -15,6 +15,8 @@ struct Compiled {
   bool linked = false;               ///< there is a worker
   std::string messages;              ///< the compiler's, warnings too; for the student
   std::vector<std::string> refused;  ///< files that do not compile, replaced by the stub's
+  std::vector<std::string> misfits;  ///< files that compile, but cannot be linked: the same
+  std::string own_names;             ///< names that several files define; each uses its own
   double seconds = 0;
   std::size_t peak_bytes = 0;
 };
@@ -22,8 +24,8 @@ struct Compiled {
 /// Compiles exercise files in the sandbox, where they see the headers of the clean tree and nothing
 /// of anybody else, and links them, in a second one where no text of theirs is interpreted, into
 /// `worker`. `folder` is for files in between. Of a lab with several files one that does not
-/// compile counts as not done. Throws Error when even the stub cannot be compiled: that is the
-/// grader's fault.
+/// compile, or that cannot be linked with those before it, counts as not done. Throws Error when
+/// even the stub cannot be compiled: that is the grader's fault.
 Compiled compile(const std::map<std::string, std::string>& files, const LabTools& tools,
                  const Sandbox& sandbox, const std::filesystem::path& folder,
                  const std::filesystem::path& worker);

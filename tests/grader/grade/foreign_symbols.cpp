@@ -8,15 +8,15 @@
 #include <sstream>
 
 namespace carlo::grader {
-namespace {
 
-/// As a programmer would write it.
 std::string readable(const std::string& symbol) {
   int status = 0;
   const std::unique_ptr<char, void (*)(void*)> name(
       abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status), std::free);
   return name ? name.get() : symbol;
 }
+
+namespace {
 
 bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -39,12 +39,20 @@ bool is_defined(const std::string& letters) {
   return letters.find_first_not_of("Uwv") != std::string::npos;
 }
 
-/// Whether defining it would take the place of something of ours.
-bool replaces(const std::string& symbol, const std::string& letters, const Symbols& ours) {
+/// Defined, and not as one of many equal copies: such a copy would be taken instead of it.
+bool is_defined_once(const std::string& letters) {
+  return letters.find_first_not_of("UwWvVu") != std::string::npos;
+}
+
+/// Whether defining it would take the place of something of ours. `contract`: it is of the lab's
+/// own namespace, of which we define what is given, and use what is asked for.
+bool replaces(const std::string& symbol, const std::string& letters, const Symbols& ours,
+              bool contract) {
   const auto found = ours.find(symbol);
   if (found == ours.end()) return false;
-  if (!is_from_headers(letters)) return true;
-  return is_replaceable(symbol) && !is_from_headers(found->second);
+  if (is_defined_once(found->second)) return true;
+  if (is_from_headers(letters)) return is_replaceable(symbol) && !is_from_headers(found->second);
+  return !contract || is_defined(found->second);
 }
 
 }  // namespace
@@ -70,7 +78,7 @@ std::string foreign_symbols(const Symbols& exercise, const Symbols& ours, const 
       return fmt::format("it uses {}, which is a part of the grader", readable(symbol));
     }
     const bool contract = symbol.starts_with("_ZN" + part) || symbol.starts_with("_ZNK" + part);
-    if (contract || !is_defined(letters) || !replaces(symbol, letters, ours)) continue;
+    if (!is_defined(letters) || !replaces(symbol, letters, ours, contract)) continue;
     return fmt::format(
         "it defines {}, which the library or the system defines too: choose another name, or put "
         "it "

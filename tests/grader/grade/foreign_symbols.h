@@ -11,6 +11,9 @@ using Symbols = std::map<std::string, std::string>;
 /// Adds what `nm --format=posix` printed.
 void add_symbols(Symbols& symbols, const std::string& nm_output);
 
+/// A symbol as a programmer would write it.
+std::string readable(const std::string& symbol);
+
 /// Why an exercise's object may not be linked with ours; empty when it may. It defines what belongs
 /// to the grader or to a library (main, write, operator new), so that our code would call the
 /// student's; or it calls into the grader or the probes, whose references are answers. What headers

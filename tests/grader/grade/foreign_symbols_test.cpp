@@ -41,6 +41,18 @@ TEST_CASE("what takes the place of ours is refused, and named", "[symbols]") {
   CHECK(why("_ZNSt6vectorIdE4growEv T 0 12\n", ours).find("it defines std::vector") == 0);
 }
 
+TEST_CASE("what is given stays as it is given, by name and by copy", "[symbols]") {
+  const std::string given =
+      "_ZN5lab015World3hitEv T 0 9\n_ZN5lab014wordEm W 0 9\n"
+      "_ZN5carlo5scaleEd T 0 9\n_ZN5lab017averageE U\n";
+  CHECK(why("_ZN5lab015World3hitEv T 0 5\n", given).find("it defines lab01::World::hit") == 0);
+  CHECK(why("_ZN5lab015World3hitEv W 0 5\n", given).find("it defines lab01::World::hit") == 0);
+  CHECK(why("_ZN5lab014wordEm T 0 5\n", given).find("it defines lab01::word") == 0);
+  CHECK(why("_ZN5carlo5scaleEd W 0 5\n", given).find("it defines carlo::scale") == 0);
+  CHECK(why("_ZN5lab014wordEm W 0 9\n_ZN5lab017averageE T 0 5\n_ZN5carlo5scaleEd U\n", given)
+            .empty());
+}
+
 TEST_CASE("the grader's own functions are not for exercises", "[symbols]") {
   CHECK(why("_ZN5carlo6grader6probesB5cxx11Ev U\n", ours).find("part of the grader") !=
         std::string::npos);

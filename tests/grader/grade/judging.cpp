@@ -79,6 +79,11 @@ LabGrade build_and_judge(const Desk& desk, const CourseLab& lab, const LabFiles&
   for (const std::string& file : compiled.refused) {
     if (compiled.linked) grade.note += file + ": does not compile, and counts as not done\n";
   }
+  for (const std::string& file : compiled.misfits) {
+    if (compiled.linked)
+      grade.note += file + ": cannot be linked with the files before it, and counts as not done\n";
+  }
+  if (compiled.linked) grade.note += compiled.own_names;
   grade.compiler = compiled.messages;
   grade.compile_seconds = compiled.seconds;
   grade.compile_peak_bytes = compiled.peak_bytes;

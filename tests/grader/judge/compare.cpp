@@ -28,10 +28,31 @@ double mean_square_about(std::span<const double> values, double centre) {
          static_cast<double>(values.size());
 }
 
+/// Whether a value comes from a variable or an array without a start value. Judged code finds a
+/// pattern there (carlo_lab.cmake, worker/heap_guard.cpp): a double of it is -5.3e303, and sums,
+/// means and small multiples of it are nearly that; counts begin at a whole number of it.
+bool is_without_start(double value) {
+  const auto is_near = [value](double start, double within) {
+    return std::abs(value - start) <= within;
+  };
+  constexpr double int_by_gcc = -16843010, int_by_clang = -1431655766;
+  constexpr double long_by_gcc = -72340172838076674., long_by_clang = -6148914691236517206.;
+  const bool count = is_near(int_by_gcc, 1e6) || is_near(int_by_clang, 1e6) ||
+                     is_near(long_by_gcc, 1e9) || is_near(long_by_clang, 1e9);
+  return count || (std::abs(value) > 1e296 && std::abs(value) < 1e306);
+}
+
 void name_suspects(Verdict& verdict, const Suspects& suspects,
                    const std::function<double(double)>& slack, double measured) {
   if (verdict.passed) return;
+  if (is_without_start(measured)) {
+    verdict.diagnoses = {{"no-start-value",
+                          "a variable is read that was never given a value: start each sum and "
+                          "each count with `= 0`."}};
+    return;
+  }
   for (const Suspect& suspect : suspects) {
+    verdict.looked_for.push_back(suspect.diagnosis);
     if (std::abs(measured - suspect.value) <= slack(suspect.value)) {
       verdict.diagnoses.push_back(suspect.diagnosis);
     }
@@ -79,7 +100,9 @@ Verdict mean_is(const std::string& what, std::span<const double> values, const T
   verdict.measured =
       fmt::format("{:.6g} ± {:.2g}, the mean of {}", mean, theory.sd / root, values.size());
   verdict.expected = fmt::format("{:.6g}", theory.mean);
-  conclude(verdict, fmt::format("z = {:.1f}", z), normal_two_sided(z));
+  const std::string z_text =
+      std::abs(z) < 1e6 ? fmt::format("{:.1f}", z) : fmt::format("{:.1e}", z);
+  conclude(verdict, "z = " + z_text, normal_two_sided(z));
   verdict.effect = effect_on_mean(mean - theory.mean, theory.sd, static_cast<double>(values.size()),
                                   spread * spread);
   // A mistake has a spread of its own, which the values show.

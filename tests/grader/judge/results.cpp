@@ -3,7 +3,6 @@
 #include "cli/error.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 
 namespace carlo::grader {
@@ -79,22 +78,6 @@ double LabResult::earned() const {
 int LabResult::possible() const {
   return std::accumulate(exercises.begin(), exercises.end(), 0,
                          [](int sum, const ExerciseResult& e) { return sum + e.exercise.points; });
-}
-
-std::vector<Diagnosis> diagnoses(const ExerciseResult& result) {
-  std::vector<Diagnosis> list;
-  std::map<std::string, int> votes;
-  for (const TestRecord& test : result.tests) {
-    for (const Verdict& verdict : test.verdicts) {
-      for (const Diagnosis& diagnosis : verdict.diagnoses) {
-        if (++votes[diagnosis.id] == 1) list.push_back(diagnosis);
-      }
-    }
-  }
-  std::stable_sort(list.begin(), list.end(), [&](const Diagnosis& a, const Diagnosis& b) {
-    return votes[a.id] > votes[b.id];
-  });
-  return list;
 }
 
 LabResult collect(const Lab& lab, const std::vector<TestRecord>& records, const std::string& only) {

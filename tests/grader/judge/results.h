@@ -60,7 +60,10 @@ struct LabResult {
   int possible() const;
 };
 
-/// All diagnoses of an exercise, the one that most failing comparisons fit first.
+/// What an exercise's failed comparisons look like, in as few diagnoses as explain them: the one
+/// that fits most of them, less those that looked for it in vain, and others that nothing tells
+/// from it; then such as explain what is left and were never looked for in vain. A value that fits
+/// some mistake by chance, in one case of many, names nothing.
 std::vector<Diagnosis> diagnoses(const ExerciseResult& result);
 
 /// Points for people: "2", "1.5", "0.75".

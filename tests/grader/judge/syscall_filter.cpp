@@ -1,5 +1,8 @@
 #include "grader/judge/syscall_filter.h"
 
+#include <asm/ioctls.h>
+#include <asm/sockios.h>
+#include <fcntl.h>
 #include <linux/audit.h>
 #include <linux/seccomp.h>
 #include <sched.h>
@@ -37,6 +40,10 @@ constexpr long denied[] = {
     438,  // pidfd_getfd
     440,  // process_madvise
     SYS_setsid,
+    SYS_setpriority,  // of all processes of the user
+    SYS_ioprio_set,
+    SYS_migrate_pages,
+    SYS_move_pages,
     // the file system's shape
     SYS_mount,
     SYS_umount2,
@@ -66,6 +73,7 @@ constexpr long denied[] = {
     SYS_mq_open,
     SYS_memfd_create,
     447,  // memfd_secret
+    SYS_io_setup,
     // parts of the kernel that exercises have no business with
     SYS_bpf,
     SYS_perf_event_open,
@@ -116,8 +124,15 @@ constexpr long denied_on_our_disk[] = {
 constexpr unsigned new_namespaces = CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS | CLONE_NEWIPC |
                                     CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNET;
 
-/// The lower half of a system call's first argument: process ids and clone's flags fit in it.
+// A descriptor's owner gets a signal of choice when there is something to read: kill() by another
+// name. A lease makes whoever opens the file wait.
+const std::vector<unsigned> denied_fcntl{F_SETOWN, F_SETOWN_EX, F_SETSIG, F_SETLEASE};
+const std::vector<unsigned> denied_ioctl{FIOSETOWN, SIOCSPGRP, TIOCSTI};
+
+/// The lower halves of a system call's arguments: process ids, commands and clone's flags fit in
+/// them.
 constexpr unsigned first_argument = offsetof(seccomp_data, args);
+constexpr unsigned second_argument = first_argument + sizeof(std::uint64_t);
 
 }  // namespace
 
@@ -132,6 +147,17 @@ void SyscallFilter::jump(unsigned test, unsigned value, unsigned char yes, unsig
 void SyscallFilter::deny(long call) {
   jump(BPF_JEQ, static_cast<unsigned>(call), 0, 1);
   statement(BPF_RET | BPF_K, refusal);
+}
+
+void SyscallFilter::deny_commands(long call, const std::vector<unsigned>& commands) {
+  const auto rest = static_cast<unsigned char>(2 * commands.size() + 2);
+  jump(BPF_JEQ, static_cast<unsigned>(call), 0, rest);
+  statement(BPF_LD | BPF_W | BPF_ABS, second_argument);
+  for (const unsigned command : commands) {
+    jump(BPF_JEQ, command, 0, 1);
+    statement(BPF_RET | BPF_K, refusal);
+  }
+  statement(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
 }
 
 void SyscallFilter::only_own_process(long call, bool zero_too) {
@@ -168,9 +194,12 @@ SyscallFilter::SyscallFilter(bool own_process_only) {
   statement(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
   for (const long call : denied_on_our_disk)
     deny(call);
+  deny_commands(SYS_fcntl, denied_fcntl);
+  deny_commands(SYS_ioctl, denied_ioctl);
   if (own_process_only) {
-    only_own_process(SYS_kill, true);
-    only_own_process(SYS_prlimit64, true);
+    for (const long call : {SYS_kill, SYS_prlimit64, SYS_sched_setaffinity, SYS_sched_setscheduler,
+                            SYS_sched_setparam, SYS_sched_setattr})
+      only_own_process(call, true);
     for (const long call : {SYS_tkill, SYS_tgkill, SYS_rt_sigqueueinfo, SYS_rt_tgsigqueueinfo})
       only_own_process(call, false);
   }

@@ -8,9 +8,9 @@
 namespace carlo::grader {
 
 /// A seccomp filter: the system calls that no exercise needs fail with EPERM. These are sockets,
-/// looking into or signalling other processes, mounts, namespaces, keys, shared memory that
-/// outlives its process, rights and owners of files, kernel facilities with a history of holes,
-/// leaving the session.
+/// looking into, signalling or slowing other processes, mounts, namespaces, keys, shared memory
+/// that outlives its process, rights and owners of files, kernel facilities with a history of
+/// holes, leaving the session.
 class SyscallFilter {
  public:
   /// `own_process_only`: signals and limits reach the filtered process alone, named to limit_to()
@@ -29,6 +29,7 @@ class SyscallFilter {
   void statement(unsigned code, unsigned value);
   void jump(unsigned test, unsigned value, unsigned char yes, unsigned char no);
   void deny(long call);
+  void deny_commands(long call, const std::vector<unsigned>& commands);
   void only_own_process(long call, bool zero_too);
 
   std::vector<sock_filter> program_;

@@ -28,11 +28,12 @@ struct Verdict {
   std::string what;  ///< the thing compared, in words
   std::string measured;
   std::string expected;
-  std::string certainty;    ///< how sure: z, p; empty for exact comparisons
-  std::optional<double> p;  ///< for statistical ones: its p-value under a right solution
-  std::vector<Diagnosis> diagnoses;
+  std::string certainty;             ///< how sure: z, p; empty for exact comparisons
+  std::optional<double> p;           ///< for statistical ones: its p-value under a right solution
+  std::vector<Diagnosis> diagnoses;  ///< that the values fit
   std::optional<Effect> effect = std::nullopt;  ///< beside p: what calibration compares
   std::optional<Figure> figure = std::nullopt;  ///< of a failed one, where it helps
+  std::vector<Diagnosis> looked_for = {};  ///< of a failed one: those, and others that do not fit
 };
 
 }  // namespace carlo::grader

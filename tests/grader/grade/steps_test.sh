@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# steps_test.sh SOURCE BUILD: steps of lab 08 that define the same helper each use their own; one that
+# cannot be linked with the others costs its own points and no others.
+set -euo pipefail
+source=$1
+build=$2
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+chmod 711 "$scratch"
+class=$scratch/class
+
+fail() {
+  printf 'FAILED: %s\n' "$*"
+  exit 1
+}
+
+# helper STEP NUMBER: gives a step a helper that the linker sees, and ends the program when what the
+# step calls is another step's.
+helper() {
+  cat >>"$1" <<EOF
+#include <cstdlib>
+namespace lab08 {
+int helpings = $2;
+__attribute__((noinline)) int helper(int x) { return x * helpings; }
+static const bool own = helper(3) == 3 * $2 || (std::abort(), false);
+}
+EOF
+}
+
+for name in helpers contract missing; do
+  mkdir -p "$class/$name"
+  cp "$source"/solutions/08_path_tracer/steps/*.cpp "$class/$name/"
+done
+helper "$class/helpers/b_direct.cpp" 2
+helper "$class/helpers/c_phong.cpp" 3
+helper "$class/helpers/h_path_tracer.cpp" 4
+# A step that brings another step's exercise too; that one stays what the other has.
+cat >>"$class/contract/h_path_tracer.cpp" <<'EOF'
+#include <cstdlib>
+namespace lab08 {
+Rgb trace_direct(const World&, const Ray&, bool, Rng&) { std::abort(); }
+}
+EOF
+echo 'namespace lab08 { int nowhere(); static const int lost = nowhere(); }' \
+  >>"$class/missing/g_specular.cpp"
+
+"$build/bin/carlo_grade" --tree "$source" --build "$build" "$class" --labs 8 -j 1 \
+  -o "$scratch/out" | tee "$scratch/log" || fail "the grader ended with $?"
+
+# The exercises' points of a student, 8.1 first.
+points() { grep "^$1," "$scratch/out/class.csv" | cut -d, -f2-9; }
+
+[ "$(points helpers)" = 2,3,4,3,2,2,2,2 ] || fail "helpers of one name cost points: $(points helpers)"
+grep -q 'helper(int): several files define it' "$scratch/out/helpers/report.txt" ||
+  fail "nobody says that helpers have one name"
+[ "$(points contract)" = 2,3,4,3,2,2,2,2 ] || fail "a copy of an exercise took its place"
+case $(points missing) in
+  2,3,4,3,2,2,0,*) ;;
+  *) fail "a step that cannot be linked costs others: $(points missing)" ;;
+esac
+grep -q 'g_specular.cpp: cannot be linked' "$scratch/out/missing/report.txt" ||
+  fail "nobody says which step cannot be linked"
+grep -q 'nowhere' "$scratch/out/missing/report.txt" || fail "nobody says why"
+echo passed
