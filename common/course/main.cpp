@@ -36,13 +36,6 @@ struct Options {
   fs::path state(const char* name) const { return root / ".carlo" / name; }
 };
 
-const Lab& lab_of(const std::vector<Lab>& labs, int number) {
-  for (const Lab& lab : labs) {
-    if (lab.number == number) return lab;
-  }
-  throw Error("there is no lab {}", number);
-}
-
 void hint(const Options& options, bool one) {
   const std::vector<Lab> labs = load_labs(options.labs());
   HintState seen(options.state("hints.json"));
@@ -54,6 +47,7 @@ void hint(const Options& options, bool one) {
 
 void status(const Options& options) {
   const std::vector<Lab> labs = load_labs(options.labs());
+  if (options.lab != 0) (void)find_lab(labs, options.lab);
   const VerdictBook book(options.state("verdicts.json"));
   const HintState hints(options.state("hints.json"));
   std::vector<LabStatus> list;
@@ -61,7 +55,6 @@ void status(const Options& options) {
     if (options.lab != 0 && lab.number != options.lab) continue;
     list.push_back(status_of(lab, options.labs(), book, hints));
   }
-  if (list.empty()) throw Error("there is no lab {}", options.lab);
   if (options.next) {
     const Exercise* next = next_exercise(list);
     fmt::print("{}\n", next == nullptr ? labs.back().exercises.back().number() : next->number());
@@ -73,7 +66,7 @@ void status(const Options& options) {
 
 void keep(const Options& options) {
   const std::vector<Lab> labs = load_labs(options.labs());
-  const Lab& lab = lab_of(labs, options.lab);
+  const Lab& lab = find_lab(labs, options.lab);
   VerdictBook book(options.state("verdicts.json"));
   book.take(read_file(options.file), lab, OwnCode(options.labs(), lab));
   book.save();
@@ -114,7 +107,7 @@ int main(int argc, char** argv) {
     explainer->add_option("log", options.file, "the log")->required();
     explainer->add_option("--messages", options.messages, "how many")->capture_default_str();
     CLI::App* watcher = verb("watch", "judge an exercise whenever its file is saved");
-    watcher->add_option("lab", options.watch.lab, "which lab (default: that of what is next)");
+    watcher->add_option("lab", options.watch.lab, "which lab")->required();
     watcher->add_option("--build", options.watch.build, "where ninja builds")->required();
     watcher->add_flag("--poll", options.watch.look,
                       "look at the files, where the system does not tell of changes");

@@ -5,6 +5,7 @@
 #include "grader/judge/consistency.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers.hpp>
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -73,6 +74,8 @@ TEST_CASE("a lab's exercises are read in order", "[course]") {
   REQUIRE(labs[0].find("Lab 1.2") != nullptr);
   CHECK(labs[0].find("Lab 1.2")->number() == "1.2");
   CHECK(labs[0].find("Lab 1.3") == nullptr);
+  CHECK(&find_lab(labs, 1) == &labs[0]);
+  CHECK_THROWS_WITH(find_lab(labs, 9), "there is no lab 9; there are: 1");
 }
 
 TEST_CASE("a broken lab.json is one line that says where and what", "[course]") {

@@ -1,9 +1,9 @@
 #include "grader/judge/sandbox.h"
 
 #include "cli/error.h"
+#include "cli/scratch_folder.h"
 #include "grader/judge/bubblewrap.h"
 #include "grader/judge/landlock.h"
-#include "grader/judge/scratch_folder.h"
 
 #include <unistd.h>
 
