@@ -4,6 +4,7 @@
 #include "cli/atomic_file.h"
 #include "cli/error.h"
 #include "cli/main_guard.h"
+#include "cli/wrap.h"
 #include "course/compiler_messages.h"
 #include "course/hints.h"
 #include "course/status.h"
@@ -40,9 +41,9 @@ void hint(const Options& options, bool one) {
   const std::vector<Lab> labs = load_labs(options.labs());
   HintState seen(options.state("hints.json"));
   const Exercise& exercise = find_exercise(labs, options.exercise);
-  fmt::print("{}", options.all ? seen_hints(exercise, seen)
-                   : one       ? seen_hint(exercise, options.step, seen)
-                               : next_hint(exercise, seen));
+  fmt::print("{}", wrapped(options.all ? seen_hints(exercise, seen)
+                           : one       ? seen_hint(exercise, options.step, seen)
+                                       : next_hint(exercise, seen)));
 }
 
 void status(const Options& options) {
@@ -60,8 +61,8 @@ void status(const Options& options) {
     fmt::print("{}\n", next == nullptr ? labs.back().exercises.back().number() : next->number());
     return;
   }
-  fmt::print("{}",
-             options.json ? status_json(list) : status_text(list, options.all || options.lab != 0));
+  const bool all = options.all || options.lab != 0;
+  fmt::print("{}", options.json ? status_json(list) : wrapped(status_text(list, all)));
 }
 
 void keep(const Options& options) {
