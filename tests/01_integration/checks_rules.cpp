@@ -193,7 +193,10 @@ void judge_points(Rule rule) {
     judge(equals(fmt::format("{}: evaluations for n = {}", names[rule], n), count.at(0, 1),
                  evaluations(rule, n), 0, count_suspects(rule, n)));
     if (count.at(0, 1) != evaluations(rule, n)) continue;  // its points fit no list
-    const Rows rows = probe("Lab 1.4 points", params, {.rows = expected.size(), .finite = false});
+    const Rows rows = probe("Lab 1.4 points", params,
+                            {.rows = expected.size(),
+                             .finite = false,
+                             .of = fmt::format("{} over [-1, 2.5], n = {}", names[rule], n)});
     judge(all_equal(fmt::format("{}: the points for n = {}", names[rule], n), rows.values, expected,
                     1e-12, {wrong_points}));
   }

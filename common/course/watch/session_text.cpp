@@ -77,7 +77,7 @@ std::string WatchSession::verdict_text(const Exercise& exercise) const {
   }
   const bool open = verdict->status == "not_implemented";
   const std::string mark = open ? coloured(Colour::yellow, "–") : coloured(Colour::red, "✗");
-  return fmt::format("{} {}: {}\n{}{}", mark, title, points, open ? "    " : "", verdict->text);
+  return fmt::format("{} {}: {}\n{}", mark, title, points, verdict->text);
 }
 
 std::string WatchSession::verdicts_text() const {
