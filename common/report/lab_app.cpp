@@ -10,6 +10,7 @@
 #include "report/machine.h"
 #include "report/page.h"
 #include "report/predictions.h"
+#include "report/stop_note.h"
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -103,6 +104,7 @@ nlohmann::json results(const LabApp& lab, const Notebook& notebook, double secon
 }
 
 void run(const LabApp& lab, const Arguments& arguments, const std::string& command) {
+  std::optional<StopNote> note(std::in_place);
   // A file that cannot be written is better known before the experiments than after them.
   if (!arguments.json.empty()) (void)AtomicFile(arguments.json);
   const std::optional<Predictions> predictions = predictions_of(lab, arguments);
@@ -112,6 +114,8 @@ void run(const LabApp& lab, const Arguments& arguments, const std::string& comma
   const auto start = std::chrono::steady_clock::now();
   run_experiments(lab, predictions, notebook);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+
+  note.reset();  // from here on files are written
 
   page.fact("Command", command);
   page.fact("Seed", std::to_string(arguments.options.seed));
