@@ -15,7 +15,17 @@ expect_error() {
   fi
 }
 
-expect_error "no verb 'frob'" frob
+expect_error "no verb 'frobnicate'; ./carlo alone" frobnicate
+expect_error 'did you mean ./carlo test\?' tset
+expect_error 'did you mean ./carlo status\?' Statsu 1
+expect_error 'did you mean ./carlo lab\?' labs 1
+expect_error 'no lab 9; there are: 1, 2' hint 9.1
+expect_error 'no exercise 1.9; lab 1 has 1.1 to 1.7' hint 1.9
+expect_error 'which exercise of lab 1\? There are 1.1 to 1.7' hint 1
+expect_error 'an exercise is a number such as' hint one
+expect_error 'no exercise 1.9; lab 1 has 1.1 to 1.7' replay 1.9
+expect_error 'no exercise 1.9' test 1.9
+expect_error 'no exercise 1.0' test 1 --exercise 1.0
 expect_error 'no lab 99' test 99
 expect_error 'a lab is a number' test x
 expect_error 'no lab 99' test 1 99
@@ -35,7 +45,8 @@ expect_error 'no lab 99' replay 99.1
 expect_error 'a deck is a number' slides x
 expect_error 'one thing at a time' slides --html --check
 expect_error 'does not know' slides --frob
-expect_error 'needs an exercise' replay 1
+expect_error 'which exercise of lab 1' replay 1
+expect_error 'an exercise is a number' replay
 expect_error 'needs a value' replay 1.2 --probe
 expect_error 'does not know' replay 1.2 --frob
 expect_error 'which question' replay 1.2 --gdb

@@ -21,7 +21,7 @@ END
 # An answer of the right kind to every question.
 answers() {
   awk '/"tag"/ { split($0, part, "\""); number = substr(part[4], 5) }
-       /"kind": "number"/ { printf "%s\"%s\": 1", sep, number; sep = ", " }
+       /"kind": "(number|share)"/ { printf "%s\"%s\": 1", sep, number; sep = ", " }
        /"kind": "choice"/ { printf "%s\"%s\": \"x\"", sep, number; sep = ", " }' "$1"
 }
 

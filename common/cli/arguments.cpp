@@ -10,7 +10,10 @@ std::optional<int> parse_arguments(CLI::App& app, int argc, const char* const* a
   } catch (const CLI::Success& request) {
     return app.exit(request);
   } catch (const CLI::ParseError& error) {
-    throw Error("{} (see {} --help)", error.what(), app.get_name());
+    std::string program = app.get_name();
+    for (const CLI::App* verb : app.get_subcommands())
+      program += " " + verb->get_name();
+    throw Error("{} (see {} --help)", error.what(), program);
   }
   return std::nullopt;
 }

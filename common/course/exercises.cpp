@@ -143,4 +143,13 @@ std::vector<Lab> load_labs(const fs::path& labs) {
   return list;
 }
 
+const Lab& find_lab(const std::vector<Lab>& labs, int number) {
+  std::string all;
+  for (const Lab& lab : labs) {
+    if (lab.number == number) return lab;
+    all += fmt::format("{}{}", all.empty() ? "" : ", ", lab.number);
+  }
+  throw Error("there is no lab {}; there are: {}", number, all);
+}
+
 }  // namespace carlo

@@ -41,4 +41,7 @@ Lab load_lab(const std::filesystem::path& file);
 /// is none.
 std::vector<Lab> load_labs(const std::filesystem::path& labs);
 
+/// The lab of that number. Throws Error that names those that there are.
+const Lab& find_lab(const std::vector<Lab>& labs, int number);
+
 }  // namespace carlo

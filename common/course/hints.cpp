@@ -3,7 +3,7 @@
 #include "cli/atomic_file.h"
 #include "cli/error.h"
 
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -17,10 +17,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 std::string numbers(const Lab& lab) {
-  std::vector<std::string> list;
-  std::transform(lab.exercises.begin(), lab.exercises.end(), std::back_inserter(list),
-                 [](const Exercise& exercise) { return exercise.number(); });
-  return fmt::format("{}", fmt::join(list, ", "));
+  return fmt::format("{} to {}", lab.exercises.front().number(), lab.exercises.back().number());
 }
 
 /// The number before the point of "1.2"; 0 when it is no number.
@@ -68,13 +65,12 @@ const Exercise& find_exercise(const std::vector<Lab>& labs, const std::string& t
   for (const Lab& lab : labs) {
     if (const Exercise* exercise = lab.find("Lab " + number)) return *exercise;
   }
-  for (const Lab& lab : labs) {
-    if (lab.number != lab_of(number)) continue;
-    throw Error("there is no exercise {}; lab {} has {}", typed, lab.number, numbers(lab));
+  if (lab_of(number) == 0) throw Error("an exercise is a number such as 1.2, got \"{}\"", typed);
+  const Lab& lab = find_lab(labs, lab_of(number));
+  if (number.find('.') == std::string::npos) {
+    throw Error("which exercise of lab {}? There are {}", lab.number, numbers(lab));
   }
-  std::vector<std::string> all;
-  std::transform(labs.begin(), labs.end(), std::back_inserter(all), numbers);
-  throw Error("there is no exercise {}; the exercises are {}", typed, fmt::join(all, ", "));
+  throw Error("there is no exercise {}; lab {} has {}", typed, lab.number, numbers(lab));
 }
 
 std::string next_hint(const Exercise& exercise, HintState& state) {

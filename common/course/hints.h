@@ -23,8 +23,7 @@ class HintState {
   std::string text_;  ///< the file's JSON
 };
 
-/// The exercise that a person means by "1.2" or "Lab 1.2". Throws Error listing the exercises that
-/// there are.
+/// The exercise that a person means by "1.2" or "Lab 1.2". Throws Error that says which there are.
 const Exercise& find_exercise(const std::vector<Lab>& labs, const std::string& typed);
 
 /// The next hint, or the last again when all have been seen, with its number and what to do next.

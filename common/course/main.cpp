@@ -4,6 +4,7 @@
 #include "cli/atomic_file.h"
 #include "cli/error.h"
 #include "cli/main_guard.h"
+#include "cli/wrap.h"
 #include "course/compiler_messages.h"
 #include "course/hints.h"
 #include "course/status.h"
@@ -36,24 +37,18 @@ struct Options {
   fs::path state(const char* name) const { return root / ".carlo" / name; }
 };
 
-const Lab& lab_of(const std::vector<Lab>& labs, int number) {
-  for (const Lab& lab : labs) {
-    if (lab.number == number) return lab;
-  }
-  throw Error("there is no lab {}", number);
-}
-
 void hint(const Options& options, bool one) {
   const std::vector<Lab> labs = load_labs(options.labs());
   HintState seen(options.state("hints.json"));
   const Exercise& exercise = find_exercise(labs, options.exercise);
-  fmt::print("{}", options.all ? seen_hints(exercise, seen)
-                   : one       ? seen_hint(exercise, options.step, seen)
-                               : next_hint(exercise, seen));
+  fmt::print("{}", wrapped(options.all ? seen_hints(exercise, seen)
+                           : one       ? seen_hint(exercise, options.step, seen)
+                                       : next_hint(exercise, seen)));
 }
 
 void status(const Options& options) {
   const std::vector<Lab> labs = load_labs(options.labs());
+  if (options.lab != 0) (void)find_lab(labs, options.lab);
   const VerdictBook book(options.state("verdicts.json"));
   const HintState hints(options.state("hints.json"));
   std::vector<LabStatus> list;
@@ -61,19 +56,18 @@ void status(const Options& options) {
     if (options.lab != 0 && lab.number != options.lab) continue;
     list.push_back(status_of(lab, options.labs(), book, hints));
   }
-  if (list.empty()) throw Error("there is no lab {}", options.lab);
   if (options.next) {
     const Exercise* next = next_exercise(list);
     fmt::print("{}\n", next == nullptr ? labs.back().exercises.back().number() : next->number());
     return;
   }
-  fmt::print("{}",
-             options.json ? status_json(list) : status_text(list, options.all || options.lab != 0));
+  const bool all = options.all || options.lab != 0;
+  fmt::print("{}", options.json ? status_json(list) : wrapped(status_text(list, all)));
 }
 
 void keep(const Options& options) {
   const std::vector<Lab> labs = load_labs(options.labs());
-  const Lab& lab = lab_of(labs, options.lab);
+  const Lab& lab = find_lab(labs, options.lab);
   VerdictBook book(options.state("verdicts.json"));
   book.take(read_file(options.file), lab, OwnCode(options.labs(), lab));
   book.save();
@@ -114,7 +108,7 @@ int main(int argc, char** argv) {
     explainer->add_option("log", options.file, "the log")->required();
     explainer->add_option("--messages", options.messages, "how many")->capture_default_str();
     CLI::App* watcher = verb("watch", "judge an exercise whenever its file is saved");
-    watcher->add_option("lab", options.watch.lab, "which lab (default: that of what is next)");
+    watcher->add_option("lab", options.watch.lab, "which lab")->required();
     watcher->add_option("--build", options.watch.build, "where ninja builds")->required();
     watcher->add_flag("--poll", options.watch.look,
                       "look at the files, where the system does not tell of changes");

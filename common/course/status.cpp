@@ -27,7 +27,7 @@ const char* name_of(Stage stage) {
     case Stage::begun:
       return "begun";
     case Stage::edited:
-      return "edited since judged";
+      return "changed since judged";
     case Stage::failed:
       return "not right yet";
     case Stage::passed:
@@ -36,8 +36,8 @@ const char* name_of(Stage stage) {
   return "";
 }
 
-std::string mark(Stage stage) {
-  switch (stage) {
+std::string mark(const ExerciseStatus& status) {
+  switch (status.stage) {
     case Stage::untouched:
       return coloured(Colour::dim, "–");
     case Stage::begun:
@@ -46,23 +46,22 @@ std::string mark(Stage stage) {
     case Stage::failed:
       return coloured(Colour::red, "✗");
     case Stage::passed:
-      return coloured(Colour::green, "✓");
+      return coloured(status.changed ? Colour::yellow : Colour::green, "✓");
   }
   return "";
 }
 
-Stage stage_of(const ExerciseStatus& status, const KeptVerdict* verdict, const OwnCode& code) {
+Stage stage_of(const ExerciseStatus& status, const KeptVerdict* verdict) {
   const Exercise& exercise = *status.exercise;
   const auto functions = static_cast<int>(exercise.functions.size());
   // Whatever an older verdict says: the stub is back.
   if (status.open > 0 && status.open >= functions) return Stage::untouched;
   if (verdict == nullptr) return Stage::begun;
-  if (age_of(*verdict, exercise, code) == Age::edited) {
-    const bool was_open = verdict->status == "not_implemented";
-    return was_open || status.open > 0 ? Stage::begun : Stage::edited;
+  if (verdict->status == "not_implemented" || (status.changed && status.open > 0)) {
+    return Stage::begun;
   }
-  if (verdict->status == "not_implemented") return Stage::begun;
-  return verdict->status == "passed" ? Stage::passed : Stage::failed;
+  if (verdict->status == "passed") return Stage::passed;
+  return status.changed ? Stage::edited : Stage::failed;
 }
 
 /// What the line says behind the points.
@@ -76,8 +75,10 @@ std::string remark(const ExerciseStatus& status) {
   } else if (status.stage == Stage::begun) {
     add("not judged yet");
   }
-  if (status.stage == Stage::passed && status.rest_edited) {
-    add("other exercises were edited since");
+  if (status.stage == Stage::passed && status.changed) {
+    add("changed since");
+  } else if (status.stage == Stage::passed && status.rest_edited) {
+    add("other exercises were changed since");
   }
   if (status.hints > 0) {
     add(fmt::format("{} of {} hints seen", status.hints, exercise.hints.size()));
@@ -95,8 +96,17 @@ std::string bar(double points, int possible) {
   return coloured(full == cells ? Colour::green : Colour::blue, text) + "  ";
 }
 
-std::string next_line(const Exercise* next) {
-  if (next == nullptr) return coloured(Colour::green, "Everything is done.") + "\n";
+std::string next_line(const std::vector<LabStatus>& labs) {
+  const Exercise* next = next_exercise(labs);
+  if (next == nullptr) {
+    const auto changed = std::find_if(labs.begin(), labs.end(),
+                                      [](const LabStatus& lab) { return lab.changed() > 0; });
+    return coloured(Colour::green, "Everything is done.") +
+           (changed == labs.end() ? "\n"
+                                  : fmt::format(" What was changed since is judged by "
+                                                "./carlo test {}\n",
+                                                changed->lab->number));
+  }
   const std::string lab = next->number().substr(0, next->number().find('.'));
   return fmt::format("{} {}, {}: ./carlo watch {}, ./carlo hint {}\n",
                      coloured(Colour::bold, "Next:"), next->tag, next->title, lab, next->number());
@@ -123,6 +133,13 @@ bool LabStatus::begun() const {
   });
 }
 
+int LabStatus::changed() const {
+  return static_cast<int>(
+      std::count_if(exercises.begin(), exercises.end(), [](const ExerciseStatus& exercise) {
+        return exercise.stage == Stage::passed && exercise.changed;
+      }));
+}
+
 LabStatus status_of(const Lab& lab, const fs::path& labs, const VerdictBook& book,
                     const HintState& hints) {
   const OwnCode code(labs, lab);
@@ -133,10 +150,13 @@ LabStatus status_of(const Lab& lab, const fs::path& labs, const VerdictBook& boo
     status.open = code.open_functions(exercise);
     status.hints = std::min(hints.seen(exercise), static_cast<int>(exercise.hints.size()));
     const KeptVerdict* verdict = book.find(exercise);
-    status.stage = stage_of(status, verdict, code);
-    if (verdict != nullptr && status.stage != Stage::untouched) {
+    const Age age = verdict != nullptr ? age_of(*verdict, exercise, code) : Age::current;
+    status.changed = age == Age::edited;
+    status.stage = stage_of(status, verdict);
+    const bool counts = status.stage != Stage::untouched && status.stage != Stage::begun;
+    if (verdict != nullptr && counts) {
       status.points = std::min(verdict->points, static_cast<double>(exercise.points));
-      status.rest_edited = age_of(*verdict, exercise, code) == Age::rest_edited;
+      status.rest_edited = age == Age::rest_edited;
       status.message = status.stage == Stage::failed ? verdict->message : "";
     }
     result.exercises.push_back(std::move(status));
@@ -144,14 +164,11 @@ LabStatus status_of(const Lab& lab, const fs::path& labs, const VerdictBook& boo
   return result;
 }
 
-const Exercise* next_exercise(const LabStatus& lab, const Exercise* after) {
-  const auto open = [](const ExerciseStatus& status) { return status.stage != Stage::passed; };
-  const auto first = lab.exercises.begin(), last = lab.exercises.end();
-  const auto here = std::find_if(
-      first, last, [&](const ExerciseStatus& status) { return status.exercise == after; });
-  auto found = std::find_if(here == last ? first : here + 1, last, open);
-  if (found == last) found = std::find_if(first, last, open);
-  return found == last ? nullptr : found->exercise;
+const Exercise* next_exercise(const LabStatus& lab) {
+  const auto found =
+      std::find_if(lab.exercises.begin(), lab.exercises.end(),
+                   [](const ExerciseStatus& status) { return status.stage != Stage::passed; });
+  return found == lab.exercises.end() ? nullptr : found->exercise;
 }
 
 const Exercise* next_exercise(const std::vector<LabStatus>& labs) {
@@ -172,7 +189,7 @@ std::string status_line(const ExerciseStatus& status, std::size_t titles) {
   const Exercise& exercise = *status.exercise;
   const std::string gap(titles - std::min(titles, width(exercise.title)), ' ');
   const std::string had = status.stage == Stage::edited ? "had " : "";
-  std::string line = fmt::format("{} {}  {}{}  {}{:g} of {}", mark(status.stage), exercise.number(),
+  std::string line = fmt::format("{} {}  {}{}  {}{:g} of {}", mark(status), exercise.number(),
                                  exercise.title, gap, had, status.points, exercise.points);
   if (const std::string more = remark(status); !more.empty()) {
     line += "  " + coloured(Colour::dim, more);
@@ -182,10 +199,12 @@ std::string status_line(const ExerciseStatus& status, std::size_t titles) {
 
 std::string status_heading(const LabStatus& status) {
   const int possible = status.lab->points();
-  return fmt::format("{}  {}{:g} of {} points, {} of {} exercises  {}",
+  const std::string changed =
+      status.changed() > 0 ? fmt::format(" ({} changed since)", status.changed()) : "";
+  return fmt::format("{}  {}{:g} of {} points, {} of {} exercises{}  {}",
                      coloured(Colour::bold, fmt::format("Lab {:02}", status.lab->number)),
                      bar(status.points(), possible), status.points(), possible, status.passed(),
-                     status.exercises.size(), status.lab->title);
+                     status.exercises.size(), changed, status.lab->title);
 }
 
 std::string status_text(const std::vector<LabStatus>& labs, bool all) {
@@ -201,7 +220,8 @@ std::string status_text(const std::vector<LabStatus>& labs, bool all) {
     passed += lab.passed();
     exercises += lab.exercises.size();
     const bool is_next = next != nullptr && lab.lab->find(next->tag) == next;
-    const bool open = lab.begun() && lab.passed() < static_cast<int>(lab.exercises.size());
+    const bool done = lab.passed() == static_cast<int>(lab.exercises.size());
+    const bool open = lab.begun() && (!done || lab.changed() > 0);
     if (!all && !is_next && !open) continue;
     for (const ExerciseStatus& exercise : lab.exercises)
       text += "  " + status_line(exercise, title_width(*lab.lab)) + "\n";
@@ -210,7 +230,7 @@ std::string status_text(const std::vector<LabStatus>& labs, bool all) {
     text += fmt::format("In all: {:g} of {} points, {} of {} exercises\n", points, possible, passed,
                         exercises);
   }
-  return text + next_line(next);
+  return text + next_line(labs);
 }
 
 std::string status_json(const std::vector<LabStatus>& labs) {
@@ -227,6 +247,7 @@ std::string status_json(const std::vector<LabStatus>& labs) {
                            {"points", status.points},
                            {"max", exercise.points},
                            {"open_functions", status.open},
+                           {"changed", status.changed},
                            {"rest_edited", status.rest_edited},
                            {"hints_seen", status.hints},
                            {"hints", exercise.hints.size()},

@@ -14,15 +14,16 @@ namespace carlo {
 enum class Stage {
   untouched,  ///< all its functions say that they are not implemented
   begun,      ///< some do, or none does but the judge has not seen it
-  edited,     ///< edited since it was judged
+  edited,     ///< edited since it was judged, when points were missing
   failed,     ///< judged, and points are missing
-  passed      ///< all points
+  passed      ///< all points at the last verdict, whatever was edited since
 };
 
 struct ExerciseStatus {
   const Exercise* exercise = nullptr;
   Stage stage = Stage::untouched;
-  double points = 0;         ///< of the last verdict; of an edited exercise, what it had
+  double points = 0;         ///< of the last verdict; none where a function is open again
+  bool changed = false;      ///< what it is made of was edited since it was judged
   bool rest_edited = false;  ///< other parts of the lab were edited since it was judged
   int open = 0;              ///< functions not implemented
   int hints = 0;             ///< seen
@@ -35,22 +36,24 @@ struct LabStatus {
 
   double points() const;
   int passed() const;
-  bool begun() const;  ///< some exercise is no longer untouched
+  int changed() const;  ///< of those that passed, how many were edited since
+  bool begun() const;   ///< some exercise is no longer untouched
 };
 
 /// Of one lab, by its files below the folder `labs`.
 LabStatus status_of(const Lab& lab, const std::filesystem::path& labs, const VerdictBook& book,
                     const HintState& hints);
 
-/// What to do next: the first exercise that has not passed, from `after` on and then from the
-/// start; null when all have.
-const Exercise* next_exercise(const LabStatus& lab, const Exercise* after = nullptr);
+/// What to do next, for everything that says so: the first exercise that has not passed; null when
+/// all have.
+const Exercise* next_exercise(const LabStatus& lab);
 const Exercise* next_exercise(const std::vector<LabStatus>& labs);
 
 /// One line for one exercise, without line end; in colour where stdout shows it. `titles`: how wide
 /// the column of titles is.
 std::string status_line(const ExerciseStatus& status, std::size_t titles);
-/// The lab's name, a bar (on a terminal) and its points, without line end.
+/// The lab's name, a bar (on a terminal), its points and how many verdicts are of older text,
+/// without line end.
 std::string status_heading(const LabStatus& status);
 /// How wide a lab's column of titles is, in characters.
 std::size_t title_width(const Lab& lab);

@@ -2,12 +2,15 @@
 
 #include "cli/arguments.h"
 #include "cli/atomic_file.h"
+#include "cli/error.h"
 #include "cli/main_guard.h"
 #include "cli/terminal.h"
+#include "cli/wrap.h"
 #include "report/crash_note.h"
 #include "report/machine.h"
 #include "report/page.h"
 #include "report/predictions.h"
+#include "report/stop_note.h"
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -25,26 +28,34 @@ namespace {
 struct Arguments {
   LabOptions options;
   std::string page, json;
-  bool no_page = false, no_predict = false;
+  bool no_page = false, no_predict = false, predict = false;
 };
 
-/// Where a student runs the lab, ./carlo says which tree it is; what was predicted is kept there.
-std::optional<Predictions> predictions_of(const LabApp& lab, const Arguments& arguments) {
-  const char* tree = std::getenv("CARLO_COURSE");
-  if (tree == nullptr || *tree == '\0' || arguments.no_predict) return std::nullopt;
-  std::optional<Predictions> predictions(std::in_place, tree, lab.number);
-  const bool somebody = ::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1;
-  if (!somebody || !lab.part.empty()) return predictions;
-  predictions->ask(
+void ask(Predictions& predictions, bool again) {
+  predictions.ask(
       [](const std::string& text) {
-        fmt::print("{}", text);
+        fmt::print("{}", wrapped(text));
         (void)std::fflush(stdout);
       },
       []() -> std::optional<std::string> {
         std::string line;
         if (!std::getline(std::cin, line)) return std::nullopt;
         return line;
-      });
+      },
+      again);
+}
+
+/// Where a student runs the lab, ./carlo says which tree it is; what was predicted is kept there.
+std::optional<Predictions> predictions_of(const LabApp& lab, const Arguments& arguments) {
+  const char* tree = std::getenv("CARLO_COURSE");
+  const bool student = tree != nullptr && *tree != '\0';
+  const bool somebody = ::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1;
+  if (arguments.predict && (!student || !somebody || !lab.part.empty())) {
+    throw Error("--predict asks you at a terminal, about the whole lab on your own code");
+  }
+  if (!student || arguments.no_predict) return std::nullopt;
+  std::optional<Predictions> predictions(std::in_place, tree, lab.number);
+  if (somebody && lab.part.empty()) ask(*predictions, arguments.predict);
   return predictions;
 }
 
@@ -52,7 +63,8 @@ void show_predictions(const Predictions& predictions, Notebook& notebook) {
   const Table table = predictions.table(notebook.results());
   if (table.rows().empty()) return;
   notebook.begin("What you predicted");
-  notebook.table("predictions", table, "Predictions, and what this run gave");
+  notebook.table("predictions", table,
+                 "Predictions, and what this run gave (--predict asks again)");
 }
 
 /// The command as one could type it again.
@@ -92,6 +104,7 @@ nlohmann::json results(const LabApp& lab, const Notebook& notebook, double secon
 }
 
 void run(const LabApp& lab, const Arguments& arguments, const std::string& command) {
+  std::optional<StopNote> note(std::in_place);
   // A file that cannot be written is better known before the experiments than after them.
   if (!arguments.json.empty()) (void)AtomicFile(arguments.json);
   const std::optional<Predictions> predictions = predictions_of(lab, arguments);
@@ -102,12 +115,14 @@ void run(const LabApp& lab, const Arguments& arguments, const std::string& comma
   run_experiments(lab, predictions, notebook);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
 
+  note.reset();  // from here on files are written
+
   page.fact("Command", command);
   page.fact("Seed", std::to_string(arguments.options.seed));
   page.fact("Machine", machine_text());
   page.fact("Compiler", compiler_text());
   for (const std::string& reason : notebook.left_out()) {
-    fmt::print("{}\n", coloured(Colour::yellow, reason));
+    fmt::print("{}\n", wrapped(coloured(Colour::yellow, reason)));
   }
   if (!arguments.json.empty()) {
     write_file(arguments.json, results(lab, notebook, spent.count()).dump(2) + "\n");
@@ -138,7 +153,10 @@ int run_lab(const LabApp& lab, int argc, char** argv) {
     auto* page = app.add_option("--page", arguments.page, "where the page goes");
     page->capture_default_str();
     app.add_flag("--no-page", arguments.no_page, "write no page");
-    app.add_flag("--no-predict", arguments.no_predict, "ask for no predictions, and show none");
+    CLI::Option* no_predict =
+        app.add_flag("--no-predict", arguments.no_predict, "ask for no predictions, and show none");
+    app.add_flag("--predict", arguments.predict, "ask for all predictions again")
+        ->excludes(no_predict);
     if (lab.add_options) lab.add_options(app);
     if (const auto code = parse_arguments(app, argc, argv)) return *code;
     if (arguments.options.quick && n->count() == 0) arguments.options.n = lab.quick_n;

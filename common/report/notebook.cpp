@@ -1,6 +1,7 @@
 #include "report/notebook.h"
 
 #include "cli/terminal.h"
+#include "cli/wrap.h"
 #include "report/crash_note.h"
 
 #include <fmt/core.h>
@@ -21,34 +22,10 @@ void Notebook::begin(std::string_view title) {
   left_out_here_.clear();
 }
 
-namespace {
-
-/// `text` in lines of at most 88 characters.
-std::string wrapped(std::string_view text) {
-  std::string result;
-  std::size_t column = 0;
-  while (!text.empty()) {
-    const std::size_t space = text.find(' ');
-    const std::string_view word = text.substr(0, space);
-    text.remove_prefix(space == std::string_view::npos ? text.size() : space + 1);
-    if (column > 0 && column + 1 + word.size() > 88) {
-      result += '\n';
-      column = 0;
-    } else if (column > 0) {
-      result += ' ';
-      ++column;
-    }
-    result += word;
-    column += word.size();
-  }
-  return result;
-}
-
-}  // namespace
-
 void Notebook::say(std::string_view paragraph) {
   bar_.clear();
-  fmt::print("{}\n\n", wrapped(paragraph));
+  constexpr int readable = 88;
+  fmt::print("{}\n\n", wrapped(std::string(paragraph), readable));
   page_.prose(paragraph);
 }
 
@@ -73,7 +50,7 @@ void Notebook::data(const std::string& key, const Table& table, std::string_view
 
 void Notebook::print_table(const std::string& key, const Table& table, std::string_view caption) {
   bar_.clear();
-  fmt::print("{}:\n{}\n", caption, table.text());
+  fmt::print("{}:\n{}\n", wrapped(std::string(caption)), table.text());
   (void)std::fflush(stdout);
   results_[key] = table.json();
 }
@@ -82,7 +59,7 @@ void Notebook::leave_out(const std::string& reason) {
   left_out_.insert(reason);
   if (!left_out_here_.insert(reason).second) return;
   bar_.clear();
-  fmt::print("{}\n\n", coloured(Colour::yellow, reason));
+  fmt::print("{}\n\n", wrapped(coloured(Colour::yellow, reason)));
   page_.note(reason);
 }
 

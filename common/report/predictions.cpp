@@ -61,8 +61,18 @@ std::string without_blanks(std::string_view typed) {
   return plain;
 }
 
-std::string shown(const json& value) {
-  return value.is_number() ? fmt::format("{:.3g}", value.get<double>()) : value.get<std::string>();
+/// "-1/2", "2.5" or "95 %".
+std::optional<double> value_in(std::string_view text) {
+  const bool percent = !text.empty() && text.back() == '%';
+  if (percent) text.remove_suffix(1);
+  const std::size_t slash = text.find('/');
+  std::optional<double> value = number_in(text.substr(0, slash));
+  if (value && slash != std::string_view::npos) {
+    const std::optional<double> below = number_in(text.substr(slash + 1));
+    value = below && *below != 0 ? std::optional(*value / *below) : std::nullopt;
+  }
+  if (!value || !std::isfinite(*value)) return std::nullopt;
+  return percent ? *value / 100 : *value;
 }
 
 Question question_of(const Exercise& exercise, const json& where) {
@@ -84,10 +94,11 @@ Question question_of(const Exercise& exercise, const json& where) {
       if (where.contains("largest") == where.contains("smallest")) {
         fail("needs \"largest\" or \"smallest\"");
       }
-    } else if (kind == "number") {
+    } else if (kind == "number" || kind == "share") {
       (void)where.at("value").get<std::string>();
+      question.share = kind == "share";
     } else {
-      fail("must be of kind number or choice");
+      fail("must be of kind number, share or choice");
     }
     return question;
   } catch (const json::exception&) {
@@ -96,13 +107,20 @@ Question question_of(const Exercise& exercise, const json& where) {
   return {};
 }
 
-std::string prompt(const Question& question) {
+/// What may be typed.
+std::string wanted(const Question& question) {
+  if (question.share) return "a share, such as 30 % or .3";
+  if (question.choices.empty()) return "a number, such as 2.5 or 1/3";
+  return fmt::format("a number from 1 to {}", question.choices.size());
+}
+
+/// `enter`: what an empty line does.
+std::string prompt(const Question& question, const std::string& enter) {
   std::string text =
       fmt::format("\nPredict first (Lab {}): {}\n", question.exercise, question.text);
   for (std::size_t i = 0; i < question.choices.size(); ++i)
     text += fmt::format("  {} {}\n", i + 1, question.choices[i]);
-  return text + (question.choices.empty() ? "a number, such as 2.5 or 1/3 (Enter skips): "
-                                          : "its number (Enter skips): ");
+  return text + fmt::format("{} ({}): ", wanted(question), enter);
 }
 
 }  // namespace
@@ -136,17 +154,23 @@ json Question::answer(const json& tables) const {
 
 json Question::read(const std::string& typed) const {
   const std::string plain = without_blanks(typed);
-  const std::size_t slash = plain.find('/');
-  std::optional<double> value = number_in(std::string_view(plain).substr(0, slash));
-  if (value && slash != std::string::npos) {
-    const std::optional<double> below = number_in(std::string_view(plain).substr(slash + 1));
-    value = below && *below != 0 ? std::optional(*value / *below) : std::nullopt;
+  std::optional<double> value = value_in(plain);
+  if (!value) return {};
+  if (share) {
+    // Whoever leaves the sign out means it all the same; 1 and less is the share itself.
+    if (plain.back() != '%' && *value > 1) *value /= 100;
+    return *value >= 0 && *value <= 1 ? json(*value) : json();
   }
-  if (!value || !std::isfinite(*value)) return {};
   if (choices.empty()) return *value;
   const auto last = static_cast<double>(choices.size());
   if (*value < 1 || *value > last || std::floor(*value) != *value) return {};
   return choices[static_cast<std::size_t>(*value) - 1];
+}
+
+std::string Question::shown(const json& value) const {
+  if (!value.is_number()) return value.get<std::string>();
+  return share ? fmt::format("{:.3g} %", 100 * value.get<double>())
+               : fmt::format("{:.3g}", value.get<double>());
 }
 
 Predictions::Predictions(const fs::path& root, int number)
@@ -174,12 +198,15 @@ Predictions::Predictions(const fs::path& root, int number)
 }
 
 void Predictions::ask(const std::function<void(const std::string&)>& say,
-                      const std::function<std::optional<std::string>()>& hear) {
+                      const std::function<std::optional<std::string>()>& hear, bool again) {
   for (const Question& question : questions_) {
     const bool can_run =
         std::find(written_.begin(), written_.end(), question.exercise) != written_.end();
-    if (!can_run || kept_.contains(question.exercise)) continue;
-    say(prompt(question));
+    const json before = kept_.value(question.exercise, json());
+    if (!can_run || (kept_.contains(question.exercise) && !again)) continue;
+    const std::string enter =
+        before.is_null() ? "Enter skips" : "Enter leaves it at " + question.shown(before);
+    say(prompt(question, enter));
     json read;
     while (true) {
       const std::optional<std::string> typed = hear();
@@ -187,11 +214,9 @@ void Predictions::ask(const std::function<void(const std::string&)>& say,
       if (typed->find_first_not_of(" \t\r") == std::string::npos) break;
       read = question.read(*typed);
       if (!read.is_null()) break;
-      say(question.choices.empty()
-              ? "that is no number; such as 2.5 or 1/3 (Enter skips): "
-              : fmt::format("a number from 1 to {} (Enter skips): ", question.choices.size()));
+      say(fmt::format("\"{}\" is not {} ({}): ", *typed, wanted(question), enter));
     }
-    kept_[question.exercise] = read;
+    kept_[question.exercise] = read.is_null() ? before : read;
     save();
   }
 }
@@ -212,8 +237,9 @@ Table Predictions::table(const json& tables) const {
     const bool right_kind =
         question.choices.empty() ? predicted.is_number() : predicted.is_string();
     if (!right_kind) continue;
-    const auto cell = [](const json& value) {
-      return value.is_number() ? Cell(shown(value), value.get<double>()) : Cell(shown(value));
+    const auto cell = [&](const json& value) {
+      const std::string text = question.shown(value);
+      return value.is_number() ? Cell(text, value.get<double>()) : Cell(text);
     };
     table.add_row({question.exercise, cell(predicted), cell(result), question.text});
   }

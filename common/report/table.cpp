@@ -2,6 +2,7 @@
 
 #include "cli/error.h"
 #include "cli/terminal.h"
+#include "cli/wrap.h"
 #include "report/format.h"
 
 #include <nlohmann/json.hpp>
@@ -15,6 +16,18 @@ namespace {
 std::string padded(const std::string& text, std::size_t width, bool right) {
   const std::string gap(width - std::min(width, display_width(text)), ' ');
   return right ? gap + text : text + gap;
+}
+
+/// A line whose last column, of words, begins at `column`: what is too wide for the terminal goes
+/// on below in that column, as long as some room is left for it.
+std::string fitted(const std::string& line, const std::string& words, std::size_t column) {
+  const auto room = stdout_columns() - static_cast<int>(column);
+  if (room < 20 || display_width(words) <= static_cast<std::size_t>(room)) return line;
+  std::string below = wrapped_to(words, room);
+  below.pop_back();
+  for (std::size_t at = 0; (at = below.find('\n', at)) != std::string::npos; at += column + 1)
+    below.insert(at + 1, column, ' ');
+  return line.substr(0, line.size() - words.size()) + below;
 }
 
 std::string without_trailing_spaces(std::string line) {
@@ -79,8 +92,12 @@ std::string Table::text() const {
   };
   std::string result = coloured(Colour::bold, line([&](std::size_t c) { return titles_[c]; }));
   result += '\n';
+  std::size_t last = 2 * (widths.size() - 1);
+  for (std::size_t c = 0; c + 1 < widths.size(); ++c)
+    last += widths[c];
   for (const auto& row : rows_) {
-    result += line([&](std::size_t c) { return row[c].text; });
+    const std::string whole = line([&](std::size_t c) { return row[c].text; });
+    result += row.back().value ? whole : fitted(whole, row.back().text, last);
     result += '\n';
   }
   return result;

@@ -194,7 +194,7 @@ TEST_CASE("Lab 1.7: the squared standard error is right on average", "[lab01][ex
     const DomainCase& of = disc_area;
     const Rows rows =
         probe("Lab 1.7 estimates", domain_params(of, static_cast<std::int64_t>(n), 20'000),
-              {.rows = 20'000, .columns = 2});
+              {.rows = 20'000, .columns = 2, .of = fmt::format("{}, n = {:g}", of.name(), n)});
     std::vector<double> squares;
     for (const double error : column(rows, 1))
       squares.push_back(error * error);
@@ -217,8 +217,8 @@ TEST_CASE("Lab 1.7: the squared standard error is right on average", "[lab01][ex
 // test's threshold is .13: standard errors that are off by 10 % are caught.
 TEST_CASE("Lab 1.7: errors are as large as the standard error says", "[lab01][ex7]") {
   const DomainCase& of = disc_tilted;
-  const Rows rows =
-      probe("Lab 1.7 estimates", domain_params(of, 400, 4'000), {.rows = 4'000, .columns = 2});
+  const Rows rows = probe("Lab 1.7 estimates", domain_params(of, 400, 4'000),
+                          {.rows = 4'000, .columns = 2, .of = of.name() + ", n = 400"});
   std::vector<double> scores;
   for (std::size_t row = 0; row < rows.count(); ++row) {
     scores.push_back((rows.at(row, 0) - of.integral) / rows.at(row, 1));

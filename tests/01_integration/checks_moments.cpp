@@ -138,7 +138,7 @@ TEST_CASE("Lab 1.3: the variance survives a mean of 1e8", "[lab01][ex3]") {
 // 0 1 4 9 ... 49: mean 17.5, sum of squares 4676, so m2 = 4676 - 8 * 17.5^2 = 2226.
 TEST_CASE("Lab 1.3: parts merged are the whole, however it is cut", "[lab01][ex3]") {
   const Rows rows = probe("Lab 1.3 merge", {.n = 8, .numbers = {{"pattern", 2}, {"offset", 0}}},
-                          {.rows = 45, .columns = 4});
+                          {.rows = 45, .columns = 4, .of = "a list of 8 numbers, in parts"});
   const auto spread = [](int first, int last) {
     double sum = 0, squares = 0;
     for (int i = first; i < last; ++i) {
@@ -163,7 +163,7 @@ TEST_CASE("Lab 1.3: many merges keep the variance at a mean of 1e8", "[lab01][ex
   const double n = 7'000;
   const Rows rows = probe("Lab 1.3 merge many",
                           {.n = 7'000, .numbers = {{"pattern", 1}, {"offset", 1e8}, {"length", 7}}},
-                          {.columns = 4});
+                          {.columns = 4, .of = "7000 numbers around 1e+08, in parts of 7"});
   const double variance = n / (n - 1);
   judge(equals("the count", rows.at(0, 0), n, 0));
   judge(equals("the mean", rows.at(0, 1), 1e8, 1e-6));

@@ -196,7 +196,10 @@ bool judge_points(Rule rule, bool middles_at_ends) {
     judge(equals(fmt::format("{}: evaluations for n = {}", names[rule], n), count.at(0, 1),
                  evaluations(rule, n), 0, count_suspects(rule, n)));
     if (count.at(0, 1) != evaluations(rule, n)) continue;  // its points fit no list
-    const Rows rows = probe("Lab 1.4 points", params, {.rows = expected.size(), .finite = false});
+    const Rows rows = probe("Lab 1.4 points", params,
+                            {.rows = expected.size(),
+                             .finite = false,
+                             .of = fmt::format("{} over [-1, 2.5], n = {}", names[rule], n)});
     const double off = rows.at(0, 0) - expected.front(), half = (on.b - on.a) / n / 2;
     const bool ends = rule == midpoint && std::abs(std::abs(off) - half) <= 1e-12;
     at_ends = at_ends || ends;

@@ -52,7 +52,7 @@ class Tree {
 };
 
 /// What was said while these lines were typed.
-std::string asked(Predictions& predictions, std::vector<std::string> lines) {
+std::string asked(Predictions& predictions, std::vector<std::string> lines, bool again = false) {
   std::string said;
   predictions.ask([&](const std::string& text) { said += text; },
                   [&]() -> std::optional<std::string> {
@@ -60,7 +60,8 @@ std::string asked(Predictions& predictions, std::vector<std::string> lines) {
                     std::string line = lines.front();
                     lines.erase(lines.begin());
                     return line;
-                  });
+                  },
+                  again);
   return said;
 }
 
@@ -82,7 +83,7 @@ TEST_CASE("a prediction is asked for once, of what is written, and shown beside 
     Predictions predictions(tree.root(), 1);
     const std::string said = asked(predictions, {"steep", "-1/3"});
     CHECK(has(said, "Which slope?"));
-    CHECK(has(said, "that is no number"));
+    CHECK(has(said, "\"steep\" is not a number, such as"));
     CHECK_FALSE(has(said, "Which is worst?"));
   }
   Predictions again(tree.root(), 1);
@@ -130,8 +131,38 @@ TEST_CASE("numbers as people type them; a ratio of two rows", "[predictions]") {
   CHECK(question.read(" -1/2 ") == -0.5);
   CHECK(question.read("\u22121.5e1") == -15);
   CHECK(question.read("+3") == 3);
-  for (const char* no : {"", "x", "1/0", "1/", "1 or 2", "nan", "inf"})
+  for (const char* no : {"", "x", "1/0", "1/", "1 or 2", "nan", "inf", "%", "3 %%"})
     CHECK(question.read(no).is_null());
+}
+
+TEST_CASE("a share is typed with or without its percent sign, and shown with it", "[predictions]") {
+  Question question;
+  question.share = true;
+  for (const char* typed : {"95 %", "95%", ".95", "0.95", "95", "+95 %", "19/20"})
+    CHECK(question.read(typed) == 0.95);
+  CHECK(question.read("1 %") == 0.01);
+  CHECK(question.read("0.5 %") == 0.005);
+  CHECK(question.read("1") == 1);
+  CHECK(question.read("100") == 1);
+  for (const char* no : {"-5 %", "101 %", "250", "many", "%"})
+    CHECK(question.read(no).is_null());
+  CHECK(question.shown(0.95) == "95 %");
+  CHECK(question.shown(1.0 / 3) == "33.3 %");
+}
+
+TEST_CASE("asked again, Enter leaves what was predicted before", "[predictions]") {
+  const Tree tree;
+  {
+    Predictions predictions(tree.root(), 1);
+    (void)asked(predictions, {"-1"});
+    const std::string said = asked(predictions, {""}, true);
+    CHECK(has(said, "Which slope?"));
+    CHECK(has(said, "Enter leaves it at -1"));
+  }
+  Predictions later(tree.root(), 1);
+  CHECK(later.table(tables).json()[0]["predicted"] == -1);
+  CHECK(has(asked(later, {"-1/2"}, true), "Which slope?"));
+  CHECK(later.table(tables).json()[0]["predicted"] == -0.5);
 }
 
 TEST_CASE("a question that lab.json asks badly is an error that names the exercise",

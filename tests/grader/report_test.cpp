@@ -169,6 +169,56 @@ TEST_CASE("the report names points, what failed and what it looks like", "[repor
   CHECK(has(text, "Lab 01: 2 of 5 points"));
 }
 
+TEST_CASE("what it looks like comes before what was measured", "[report]") {
+  const std::string text =
+      report_text(collect(demo_lab(), {passed("Lab 1.1"), failed("Lab 1.2")}, ""));
+  CHECK(text.find("It looks like this: one is missing.") < text.find("✗ it holds"));
+  CHECK(text.find("✗ it holds") < text.find("expected 2"));
+}
+
+TEST_CASE("of a crash without a line it is said how to find it", "[report]") {
+  TestRecord crashed{"Lab 1.2", "it holds", {}, Status::crashed, "it crashed: division", ""};
+  const std::string advice = "In which line it crashes: CARLO_PRESET=debug ./carlo test 1.2";
+  CHECK(has(report_text(collect(demo_lab(), {passed("Lab 1.1"), crashed}, "")), advice));
+  crashed.problem += ", in labs/01_demo/demo.cpp:3 (n = 2)";
+  CHECK_FALSE(has(report_text(collect(demo_lab(), {passed("Lab 1.1"), crashed}, "")), advice));
+}
+
+TEST_CASE("of an exercise that is begun it is said what is missing and what works", "[report]") {
+  carlo::Lab lab = demo_lab();
+  lab.exercises[1].functions = {"Sums::add", "Sums::mean", "Sums::merge"};
+  const auto open = [](const std::string& sentence, const std::string& function) {
+    TestRecord test{"Lab 1.2", sentence, {}, Status::not_implemented, "not implemented yet", ""};
+    test.missing = function;
+    return test;
+  };
+  const LabResult result =
+      collect(lab, {passed("Lab 1.1"), passed("Lab 1.2"), open("parts add up", "merge")}, "");
+  const std::string text = report_text(result);
+  CHECK(has(text, "still to write: Sums::merge\n    ✓ it holds\n    – parts add up\n"));
+  CHECK(has(text, "Next: write Sums::merge; for help: ./carlo hint 1.2"));
+  CHECK(has(shortfall(result.exercises[1], result), "still to write: Sums::merge"));
+  // A name that is none of the exercise's is not repeated.
+  const LabResult forged =
+      collect(lab, {passed("Lab 1.1"), passed("Lab 1.2"), open("parts add up", "everything")}, "");
+  CHECK_FALSE(has(report_text(forged), "everything"));
+  const LabResult untouched =
+      collect(lab, {passed("Lab 1.1"), open("it holds", "add"), open("parts add up", "merge")}, "");
+  CHECK(has(report_text(untouched), "not implemented yet: ./carlo hint 1.2"));
+}
+
+TEST_CASE("all tests of an exercise in parts run, whatever one found", "[run]") {
+  Run run(Worker(FIXTURE_WORKER, Level::limits), 1, {});
+  run.has_parts("Lab 1.1");
+  for (const char* test : {"Lab 1.1: first", "Lab 1.1: second"}) {
+    run.begin_test(test);
+    CHECK_THROWS_AS(run.probe("not implemented", {}, {}), ProbeFailure);
+    run.end_test(false);
+  }
+  CHECK_FALSE(run.records()[1].skipped);
+  CHECK_FALSE(run.records()[1].missing.empty());
+}
+
 TEST_CASE("an exercise that calls an unfinished one names that one", "[report]") {
   TestRecord open{"Lab 1.2", "it holds", {}, Status::not_implemented, "not implemented yet", ""};
   open.needs = "Lab 1.1";

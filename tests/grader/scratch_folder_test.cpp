@@ -1,6 +1,6 @@
 // A scratch folder goes with all that is in it, whatever was left there.
 
-#include "grader/judge/scratch_folder.h"
+#include "cli/scratch_folder.h"
 
 #include "grader/judge/watch.h"
 
@@ -13,7 +13,8 @@
 #include <filesystem>
 #include <fstream>
 
-using namespace carlo::grader;
+using carlo::ScratchFolder;
+using carlo::grader::fuller_than;
 namespace fs = std::filesystem;
 
 namespace {

@@ -4,10 +4,10 @@
 
 #include "cli/atomic_file.h"
 #include "cli/error.h"
+#include "cli/wrap.h"
 #include "course/compiler_messages.h"
 #include "course/own_files.h"
 #include "course/verdicts.h"
-#include "course/watch/screen.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <fmt/core.h>
@@ -104,13 +104,33 @@ TEST_CASE("an exercise is untouched, begun, judged, and edited since", "[course]
   tree.judge("1.2", "failed", 1);
   CHECK(tree.stage(1) == Stage::failed);
   CHECK(tree.status().points() == 3);
-  tree.write("return 3;", "return 2;", "throws");
-  CHECK(tree.stage(0) == Stage::edited);
-  CHECK(tree.stage(1) == Stage::failed);
+  tree.write("return 1;", "return 3;", "throws");
+  CHECK(tree.stage(1) == Stage::edited);
   tree.write("throws", "return 2;", "throws");
   CHECK(tree.stage(0) == Stage::begun);  // one of its two functions
+  CHECK(tree.status().points() == 1);    // and what is open has no points
   tree.write("return 1;", "return 2;", "throws");
   CHECK(tree.stage(0) == Stage::passed);  // the text that was judged is back
+}
+
+TEST_CASE("what has passed stays so until it is judged again, and says that it was changed",
+          "[course]") {
+  const Tree tree;
+  tree.write("return 1;", "return 2;", "return 3;");
+  for (const char* number : {"1.1", "1.2", "1.3"})
+    tree.judge(number, "passed", number[2] - '0' + 1);
+  CHECK(has(status_text({tree.status()}, false), "Everything is done.\n"));
+  tree.write("return 1;", "return 2;", "return 3;", "#include <cmath>");
+  const LabStatus status = tree.status();
+  CHECK(status.passed() == 3);
+  CHECK(status.changed() == 3);
+  const std::string text = status_text({status}, false);
+  CHECK(has(text, "9 of 9 points, 3 of 3 exercises (3 changed since)"));
+  CHECK(has(text, "✓ 1.1  First   2 of 2  changed since"));
+  CHECK(has(text, "Everything is done. What was changed since is judged by ./carlo test 1"));
+  tree.judge("1.1", "failed", 0);
+  CHECK(tree.stage(0) == Stage::failed);
+  CHECK(tree.status().passed() == 2);
 }
 
 TEST_CASE("helpers before the first heading, and exercises that are used, count as one's own",
@@ -121,10 +141,11 @@ TEST_CASE("helpers before the first heading, and exercises that are used, count 
     tree.judge(number, "passed", 2);
   tree.write("return 4;", "return 2;", "return 3;");
   CHECK(tree.stage(1) == Stage::passed);
-  CHECK(tree.stage(2) == Stage::edited);  // it uses Lab 1.1
+  CHECK_FALSE(tree.status().exercises[1].changed);
+  CHECK(tree.status().exercises[2].changed);  // it uses Lab 1.1
   tree.write("return 1;", "return 2;", "return 3;", "int helper();");
-  for (std::size_t i = 0; i < 3; ++i)
-    CHECK(tree.stage(i) == Stage::edited);
+  for (const ExerciseStatus& exercise : tree.status().exercises)
+    CHECK(exercise.changed);
 }
 
 TEST_CASE("the part of the file that changed says which exercise is being worked on", "[course]") {
@@ -139,14 +160,14 @@ TEST_CASE("the part of the file that changed says which exercise is being worked
   CHECK(tree.code().digest() == before.digest());
 }
 
-TEST_CASE("what is next is the first that has not passed, from here on and round", "[course]") {
+TEST_CASE("what is next is the first that has not passed", "[course]") {
   const Tree tree;
   tree.write("return 1;", "return 2;", "throws");
   tree.judge("1.2", "passed", 3);
-  const LabStatus status = tree.status();
-  CHECK(next_exercise(status)->tag == "Lab 1.1");
-  CHECK(next_exercise(status, &tree.lab().exercises[0])->tag == "Lab 1.3");
-  CHECK(next_exercise(status, &tree.lab().exercises[2])->tag == "Lab 1.1");
+  CHECK(next_exercise(tree.status())->tag == "Lab 1.1");
+  tree.judge("1.1", "passed", 2);
+  CHECK(next_exercise(tree.status())->tag == "Lab 1.3");
+  CHECK(next_exercise(std::vector{tree.status(), tree.status()})->tag == "Lab 1.3");
 }
 
 TEST_CASE("status for people has no escapes when piped; for programs it is JSON", "[course]") {
@@ -253,5 +274,7 @@ TEST_CASE("long lines go on below, indented; colours take no room", "[course]") 
   CHECK(wrapped_to(std::string(45, 'x'), 20) ==
         std::string(20, 'x') + "\n" + std::string(20, 'x') + "\n" + std::string(5, 'x') + "\n");
   CHECK(first_rows("a\nb\nc\nd\n", 3, "press v") == "a\nb\n... 2 more lines: press v\n");
+  CHECK(wrapped("a prompt: ", 20) == "a prompt: ");
+  CHECK(wrapped("one two three four five six: ", 20) == "one two three four\nfive six: ");
   CHECK(first_rows("a\nb\n", 3, "press v") == "a\nb\n");
 }

@@ -72,6 +72,7 @@ class WatchSession {
   LabStatus status() const;
   std::string verdict_text(const Exercise& exercise) const;
   std::string what_next() const;
+  std::string list_text() const;
   std::string verdicts_text() const;
   std::string last_run() const;
 

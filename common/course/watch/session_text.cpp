@@ -14,7 +14,7 @@ std::string chip(const ExerciseStatus& status, bool current) {
   std::string text;
   switch (status.stage) {
     case Stage::passed:
-      text = coloured(Colour::green, "✓ " + number);
+      text = coloured(status.changed ? Colour::yellow : Colour::green, "✓ " + number);
       break;
     case Stage::failed:
       text = coloured(Colour::red, "✗ " + number);
@@ -49,13 +49,22 @@ std::string WatchSession::heading() const {
 
 std::string WatchSession::what_next() const {
   const LabStatus now = status();
-  const Exercise* next = next_exercise(now, current_);
-  if (next == nullptr) {
-    return coloured(Colour::green, fmt::format("Lab {} is done.", lab_.number)) +
-           fmt::format(" ./carlo lab {} runs its experiments.\n", lab_.number);
+  if (const Exercise* next = next_exercise(now)) {
+    return fmt::format("{} {}, {}\n", coloured(Colour::bold, "Next:"), next->tag, next->title);
   }
-  if (next == current_) return "";
-  return fmt::format("Next: {}, {}\n", next->tag, next->title);
+  if (now.changed() > 0) {
+    return fmt::format("Lab {} was done; a judges what was changed since.\n", lab_.number);
+  }
+  return coloured(Colour::green, fmt::format("Lab {} is done.", lab_.number)) +
+         fmt::format(" ./carlo lab {} runs its experiments.\n", lab_.number);
+}
+
+std::string WatchSession::list_text() const {
+  const LabStatus now = status();
+  std::string text;
+  for (const ExerciseStatus& exercise : now.exercises)
+    text += status_line(exercise, title_width(lab_)) + "\n";
+  return text + what_next();
 }
 
 std::string WatchSession::verdict_text(const Exercise& exercise) const {
@@ -68,31 +77,19 @@ std::string WatchSession::verdict_text(const Exercise& exercise) const {
   }
   const bool open = verdict->status == "not_implemented";
   const std::string mark = open ? coloured(Colour::yellow, "–") : coloured(Colour::red, "✗");
-  return fmt::format("{} {}: {}\n{}{}", mark, title, points, open ? "    " : "", verdict->text);
+  return fmt::format("{} {}: {}\n{}", mark, title, points, verdict->text);
 }
 
 std::string WatchSession::verdicts_text() const {
-  if (!all_) {
-    std::string text = verdict_text(*current_);
-    const KeptVerdict* verdict = book_.find(*current_);
-    if (verdict != nullptr && verdict->status == "passed") text += what_next();
-    return text;
-  }
-  std::string text;
-  for (const ExerciseStatus& exercise : status().exercises)
-    text += status_line(exercise, title_width(lab_)) + "\n";
-  return text + what_next();
+  if (all_) return list_text();
+  const KeptVerdict* verdict = book_.find(*current_);
+  const bool passed = verdict != nullptr && verdict->status == "passed";
+  return verdict_text(*current_) + (passed ? what_next() : "");
 }
 
 std::string WatchSession::body() const {
   if (panel_ == Panel::hint) return hint_ + "\n" + last_run();
-  if (panel_ == Panel::list) {
-    std::string text;
-    for (const ExerciseStatus& exercise : status().exercises)
-      text += status_line(exercise, title_width(lab_)) + "\n";
-    return text;
-  }
-  return last_run();
+  return panel_ == Panel::list ? list_text() : last_run();
 }
 
 std::string WatchSession::last_run() const {

@@ -1,15 +1,15 @@
 #include "course/watch/watch.h"
 
 #include "cli/error.h"
+#include "cli/scratch_folder.h"
 #include "cli/terminal.h"
+#include "cli/wrap.h"
 #include "course/watch/file_events.h"
 #include "course/watch/keyboard.h"
-#include "course/watch/screen.h"
 #include "course/watch/session.h"
 
 #include <fmt/core.h>
 #include <poll.h>
-#include <stdlib.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
 
@@ -19,6 +19,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <optional>
 #include <string>
@@ -32,27 +33,6 @@ using Clock = std::chrono::steady_clock;
 
 /// A save is several events, and an editor may write twice.
 constexpr std::chrono::milliseconds calm{40};
-
-/// A folder for what children leave behind, by way of TMPDIR; it goes when this ends.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "carlo_watch_XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw Error("cannot make the folder {}", name);
-    path_ = name;
-    ::setenv("TMPDIR", name.c_str(), 1);
-  }
-  ~Scratch() {
-    std::error_code ec;
-    fs::remove_all(path_, ec);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 /// Signals as something to wait for.
 class Signals {
@@ -229,26 +209,15 @@ class Watch {
   int code_ = 0;
 };
 
-const Lab& chosen(const std::vector<Lab>& labs, const WatchPlaces& places, int number) {
-  for (const Lab& lab : labs) {
-    if (lab.number == number) return lab;
-  }
-  if (number != 0) throw Error("there is no lab {}", number);
-  const VerdictBook book(places.state("verdicts.json"));
-  const HintState hints(places.state("hints.json"));
-  for (const Lab& lab : labs) {
-    if (next_exercise(status_of(lab, places.labs(), book, hints)) != nullptr) return lab;
-  }
-  return labs.back();
-}
-
 }  // namespace
 
 int watch(const WatchOptions& options) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
+  // What children leave behind lands there too.
+  ::setenv("TMPDIR", scratch.path().c_str(), 1);
   const WatchPlaces places{options.root, options.build, scratch.path()};
   const std::vector<Lab> labs = load_labs(places.labs());
-  return Watch(places, chosen(labs, places, options.lab), options.look).run();
+  return Watch(places, find_lab(labs, options.lab), options.look).run();
 }
 
 }  // namespace carlo

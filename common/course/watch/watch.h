@@ -7,7 +7,7 @@ namespace carlo {
 struct WatchOptions {
   std::filesystem::path root;   ///< of the tree
   std::filesystem::path build;  ///< where ninja builds it
-  int lab = 0;                  ///< which lab; 0: the one of the next exercise
+  int lab = 0;                  ///< which lab
   bool look = false;            ///< look at the files instead of waiting to be told
 };
 

@@ -2,6 +2,7 @@
 
 #include "cli/atomic_file.h"
 #include "cli/error.h"
+#include "cli/scratch_folder.h"
 
 #include <fcntl.h>
 #include <sys/prctl.h>
@@ -15,34 +16,16 @@
 #include <cstring>
 #include <iterator>
 #include <map>
-#include <system_error>
 
 namespace carlo::grader {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder for what the judges write; gone with this object.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "carlo_calibrate.XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw Error("{}: {}", name, std::strerror(errno));
-    path_ = name;
-  }
-  ~Scratch() {
-    std::error_code ec;
-    fs::remove_all(path_, ec);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  fs::path file(std::size_t job, const char* what) const {
-    return path_ / fmt::format("{}.{}", job, what);
-  }
-
- private:
-  fs::path path_;
-};
+/// What a judge writes: "12.json" of the twelfth job.
+fs::path file_of(const ScratchFolder& scratch, std::size_t job, const char* what) {
+  return scratch.path() / fmt::format("{}.{}", job, what);
+}
 
 std::vector<std::string> command(const Job& job, const fs::path& verdicts) {
   // A busy machine must not look like a slow answer: the processor time is limited all the same.
@@ -138,20 +121,21 @@ Record record_of(const Job& job, int status, const rusage& usage, const fs::path
 void run_jobs(const std::vector<Job>& jobs, int at_once,
               const std::function<void(const Record&)>& done) {
   ::setpriority(PRIO_PROCESS, 0, 19);
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const fs::file_time_type begun = fs::file_time_type::clock::now();
   Judges judges;
   for (std::size_t next = 0; next < jobs.size() || judges.count() > 0;) {
     if (next < jobs.size() && judges.count() < static_cast<std::size_t>(at_once)) {
-      const fs::path verdicts = scratch.file(next, "json");
-      judges.add(start(command(jobs[next], verdicts), scratch.file(next, "said")), next);
+      const fs::path verdicts = file_of(scratch, next, "json");
+      judges.add(start(command(jobs[next], verdicts), file_of(scratch, next, "said")), next);
       ++next;
       continue;
     }
     int status = 0;
     rusage usage{};
     const std::size_t ended = judges.next(status, usage);
-    const fs::path verdicts = scratch.file(ended, "json"), said = scratch.file(ended, "said");
+    const fs::path verdicts = file_of(scratch, ended, "json"),
+                   said = file_of(scratch, ended, "said");
     if (built(jobs[ended].subject) > begun) {
       throw Error("{} or its judge was built anew meanwhile: start again",
                   jobs[ended].subject.worker.string());

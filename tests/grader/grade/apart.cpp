@@ -1,8 +1,8 @@
 #include "grader/grade/apart.h"
 
+#include "cli/descriptor.h"
 #include "cli/error.h"
 #include "grader/judge/bubblewrap.h"
-#include "grader/judge/descriptor.h"
 #include "grader/judge/landlock.h"
 #include "grader/judge/process.h"
 #include "grader/judge/syscall_filter.h"

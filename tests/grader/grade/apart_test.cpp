@@ -2,9 +2,9 @@
 
 #include "cli/atomic_file.h"
 #include "cli/error.h"
+#include "cli/scratch_folder.h"
 #include "grader/judge/landlock.h"
 #include "grader/judge/process.h"
-#include "grader/judge/scratch_folder.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>

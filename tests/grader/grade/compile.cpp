@@ -1,10 +1,10 @@
 #include "grader/grade/compile.h"
 
 #include "cli/atomic_file.h"
+#include "cli/descriptor.h"
 #include "cli/error.h"
 #include "grader/grade/foreign_symbols.h"
 #include "grader/grade/own_names.h"
-#include "grader/judge/descriptor.h"
 #include "grader/judge/report.h"
 
 #include <fcntl.h>

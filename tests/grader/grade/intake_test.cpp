@@ -2,8 +2,8 @@
 
 #include "cli/atomic_file.h"
 #include "cli/error.h"
+#include "cli/scratch_folder.h"
 #include "grader/grade/archive.h"
-#include "grader/judge/scratch_folder.h"
 
 #include <archive.h>
 #include <archive_entry.h>

@@ -2,13 +2,13 @@
 
 #include "cli/arguments.h"
 #include "cli/atomic_file.h"
+#include "cli/descriptor.h"
 #include "cli/error.h"
 #include "cli/main_guard.h"
 #include "cli/progress.h"
 #include "cli/terminal.h"
 #include "grader/grade/class.h"
 #include "grader/grade/outputs.h"
-#include "grader/judge/descriptor.h"
 #include "grader/judge/results.h"
 
 #include <CLI/CLI.hpp>

@@ -4,6 +4,7 @@
 #include "cli/atomic_file.h"
 #include "cli/error.h"
 #include "cli/main_guard.h"
+#include "cli/wrap.h"
 #include "grader/judge/consistency.h"
 #include "grader/judge/current_run.h"
 #include "grader/judge/feedback_page.h"
@@ -94,6 +95,9 @@ int judge_lab(const Options& options) {
   Limits limits;
   limits.deadline = std::chrono::milliseconds(static_cast<long>(options.deadline * 1000));
   current_run() = std::make_unique<Run>(make_worker(options), run_seed(options), limits);
+  for (const Exercise& exercise : lab.exercises) {
+    if (exercise.functions.size() > 1) current_run()->has_parts(exercise.tag);
+  }
   run_tests(tag);
   if (!options.probes.empty()) {
     write_file(options.probes, to_json(Questions{current_run()->seed(), current_run()->asked()}));
@@ -102,7 +106,7 @@ int judge_lab(const Options& options) {
   LabResult result = collect(lab, current_run()->records(), tag);
   result.seed = current_run()->seed();
   result.sandbox = current_run()->sandbox().description();
-  fmt::print("{}", report_text(result, options.verbose));
+  fmt::print("{}", wrapped(report_text(result, options.verbose)));
   const std::string verdicts = report_json(result);
   if (!options.json.empty()) write_file(options.json, verdicts);
   write_feedback_page(verdicts, options.page);

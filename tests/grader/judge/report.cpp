@@ -2,7 +2,7 @@
 
 #include "cli/terminal.h"
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <sstream>
@@ -48,7 +48,7 @@ std::string whole_test(const TestRecord& test) {
 }
 
 std::string failed_test(const TestRecord& test) {
-  std::string out = fmt::format("    {}\n", test.sentence);
+  std::string out = fmt::format("    {} {}\n", coloured(Colour::red, "✗"), test.sentence);
   if (!test.problem.empty()) out += fmt::format("      {}\n", harmless(test.problem));
   if (!test.printed.empty()) {
     out += "      your program printed:\n" + indent(test.printed, "        | ");
@@ -76,6 +76,10 @@ std::string heading(const ExerciseResult& result, std::size_t titles) {
   return fmt::format("{} {}  {}{}  {}", mark, result.exercise.number(), title, gap, points);
 }
 
+std::string joined(const std::vector<std::string>& words) {
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
 /// Why an exercise is not implemented: it is not done, or another is not that its code calls.
 std::string open_text(const ExerciseResult& result) {
   for (const TestRecord& test : result.tests) {
@@ -87,13 +91,15 @@ std::string open_text(const ExerciseResult& result) {
   return fmt::format("not implemented yet: ./carlo hint {}", result.exercise.number());
 }
 
-/// The tests that failed, the first ones in full; and those that were not run after a deadline.
+/// The tests that failed, the first ones in full; and those that were not run after a deadline. Not
+/// those that wait for something to be written.
 std::string failed_tests(const ExerciseResult& result) {
   std::string out;
   int failures = 0, skipped = 0;
   std::string why;
   for (const TestRecord& test : result.tests) {
-    if (test.status == Status::passed) continue;
+    const bool waits = test.status == Status::not_implemented && !test.skipped;
+    if (test.status == Status::passed || waits) continue;
     if (test.skipped) {
       ++skipped;
       why = harmless(test.problem);
@@ -132,42 +138,82 @@ std::string right_but(const ExerciseResult& result) {
                      result.exercise.points);
 }
 
-/// What keeps an exercise from all its points; `tests`: with the tests that failed.
-std::string details(const ExerciseResult& result, const LabResult& lab, bool tests) {
-  std::string out = right_but(result) + unsound_ground(result, lab);
-  if (tests) out += failed_tests(result);
+/// What the values look like, first of all: it says most in the fewest lines.
+std::string likely_causes(const ExerciseResult& result) {
+  std::string out;
   std::vector<Diagnosis> likely = diagnoses(result);
   if (likely.size() > shown_diagnoses) likely.resize(shown_diagnoses);
   for (const Diagnosis& diagnosis : likely) {
     out += fmt::format("    {} {}\n", coloured(Colour::bold, "It looks like this:"),
                        diagnosis.sentence);
   }
-  return out + fmt::format("    For help: ./carlo hint {}\n", result.exercise.number());
+  return out;
+}
+
+/// How to find out in which line a program crashed, where no report has named it.
+std::string line_of_crash(const ExerciseResult& result) {
+  const auto unknown = [](const TestRecord& test) {
+    return test.problem.rfind("it crashed: ", 0) == 0 &&
+           test.problem.find(", in labs/") == std::string::npos;
+  };
+  if (std::none_of(result.tests.begin(), result.tests.end(), unknown)) return "";
+  return fmt::format("    In which line it crashes: CARLO_PRESET=debug ./carlo test {}\n",
+                     result.exercise.number());
+}
+
+/// Of an exercise of which some is written: what is missing, what already works, what to do next.
+std::string begun_text(const ExerciseResult& result, const LabResult& lab, bool tests) {
+  std::string passed, waiting;
+  for (const TestRecord& test : result.tests) {
+    if (test.skipped) continue;
+    if (test.status == Status::passed) passed += fmt::format("    ✓ {}\n", test.sentence);
+    if (test.status == Status::not_implemented) waiting += fmt::format("    – {}\n", test.sentence);
+  }
+  const std::vector<std::string> missing = missing_functions(result);
+  std::string out = missing.empty() ? "    " + open_text(result) + "\n"
+                                    : fmt::format("    still to write: {}\n", joined(missing));
+  out += unsound_ground(result, lab) + likely_causes(result);
+  if (tests) out += passed + waiting + failed_tests(result);
+  out += line_of_crash(result);
+  const std::string number = result.exercise.number();
+  return out + (missing.empty() ? fmt::format("    Next: ./carlo hint {}\n", number)
+                                : fmt::format("    Next: write {}; for help: ./carlo hint {}\n",
+                                              missing.front(), number));
+}
+
+/// What keeps an exercise from all its points; `tests`: with the tests that failed.
+std::string details(const ExerciseResult& result, const LabResult& lab, bool tests) {
+  std::string out = right_but(result) + unsound_ground(result, lab) + likely_causes(result);
+  if (tests) out += failed_tests(result);
+  return out + line_of_crash(result) +
+         fmt::format("    For help: ./carlo hint {}\n", result.exercise.number());
 }
 
 std::string exercise_text(const ExerciseResult& result, const LabResult& lab, std::size_t titles,
                           bool verbose) {
   std::string out = heading(result, titles);
-  if (result.status == Status::not_implemented) {
-    return fmt::format("{}  {}\n", out, open_text(result));
-  }
+  const bool open = result.status == Status::not_implemented;
+  if (open && !begun(result)) return fmt::format("{}  {}\n", out, open_text(result));
   out += "\n";
+  if (result.status != Status::passed) {
+    out += open ? begun_text(result, lab, !verbose) : details(result, lab, !verbose);
+  }
   if (verbose) {
     for (const TestRecord& test : result.tests)
       out += whole_test(test);
   }
   if (result.status == Status::passed) return out;
-  return out + details(result, lab, !verbose) +
-         fmt::format("    The raw values: ./carlo replay {} --seed {}\n", result.exercise.number(),
-                     lab.seed);
+  return out + fmt::format("    The raw values: ./carlo replay {} --seed {}\n",
+                           result.exercise.number(), lab.seed);
 }
 
 /// What to do next, below the total.
 std::string advice(const LabResult& result) {
   if (result.earned() == result.possible()) return "";
   const bool untouched = std::all_of(
-      result.exercises.begin(), result.exercises.end(),
-      [](const ExerciseResult& entry) { return entry.status == Status::not_implemented; });
+      result.exercises.begin(), result.exercises.end(), [](const ExerciseResult& entry) {
+        return entry.status == Status::not_implemented && !begun(entry);
+      });
   if (untouched) {
     const Exercise& first = result.exercises.front().exercise;
     return fmt::format("Nothing done yet: start with {}, ./carlo hint {}\n", first.tag,
@@ -190,7 +236,8 @@ std::string harmless(std::string text) {
 
 std::string shortfall(const ExerciseResult& result, const LabResult& lab) {
   if (result.status == Status::passed) return "";
-  if (result.status == Status::not_implemented) return open_text(result) + "\n";
+  if (begun(result)) return begun_text(result, lab, true);
+  if (result.status == Status::not_implemented) return "    " + open_text(result) + "\n";
   return details(result, lab, true);
 }
 

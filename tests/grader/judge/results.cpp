@@ -3,6 +3,7 @@
 #include "cli/error.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace carlo::grader {
@@ -78,6 +79,28 @@ double LabResult::earned() const {
 int LabResult::possible() const {
   return std::accumulate(exercises.begin(), exercises.end(), 0,
                          [](int sum, const ExerciseResult& e) { return sum + e.exercise.points; });
+}
+
+std::vector<std::string> missing_functions(const ExerciseResult& result) {
+  // "Moments::merge" in lab.json, "merge" in what the worker says: a name of ours or none.
+  const auto is_missing = [&](const std::string& function) {
+    const std::size_t colon = function.rfind(':');
+    const std::string name = colon == std::string::npos ? function : function.substr(colon + 1);
+    return std::any_of(result.tests.begin(), result.tests.end(), [&](const TestRecord& test) {
+      return !test.skipped && test.needs.empty() && test.missing == name;
+    });
+  };
+  std::vector<std::string> list;
+  std::copy_if(result.exercise.functions.begin(), result.exercise.functions.end(),
+               std::back_inserter(list), is_missing);
+  return list;
+}
+
+bool begun(const ExerciseResult& result) {
+  return result.status == Status::not_implemented &&
+         std::any_of(result.tests.begin(), result.tests.end(), [](const TestRecord& test) {
+           return !test.skipped && test.status != Status::not_implemented;
+         });
 }
 
 LabResult collect(const Lab& lab, const std::vector<TestRecord>& records, const std::string& only) {

@@ -32,6 +32,7 @@ struct TestRecord {
   std::string printed;             ///< what the student's program printed, when there was a problem
   bool skipped = false;            ///< not run, because an earlier test told what would come
   std::string needs = {};          ///< the tag of another exercise, when that is the one not done
+  std::string missing = {};        ///< the function that is not done, as the worker calls it
   Aspect aspect = Aspect::correctness;
 };
 
@@ -59,6 +60,13 @@ struct LabResult {
   double earned() const;
   int possible() const;
 };
+
+/// The functions of an exercise that its tests came upon and found not done, as lab.json lists
+/// them.
+std::vector<std::string> missing_functions(const ExerciseResult& result);
+
+/// Whether an exercise that is not done is begun: some test found values, right or wrong.
+bool begun(const ExerciseResult& result);
 
 /// What an exercise's failed comparisons look like, in as few diagnoses as explain them: the one
 /// that fits most of them, less those that looked for it in vain, and others that nothing tells

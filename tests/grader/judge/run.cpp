@@ -2,9 +2,11 @@
 
 #include "cli/error.h"
 #include "grader/judge/compare.h"
+#include "grader/judge/crash.h"
 #include "random/hash.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -16,21 +18,11 @@ std::string shape_text(std::size_t rows, std::size_t columns) {
   return fmt::format("{} x {} values", rows, columns);
 }
 
-/// The signal, or what the library's own checks said before they raised it.
-std::string crash_cause(const Outcome& outcome) {
-  const std::size_t at = outcome.output.find(": Assertion '");
-  const std::size_t size = outcome.output.find("size()' failed", at);
-  if (at != std::string::npos && size != std::string::npos && size - at < 60) {
-    return "an index outside of its vector, array or span";
-  }
-  return signal_name(outcome.code);
-}
-
 /// Throws unless the worker ended as it should.
 void check_end(const Outcome& outcome, const Limits& limits) {
   using End = Outcome::End;
   const auto fail = [&](Status status, const std::string& message) {
-    throw ProbeFailure(status, message, outcome.output);
+    throw ProbeFailure(status, message, without_reports(outcome.output));
   };
   switch (outcome.end) {
     case End::exited:
@@ -58,6 +50,9 @@ void check_end(const Outcome& outcome, const Limits& limits) {
     case End::not_started:
       throw Error("a worker was not started");
   }
+  if (outcome.code != 0 && has_report(outcome.output)) {
+    fail(Status::crashed, fmt::format("it crashed: {}", crash_cause(outcome)));
+  }
   if (outcome.code != 0) {
     fail(Status::crashed, fmt::format("the program ended itself with exit code {}", outcome.code));
   }
@@ -84,14 +79,24 @@ void check_rows(const Rows& rows, const Shape& shape) {
           rows.count() > 1 ? fmt::format(", in answer {} of {}", row + 1, rows.count()) : ""));
 }
 
+/// Numbers that say nothing to a student: how often the same is asked, and which of the probe's own
+/// cases is meant.
+constexpr std::array silent{"repetitions", "points", "rule",    "domain", "integrand", "pattern",
+                            "kind",        "target", "combine", "list",   "weighting"};
+
 /// What a probe was asked, in words: what the check calls it, or its parameters.
 std::string question(const Params& params, const Shape& shape) {
   if (!shape.of.empty()) return shape.of;
-  std::string text = params.n != 0 ? fmt::format("n = {}", params.n) : "";
+  std::string text;
+  const auto add = [&](const std::string& name, const std::string& value) {
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, value);
+  };
   for (const auto& [name, value] : params.numbers) {
-    if (name == "repetitions" || name == "points") continue;
-    text += fmt::format("{}{} = {:g}", text.empty() ? "" : ", ", name, value);
+    if (std::find(silent.begin(), silent.end(), name) == silent.end()) {
+      add(name, fmt::format("{:g}", value));
+    }
   }
+  if (params.n != 0) add("n", std::to_string(params.n));
   return text;
 }
 
@@ -118,10 +123,13 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// `tag`: the exercise that is not done.
-ProbeFailure undone(const std::string& tag) {
+/// `said`: what the worker sent, the exercise's message and below it the function's name.
+ProbeFailure undone(const std::string& said) {
   ProbeFailure failure(Status::not_implemented, "not implemented yet");
-  failure.not_implemented = tag;
+  failure.not_implemented = tag_in(said);
+  if (const std::size_t line = said.find('\n'); line != std::string::npos) {
+    failure.function = said.substr(line + 1);
+  }
   return failure;
 }
 
@@ -142,7 +150,7 @@ Answer run_probe(const Worker& worker, const std::string& name, const Params& pa
   std::optional<Frame> frame = decode(outcome.result);
   if (!frame) throw ProbeFailure(Status::crashed, "its answer was cut short or no answer at all");
   if (frame->status == Frame::Status::not_implemented) {
-    throw undone(tag_in(frame->text));
+    throw undone(frame->text);
   }
   if (frame->status == Frame::Status::error) {
     throw ProbeFailure(Status::crashed, "it threw an exception: " + frame->text.substr(0, 500),
@@ -185,7 +193,8 @@ void Run::end_test(bool clean) {
 const TestRecord* Run::hopeless(const std::string& tag) const {
   const auto found = std::find_if(records_.begin(), records_.end(), [&](const TestRecord& test) {
     const bool too_slow = test.status == Status::timeout && test.aspect == Aspect::correctness;
-    return test.tag == tag && !test.skipped && (test.status == Status::not_implemented || too_slow);
+    const bool open = test.status == Status::not_implemented && in_parts_.count(tag) == 0;
+    return test.tag == tag && !test.skipped && (open || too_slow);
   });
   return found == records_.end() ? nullptr : &*found;
 }
@@ -232,6 +241,7 @@ void Run::note(const ProbeFailure& failure, const std::string& question) {
   test.printed = failure.printed;
   if (failure.status == Status::not_implemented) {
     if (failure.not_implemented != test.tag) test.needs = failure.not_implemented;
+    test.missing = failure.function;
   } else if (!test.skipped && !question.empty()) {
     test.problem += fmt::format(" ({})", question);
   }

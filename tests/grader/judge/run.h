@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -29,6 +30,7 @@ struct ProbeFailure : std::runtime_error {
   Status status;
   std::string printed;
   std::string not_implemented = {};  ///< the tag of the exercise that is not done
+  std::string function = {};         ///< and the function, without its class
 };
 
 /// The table that a probe returned, and what the judge itself knows of it. The table may be forged;
@@ -53,14 +55,18 @@ class Run {
   Run(Worker worker, std::uint64_t seed, Limits limits)
       : worker_(std::move(worker)), seed_(seed), limits_(limits) {}
 
+  /// Of the exercise of this tag a part may be done while another is not: all its tests run.
+  void has_parts(const std::string& tag) { in_parts_.insert(tag); }
+
   void begin_test(const std::string& name, Aspect aspect = Aspect::correctness);
   /// `clean`: the test framework saw no failure.
   void end_test(bool clean);
 
   /// A probe of the current test; its seed follows from the run's, the test's name and the number
   /// of probes before it. A failure is noted and ends the test. Once an exercise is known to be not
-  /// implemented or to run into the deadline, or has used up its time, its probes are not started
-  /// any more; but what is too slow where only its cost is judged may still be right.
+  /// implemented (unless it has parts) or to run into the deadline, or has used up its time, its
+  /// probes are not started any more; but what is too slow where only its cost is judged may still
+  /// be right.
   Answer probe(const std::string& name, Params params, const Shape& shape);
 
   /// Notes a verdict. Throws Error when the budget of statistical ones is used up.
@@ -83,6 +89,7 @@ class Run {
   Limits limits_;
   std::vector<TestRecord> records_;
   std::vector<Asked> asked_;
+  std::set<std::string> in_parts_;
   std::uint64_t probes_in_test_ = 0;
   int statistical_ = 0;
   std::map<std::string, double> seconds_of_;  ///< that the probes of an exercise took, by tag

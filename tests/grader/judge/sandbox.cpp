@@ -1,9 +1,9 @@
 #include "grader/judge/sandbox.h"
 
 #include "cli/error.h"
+#include "cli/scratch_folder.h"
 #include "grader/judge/bubblewrap.h"
 #include "grader/judge/landlock.h"
-#include "grader/judge/scratch_folder.h"
 
 #include <unistd.h>
 
@@ -23,8 +23,11 @@ std::vector<std::string> environment(const fs::path& scratch, const Limits& limi
   std::vector<std::string> variables{"PATH=/usr/bin:/bin", "LANG=C.UTF-8",
                                      "TMPDIR=" + scratch.string()};
   if (address_sanitizer()) {
+    // An abort() too says where it came from: a student is told the line.
     variables.push_back(
-        fmt::format("ASAN_OPTIONS=detect_leaks=0:hard_rss_limit_mb={}", limits.memory_bytes >> 20));
+        fmt::format("ASAN_OPTIONS=detect_leaks=0:handle_abort=1:hard_rss_limit_mb={}",
+                    limits.memory_bytes >> 20));
+    variables.emplace_back("UBSAN_OPTIONS=print_stacktrace=1");
   }
   return variables;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/judge/descriptor.h"
+#include "cli/descriptor.h"
 #include "grader/judge/process.h"
 
 #include <sys/types.h>

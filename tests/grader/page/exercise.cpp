@@ -251,9 +251,13 @@ std::string unsound_ground(const json& exercise) {
   return out;
 }
 
-/// Whether there is more to say than the overview does.
+/// Whether there is more to say than the overview does: of one that is not done, if it is begun.
 bool has_details(const json& exercise) {
-  return text_in(exercise, "status") != "not_implemented" && !list_in(exercise, "tests").empty();
+  const json& tests = list_in(exercise, "tests");
+  if (text_in(exercise, "status") != "not_implemented") return !tests.empty();
+  return std::any_of(tests.begin(), tests.end(), [](const json& test) {
+    return !true_in(test, "skipped") && text_in(test, "status") != "not_implemented";
+  });
 }
 
 std::string heading(const json& exercise) {

@@ -29,7 +29,7 @@ student_patterns() {
 ^\.(vscode|devcontainer)/
 ^\.github/workflows/grade\.yml$
 ^common/
-^labs/CMakeLists\.txt$
+^labs/(CMakeLists\.txt|README\.md)$
 ^tests/CMakeLists\.txt$
 ^tests/grader/(CMakeLists\.txt|README\.md|[a-z_]+\.cmake|[a-z_]+_test\.cpp)$
 ^tests/grader/(fixtures|judge|page|protocol|replay|worker)/

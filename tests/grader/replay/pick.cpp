@@ -12,7 +12,10 @@ namespace {
 
 std::string ending(const Asked& asked) {
   if (asked.status != Status::passed) return asked.problem;
-  return fmt::format("{} x {} values", asked.rows, asked.columns);
+  const std::size_t values = asked.columns;
+  if (asked.rows == 1) return fmt::format("{} {}", values, values == 1 ? "value" : "values");
+  return values == 1 ? fmt::format("{} values", asked.rows)
+                     : fmt::format("{} rows of {} values", asked.rows, values);
 }
 
 bool is_number(const std::string& text) {

@@ -1,6 +1,7 @@
 #include "grader/replay/rerun.h"
 
 #include "cli/error.h"
+#include "grader/judge/crash.h"
 #include "grader/judge/process.h"
 
 #include <fcntl.h>
@@ -11,7 +12,6 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <regex>
 #include <string_view>
 
 namespace carlo::grader {
@@ -31,12 +31,6 @@ std::vector<char*> pointers(const std::vector<std::string>& words) {
 void ask_sanitizers() {
   ::setenv("ASAN_OPTIONS", "detect_leaks=0:handle_abort=1", 0);
   ::setenv("UBSAN_OPTIONS", "print_stacktrace=1", 0);
-}
-
-std::string place_in(const std::string& text) {
-  static const std::regex place(R"((labs/[0-9]{2}_[a-z_]+/[A-Za-z0-9_./]+\.(cpp|h):[0-9]+))");
-  std::smatch match;
-  return std::regex_search(text, match, place) ? match[1].str() : "";
 }
 
 /// Copies `from` to our stderr and returns its start, of which a sanitizer's report is a small
@@ -92,9 +86,7 @@ Rerun rerun(const std::vector<std::string>& command) {
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
   if (code == 127) throw Error("{} cannot be run", command.front());
   // A sanitizer ends the program with exit code 1, after its report.
-  const bool report = said.find("ERROR: AddressSanitizer") != std::string::npos ||
-                      said.find(": runtime error: ") != std::string::npos;
-  if (code != 0 && report) result.how = "the sanitizer's report above";
+  if (code != 0 && has_report(said)) result.how = "the sanitizer's report above";
   if (code != 0 && code != 1) result.how = fmt::format("exit code {}", code);
   result.values = status == 0;
   result.crashed = !result.how.empty();

@@ -26,7 +26,8 @@ Frame run(Probe probe, const Params& params) {
     frame.rows = probe(params);
   } catch (const NotImplemented& error) {
     frame.status = Frame::Status::not_implemented;
-    frame.text = error.what();
+    // The judge names the function too: on a line of its own.
+    frame.text = std::string(error.what()) + "\n" + error.function();
   } catch (const std::bad_alloc&) {
     frame.status = Frame::Status::error;
     frame.text = "out of memory (std::bad_alloc)";
@@ -44,7 +45,10 @@ Frame run(Probe probe, const Params& params) {
 /// same. Nothing but a table is a success.
 int print(const Frame& frame, std::size_t most) {
   if (frame.status != Frame::Status::rows) {
-    fmt::print("no values: {}\n", frame.text);
+    const std::size_t line =
+        frame.status == Frame::Status::not_implemented ? frame.text.find('\n') : std::string::npos;
+    fmt::print("no values: {}{}\n", frame.text.substr(0, line),
+               line == std::string::npos ? "" : ", in " + frame.text.substr(line + 1));
     return 1;
   }
   const Rows& rows = frame.rows;

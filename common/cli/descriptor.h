@@ -1,6 +1,6 @@
 #pragma once
 
-namespace carlo::grader {
+namespace carlo {
 
 /// A descriptor that closes itself.
 class Descriptor {
@@ -24,4 +24,4 @@ class Descriptor {
   int fd_;
 };
 
-}  // namespace carlo::grader
+}  // namespace carlo

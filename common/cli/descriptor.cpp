@@ -1,4 +1,4 @@
-#include "grader/judge/descriptor.h"
+#include "cli/descriptor.h"
 
 #include "cli/error.h"
 
@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
-namespace carlo::grader {
+namespace carlo {
 
 Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
   if (this == &other) return *this;
@@ -29,4 +29,4 @@ Descriptor Descriptor::lifted() const {
   return copy;
 }
 
-}  // namespace carlo::grader
+}  // namespace carlo

@@ -1,6 +1,8 @@
-#include "course/watch/screen.h"
+#include "cli/wrap.h"
 
 #include <fmt/core.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <sstream>
@@ -67,6 +69,20 @@ std::string wrapped_to(const std::string& text, int columns) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);)
     out += wrapped_line(line, std::max(columns, 20)) + "\n";
+  return out;
+}
+
+int stdout_columns() {
+  winsize size{};
+  return ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
+std::string wrapped(const std::string& text, int most) {
+  const int terminal = stdout_columns();
+  const int columns = terminal > 0 && most > 0 ? std::min(terminal, most) : terminal + most;
+  if (columns == 0 || text.empty()) return text;
+  std::string out = wrapped_to(text, columns);
+  if (text.back() != '\n') out.pop_back();
   return out;
 }
 

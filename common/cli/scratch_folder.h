@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-namespace carlo::grader {
+namespace carlo {
 
 /// Removes all that is in a folder, as far as we may: also what lies deeper than any path can name,
 /// and in folders whose owner has closed them. Links are not followed. Nobody else may be at work
@@ -24,4 +24,4 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace carlo::grader
+}  // namespace carlo

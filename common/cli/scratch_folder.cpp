@@ -1,7 +1,7 @@
-#include "grader/judge/scratch_folder.h"
+#include "cli/scratch_folder.h"
 
+#include "cli/descriptor.h"
 #include "cli/error.h"
-#include "grader/judge/descriptor.h"
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace carlo::grader {
+namespace carlo {
 namespace {
 
 namespace fs = std::filesystem;
@@ -95,4 +95,4 @@ ScratchFolder::~ScratchFolder() {
   ::rmdir(path_.c_str());
 }
 
-}  // namespace carlo::grader
+}  // namespace carlo

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+namespace carlo {
+
+/// `text` for a screen of `columns`: longer lines go on below, indented like their beginning and
+/// parted at spaces where that is possible. Colours (ESC [ ... m) take no room. Every line ends.
+std::string wrapped_to(const std::string& text, int columns);
+
+/// How wide the terminal is that stdout is; 0 where it is none.
+int stdout_columns();
+
+/// Wrapped to the terminal that stdout is, and to `most` columns there and elsewhere (0: as wide as
+/// it is). What stands behind the last line end, as a prompt does, stays without one.
+std::string wrapped(const std::string& text, int most = 0);
+
+/// Its first `rows` lines; where there are more, the last of them says how many and `what` shows
+/// them.
+std::string first_rows(const std::string& text, int rows, const std::string& what);
+
+}  // namespace carlo

@@ -1,0 +1,52 @@
+// What a student is told of a crash: why, and in which line where a sanitizer knows it.
+
+#include "grader/judge/crash.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+#include <csignal>
+#include <string>
+
+using namespace carlo::grader;
+
+namespace {
+
+Outcome crash(const std::string& said) {
+  Outcome outcome;
+  outcome.end = Outcome::End::signalled;
+  outcome.code = SIGABRT;
+  outcome.output = said;
+  return outcome;
+}
+
+const std::string assertion =
+    "/usr/include/c++/12/bits/stl_vector.h:1123: std::vector<double>::operator[](size_type): "
+    "Assertion '__n < this->size()' failed.\n";
+const std::string report =
+    "=================================================================\n"
+    "==7==ERROR: AddressSanitizer: heap-buffer-overflow on address 0x6020 at pc 0x55\n"
+    "    #0 0x55 in std::vector<double>::operator[] /usr/include/c++/12/bits/stl_vector.h:1123\n"
+    "    #1 0x56 in lab01::average(long) /tree/labs/01_integration/integration.cpp:27\n"
+    "    #2 0x57 in probe /tree/tests/01_integration/probes_average.cpp:9\n";
+
+}  // namespace
+
+TEST_CASE("a crash is told by its signal, the library's check or the sanitizer's report",
+          "[report]") {
+  CHECK(crash_cause(crash("")) == signal_name(SIGABRT));
+  CHECK(crash_cause(crash(assertion)) == "an index outside of its vector, array or span");
+  CHECK(crash_cause(crash(report)) ==
+        "heap-buffer-overflow, in labs/01_integration/integration.cpp:27");
+  CHECK(crash_cause(crash(assertion + report)) ==
+        "an index outside of its vector, array or span, in labs/01_integration/integration.cpp:27");
+  CHECK(crash_cause(crash("/tree/labs/02_pi/pi.cpp:9:3: runtime error: division by zero\n")) ==
+        "division by zero, in labs/02_pi/pi.cpp:9");
+  // What a program prints about itself is no report.
+  CHECK(crash_cause(crash("labs/02_pi/pi.cpp:9\n")) == signal_name(SIGABRT));
+}
+
+TEST_CASE("what a program said itself is kept, reports are not", "[report]") {
+  CHECK(without_reports("i = 3\n" + assertion + report) == "i = 3\n");
+  CHECK(without_reports("i = 3\n====\nj = 4\n") == "i = 3\n====\nj = 4\n");
+  CHECK(without_reports("x.cpp:1:1: runtime error: overflow\nmore\n").empty());
+}

@@ -1,0 +1,68 @@
+#include "grader/judge/crash.h"
+
+#include <fmt/core.h>
+
+#include <regex>
+#include <sstream>
+#include <string_view>
+
+namespace carlo::grader {
+namespace {
+
+constexpr std::string_view address_report = "ERROR: AddressSanitizer: ";
+constexpr std::string_view undefined_report = ": runtime error: ";
+
+/// What follows `start`, up to `end` or the line's end; empty when it does not say so.
+std::string after(const std::string& said, std::string_view start, std::string_view end) {
+  const std::size_t at = said.find(start);
+  if (at == std::string::npos) return "";
+  const std::string line = said.substr(at + start.size(), said.find('\n', at) - at - start.size());
+  return line.substr(0, line.find(end));
+}
+
+std::string cause_of(const Outcome& outcome) {
+  const std::size_t at = outcome.output.find(": Assertion '");
+  const std::size_t size = outcome.output.find("size()' failed", at);
+  if (at != std::string::npos && size != std::string::npos && size - at < 60) {
+    return "an index outside of its vector, array or span";
+  }
+  const std::string memory = after(outcome.output, address_report, " on ");
+  if (!memory.empty()) return memory.substr(0, 100);
+  const std::string undefined = after(outcome.output, undefined_report, "\n");
+  if (!undefined.empty()) return undefined.substr(0, 200);
+  return signal_name(outcome.code);
+}
+
+}  // namespace
+
+std::string place_in(const std::string& said) {
+  static const std::regex place(R"((labs/[0-9]{2}_[a-z_]+/[A-Za-z0-9_./]+\.(cpp|h):[0-9]+))");
+  std::smatch match;
+  return std::regex_search(said, match, place) ? match[1].str() : "";
+}
+
+bool has_report(const std::string& said) {
+  return said.find(address_report) != std::string::npos ||
+         said.find(undefined_report) != std::string::npos;
+}
+
+std::string without_reports(const std::string& said) {
+  std::string out;
+  std::istringstream lines(said);
+  for (std::string line; std::getline(lines, line);) {
+    const bool ruler = line.size() > 20 && line.find_first_not_of('=') == std::string::npos;
+    if (ruler || line.find(address_report) != std::string::npos) break;
+    if (line.find(undefined_report) != std::string::npos) break;
+    // At the text's end there may be none.
+    if (!lines.eof()) line += '\n';
+    if (line.find(": Assertion '") == std::string::npos) out += line;
+  }
+  return out;
+}
+
+std::string crash_cause(const Outcome& outcome) {
+  const std::string place = has_report(outcome.output) ? place_in(outcome.output) : "";
+  return cause_of(outcome) + (place.empty() ? "" : ", in " + place);
+}
+
+}  // namespace carlo::grader

@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# lab_stop_test.sh PROGRAMS: Ctrl-C ends a lab's program as a signal does, in one line that says so,
+# and nothing is left of its page.
+set -euo pipefail
+programs=$1
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+
+# All sizes: far longer than two seconds.
+code=0
+timeout --preserve-status --signal=INT 2 "$programs/lab01_solution" --json run.json >text 2>errors ||
+  code=$?
+if [ "$code" != 130 ] || [ "$(grep -c 'Stopped; nothing was written' errors)" != 1 ]; then
+  printf 'FAILED: exit code %s\n' "$code"
+  cat errors
+  exit 1
+fi
+[ "$(ls)" = "$(printf 'errors\ntext')" ] || { ls && exit 1; }
