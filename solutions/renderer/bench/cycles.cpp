@@ -111,6 +111,9 @@ Runs measure(Context& context, const Blender& blender, const Compared& c, std::u
     spec["seed"] = seed;
     CyclesImage theirs = render_by_cycles(blender, spec, [&] { context.progress(done); });
     const double rel_mse = carlo::compare(theirs.image, c.reference.image).rel_mse - c.noise;
+    if (!(rel_mse > 0)) {
+      throw carlo::Error("Cycles' image of {} is nearer to the reference than its noise", c.name);
+    }
     const Rung ours = ours_at(c, seed, samples, rel_mse, runs.ours);
     runs.seconds.push_back(theirs.seconds);
     runs.rel_mse.push_back(rel_mse);
