@@ -2,6 +2,7 @@
 
 #include "cli/atomic_file.h"
 #include "cli/error.h"
+#include "cli/terminal.h"
 #include "render/interrupt.h"
 #include "render/render_app.h"
 #include "report/format.h"
@@ -44,6 +45,21 @@ void Context::table(const std::string& key, const carlo::Table& table, std::stri
   std::fflush(stdout);
 }
 
+void Context::remark(const std::string& line) {
+  page_.note(line);
+  bar_.clear();
+  fmt::print("{}\n\n", line);
+  std::fflush(stdout);
+}
+
+void Context::fault(const std::string& line) {
+  faults_.push_back(line);
+  page_.note(line);
+  bar_.clear();
+  fmt::print("{}\n\n", carlo::coloured(carlo::Colour::red, line));
+  std::fflush(stdout);
+}
+
 void Context::write() {
   bar_.clear();
   double load[3] = {};
@@ -68,7 +84,7 @@ void Context::write() {
   }
   page_.write(options_.page);
   const auto json = std::filesystem::path(options_.page).replace_extension(".json");
-  const nlohmann::json all = {{"about", about}, {"tables", results_}};
+  const nlohmann::json all = {{"about", about}, {"tables", results_}, {"faults", faults_}};
   carlo::write_file(json, all.dump(2) + "\n");
   fmt::print("written: {} and {}\n", options_.page.string(), json.string());
 }

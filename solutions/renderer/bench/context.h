@@ -25,7 +25,9 @@ struct Options {
   std::filesystem::path scenes, references, scratch;
   std::filesystem::path integrators, generators;  ///< what the labs' programs wrote; may be empty
   std::filesystem::path page;
-  std::vector<std::string> only;  ///< parts of the page; empty: all
+  std::string blender = "blender";      ///< a path, or a name to be found in PATH
+  std::filesystem::path cycles_script;  ///< what Blender runs
+  std::vector<std::string> only;        ///< parts of the page; empty: all
 };
 
 /// What every part of the benchmark writes to: the page, and the same numbers as JSON.
@@ -43,6 +45,11 @@ class Context {
   /// How much of the current part is done, in [0, 1]. Throws Error after Ctrl-C.
   void progress(double fraction);
   void table(const std::string& key, const carlo::Table& table, std::string_view caption);
+  /// One line that the reader should not miss, here and on the page.
+  void remark(const std::string& line);
+  /// The same in red: a measurement that is not what it should be. The run goes on, and fails.
+  void fault(const std::string& line);
+  bool sound() const { return faults_.empty(); }
 
   /// Writes the page and, beside it, the JSON file.
   void write();
@@ -52,6 +59,7 @@ class Context {
   carlo::Page page_;
   carlo::Progress bar_;
   nlohmann::json results_ = nlohmann::json::object();
+  std::vector<std::string> faults_;
   double all_weights_, done_ = 0, weight_ = 0;
 };
 
@@ -82,6 +90,7 @@ void bench_triangles(Context& context);
 void bench_lights(Context& context);
 void bench_depth(Context& context);
 void bench_needs(Context& context);
+void bench_cycles(Context& context);
 
 /// Measures one mesh in a process of its own, and prints what bench_triangles() reads.
 void print_mesh_costs(const std::filesystem::path& scene);

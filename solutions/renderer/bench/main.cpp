@@ -27,7 +27,8 @@ const std::vector<Part> parts = {
     {"scenes", 75, bench::bench_scenes},      {"equal-time", 6, bench::bench_equal_time},
     {"labs", 1, bench::bench_labs},           {"threads", 4, bench::bench_threads},
     {"triangles", 8, bench::bench_triangles}, {"lights", 5, bench::bench_lights},
-    {"depth", 3, bench::bench_depth},         {"needs", 3, bench::bench_needs}};
+    {"depth", 3, bench::bench_depth},         {"needs", 3, bench::bench_needs},
+    {"cycles", 45, bench::bench_cycles}};
 
 int run(int argc, char** argv) {
   bench::Options options;
@@ -52,6 +53,11 @@ int run(int argc, char** argv) {
   app.add_option("--scratch", options.scratch)->default_val("build/bench")->group("");
   app.add_option("--integrators", options.integrators)->group("");
   app.add_option("--generators", options.generators)->group("");
+  app.add_option("--blender", options.blender, "Blender's program, for the part cycles")
+      ->capture_default_str();
+  app.add_option("--cycles-script", options.cycles_script)
+      ->default_val("solutions/renderer/bench/cycles.py")
+      ->group("");
   app.add_option("--mesh-costs", mesh)->group("");
   if (const auto code = carlo::parse_arguments(app, argc, argv)) return *code;
   if (!mesh.empty()) {
@@ -77,7 +83,7 @@ int run(int argc, char** argv) {
     part.run(context);
   }
   context.write();
-  return 0;
+  return context.sound() ? 0 : 1;
 }
 
 }  // namespace

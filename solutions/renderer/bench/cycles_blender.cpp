@@ -1,0 +1,86 @@
+#include "cycles_blender.h"
+
+#include "cli/atomic_file.h"
+#include "cli/error.h"
+#include "course/watch/child.h"
+#include "image/exr.h"
+
+#include <nlohmann/json.hpp>
+#include <poll.h>
+
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+namespace bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a program says until it ends.
+struct Said {
+  int exit_code;
+  std::string text;
+};
+
+Said run(const std::vector<std::string>& command, const std::function<void()>& wait) {
+  carlo::Child child(command);
+  while (!child.ended()) {
+    wait();
+    pollfd readable{child.fd(), POLLIN, 0};
+    (void)::poll(&readable, 1, 200);
+  }
+  return {child.exit_code(), child.output()};
+}
+
+/// The answer of cycles.py among all that Blender says, and the last line that tells of an error.
+struct Lines {
+  std::optional<nlohmann::json> answer;
+  std::string error = "nothing that tells of an error";
+};
+
+Lines read(const std::string& text) {
+  constexpr std::string_view mark = "carlo: ";
+  Lines result;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    if (line.rfind(mark, 0) == 0) {
+      result.answer = nlohmann::json::parse(line.substr(mark.size()), nullptr, false);
+    } else if (line.find("Error") != std::string::npos) {
+      result.error = line;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+bool blender_installed(const Blender& blender) {
+  try {
+    return run({blender.program, "--version"}, [] {}).exit_code == 0;
+  } catch (const carlo::Error&) {
+    return false;
+  }
+}
+
+CyclesImage render_by_cycles(const Blender& blender, nlohmann::json scene,
+                             const std::function<void()>& wait) {
+  fs::create_directories(blender.scratch);
+  const fs::path input = blender.scratch / "cycles.json";
+  const fs::path output = fs::absolute(blender.scratch / "cycles.exr");
+  fs::remove(output);  // an earlier run's image is no result
+  scene["output"] = output.string();
+  carlo::write_file(input, scene.dump() + "\n");
+  const Said said =
+      run({blender.program, "-b", "--factory-startup", "-noaudio", "-t", "1", "--python-exit-code",
+           "3", "--python", blender.script.string(), "--", input.string()},
+          wait);
+  const Lines lines = read(said.text);
+  if (said.exit_code != 0 || !lines.answer || !lines.answer->is_object()) {
+    throw carlo::Error("Blender failed (exit code {}): {}", said.exit_code, lines.error);
+  }
+  return {carlo::read_exr(output).image, lines.answer->value("seconds", 0.0),
+          lines.answer->value("version", "?")};
+}
+
+}  // namespace bench
