@@ -84,6 +84,12 @@ carlo::Cell spread_cell(const Spread& s) {
           s.median};
 }
 
+carlo::Cell seconds_spread_cell(const Spread& s) {
+  return {fmt::format("{} [{}, {}]", carlo::duration_text(s.median), carlo::duration_text(s.least),
+                      carlo::duration_text(s.greatest)),
+          s.median};
+}
+
 Rendered render_timed(const carlo::Integrator& integrator, const carlo::Scene& scene,
                       std::uint32_t spp) {
   const carlo::Stopwatch stopwatch;

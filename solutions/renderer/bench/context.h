@@ -63,6 +63,8 @@ struct Spread {
 Spread spread(std::vector<double> values);
 /// "0.123 [0.12, 0.13]"; the median goes to machines.
 carlo::Cell spread_cell(const Spread& spread);
+/// The same of durations.
+carlo::Cell seconds_spread_cell(const Spread& spread);
 
 /// One render on one thread.
 struct Rendered {
@@ -82,6 +84,7 @@ void bench_triangles(Context& context);
 void bench_lights(Context& context);
 void bench_depth(Context& context);
 void bench_needs(Context& context);
+void bench_lean_build(Context& context);
 
 /// Measures one mesh in a process of its own, and prints what bench_triangles() reads.
 void print_mesh_costs(const std::filesystem::path& scene);
