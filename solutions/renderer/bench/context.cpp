@@ -73,11 +73,6 @@ void Context::write() {
   fmt::print("written: {} and {}\n", options_.page.string(), json.string());
 }
 
-Spread spread(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return {values[values.size() / 2], values.front(), values.back()};
-}
-
 carlo::Cell spread_cell(const Spread& s) {
   return {fmt::format("{} [{}, {}]", carlo::number_text(s.median, 3),
                       carlo::number_text(s.least, 3), carlo::number_text(s.greatest, 3)),

@@ -2,6 +2,7 @@
 
 #include "cli/progress.h"
 #include "render/driver.h"
+#include "renderer/bench/spread.h"
 #include "report/page.h"
 #include "report/table.h"
 #include "scene/scene.h"
@@ -55,12 +56,6 @@ class Context {
   double all_weights_, done_ = 0, weight_ = 0;
 };
 
-/// Median, least and greatest of several runs.
-struct Spread {
-  double median = 0, least = 0, greatest = 0;
-};
-/// Of one value at least; of an even number the upper median.
-Spread spread(std::vector<double> values);
 /// "0.123 [0.12, 0.13]"; the median goes to machines.
 carlo::Cell spread_cell(const Spread& spread);
 /// The same of durations.
