@@ -12,6 +12,7 @@
 #include "render/resume.h"
 #include "render/samples_map.h"
 #include "scene/load_scene.h"
+#include "scene/sampler_kind.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -63,7 +64,7 @@ void add_common_options(CLI::App& app, Arguments& a) {
   app.add_option("--max-depth", a.max_depth, "longest path in segments, 0 for no limit")
       ->check(CLI::Range(0, 1 << 20));
   app.add_option("--sampler", a.sampler, "independent, stratified or sobol")
-      ->check(CLI::IsMember({"independent", "stratified", "sobol"}));
+      ->check(CLI::IsMember(sampler_names()));
   app.add_option("--seed", a.seed, "another seed gives independent noise (default: 1)");
   app.add_option("--threads", a.threads, "default: one for each core")->check(CLI::Range(1, 1024));
   app.add_option("-D,--define", a.definitions, "NAME=VALUE for a $NAME of the scene");
@@ -117,9 +118,7 @@ void apply(const Arguments& a, Scene& scene) {
   if (a.target_error) scene.spp = default_cap;
   if (a.spp) scene.spp = static_cast<int>(*a.spp);
   if (a.max_depth) scene.max_depth = *a.max_depth;
-  if (a.sampler == "independent") scene.sampler = SamplerKind::independent;
-  if (a.sampler == "stratified") scene.sampler = SamplerKind::stratified;
-  if (a.sampler == "sobol") scene.sampler = SamplerKind::sobol;
+  if (!a.sampler.empty()) scene.sampler = sampler_kind(a.sampler);
 }
 
 /// Where the outputs go: their common stem. A default folder is made, a given one must exist.

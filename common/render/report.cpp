@@ -3,6 +3,7 @@
 #include "cli/progress.h"
 #include "numeric/compensated.h"
 #include "scene/needs.h"
+#include "scene/sampler_kind.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -12,18 +13,6 @@
 
 namespace carlo {
 namespace {
-
-std::string sampler_name(SamplerKind kind) {
-  switch (kind) {
-    case SamplerKind::independent:
-      return "independent";
-    case SamplerKind::stratified:
-      return "stratified";
-    case SamplerKind::sobol:
-      return "sobol";
-  }
-  return "";
-}
 
 /// The root mean square over pixels and channels of their standard errors, over the mean radiance.
 double relative_error(const Film& film, const MeanRadiance& mean) {
@@ -102,7 +91,7 @@ nlohmann::json numbers(const std::array<double, 3>& x) {
 RenderReport make_report(const Scene& scene, const RenderResult& result) {
   RenderReport report;
   report.needs = describe(needs(scene));
-  report.sampler = sampler_name(scene.sampler);
+  report.sampler = name_of(scene.sampler);
   report.width = result.film.width();
   report.height = result.film.height();
   report.threads = result.threads;

@@ -4,6 +4,7 @@
 #include "cli/error.h"
 #include "render/driver.h"
 #include "scene/fingerprint.h"
+#include "scene/sampler_kind.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -39,11 +40,6 @@ std::vector<std::string> all_channels() {
   return names;
 }
 
-const char* sampler_name(SamplerKind kind) {
-  if (kind == SamplerKind::independent) return "independent";
-  return kind == SamplerKind::stratified ? "stratified" : "sobol";
-}
-
 /// The driver gives all pixels of a tile as many blocks.
 bool even_tiles(const Film& film) {
   for (int y = 0; y < film.height(); ++y) {
@@ -61,7 +57,7 @@ RenderSettings render_settings(const Scene& scene, const std::string& kernel, st
                                std::uint32_t planned, const std::vector<std::string>& definitions) {
   return {{"scene_digest", fingerprint(scene)},
           {"seed", std::to_string(seed)},
-          {"sampler", sampler_name(scene.sampler)},
+          {"sampler", name_of(scene.sampler)},
           {"max_depth", std::to_string(scene.max_depth)},
           {"planned_spp", std::to_string(planned)},
           {"kernel", kernel},

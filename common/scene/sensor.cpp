@@ -1,6 +1,7 @@
 #include "scene/sensor.h"
 
 #include "scene/properties.h"
+#include "scene/sampler_kind.h"
 #include "scene/text.h"
 #include "scene/transforms.h"
 
@@ -43,10 +44,8 @@ void parse_film(const XmlElement& element, Scene& scene) {
 
 void parse_sampler(const XmlElement& element, Scene& scene) {
   Properties sampler(element);
-  require_type(sampler, "sampler", {"independent", "stratified", "sobol"});
-  if (sampler.type() == "independent") scene.sampler = SamplerKind::independent;
-  if (sampler.type() == "stratified") scene.sampler = SamplerKind::stratified;
-  if (sampler.type() == "sobol") scene.sampler = SamplerKind::sobol;
+  require_type(sampler, "sampler", sampler_names());
+  scene.sampler = sampler_kind(sampler.type());
   scene.spp = sampler.integer("sampleCount").value_or(scene.spp);
   sampler.finish();
   if (scene.spp < 1) {

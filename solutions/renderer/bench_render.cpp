@@ -6,20 +6,22 @@
 #include "image/metrics.h"
 #include "render/driver.h"
 #include "render/render_app.h"
+#include "renderer/bench/spread.h"
 #include "renderer/flat/flat_kernel.h"
 #include "renderer/path_integrator.h"
+#include "report/stopwatch.h"
 #include "scene/load_scene.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <ctime>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace {
+
+using bench::median, bench::spread;
 
 /// An independent renderer's relMSE x seconds on the same scenes at 256x256 and 64 samples a pixel,
 /// one thread: Tungsten, see tests/references/README.md.
@@ -66,11 +68,6 @@ std::vector<Variant> variants(const Arguments& a) {
   return result;
 }
 
-double median(std::vector<double> x) {
-  std::sort(x.begin(), x.end());
-  return x[x.size() / 2];
-}
-
 /// One render. Seconds are the processor's when there is one thread: what else the machine does
 /// counts less.
 void render_once(carlo::Scene scene, const carlo::Image& reference, const Arguments& a,
@@ -83,28 +80,28 @@ void render_once(carlo::Scene scene, const carlo::Image& reference, const Argume
               .spp = a.spp,
               .kernel = scalar ? renderer::Kernel::scalar : renderer::Kernel::best,
               .choices = variant.choices});
-  const std::clock_t start = std::clock();
+  const carlo::Stopwatch stopwatch;
   const carlo::RenderResult result =
       carlo::render(*integrator, scene.width, scene.height, carlo::radiance_scale(scene),
                     {.spp = a.spp, .seconds = {}, .threads = a.threads, .progress = false});
-  const double busy = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  const double busy = stopwatch.seconds();
   variant.seconds.push_back(a.threads == 1 ? busy : result.seconds);
   variant.rel_mse.push_back(carlo::compare(result.film.mean(), reference).rel_mse);
   variant.product.push_back(variant.seconds.back() * variant.rel_mse.back());
 }
 
 void print(const Peer& peer, const Variant& variant, double paths) {
-  const auto [low, high] = std::minmax_element(variant.product.begin(), variant.product.end());
+  const bench::Spread product = spread(variant.product);
   const double target = peer.seconds * peer.rel_mse;
   fmt::print(
       "{:<21} {:<19} {:>8.3f} {:>8.3f} {:>9.5f} {:>11.5f} {:>9.5f}-{:.5f} {:>8.4f} {:>8.2f}\n",
       peer.scene, variant.name, median(variant.seconds), 1e6 * median(variant.seconds) / paths,
-      median(variant.rel_mse), median(variant.product), *low, *high, target,
-      target / median(variant.product));
+      median(variant.rel_mse), product.median, product.least, product.greatest, target,
+      target / product.median);
 }
 
 /// All variants take turns, so that what else the machine does meets them alike.
-void bench(const Peer& peer, const Arguments& a) {
+void measure(const Peer& peer, const Arguments& a) {
   const std::filesystem::path folder(a.references);
   carlo::Scene scene = carlo::load_scene(folder / (std::string(peer.scene) + ".xml"));
   const carlo::Image reference = carlo::read_exr(folder / (std::string(peer.scene) + ".exr")).image;
@@ -145,7 +142,7 @@ int run(int argc, char** argv) {
   fmt::print("{:<21} {:<19} {:>8} {:>8} {:>9} {:>11} {:>17} {:>8} {:>8}\n", "scene", "kernel",
              "seconds", "us/path", "relMSE", "relMSE x s", "(min-max)", "peer's", "better x");
   for (const Peer& peer : peers)
-    bench(peer, a);
+    measure(peer, a);
   return 0;
 }
 

@@ -6,12 +6,13 @@
 #include "render/driver.h"
 #include "render/half_sums.h"
 #include "render/render_app.h"
+#include "renderer/bench/spread.h"
 #include "renderer/path_integrator.h"
+#include "report/stopwatch.h"
 #include "scene/load_scene.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,7 @@
 namespace {
 
 namespace fs = std::filesystem;
+using bench::median;
 using carlo::Scene;
 
 /// Pixels a side of the tiles whose worst is compared.
@@ -37,19 +39,6 @@ struct Arguments {
   std::uint32_t spp = 1u << 20;
   std::uint64_t seed = 1;
 };
-
-/// Processor seconds of this program so far.
-double processor_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_utime.tv_sec) +
-         1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
-}
-
-double median(std::vector<double> x) {
-  std::sort(x.begin(), x.end());
-  return x[x.size() / 2];
-}
 
 double mean(const std::vector<double>& x) {
   double sum = 0;
@@ -82,11 +71,11 @@ Run render(const Scene& scene, std::uint64_t seed, std::uint32_t spp,
            std::optional<double> target) {
   const auto integrator = renderer::make_path_integrator(
       scene, {.seed = seed, .spp = target ? carlo::adaptive_strata : spp});
-  const double before = processor_seconds();
+  const carlo::Stopwatch stopwatch;
   const carlo::RenderResult result = carlo::render(
       *integrator, scene.width, scene.height, carlo::radiance_scale(scene),
       {.spp = spp, .seconds = {}, .threads = 1, .progress = false, .target_error = target});
-  return {grey(result.film), processor_seconds() - before,
+  return {grey(result.film), stopwatch.seconds(),
           result.adaptive.value_or(carlo::AdaptiveSummary{})};
 }
 
@@ -183,7 +172,7 @@ Uniform same_worst_tile(const Scene& scene, const Adaptive& adaptive, const Argu
   }
 }
 
-void bench(const fs::path& file, const Arguments& a) {
+void measure_scene(const fs::path& file, const Arguments& a) {
   Scene scene = carlo::load_scene(file);
   carlo::resize(scene, a.size, a.size);
   const Adaptive adaptive = measure(scene, a);
@@ -217,7 +206,7 @@ int run(const Arguments& a) {
              "CPU s", "uniform", "CPU s", "ratio");
   std::fflush(stdout);
   for (const fs::path& file : files)
-    bench(file, a);
+    measure_scene(file, a);
   return 0;
 }
 

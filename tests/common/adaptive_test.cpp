@@ -1,4 +1,5 @@
 #include "cli/error.h"
+#include "noise_integrator.h"
 #include "random/rng.h"
 #include "render/driver.h"
 #include "render/half_sums.h"
@@ -6,9 +7,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
-#include <atomic>
 #include <cmath>
-#include <csignal>
 #include <limits>
 #include <vector>
 
@@ -18,32 +17,20 @@ using namespace carlo;
 
 /// Pixels of mean 1 with spikes: a sample is 1/p with probability p, else 0; on the left half of
 /// the film p is 1/8, on the right 1/2.
-class Spikes final : public Integrator {
+class Spikes final : public common_test::NoiseIntegrator {
  public:
   explicit Spikes(std::uint64_t seed) : seed_(seed) {}
-  std::string name() const override { return "spikes"; }
-  void render(const Tile& tile, std::span<std::array<double, 3>> means,
-              Counts& counts) const override {
-    if (interrupt_at == ++calls) std::raise(SIGINT);
-    std::size_t i = 0;
-    for (int y = tile.y0; y < tile.y1; ++y) {
-      for (int x = tile.x0; x < tile.x1; ++x) {
-        Rng rng(stream_seed(seed_, tile.stream),
-                static_cast<std::uint64_t>(y * width + x) << 32 | tile.first_sample);
-        BlockSum sum;
-        const float p = x < width / 2 ? 0.125f : 0.5f;
-        for (std::uint32_t s = 0; s < tile.samples; ++s)
-          sum.add(Rgb(rng.uniform_float() < p ? 1 / p : 0), counts);
-        counts.paths += tile.samples;
-        means[i++] = sum.mean(tile.samples);
-      }
-    }
-  }
   static constexpr int width = 16, height = 8;
-  int interrupt_at = -1;
-  mutable std::atomic<int> calls = 0;
 
  private:
+  void sample(const Tile& tile, int x, int y, BlockSum& sum, Counts& counts) const override {
+    Rng rng(stream_seed(seed_, tile.stream),
+            static_cast<std::uint64_t>(y * width + x) << 32 | tile.first_sample);
+    const float p = x < width / 2 ? 0.125f : 0.5f;
+    for (std::uint32_t s = 0; s < tile.samples; ++s)
+      sum.add(Rgb(rng.uniform_float() < p ? 1 / p : 0), counts);
+  }
+
   std::uint64_t seed_;
 };
 

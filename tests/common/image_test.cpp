@@ -5,6 +5,7 @@
 #include "image/metrics.h"
 #include "image/png.h"
 #include "random/rng.h"
+#include "temporary_folder.h"
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -12,25 +13,13 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <random>
 #include <vector>
 
 namespace {
 
 using namespace carlo;
+using common_test::TemporaryFolder;
 namespace fs = std::filesystem;
-
-/// A folder that is gone when the test is.
-struct Scratch {
-  fs::path path = fs::temp_directory_path() / ("carlo_" + std::to_string(std::random_device{}()));
-  Scratch() { fs::create_directory(path); }
-  ~Scratch() {
-    std::error_code ec;
-    fs::remove_all(path, ec);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-};
 
 TEST_CASE("A film's bits do not depend on the order of blocks nor on how films are merged") {
   Rng rng(1);
@@ -112,47 +101,47 @@ Image random_image(int width, int height, std::uint64_t seed) {
 }
 
 TEST_CASE("An EXR round trip keeps every bit, the errors and the attributes") {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   ExrFile file{random_image(17, 5, 1), random_image(17, 5, 2), {{"seed", "18446744073709551615"}}};
   file.image.at(3, 2) = Rgb(1e-20f, 1e20f, std::numeric_limits<float>::infinity());
-  write_exr(scratch.path / "a.exr", file);
-  const ExrFile back = read_exr(scratch.path / "a.exr");
+  write_exr(scratch.path() / "a.exr", file);
+  const ExrFile back = read_exr(scratch.path() / "a.exr");
   CHECK(back.image.pixels == file.image.pixels);
   REQUIRE(back.standard_error);
   CHECK(back.standard_error->pixels == file.standard_error->pixels);
   CHECK(back.attributes == file.attributes);
-  write_exr(scratch.path / "b.exr", file);
-  CHECK(read_file(scratch.path / "a.exr") == read_file(scratch.path / "b.exr"));
+  write_exr(scratch.path() / "b.exr", file);
+  CHECK(read_file(scratch.path() / "a.exr") == read_file(scratch.path() / "b.exr"));
 }
 
 TEST_CASE("What cannot be read or written is an error that leaves nothing behind") {
-  const Scratch scratch;
-  write_file(scratch.path / "not.exr", "hello");
-  CHECK_THROWS_AS(read_exr(scratch.path / "not.exr"), Error);
-  CHECK_THROWS_AS(read_exr(scratch.path / "missing.exr"), Error);
+  const TemporaryFolder scratch;
+  write_file(scratch.path() / "not.exr", "hello");
+  CHECK_THROWS_AS(read_exr(scratch.path() / "not.exr"), Error);
+  CHECK_THROWS_AS(read_exr(scratch.path() / "missing.exr"), Error);
   // A PNG is no reference: its values are not linear.
-  write_png(scratch.path / "a.png", Image(2, 2));
-  CHECK_THROWS_AS(read_exr(scratch.path / "a.png"), Error);
+  write_png(scratch.path() / "a.png", Image(2, 2));
+  CHECK_THROWS_AS(read_exr(scratch.path() / "a.png"), Error);
   const Image image(2, 2);
-  CHECK_THROWS_AS(write_exr(scratch.path / "no" / "such.exr", {image, {}, {}}), Error);
-  CHECK_THROWS_AS(write_png(scratch.path / "no" / "such.png", image), Error);
-  { const AtomicFile unfinished(scratch.path / "x.png"); }
-  CHECK(std::distance(fs::directory_iterator(scratch.path), {}) == 2);
+  CHECK_THROWS_AS(write_exr(scratch.path() / "no" / "such.exr", {image, {}, {}}), Error);
+  CHECK_THROWS_AS(write_png(scratch.path() / "no" / "such.png", image), Error);
+  { const AtomicFile unfinished(scratch.path() / "x.png"); }
+  CHECK(std::distance(fs::directory_iterator(scratch.path()), {}) == 2);
 }
 
 TEST_CASE("Writing through a link keeps the link and replaces what it points to") {
-  const Scratch scratch;
-  write_file(scratch.path / "real", "old");
-  fs::create_symlink("real", scratch.path / "link");
-  write_file(scratch.path / "link", "new");
-  CHECK(fs::is_symlink(scratch.path / "link"));
-  CHECK(read_file(scratch.path / "real") == "new");
+  const TemporaryFolder scratch;
+  write_file(scratch.path() / "real", "old");
+  fs::create_symlink("real", scratch.path() / "link");
+  write_file(scratch.path() / "link", "new");
+  CHECK(fs::is_symlink(scratch.path() / "link"));
+  CHECK(read_file(scratch.path() / "real") == "new");
 }
 
 TEST_CASE("A PNG is written whole and has its signature") {
-  const Scratch scratch;
-  write_png(scratch.path / "a.png", random_image(8, 8, 1));
-  CHECK(read_file(scratch.path / "a.png").substr(1, 3) == "PNG");
+  const TemporaryFolder scratch;
+  write_png(scratch.path() / "a.png", random_image(8, 8, 1));
+  CHECK(read_file(scratch.path() / "a.png").substr(1, 3) == "PNG");
 }
 
 TEST_CASE("Errors against a reference are the definitions'") {

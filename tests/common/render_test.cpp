@@ -1,12 +1,11 @@
 #include "cli/error.h"
+#include "noise_integrator.h"
 #include "random/rng.h"
 #include "render/driver.h"
 
 #include <catch2/catch_test_macros.hpp>
 
-#include <atomic>
 #include <cmath>
-#include <csignal>
 #include <limits>
 #include <stdexcept>
 
@@ -15,31 +14,20 @@ namespace {
 using namespace carlo;
 
 /// Uniform noise around 1 + x; optionally something bad in one place.
-class Noise final : public Integrator {
+class Noise final : public common_test::NoiseIntegrator {
  public:
-  std::string name() const override { return "noise"; }
-  void render(const Tile& tile, std::span<std::array<double, 3>> means,
-              Counts& counts) const override {
-    if (interrupt_at == ++tiles) std::raise(SIGINT);
-    std::size_t i = 0;
-    for (int y = tile.y0; y < tile.y1; ++y) {
-      for (int x = tile.x0; x < tile.x1; ++x) {
-        BlockSum sum;
-        for (std::uint32_t s = 0; s < tile.samples; ++s) {
-          Rng rng(1, static_cast<std::uint64_t>((y * 1000 + x) * 1000) + tile.first_sample + s);
-          if (x == throw_at) throw std::runtime_error("from a worker");
-          const float value = x == nan_at ? std::numeric_limits<float>::quiet_NaN()
-                                          : static_cast<float>(x) + 2 * rng.uniform_float();
-          sum.add(Rgb(value), counts);
-          ++counts.paths;
-        }
-        means[i++] = sum.mean(tile.samples);
-      }
+  int throw_at = -1, nan_at = -1;
+
+ private:
+  void sample(const Tile& tile, int x, int y, BlockSum& sum, Counts& counts) const override {
+    for (std::uint32_t s = 0; s < tile.samples; ++s) {
+      Rng rng(1, static_cast<std::uint64_t>((y * 1000 + x) * 1000) + tile.first_sample + s);
+      if (x == throw_at) throw std::runtime_error("from a worker");
+      const float value = x == nan_at ? std::numeric_limits<float>::quiet_NaN()
+                                      : static_cast<float>(x) + 2 * rng.uniform_float();
+      sum.add(Rgb(value), counts);
     }
   }
-  int throw_at = -1, nan_at = -1;
-  int interrupt_at = -1;
-  mutable std::atomic<int> tiles = 0;
 };
 
 RenderResult run(const Noise& noise, std::uint32_t spp, int threads) {

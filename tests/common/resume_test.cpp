@@ -2,61 +2,35 @@
 
 #include "cli/atomic_file.h"
 #include "cli/error.h"
+#include "noise_integrator.h"
 #include "random/rng.h"
 #include "render/driver.h"
 #include "scene/fingerprint.h"
+#include "temporary_folder.h"
 
 #include <catch2/catch_test_macros.hpp>
 
-#include <atomic>
 #include <cmath>
-#include <csignal>
 #include <filesystem>
 #include <functional>
-#include <random>
 
 namespace {
 
 using namespace carlo;
+using common_test::TemporaryFolder;
 namespace fs = std::filesystem;
 
 constexpr int width = 37, height = 21;  // 6 tiles
 
-/// A folder that is gone when the test is.
-struct Scratch {
-  fs::path path = fs::temp_directory_path() / ("carlo_" + std::to_string(std::random_device{}()));
-  Scratch() { fs::create_directory(path); }
-  ~Scratch() {
-    std::error_code ec;
-    fs::remove_all(path, ec);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-};
-
 /// Samples over five orders of magnitude.
-class Noise final : public Integrator {
- public:
-  std::string name() const override { return "noise"; }
-  void render(const Tile& tile, std::span<std::array<double, 3>> means,
-              Counts& counts) const override {
-    if (interrupt_at == ++calls) std::raise(SIGINT);
-    std::size_t i = 0;
-    for (int y = tile.y0; y < tile.y1; ++y) {
-      for (int x = tile.x0; x < tile.x1; ++x) {
-        BlockSum sum;
-        for (std::uint32_t s = 0; s < tile.samples; ++s) {
-          Rng rng(3, static_cast<std::uint64_t>(y * width + x) << 32 | (tile.first_sample + s));
-          const float u = rng.uniform_float();
-          sum.add({std::pow(10.0f, 5 * u - 4), u, 0}, counts);
-          ++counts.paths;
-        }
-        means[i++] = sum.mean(tile.samples);
-      }
+class Noise final : public common_test::NoiseIntegrator {
+  void sample(const Tile& tile, int x, int y, BlockSum& sum, Counts& counts) const override {
+    for (std::uint32_t s = 0; s < tile.samples; ++s) {
+      Rng rng(3, static_cast<std::uint64_t>(y * width + x) << 32 | (tile.first_sample + s));
+      const float u = rng.uniform_float();
+      sum.add({std::pow(10.0f, 5 * u - 4), u, 0}, counts);
     }
   }
-  int interrupt_at = -1;
-  mutable std::atomic<int> calls = 0;
 };
 
 RenderResult run(const Noise& noise, std::uint32_t spp, const RenderResult* earlier = nullptr) {
@@ -104,15 +78,15 @@ bool same(const Film& a, const Film& b) {
 }
 
 TEST_CASE("An interrupted render that is resumed has the bits of an undisturbed one") {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const RenderResult whole = run(Noise(), 64);
   for (const int tile : {2, 6, 20, 47}) {  // of 48
     Noise noise;
     noise.interrupt_at = tile;
     const RenderResult part = run(noise, 64);
     REQUIRE(part.interrupted);
-    write(scratch.path / "a.exr", part);
-    const RenderResult start = read(scratch.path / "a.exr");
+    write(scratch.path() / "a.exr", part);
+    const RenderResult start = read(scratch.path() / "a.exr");
     CHECK(same(start.film, part.film));
     const RenderResult resumed = run(Noise(), 64, &start);
     CHECK(same(resumed.film, whole.film));
@@ -122,9 +96,9 @@ TEST_CASE("An interrupted render that is resumed has the bits of an undisturbed 
 }
 
 TEST_CASE("A finished render is extended: the same mean, an error estimate from its own blocks") {
-  const Scratch scratch;
-  write(scratch.path / "a.exr", run(Noise(), 64));
-  const RenderResult start = read(scratch.path / "a.exr");
+  const TemporaryFolder scratch;
+  write(scratch.path() / "a.exr", run(Noise(), 64));
+  const RenderResult start = read(scratch.path() / "a.exr");
   const RenderResult extended = run(Noise(), 256, &start);
   const RenderResult whole = run(Noise(), 256);
   CHECK(extended.film.block() == 8);
@@ -134,7 +108,7 @@ TEST_CASE("A finished render is extended: the same mean, an error estimate from 
 }
 
 TEST_CASE("A checkpoint is a render to go on from") {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   int count = 0;
   const Noise noise;
   const RenderResult whole = render(noise, width, height, 10,
@@ -144,18 +118,18 @@ TEST_CASE("A checkpoint is a render to go on from") {
                                      .progress = false,
                                      .checkpoint =
                                          [&](const RenderResult& r) {
-                                           if (++count == 3) write(scratch.path / "a.exr", r);
+                                           if (++count == 3) write(scratch.path() / "a.exr", r);
                                          },
                                      .checkpoint_seconds = 0});
   CHECK(count == 7);  // eight passes; after the last comes the result
-  const RenderResult start = read(scratch.path / "a.exr");
+  const RenderResult start = read(scratch.path() / "a.exr");
   CHECK(start.film.samples() == std::uint64_t{width} * height * 24);
   CHECK(same(run(noise, 64, &start).film, whole.film));
 }
 
 TEST_CASE("Nobody goes on from another render, nor from what is no render") {
-  const Scratch scratch;
-  const fs::path path = scratch.path / "a.exr";
+  const TemporaryFolder scratch;
+  const fs::path path = scratch.path() / "a.exr";
   const RenderResult result = run(Noise(), 8);
   write(path, result);
   for (const char* name :

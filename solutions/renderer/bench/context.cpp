@@ -89,14 +89,15 @@ void Context::write() {
   fmt::print("written: {} and {}\n", options_.page.string(), json.string());
 }
 
-Spread spread(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return {values[values.size() / 2], values.front(), values.back()};
-}
-
 carlo::Cell spread_cell(const Spread& s) {
   return {fmt::format("{} [{}, {}]", carlo::number_text(s.median, 3),
                       carlo::number_text(s.least, 3), carlo::number_text(s.greatest, 3)),
+          s.median};
+}
+
+carlo::Cell seconds_spread_cell(const Spread& s) {
+  return {fmt::format("{} [{}, {}]", carlo::duration_text(s.median), carlo::duration_text(s.least),
+                      carlo::duration_text(s.greatest)),
           s.median};
 }
 

@@ -2,6 +2,7 @@
 
 #include "cli/progress.h"
 #include "render/driver.h"
+#include "renderer/bench/spread.h"
 #include "report/page.h"
 #include "report/table.h"
 #include "scene/scene.h"
@@ -63,14 +64,10 @@ class Context {
   double all_weights_, done_ = 0, weight_ = 0;
 };
 
-/// Median, least and greatest of several runs.
-struct Spread {
-  double median = 0, least = 0, greatest = 0;
-};
-/// Of one value at least; of an even number the upper median.
-Spread spread(std::vector<double> values);
 /// "0.123 [0.12, 0.13]"; the median goes to machines.
 carlo::Cell spread_cell(const Spread& spread);
+/// The same of durations.
+carlo::Cell seconds_spread_cell(const Spread& spread);
 
 /// One render on one thread.
 struct Rendered {
@@ -90,6 +87,7 @@ void bench_triangles(Context& context);
 void bench_lights(Context& context);
 void bench_depth(Context& context);
 void bench_needs(Context& context);
+void bench_lean_build(Context& context);
 void bench_cycles(Context& context);
 
 /// Measures one mesh in a process of its own, and prints what bench_triangles() reads.

@@ -5,6 +5,8 @@
 #include "cli/main_guard.h"
 #include "context.h"
 #include "render/interrupt.h"
+#include "render_cost.h"
+#include "renderer/path_integrator.h"
 
 #include <CLI/CLI.hpp>
 
@@ -23,16 +25,20 @@ struct Part {
 };
 
 /// In the page's order.
-const std::vector<Part> parts = {
-    {"scenes", 75, bench::bench_scenes},      {"equal-time", 6, bench::bench_equal_time},
-    {"labs", 1, bench::bench_labs},           {"threads", 4, bench::bench_threads},
-    {"triangles", 8, bench::bench_triangles}, {"lights", 5, bench::bench_lights},
-    {"depth", 3, bench::bench_depth},         {"needs", 3, bench::bench_needs},
-    {"cycles", 45, bench::bench_cycles}};
+const std::vector<Part> parts = {{"scenes", 75, bench::bench_scenes},
+                                 {"equal-time", 6, bench::bench_equal_time},
+                                 {"labs", 1, bench::bench_labs},
+                                 {"threads", 4, bench::bench_threads},
+                                 {"triangles", 8, bench::bench_triangles},
+                                 {"lights", 5, bench::bench_lights},
+                                 {"depth", 3, bench::bench_depth},
+                                 {"needs", 3, bench::bench_needs},
+                                 {"lean-build", 12, bench::bench_lean_build},
+                                 {"cycles", 45, bench::bench_cycles}};
 
 int run(int argc, char** argv) {
   bench::Options options;
-  std::string mesh;
+  std::string mesh, cost;
   std::vector<std::string> names;
   for (const Part& part : parts)
     names.push_back(part.name);
@@ -59,7 +65,15 @@ int run(int argc, char** argv) {
       ->default_val("solutions/renderer/bench/cycles.py")
       ->group("");
   app.add_option("--mesh-costs", mesh)->group("");
+  app.add_option("--render-cost", cost)->group("");
   if (const auto code = carlo::parse_arguments(app, argc, argv)) return *code;
+  if (!cost.empty()) {
+    const carlo::Scene scene = bench::load_cost_scene(cost);
+    bench::print_render_cost(
+        *renderer::make_path_integrator(scene, {.seed = options.seed, .spp = bench::cost_samples}),
+        scene);
+    return 0;
+  }
   if (!mesh.empty()) {
     bench::print_mesh_costs(mesh);
     return 0;

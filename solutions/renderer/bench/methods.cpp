@@ -23,18 +23,6 @@ std::string name(Method method) {
   return "";
 }
 
-std::string name(SamplerKind sampler) {
-  switch (sampler) {
-    case SamplerKind::independent:
-      return "independent";
-    case SamplerKind::stratified:
-      return "stratified";
-    case SamplerKind::sobol:
-      return "Sobol'";
-  }
-  return "";
-}
-
 std::unique_ptr<carlo::Integrator> make_integrator(Method method, const Scene& scene,
                                                    std::uint64_t seed, std::uint32_t spp) {
   if (method == Method::recursive || method == Method::iterative) {

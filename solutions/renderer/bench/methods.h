@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/integrator.h"
+#include "scene/sampler_kind.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -14,13 +15,12 @@ namespace bench {
 enum class Method { recursive, iterative, scalar, best };
 
 std::string name(Method method);
-std::string name(carlo::SamplerKind sampler);
 
 /// One of them with a sampler.
 struct Way {
   Method method;
   carlo::SamplerKind sampler;
-  std::string label() const { return name(method) + ", " + name(sampler); }
+  std::string label() const { return name(method) + ", " + carlo::name_of(sampler); }
 };
 
 /// Throws Error where the method does not take the scene. `scene` must outlive the integrator; its

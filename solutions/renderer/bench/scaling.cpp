@@ -66,12 +66,6 @@ int runs_of(const Context& context) {
   return context.options().full ? 7 : 3;
 }
 
-carlo::Cell seconds_spread_cell(const Spread& s) {
-  return {fmt::format("{} [{}, {}]", carlo::duration_text(s.median), carlo::duration_text(s.least),
-                      carlo::duration_text(s.greatest)),
-          s.median};
-}
-
 /// The scene with its rectangular light cut into n x n parts: the same image.
 Scene with_light_cut(Scene scene, int n) {
   const auto light = std::find_if(scene.shapes.begin(), scene.shapes.end(), [](const auto& shape) {

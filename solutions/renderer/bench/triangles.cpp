@@ -2,6 +2,7 @@
 #include "context.h"
 #include "geometry/embree.h"
 #include "mesh.h"
+#include "program.h"
 #include "renderer/path_integrator.h"
 #include "report/format.h"
 #include "report/stopwatch.h"
@@ -9,13 +10,11 @@
 
 #include <fmt/core.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cerrno>
 #include <chrono>
 #include <cstring>
 #include <fstream>
@@ -88,34 +87,9 @@ struct Costs {
   double path;                                ///< processor seconds
 };
 
-/// What this program prints when it is started again with an option.
-std::string output_of_self(const char* option, const std::string& value) {
-  std::array<int, 2> ends{};
-  if (pipe(ends.data()) != 0) throw Error("no pipe to a program: {}", std::strerror(errno));
-  const pid_t child = fork();
-  if (child == 0) {
-    dup2(ends[1], STDOUT_FILENO);
-    close(ends[0]);
-    close(ends[1]);
-    execl("/proc/self/exe", "carlo_bench", option, value.c_str(), nullptr);
-    _exit(127);
-  }
-  close(ends[1]);
-  std::string text;
-  std::array<char, 512> piece{};
-  for (ssize_t n = 0; (n = read(ends[0], piece.data(), piece.size())) > 0;)
-    text.append(piece.data(), static_cast<std::size_t>(n));
-  close(ends[0]);
-  int status = 0;
-  if (child < 0 || waitpid(child, &status, 0) != child || status != 0) {
-    throw Error("the measurement of {} failed", value);
-  }
-  return text;
-}
-
 /// In a program of its own, so that one mesh's memory does not hide another's.
 Costs measure_apart(const fs::path& scene) {
-  const auto c = nlohmann::json::parse(output_of_self("--mesh-costs", scene.string()))
+  const auto c = nlohmann::json::parse(output_of(this_program(), {"--mesh-costs", scene.string()}))
                      .get<std::vector<double>>();
   return {c.at(0), c.at(1), c.at(2), c.at(3), c.at(4), c.at(5)};
 }

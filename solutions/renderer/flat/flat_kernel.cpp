@@ -16,33 +16,11 @@
 #include <hwy/highway.h>
 
 // After the two above, which compile it anew.
-#include "renderer/flat/paths-inl.h"
-#include "renderer/flat/starts-inl.h"
-#include "renderer/flat/sums-inl.h"
+#include "renderer/flat/tile-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
-
-template <class Needs>
-HWY_ATTR void run(const FlatJob& job, std::span<std::array<double, 3>> means,
-                  carlo::Counts& counts) {
-  Starts starts(job);
-  Sums sums(job.tile);
-  const Walk<Needs> walk(job, counts);
-  Paths paths{};
-  paths.alive = hn::FirstN(d_, 0);
-  for (std::uint64_t round = 0;; ++round) {
-    starts.refill(paths, counts);
-    if (hn::AllFalse(d_, paths.alive)) break;
-    if (round % 4096 == 4095 && carlo::render_interrupted()) return;
-    const M before = paths.alive;
-    walk.extend(paths);
-    const M ended = hn::AndNot(paths.alive, before);
-    if (!hn::AllFalse(d_, ended)) sums.add(paths, ended, counts);
-  }
-  sums.means(means);
-}
 
 HWY_ATTR void render_tile(const FlatJob& job, std::span<std::array<double, 3>> means,
                           carlo::Counts& counts) {

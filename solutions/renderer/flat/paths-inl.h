@@ -56,7 +56,10 @@ template <class Needs>
 class Walk {
  public:
   HWY_INLINE Walk(const FlatJob& job, carlo::Counts& counts)
-      : job_(job), s_(job.scene), counts_(counts) {}
+      : job_(job),
+        s_(job.scene),
+        counts_(counts),
+        per_threshold_(1 / job.choices.roulette_threshold) {}
 
   /// Follows every path's ray to the next surface, gathers light there and draws the next ray.
   HWY_INLINE void extend(Paths& paths) const {
@@ -203,7 +206,7 @@ class Walk {
   }
 
   HWY_INLINE void roulette(Paths& paths) const {
-    const V q = hn::Mul(max_element(paths.beta), set(1 / job_.choices.roulette_threshold));
+    const V q = hn::Mul(max_element(paths.beta), set(per_threshold_));
     const M risky = hn::Lt(q, set(1));
     const V u =
         to_unit(mix(hn::Xor(hn::Mul(paths.key, set_word(0x85EBCA6B)), paths.reversed_index)));
@@ -215,6 +218,7 @@ class Walk {
   const FlatJob& job_;
   const FlatScene& s_;
   carlo::Counts& counts_;
+  float per_threshold_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -43,13 +43,15 @@ HWY_INLINE U nested_hash(U x, U seed) {
   return hn::Xor(x, hn::Mul(x, set_word(0x53A22864)));
 }
 
-/// Pascal's triangle modulo 2 times x: the second Sobol' coordinate, bits still reversed.
-HWY_INLINE U pascal(U x) {
-  x = hn::Xor(x, hn::And(hn::ShiftRight<1>(x), set_word(0x55555555)));
-  x = hn::Xor(x, hn::And(hn::ShiftRight<2>(x), set_word(0x33333333)));
-  x = hn::Xor(x, hn::And(hn::ShiftRight<4>(x), set_word(0x0F0F0F0F)));
-  x = hn::Xor(x, hn::And(hn::ShiftRight<8>(x), set_word(0x00FF00FF)));
-  return hn::Xor(x, hn::ShiftRight<16>(x));
+/// The second Sobol' coordinate of the point whose first is x: Pascal's triangle modulo 2 times the
+/// index, sobol_second(reverse_bits(x)). Both sides of the product are mirrored, so that the shifts
+/// go left and no bits need reversing.
+HWY_INLINE U second_coordinate(U x) {
+  x = hn::Xor(x, hn::And(hn::ShiftLeft<1>(x), set_word(0xAAAAAAAA)));
+  x = hn::Xor(x, hn::And(hn::ShiftLeft<2>(x), set_word(0xCCCCCCCC)));
+  x = hn::Xor(x, hn::And(hn::ShiftLeft<4>(x), set_word(0xF0F0F0F0)));
+  x = hn::Xor(x, hn::And(hn::ShiftLeft<8>(x), set_word(0xFF00FF00)));
+  return hn::Xor(x, hn::ShiftLeft<16>(x));
 }
 
 /// A bijection of words whose output bits depend on all input bits (C. Wellons' "lowbias32").
@@ -72,7 +74,7 @@ HWY_INLINE V2 sobol_2d(U index, U key) {
   const U k = mix(key);
   // The bit-reversed index is the first coordinate.
   const U x = nested_hash(index, k);
-  const U y = reverse_bits(pascal(reverse_bits(x)));
+  const U y = second_coordinate(x);
   return {to_unit(x), to_unit(hn::Xor(y, hn::Mul(k, set_word(0xB5297A4D))))};
 }
 

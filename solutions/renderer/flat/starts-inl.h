@@ -36,7 +36,7 @@ HWY_INLINE V3 camera_direction(const FlatJob& job, V x, V y) {
 class Starts {
  public:
   HWY_ATTR explicit Starts(const FlatJob& job)
-      : job_(job), columns_(static_cast<std::uint32_t>(job.tile.x1 - job.tile.x0)) {
+      : columns_(static_cast<std::uint32_t>(job.tile.x1 - job.tile.x0)), job_(job) {
     const auto rows = static_cast<std::uint32_t>(job.tile.y1 - job.tile.y0);
     if (job.tile.samples > 0) pixels_ = columns_ * rows;
   }
@@ -128,17 +128,18 @@ class Starts {
     hn::StoreU(hn::LoadU(tag, queue.data() + first_), tag, queue.data());
   }
 
-  const FlatJob& job_;
+  /// The queue: `waiting_` from `first_` on. Lookups read a register from anywhere in it.
+  template <class T>
+  using Queue = std::array<T, 3 * lanes>;
+  static constexpr std::size_t alignment = lanes * sizeof(float);
+  alignas(alignment) Queue<float> dx_{}, dy_{}, dz_{};
+  alignas(alignment) Queue<std::uint32_t> key_{}, index_{}, pixel_of_{};
+  std::uint32_t first_ = 0, waiting_ = 0;
   std::uint32_t columns_, pixels_ = 0;
   std::uint32_t pixel_ = 0, sample_ = 0;  ///< the next
   int x_ = 0, y_ = 0;
   std::uint32_t pixel_key_ = 0;
-  /// The queue: `waiting_` from `first_` on. Lookups read a register from anywhere in it.
-  std::uint32_t first_ = 0, waiting_ = 0;
-  template <class T>
-  using Queue = std::array<T, 3 * lanes>;
-  alignas(64) Queue<float> dx_{}, dy_{}, dz_{};
-  alignas(64) Queue<std::uint32_t> key_{}, index_{}, pixel_of_{};
+  const FlatJob& job_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -1,0 +1,43 @@
+#include "scene/sampler_kind.h"
+
+#include "cli/error.h"
+
+#include <fmt/ranges.h>
+
+#include <array>
+
+namespace carlo {
+namespace {
+
+constexpr std::array kinds = {SamplerKind::independent, SamplerKind::stratified,
+                              SamplerKind::sobol};
+
+}  // namespace
+
+std::string name_of(SamplerKind kind) {
+  switch (kind) {
+    case SamplerKind::independent:
+      return "independent";
+    case SamplerKind::stratified:
+      return "stratified";
+    case SamplerKind::sobol:
+      return "sobol";
+  }
+  return "";
+}
+
+std::vector<std::string> sampler_names() {
+  std::vector<std::string> names;
+  for (const SamplerKind kind : kinds)
+    names.push_back(name_of(kind));
+  return names;
+}
+
+SamplerKind sampler_kind(const std::string& name) {
+  for (const SamplerKind kind : kinds) {
+    if (name_of(kind) == name) return kind;
+  }
+  throw Error("there is no sampler '{}', expected {}", name, fmt::join(sampler_names(), ", "));
+}
+
+}  // namespace carlo

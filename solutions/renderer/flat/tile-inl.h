@@ -1,0 +1,50 @@
+// A tile's paths from first to last. Included once for each instruction set.
+
+#if defined(CARLO_TILE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef CARLO_TILE_INL
+#undef CARLO_TILE_INL
+#else
+#define CARLO_TILE_INL
+#endif
+
+#include "renderer/flat/flat_kernel.h"
+#include "renderer/flat/paths-inl.h"
+#include "renderer/flat/starts-inl.h"
+#include "renderer/flat/sums-inl.h"
+
+#include <hwy/highway.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+HWY_BEFORE_NAMESPACE();
+namespace renderer {
+namespace HWY_NAMESPACE {
+
+/// render_flat() for scenes that need no more than `Needs`.
+template <class Needs>
+HWY_ATTR void run(const FlatJob& job, std::span<std::array<double, 3>> means,
+                  carlo::Counts& counts) {
+  Starts starts(job);
+  Sums sums(job.tile);
+  const Walk<Needs> walk(job, counts);
+  Paths paths{};
+  paths.alive = hn::FirstN(d_, 0);
+  for (std::uint64_t round = 0;; ++round) {
+    starts.refill(paths, counts);
+    if (hn::AllFalse(d_, paths.alive)) break;
+    if (round % 4096 == 4095 && carlo::render_interrupted()) return;
+    const M before = paths.alive;
+    walk.extend(paths);
+    const M ended = hn::AndNot(paths.alive, before);
+    if (!hn::AllFalse(d_, ended)) sums.add(paths, ended, counts);
+  }
+  sums.means(means);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace renderer
+HWY_AFTER_NAMESPACE();
+
+#endif  // CARLO_TILE_INL
