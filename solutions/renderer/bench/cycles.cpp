@@ -160,8 +160,11 @@ void compare_all(Context& context, const Blender& blender) {
   const Choice choice = choose(context.options());
   const std::uint32_t samples = context.options().full ? 256 : 64;
   const int count = context.options().full ? 9 : 5;
-  context.page().prose("Left out, since Cycles has no exact equal of what is in them: " +
-                       fmt::format("{}.", fmt::join(choice.left_out, ", ")));
+  if (!choice.left_out.empty()) {
+    context.page().prose(
+        fmt::format("Left out, since Cycles has no exact equal of what is in them: {}.",
+                    fmt::join(choice.left_out, ", ")));
+  }
   carlo::Table table({"scene", "Cycles' time [range]", "relMSE", "our samples", "our time [range]",
                       "Cycles' over ours [range]", "means", "tile |z|", "mean |z|"},
                      {"scene", "cycles_seconds", "rel_mse", "samples", "seconds", "ratio",
