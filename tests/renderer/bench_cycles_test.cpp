@@ -98,7 +98,9 @@ TEST_CASE("Cycles' bounces are our segments without the camera's and the lamp's"
   CHECK(bounces(0) == 1024);
   CHECK(bounces(1) == 0);
   // Direct light is Cycles' least; where we have none, nothing reflects.
-  for (const json& material : bench::cycles_scene(scene).at("materials"))
+  const json spec = bench::cycles_scene(scene);
+  REQUIRE(!spec.at("materials").empty());
+  for (const json& material : spec.at("materials"))
     CHECK(vec(material.at("reflectance")) == Rgb(0));
 }
 
