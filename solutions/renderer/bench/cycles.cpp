@@ -146,26 +146,27 @@ void add_row(carlo::Table& table, const std::string& scene, const Runs& runs,
                  {fmt::format("{:.1f}", agreement.mean_z), agreement.mean_z}});
 }
 
-void view(Context& context, const Compared& c, const Runs& runs) {
-  carlo::Viewer viewer;
-  viewer.caption = c.name + " by Cycles and by us, one run of each";
-  viewer.note = "Ours has about as many samples as Cycles' error takes.";
-  viewer.images.push_back({"Cycles", runs.cycles.back()});
-  viewer.images.push_back({"ours", runs.ours});
-  viewer.reference = {"reference image", c.reference.image, c.reference.standard_error};
-  carlo::add_viewer(context.page(), viewer);
+carlo::Viewer viewer(const Compared& c, const Runs& runs) {
+  return {c.name + " by Cycles and by us, one run of each",
+          "Ours has about as many samples as Cycles' error takes.",
+          {{"Cycles", runs.cycles.back()}, {"ours", runs.ours}},
+          carlo::ViewerImage{"reference image", c.reference.image, c.reference.standard_error}};
 }
 
 void compare_all(Context& context, const Blender& blender) {
   const Choice choice = choose(context.options());
   const std::uint32_t samples = context.options().full ? 256 : 64;
   const int count = context.options().full ? 9 : 5;
-  context.page().prose("Left out, since Cycles has no exact equal of what is in them: " +
-                       fmt::format("{}.", fmt::join(choice.left_out, ", ")));
+  if (!choice.left_out.empty()) {
+    context.page().prose(
+        fmt::format("Left out, since Cycles has no exact equal of what is in them: {}.",
+                    fmt::join(choice.left_out, ", ")));
+  }
   carlo::Table table({"scene", "Cycles' time [range]", "relMSE", "our samples", "our time [range]",
                       "Cycles' over ours [range]", "means", "tile |z|", "mean |z|"},
                      {"scene", "cycles_seconds", "rel_mse", "samples", "seconds", "ratio",
                       "mean_ratio", "tile_z", "mean_z"});
+  std::vector<carlo::Viewer> viewers;
   std::string version;
   const auto all = static_cast<double>(choice.scenes.size());
   for (std::size_t i = 0; i < choice.scenes.size(); ++i) {
@@ -175,7 +176,7 @@ void compare_all(Context& context, const Blender& blender) {
         measure(context, blender, c, samples, count, number / all, (number + 1) / all);
     const Agreement a = agreement(runs.cycles, c.reference.image, *c.reference.standard_error);
     add_row(table, c.name, runs, a);
-    view(context, c, runs);
+    viewers.push_back(viewer(c, runs));
     version = runs.version;
     if (!a.holds()) {
       context.fault(
@@ -190,6 +191,8 @@ void compare_all(Context& context, const Blender& blender) {
                             "of {} runs; right, Cycles' mean image beside the reference",
                             version, samples, choice.scenes.front().scene.width,
                             choice.scenes.front().scene.height, count));
+  for (const carlo::Viewer& v : viewers)
+    carlo::add_viewer(context.page(), v);
 }
 
 }  // namespace

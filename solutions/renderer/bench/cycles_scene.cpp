@@ -46,9 +46,9 @@ Polygons polygons(const carlo::Shape& shape) {
   return result;
 }
 
-/// The power of two that brings the largest coordinate into [1/2, 1). Radiances do not depend on the
-/// scale, but Cycles' light does: of the Cornell box in millimetres the walls lose 2 % where the
-/// lamp's light grazes them, with a largest coordinate of 6 still 1 %, below 1 nothing that 256
+/// The power of two that brings the largest coordinate into [1/2, 1). Radiances do not depend on
+/// the scale, but Cycles' light does: of the Cornell box in millimetres the walls lose 2 % where
+/// the lamp's light grazes them, with a largest coordinate of 6 still 1 %, below 1 nothing that 256
 /// samples a pixel show.
 float to_unit_size(const Scene& scene) {
   float largest = 0;
