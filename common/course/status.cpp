@@ -70,13 +70,12 @@ std::string remark(const ExerciseStatus& status) {
   std::string text;
   const auto add = [&](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
   // The mark and the points say it of the others; a line should fit into 80 columns.
-  if (status.stage != Stage::passed && status.stage != Stage::untouched) {
-    add(name_of(status.stage));
-  }
   if (status.stage == Stage::begun && status.open > 0) {
     add(fmt::format("{} of {} functions to do", status.open, exercise.functions.size()));
   } else if (status.stage == Stage::begun) {
     add("not judged yet");
+  } else if (status.stage == Stage::edited || status.stage == Stage::failed) {
+    add(name_of(status.stage));
   }
   if (status.stage == Stage::passed && status.changed) {
     add("changed since");
