@@ -13,7 +13,7 @@ tree=$scratch/tree
 fresh_tree() {
   rm -rf "$tree"
   mkdir "$tree"
-  cp -R "$source/slides" "$source/common" "$source/labs" "$tree/"
+  cp -R "$source/slides" "$source/common" "$source/labs" "$source/README.md" "$tree/"
 }
 
 check() { node "$tree/slides/tool/slides.mjs" "${1:-check}" "$scratch/bin"; }
@@ -40,6 +40,11 @@ first() {
 
 fresh_tree
 check >/dev/null || { echo "FAILED: the slides have errors" && exit 1; }
+
+rm "$tree/labs/02_pi/picture.png"
+expect "a lab without its picture" 'labs/02_pi/lab.json: has no picture'
+sed -i 's/alt="64 points/alt="65 points/' "$tree/README.md"
+expect "a picture described in other words" 'does not show labs/04_stratification/picture.png'
 
 found=$(first '^<!-- eq: [a-z0-9-]+ -->' slides --include='0[1-8]*.md')
 sed -i "s/${found#*:}/<!-- eq: renamed-by-a-test -->/" "$tree/${found%%:*}"

@@ -69,11 +69,13 @@ std::string remark(const ExerciseStatus& status) {
   const Exercise& exercise = *status.exercise;
   std::string text;
   const auto add = [&](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
-  if (status.stage != Stage::passed) add(name_of(status.stage));
+  // The mark and the points say it of the others; a line should fit into 80 columns.
   if (status.stage == Stage::begun && status.open > 0) {
     add(fmt::format("{} of {} functions to do", status.open, exercise.functions.size()));
   } else if (status.stage == Stage::begun) {
     add("not judged yet");
+  } else if (status.stage == Stage::edited || status.stage == Stage::failed) {
+    add(name_of(status.stage));
   }
   if (status.stage == Stage::passed && status.changed) {
     add("changed since");
@@ -88,7 +90,7 @@ std::string remark(const ExerciseStatus& status) {
 
 std::string bar(double points, int possible) {
   if (!stdout_has_colour()) return "";
-  constexpr int cells = 20;
+  constexpr int cells = 10;
   const int full = possible > 0 ? static_cast<int>(std::lround(cells * points / possible)) : 0;
   std::string text;
   for (int i = 0; i < cells; ++i)
@@ -204,7 +206,8 @@ std::string status_heading(const LabStatus& status) {
   return fmt::format("{}  {}{:g} of {} points, {} of {} exercises{}  {}",
                      coloured(Colour::bold, fmt::format("Lab {:02}", status.lab->number)),
                      bar(status.points(), possible), status.points(), possible, status.passed(),
-                     status.exercises.size(), changed, status.lab->title);
+                     status.exercises.size(), changed,
+                     status.lab->title.substr(0, status.lab->title.find(':')));
 }
 
 std::string status_text(const std::vector<LabStatus>& labs, bool all) {

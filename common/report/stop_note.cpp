@@ -12,7 +12,7 @@ struct sigaction before {};
 
 extern "C" void stopped(int signal) {
   // Behind the ^C, or a progress bar. Only calls that a handler may make.
-  constexpr std::string_view text = "\nStopped; nothing was written.\n";
+  constexpr std::string_view text = "\nStopped; no results were written.\n";
   [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
   ::raise(signal);  // the handler is gone: the system ends the program
 }

@@ -7,6 +7,7 @@ import { buildHtml, buildPdf, writeMarkdown } from "./build.mjs";
 import { checkBook, checkSlides, readExercises } from "./checks.mjs";
 import { allLabels, readDecks } from "./deck.mjs";
 import { commandsOf, readData, readDefinitions, remake } from "./figures.mjs";
+import { checkPictures, commandOf, labsWithPictures, writePicture } from "./lab_pictures.mjs";
 import { checkOverflow } from "./overflow.mjs";
 import { Problems, UserError } from "./problems.mjs";
 import { runCommands } from "./quick.mjs";
@@ -49,6 +50,9 @@ function chosen(book, wanted) {
 
 const numbersOf = (decks) => [...new Set(decks.map((deck) => deck.number))];
 
+/** The labs of these decks: deck 08a and 08b are about one. */
+const picturesOf = (decks) => labsWithPictures(root, numbersOf(decks).map(Number));
+
 function refuse(problems) {
   if (!problems.count) return;
   problems.print();
@@ -73,6 +77,10 @@ const modes = {
   /** Prints the programs that a mode starts, for ./carlo to build. */
   programs(book, decks, mode) {
     const numbers = numbersOf(decks);
+    if (mode === "pictures") {
+      console.log(picturesOf(decks).map((lab) => programOf(commandOf(lab))).join(" "));
+      return;
+    }
     const pictures = (one) => ["image", "picture"].includes(one.kind);
     const taken = {
       html: pictures,
@@ -92,6 +100,7 @@ const modes = {
 
   check(book) {
     checkBook(book, book.problems);
+    checkPictures(root, book.problems);
     refuse(book.problems);
     const minutes = book.decks.reduce((sum, deck) => sum + Number(deck.front.minutes), 0);
     say(
@@ -111,6 +120,14 @@ const modes = {
     refuse(book.problems.of([...book.definitions.figures.values()].map((figure) => figure.file)));
     remake(root, book.definitions, book.runs, numbersOf(decks), (text) => say(`running ${text} ...`));
     say("made slides/data anew; git diff shows what has changed");
+  },
+
+  pictures(book, decks) {
+    for (const lab of picturesOf(decks)) {
+      say(`running ./carlo ${commandOf(lab).join(" ")} ...`);
+      const file = writePicture(root, lab, book.runs.page(commandOf(lab)));
+      say(`wrote ${path.relative(process.cwd(), file)}`);
+    }
   },
 
   html(book, decks) {

@@ -62,7 +62,7 @@ double plain_variance(int k, int n) {
 void judge_estimates(int k, int n) {
   const Rows rows =
       probe("Lab 4.1 estimates", {.n = n, .numbers = {{"k", k}, {"repetitions", 20'000}}},
-            {.rows = 20'000});
+            {.rows = 20'000, .of = fmt::format("f(x) = x^{}, n = {}", k, n)});
   const Theory theory = stratified_power(k, n).theory();
   double left_ends = 0, centres = 0;
   for (int i = 0; i < n; ++i) {

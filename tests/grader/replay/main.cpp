@@ -5,6 +5,7 @@
 #include "cli/atomic_file.h"
 #include "cli/error.h"
 #include "cli/main_guard.h"
+#include "cli/wrap.h"
 #include "course/exercises.h"
 #include "grader/replay/pick.h"
 #include "grader/replay/rerun.h"
@@ -48,14 +49,14 @@ std::string again(const Options& options, std::uint64_t seed, std::size_t number
 
 /// The list, and how to go on: with the first question that brought no values.
 void show(const Options& options, const Exercise& exercise, const Questions& questions) {
-  fmt::print("{}  {}  (seed {})\n{}", exercise.tag, exercise.title, questions.seed,
-             listing(questions.asked));
+  fmt::print("{}", wrapped(fmt::format("{}  {}  (seed {})\n{}", exercise.tag, exercise.title,
+                                       questions.seed, listing(questions.asked))));
   const auto& asked = questions.asked;
   const auto bad = std::find_if(asked.begin(), asked.end(),
                                 [](const Asked& one) { return one.status != Status::passed; });
   const std::size_t number = bad == asked.end() ? 1 : number_of(asked, *bad);
-  fmt::print("Raw values of one: {}  (--gdb: in the debugger)\n",
-             again(options, questions.seed, number));
+  fmt::print("{}", wrapped(fmt::format("Raw values of one: {}  (--gdb: in the debugger)\n",
+                                       again(options, questions.seed, number))));
 }
 
 int ask(const Options& options, const Exercise& exercise, const Questions& questions) {
