@@ -5,9 +5,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace carlo {
+
+struct AdaptiveState;
 
 /// When an adaptive render is done.
 struct AdaptiveGoal {
@@ -30,6 +33,20 @@ struct AdaptiveResult {
   Film film;  ///< estimates, standard errors and numbers of samples
   Counts counts;
   AdaptiveSummary summary;
+  std::shared_ptr<const AdaptiveState> state;  ///< to go on from
+};
+
+/// What else an adaptive render may be given.
+struct AdaptiveOptions {
+  /// Told the fraction done, by one thread at a time.
+  std::function<void(double)> progress = [](double) {};
+  /// What an earlier one with the same integrator and target came to, to go on from: the bits are
+  /// those of one that was never interrupted. Its time does not count.
+  const AdaptiveState* earlier = nullptr;
+  Counts earlier_counts = {};
+  /// Called with what is there when this many seconds have gone by, while nothing else runs.
+  std::function<void(const AdaptiveResult&)> checkpoint = {};
+  double checkpoint_seconds = 60;
 };
 
 /// Renders so that each pixel's luminance is within `goal.target` of the truth, relatively, with 95
@@ -51,12 +68,12 @@ struct AdaptiveResult {
 /// around it, too, and the worst estimate is at most 3 times the target. The neighbours are what
 /// finds most of the bright paths that a block has not met.
 ///
-/// In the caller's task arena. The film's bits do not depend on the number of threads. `progress`
-/// is told the fraction done, by one thread at a time. Throws Error if the target is not a finite
-/// number above 0 or spp is below 32.
+/// In the caller's task arena. The film's bits do not depend on the number of threads. Throws Error
+/// if the target is not a finite number above 0, spp is below 32, or the earlier render does not
+/// fit the film, or its samples the rounds.
 AdaptiveResult render_adaptively(const Integrator& integrator, int width, int height,
                                  double radiance_scale, const AdaptiveGoal& goal,
-                                 const std::function<void(double)>& progress);
+                                 const AdaptiveOptions& options = {});
 
 /// The planned number of samples that suits the stratified sampler in an adaptive render.
 constexpr std::uint32_t adaptive_strata = 32;

@@ -1,5 +1,6 @@
 #include "render/driver.h"
 
+#include "cli/error.h"
 #include "cli/progress.h"
 #include "render/interrupt.h"
 
@@ -132,17 +133,32 @@ RenderResult run_uniform(tbb::task_arena& arena, const Integrator& integrator, i
 RenderResult run_adaptive(tbb::task_arena& arena, const Integrator& integrator, int width,
                           int height, double radiance_scale, const RenderOptions& options) {
   const auto start = std::chrono::steady_clock::now();
+  const double earlier_seconds = options.earlier ? options.earlier->seconds : 0;
+  const auto as_render = [&](const AdaptiveResult& r) {
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    return RenderResult{.film = r.film,
+                        .counts = r.counts,
+                        .seconds = earlier_seconds + time.count(),
+                        .adaptive = r.summary,
+                        .adaptive_state = r.state};
+  };
   const AdaptiveGoal goal{*options.target_error, options.spp, options.seconds};
   Progress progress("rendering", options.progress);
-  AdaptiveResult result = arena.execute([&] {
-    return render_adaptively(integrator, width, height, radiance_scale, goal,
-                             [&](double fraction) { progress.update(fraction); });
-  });
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  return {.film = std::move(result.film),
-          .counts = result.counts,
-          .seconds = time.count(),
-          .adaptive = result.summary};
+  AdaptiveOptions adaptive{.progress = [&](double fraction) { progress.update(fraction); },
+                           .checkpoint_seconds = options.checkpoint_seconds};
+  if (options.earlier) {
+    if (!options.earlier->adaptive_state) {
+      throw Error("a render with a target error goes on from one with a target error only");
+    }
+    adaptive.earlier = options.earlier->adaptive_state.get();
+    adaptive.earlier_counts = options.earlier->counts;
+  }
+  if (options.checkpoint) {
+    adaptive.checkpoint = [&](const AdaptiveResult& r) { options.checkpoint(as_render(r)); };
+  }
+  return as_render(arena.execute([&] {
+    return render_adaptively(integrator, width, height, radiance_scale, goal, adaptive);
+  }));
 }
 
 }  // namespace

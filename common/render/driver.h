@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace carlo {
@@ -20,10 +21,9 @@ struct RenderOptions {
   /// Samples each pixel until its relative error is this (adaptive.h); spp and seconds are limits.
   std::optional<double> target_error = {};
   /// The result of an earlier render with the same integrator to go on from; its film's block
-  /// stays.
+  /// stays. With target_error it must be that of one with the same target.
   const RenderResult* earlier = nullptr;
-  /// Called with what is there, between passes, when this many seconds have gone by; not if the
-  /// render is adaptive.
+  /// Called with what is there, while nothing else runs, when this many seconds have gone by.
   std::function<void(const RenderResult&)> checkpoint = {};
   double checkpoint_seconds = 60;
 };
@@ -35,6 +35,8 @@ struct RenderResult {
   int threads = 1;
   bool interrupted = false;                      ///< by Ctrl-C; the film holds what was finished
   std::optional<AdaptiveSummary> adaptive = {};  ///< of a render with target_error
+  /// Of such a render: what to go on from.
+  std::shared_ptr<const AdaptiveState> adaptive_state = {};
 };
 
 /// Pixels a side of the squares that are rendered at once; all of a square's pixels have as many

@@ -19,6 +19,17 @@ inline double luminance(const std::array<double, 3>& c) {
 /// whose error falls faster than one over the root of the block's size.
 class GroupedMean {
  public:
+  /// All that it holds: the sum of the samples, that of the groups' squared deviations, and the
+  /// number of samples.
+  struct Sums {
+    double sum = 0, squares = 0, samples = 0;
+  };
+
+  GroupedMean() = default;
+  explicit GroupedMean(const Sums& sums)
+      : sum_(sums.sum), variance_(sums.squares), n_(sums.samples) {}
+  Sums sums() const { return {sum_, variance_, n_}; }
+
   /// Adds a group of block means of `samples` samples each; two blocks at least. A group must be
   /// independent of the ones before, or negatively correlated, which makes variance() an upper
   /// bound.
@@ -54,6 +65,12 @@ class GroupedMean {
 class HalfPixel {
  public:
   static constexpr std::size_t blocks = 8;  ///< in each group
+
+  HalfPixel() = default;
+  /// As another one that has these, to go on from it.
+  HalfPixel(const std::array<GroupedMean, 4>& estimate, const GroupedMean& seen, bool finished)
+      : estimate_(estimate), seen_(seen), finished_(finished) {}
+
   using Group = std::array<std::array<double, 3>, blocks>;
 
   /// Adds a group of block means of `samples` samples each.
@@ -73,6 +90,7 @@ class HalfPixel {
 
   /// From now on samples go into seen() only.
   void finish() { finished_ = true; }
+  bool finished() const { return finished_; }
 
   /// Of channel R, G, B, or the luminance (3).
   const GroupedMean& estimate(std::size_t channel) const { return estimate_[channel]; }

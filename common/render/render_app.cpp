@@ -22,6 +22,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -75,8 +76,8 @@ void add_common_options(CLI::App& app, Arguments& a) {
       ->expected(0, 1)
       ->type_name("[FILE.html]");
   app.add_option("--resume", a.resume,
-                 "go on with the render in this EXR, with its scene and settings, up to --spp or "
-                 "for --seconds more");
+                 "go on with the render in this EXR, with its scene and settings, up to --spp, for "
+                 "--seconds more, or to its --target-error");
   app.add_option("--checkpoint", a.checkpoint, "seconds after which a long render's EXR is written")
       ->check(CLI::Range(0.0, 1e7))
       ->capture_default_str();
@@ -182,7 +183,7 @@ class Outputs {
   }
 
   void write(const RenderResult& result, const RenderReport& report) const {
-    const ExrFile file = exr(result, report, sums_ && !result.adaptive);
+    const ExrFile file = exr(result, report, sums_);
     write_exr(with_suffix(stem_, ".exr"), file);
     write_png(with_suffix(stem_, ".png"), file.image);
     write_png(with_suffix(stem_, ".error.png"), error_map(result.film));
@@ -201,7 +202,11 @@ class Outputs {
                   {"spp", fmt::format("{}", report.spp)},
                   {"kernel", report.kernel}}};
     if (result.adaptive) file.counts["samples"] = sample_counts(result.film);
-    if (sums) add_sums(file, settings_, result.film, result.counts);
+    if (sums && result.adaptive) {
+      add_sums(file, settings_, *result.adaptive_state, result.counts);
+    } else if (sums) {
+      add_sums(file, settings_, result.film, result.counts);
+    }
     return file;
   }
 
@@ -219,15 +224,29 @@ void check(const Arguments& a) {
     throw Error("--target-error is a fraction between 0 and 1, such as .01, got {}",
                 *a.target_error);
   }
-  if (a.resume.empty()) return;
-  if (a.target_error)
-    throw Error("--resume goes on by --spp or --seconds, not with --target-error");
-  if (!a.spp && !a.seconds)
-    throw Error("--resume goes on up to --spp N or for --seconds S: which?");
+}
+
+/// A render goes on as it began: with its target, or without one.
+void take_over_target(Arguments& a, const EarlierRender& earlier) {
+  const std::optional<double> target = earlier.target_error();
+  if (!target) {
+    if (a.target_error)
+      throw Error("{} has no target error: it goes on by --spp or --seconds", a.resume);
+    if (!a.spp && !a.seconds)
+      throw Error("--resume goes on up to --spp N or for --seconds S: which?");
+    return;
+  }
+  if (a.target_error.value_or(*target) != *target) {
+    throw Error("cannot resume {}: its target error is {}, this render's {}", a.resume, *target,
+                *a.target_error);
+  }
+  a.target_error = target;
+  if (!a.spp) a.spp = static_cast<std::uint32_t>(earlier.number("spp_limit"));
 }
 
 /// What the command line leaves open is as in the earlier render.
 void take_over(Arguments& a, const EarlierRender& earlier) {
+  take_over_target(a, earlier);
   if (a.scene.empty()) a.scene = earlier.setting("scene");
   if (a.definitions.empty()) a.definitions = earlier.definitions();
   if (a.size.empty()) a.size = fmt::format("{}x{}", earlier.width(), earlier.height());
@@ -239,6 +258,14 @@ void take_over(Arguments& a, const EarlierRender& earlier) {
 
 /// The result that a render goes on from.
 RenderResult result_of(const EarlierRender& earlier, const Arguments& a, const Scene& scene) {
+  if (a.target_error) {
+    auto state =
+        std::make_shared<const AdaptiveState>(earlier.adaptive_state(radiance_scale(scene)));
+    RenderResult result{.film = state->film(radiance_scale(scene)), .counts = earlier.counts()};
+    result.seconds = earlier.seconds(result.film);
+    result.adaptive_state = std::move(state);
+    return result;
+  }
   RenderResult result{.film = earlier.film(radiance_scale(scene)), .counts = earlier.counts()};
   result.seconds = earlier.seconds(result.film);
   const std::uint32_t block = result.film.block();
@@ -272,8 +299,12 @@ int run(Arguments a, const IntegratorFactory& factory, const std::string& comman
                                 : a.target_error ? adaptive_strata
                                                  : spp;
   const auto integrator = factory(scene, seed, planned);
-  const RenderSettings settings =
+  RenderSettings settings =
       render_settings(scene, integrator->name(), seed, planned, a.definitions);
+  if (a.target_error) {
+    settings["target_error"] = fmt::format("{}", *a.target_error);
+    settings["spp_limit"] = std::to_string(spp);
+  }
   std::optional<RenderResult> start;
   if (earlier) {
     earlier->require_same(settings);
@@ -321,62 +352,6 @@ int run(Arguments a, const IntegratorFactory& factory, const std::string& comman
 }
 
 }  // namespace
-
-namespace {
-
-/// The squared length of the scene's diagonal.
-double extent2(const Scene& scene) {
-  Vec3 lower = scene.camera.origin, upper = lower;
-  const auto include = [&](Vec3 p, float margin = 0) {
-    lower = glm::min(lower, p - Vec3(margin));
-    upper = glm::max(upper, p + Vec3(margin));
-  };
-  for (const Shape& shape : scene.shapes) {
-    if (const auto* s = std::get_if<Sphere>(&shape.geometry)) include(s->center, s->radius);
-    if (const auto* s = std::get_if<Disk>(&shape.geometry)) include(s->center, s->radius);
-    if (const auto* s = std::get_if<Parallelogram>(&shape.geometry)) {
-      include(s->origin);
-      include(s->origin + s->u + s->v);
-    }
-    if (const auto* s = std::get_if<Mesh>(&shape.geometry)) {
-      for (const Vec3 p : s->positions)
-        include(p);
-    }
-    if (const auto* s = std::get_if<Sdf>(&shape.geometry)) {
-      const sdf::Box box = sdf::bounds(*s, s->place);
-      include(Vec3(box.lower));
-      include(Vec3(box.upper));
-    }
-  }
-  for (const PointLight& light : scene.points)
-    include(light.position);
-  const glm::dvec3 diagonal = glm::dvec3(upper) - glm::dvec3(lower);
-  return glm::dot(diagonal, diagonal);
-}
-
-}  // namespace
-
-double radiance_scale(const Scene& scene) {
-  const auto brightest = [](Rgb c) { return static_cast<double>(std::max({c.r, c.g, c.b})); };
-  double scale = brightest(scene.environment);
-  for (const Shape& shape : scene.shapes)
-    scale = std::max(scale, brightest(shape.radiance));
-  const double distance2 = extent2(scene);
-  for (const PointLight& light : scene.points) {
-    // At a thirtieth of the scene's diagonal.
-    scale = std::max(scale, 1e3 * brightest(light.intensity) / std::max(distance2, 1e-30));
-  }
-  return scale;
-}
-
-void resize(Scene& scene, int width, int height) {
-  if (width < 1 || height < 1) {
-    throw Error("the film must be at least 1x1, got {}x{}", width, height);
-  }
-  scene.width = width;
-  scene.height = height;
-  scene.camera.fit_film(width, height);
-}
 
 int render_app(int argc, char** argv, const IntegratorFactory& factory,
                const std::function<void(CLI::App&)>& add_options) {

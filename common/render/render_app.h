@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/integrator.h"
+#include "render/scene_film.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -22,11 +23,5 @@ using IntegratorFactory = std::function<std::unique_ptr<Integrator>(
 /// they are read before the factory is called. Returns the exit code; throws Error.
 int render_app(int argc, char** argv, const IntegratorFactory& factory,
                const std::function<void(CLI::App&)>& add_options = {});
-
-/// A radiance of the order of the brightest light of the scene (film.h).
-double radiance_scale(const Scene& scene);
-
-/// Changes the film's size as if the scene file had it: the field of view keeps its axis.
-void resize(Scene& scene, int width, int height);
 
 }  // namespace carlo

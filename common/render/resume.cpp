@@ -2,6 +2,7 @@
 
 #include "cli/atomic_file.h"
 #include "cli/error.h"
+#include "render/adaptive_exr.h"
 #include "render/driver.h"
 #include "scene/fingerprint.h"
 #include "scene/sampler_kind.h"
@@ -40,6 +41,22 @@ std::vector<std::string> all_channels() {
   return names;
 }
 
+std::vector<std::string> channels_of_both() {
+  std::vector<std::string> names = all_channels();
+  for (const std::string& name : adaptive_channels())
+    names.push_back(name);
+  return names;
+}
+
+void add_attributes(ExrFile& file, const RenderSettings& settings, const Counts& counts) {
+  for (const auto& [name, value] : settings)
+    file.attributes[name] = value;
+  file.attributes["paths"] = std::to_string(counts.paths);
+  file.attributes["rays"] = std::to_string(counts.rays);
+  file.attributes["cut_paths"] = std::to_string(counts.cut);
+  file.attributes["bad_samples"] = std::to_string(counts.bad);
+}
+
 /// The driver gives all pixels of a tile as many blocks.
 bool even_tiles(const Film& film) {
   for (int y = 0; y < film.height(); ++y) {
@@ -66,13 +83,8 @@ RenderSettings render_settings(const Scene& scene, const std::string& kernel, st
 
 void add_sums(ExrFile& file, const RenderSettings& settings, const Film& film,
               const Counts& counts) {
-  for (const auto& [name, value] : settings)
-    file.attributes[name] = value;
+  add_attributes(file, settings, counts);
   file.attributes["block"] = std::to_string(film.block());
-  file.attributes["paths"] = std::to_string(counts.paths);
-  file.attributes["rays"] = std::to_string(counts.rays);
-  file.attributes["cut_paths"] = std::to_string(counts.cut);
-  file.attributes["bad_samples"] = std::to_string(counts.bad);
   const std::size_t pixels = file.image.pixels.size();
   for (const std::string& name : all_channels())
     file.counts[name].resize(pixels);
@@ -98,15 +110,21 @@ void add_sums(ExrFile& file, const RenderSettings& settings, const Film& film,
   }
 }
 
+void add_sums(ExrFile& file, const RenderSettings& settings, const AdaptiveState& state,
+              const Counts& counts) {
+  add_attributes(file, settings, counts);
+  add_adaptive_state(file, state);
+}
+
 EarlierRender::EarlierRender(fs::path path)
-    : path_(std::move(path)), file_(read_exr(path_, all_channels())) {
-  bool complete = file_.counts.size() == all_channels().size();
+    : path_(std::move(path)), file_(read_exr(path_, channels_of_both())) {
+  const auto needed = target_error() ? adaptive_channels() : all_channels();
+  bool complete = std::all_of(needed.begin(), needed.end(),
+                              [&](const auto& name) { return file_.counts.contains(name); });
   for (const char* name : setting_names)
     complete = complete && file_.attributes.contains(name);
   if (!complete) {
-    throw Error(
-        "cannot resume {}: it holds an image but not the sums of a render by --spp or --seconds",
-        path_.string());
+    throw Error("cannot resume {}: it holds an image but not the sums of a render", path_.string());
   }
 }
 
@@ -137,6 +155,19 @@ std::vector<std::string> EarlierRender::definitions() const {
       list.push_back(item.is_string() ? item.get<std::string>() : "");
   }
   return list;
+}
+
+std::optional<double> EarlierRender::target_error() const {
+  const auto it = file_.attributes.find("target_error");
+  if (it == file_.attributes.end()) return std::nullopt;
+  double value = 0;
+  const char* last = it->second.data() + it->second.size();
+  const auto [end, error] = std::from_chars(it->second.data(), last, value);
+  if (error != std::errc() || end != last || !(value > 0)) {
+    throw Error("cannot resume {}: its target_error is '{}', expected a number", path_.string(),
+                it->second);
+  }
+  return value;
 }
 
 void EarlierRender::require_same(const RenderSettings& settings) const {
@@ -183,6 +214,16 @@ Film EarlierRender::film(double radiance_scale) const {
     throw Error("cannot resume {}: its sums do not belong to its image", path_.string());
   }
   return film;
+}
+
+AdaptiveState EarlierRender::adaptive_state(double radiance_scale) const {
+  try {
+    AdaptiveState state = adaptive_state_of(file_);
+    if (state.film(radiance_scale).mean().pixels == file_.image.pixels) return state;
+  } catch (const Error& e) {
+    throw Error("cannot resume {}: {}", path_.string(), e.what());
+  }
+  throw Error("cannot resume {}: its sums do not belong to its image", path_.string());
 }
 
 Counts EarlierRender::counts() const {

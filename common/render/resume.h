@@ -2,12 +2,14 @@
 
 #include "image/exr.h"
 #include "image/film.h"
+#include "render/adaptive_state.h"
 #include "render/integrator.h"
 #include "scene/scene.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,10 @@ RenderSettings render_settings(const Scene& scene, const std::string& kernel, st
 void add_sums(ExrFile& file, const RenderSettings& settings, const Film& film,
               const Counts& counts);
 
+/// The same for an adaptive render.
+void add_sums(ExrFile& file, const RenderSettings& settings, const AdaptiveState& state,
+              const Counts& counts);
+
 /// A render that was written with its sums and may be gone on with.
 class EarlierRender {
  public:
@@ -38,12 +44,16 @@ class EarlierRender {
   /// Of a setting that is a whole number.
   std::uint64_t number(const std::string& name) const;
   std::vector<std::string> definitions() const;
+  /// Of an adaptive render.
+  std::optional<double> target_error() const;
 
   /// Throws Error if the bits of a render with these settings depend on anything else.
   void require_same(const RenderSettings& settings) const;
 
   /// Throws Error if the sums do not belong to the image.
   Film film(double radiance_scale) const;
+  /// The same of an adaptive render.
+  AdaptiveState adaptive_state(double radiance_scale) const;
   Counts counts() const;
   /// The seconds that the report beside the image tells; 0 if there is none of the same render.
   double seconds(const Film& film) const;

@@ -60,10 +60,10 @@ grep -q 'standard error' "$scratch/stdout" || complain 'the report has no standa
 grep -q '"reached"' "$scratch/target.json" || complain 'the JSON report has no share of pixels'
 grep -q 'within it are' "$scratch/stdout" || complain 'the report has no share of pixels'
 
-# start_long NAME: a render without end in $long, which has written its first checkpoint.
+# start_long NAME ARGUMENTS...: a long render in $long, which has written its first checkpoint.
 start_long() {
   (cd "$scratch" &&
-    exec "$renderer" "$good" --quiet --size 32x32 --spp 4194304 --seed 9 --checkpoint .2 -o "$1") &
+    exec "$renderer" "$good" --quiet --size 32x32 --seed 9 --checkpoint .2 -o "$1" "${@:2}") &
   long=$!
   for _ in $(seq 600); do
     [ ! -s "$scratch/$1.json" ] || return 0
@@ -74,7 +74,7 @@ start_long() {
 
 # What goes on, and what does not (the bits are tests/common/resume_test.cpp's).
 "$renderer" "$good" --quiet --size 32x32 --spp 64 --seed 9 -o "$scratch/whole"
-start_long part
+start_long part --spp 4194304
 kill -INT "$long"
 code=0
 wait "$long" || code=$?
@@ -93,11 +93,25 @@ refused 'cannot read .*short.exr' --resume "$scratch/short.exr" --spp 128
 refused 'not the sums' --resume "$scratch/small.exr" --spp 128
 
 # A checkpoint outlives what cannot be caught.
-start_long killed
+start_long killed --spp 4194304
 kill -KILL "$long"
 wait "$long" 2>/dev/null || true
 "$renderer" --quiet --resume "$scratch/killed.exr" --seconds .1 || complain 'no way to go on after SIGKILL'
 [ -s "$scratch/killed.png" ] || complain 'the resumed render did not go to the same place'
+
+# With a target, too, and it ends as if nothing had happened. One thread: a few seconds.
+target=(--threads 1 --target-error .01 --spp 8192)
+"$renderer" "$good" --quiet --size 32x32 --seed 9 -o "$scratch/undisturbed" "${target[@]}"
+start_long target_killed "${target[@]}"
+kill -KILL "$long"
+wait "$long" 2>/dev/null || true
+[ ! -e "$scratch/target_killed.png" ] || complain 'the render with a target ended before it was killed'
+refused 'target error is 0.01' --resume "$scratch/target_killed.exr" --target-error .02
+refused 'seed is 9' --resume "$scratch/target_killed.exr" --seed 8
+refused 'cannot go on with --spp 32' --resume "$scratch/target_killed.exr" --spp 32
+"$renderer" --quiet --resume "$scratch/target_killed.exr" || complain 'no way to go on to a target'
+cmp "$scratch/undisturbed.exr" "$scratch/target_killed.exr" ||
+  complain 'a render with a target that was killed and resumed has other bits'
 
 # A page, if one is wanted: beside the image, or where the option says. A scene may follow the option.
 [ ! -e "$scratch/good.html" ] || complain 'a page that nobody asked for'

@@ -1,0 +1,45 @@
+#include "render/adaptive_state.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace carlo {
+
+AdaptiveState::AdaptiveState(int film_width, int film_height)
+    : width(film_width),
+      height(film_height),
+      columns((film_width + adaptive_unit_size - 1) / adaptive_unit_size),
+      units(static_cast<std::size_t>(columns) *
+            static_cast<std::size_t>((film_height + adaptive_unit_size - 1) / adaptive_unit_size)) {
+  for (auto& half : halves)
+    half.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+}
+
+AdaptiveEstimate adaptive_estimate(const HalfPixel& a, const HalfPixel& b, std::size_t channel) {
+  const GroupedMean& p = a.estimate(channel);
+  const GroupedMean& q = b.estimate(channel);
+  if (!(q.samples() > 0)) return {p.mean(), p.variance()};
+  if (!(p.samples() > 0)) return {q.mean(), q.variance()};
+  return {(p.mean() + q.mean()) / 2, (p.variance() + q.variance()) / 4};
+}
+
+Film AdaptiveState::film(double radiance_scale) const {
+  Film film(width, height, 1, radiance_scale);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const HalfPixel& a = halves[0][pixel(x, y)];
+      const HalfPixel& b = halves[1][pixel(x, y)];
+      std::array<double, 3> mean, error;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const AdaptiveEstimate e = adaptive_estimate(a, b, c);
+        mean[c] = e.mean;
+        error[c] = std::sqrt(e.variance);
+      }
+      const double samples = a.estimate(0).samples() + b.estimate(0).samples();
+      if (samples > 0) film.set_estimate(x, y, mean, error, static_cast<std::uint64_t>(samples));
+    }
+  }
+  return film;
+}
+
+}  // namespace carlo

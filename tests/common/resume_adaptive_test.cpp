@@ -1,0 +1,198 @@
+#include "cli/error.h"
+#include "noise_integrator.h"
+#include "random/rng.h"
+#include "render/adaptive_state.h"
+#include "render/driver.h"
+#include "render/resume.h"
+#include "temporary_folder.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace {
+
+using namespace carlo;
+using common_test::TemporaryFolder;
+namespace fs = std::filesystem;
+
+constexpr int width = 37, height = 21;  // tiles and units that the film cuts
+
+/// Pixels that differ in brightness and, a hundredfold, in variance.
+class Flicker final : public common_test::NoiseIntegrator {
+  void sample(const Tile& tile, int x, int y, BlockSum& sum, Counts& counts) const override {
+    for (std::uint32_t s = 0; s < tile.samples; ++s) {
+      Rng rng(stream_seed(5, tile.stream),
+              static_cast<std::uint64_t>(y * width + x) << 32 | (tile.first_sample + s));
+      const float u = rng.uniform_float();
+      const float spread = static_cast<float>(1 + x % 10) / 10;
+      sum.add(static_cast<float>(1 + y) * Rgb(1 + spread * (u - 0.5f), u, spread), counts);
+    }
+  }
+};
+
+constexpr double target = 0.02;
+constexpr std::uint32_t most = 2048;
+
+RenderOptions options(std::uint32_t spp, const RenderResult* earlier = nullptr) {
+  return {.spp = spp,
+          .seconds = {},
+          .threads = 2,
+          .progress = false,
+          .target_error = target,
+          .earlier = earlier};
+}
+
+RenderResult run(const Flicker& flicker, std::uint32_t spp = most,
+                 const RenderResult* earlier = nullptr) {
+  return render(flicker, width, height, 30, options(spp, earlier));
+}
+
+RenderSettings settings() {
+  Scene scene;
+  scene.width = width;
+  scene.height = height;
+  RenderSettings result = render_settings(scene, "flicker", 3, adaptive_strata, {});
+  result["target_error"] = "0.02";
+  return result;
+}
+
+ExrFile file_of(const RenderResult& result) {
+  ExrFile file{result.film.mean(), result.film.standard_error()};
+  add_sums(file, settings(), *result.adaptive_state, result.counts);
+  return file;
+}
+
+RenderResult read(const fs::path& path) {
+  const EarlierRender earlier(path);
+  earlier.require_same(settings());
+  CHECK(earlier.target_error() == target);
+  const auto state = std::make_shared<const AdaptiveState>(earlier.adaptive_state(30));
+  return {.film = state->film(30), .counts = earlier.counts(), .adaptive_state = state};
+}
+
+/// The result as it comes back from a file.
+RenderResult written_and_read(const RenderResult& result) {
+  const TemporaryFolder folder;
+  write_exr(folder.path() / "a.exr", file_of(result));
+  return read(folder.path() / "a.exr");
+}
+
+void check_same(const RenderResult& a, const RenderResult& b) {
+  CHECK(a.film.mean().pixels == b.film.mean().pixels);
+  CHECK(a.film.standard_error().pixels == b.film.standard_error().pixels);
+  CHECK(a.film.samples() == b.film.samples());
+  CHECK(a.counts.paths == b.counts.paths);
+  REQUIRE(a.adaptive);
+  REQUIRE(b.adaptive);
+  CHECK(a.adaptive->within == b.adaptive->within);
+  CHECK(a.adaptive->decided_only == b.adaptive->decided_only);
+  CHECK(a.adaptive->capped == b.adaptive->capped);
+}
+
+TEST_CASE("An interrupted adaptive render that is resumed has the bits of an undisturbed one") {
+  const Flicker undisturbed;
+  const RenderResult whole = run(undisturbed);
+  REQUIRE(whole.adaptive->least < whole.adaptive->most);
+  const int calls = undisturbed.calls;
+  // In the first round, in the second (12 jobs of 8 calls are a round), in a late one, in the last.
+  for (const int call : {1, 60, 100, 191, calls / 2, calls - 1}) {
+    INFO("call " << call << " of " << calls);
+    Flicker flicker;
+    flicker.interrupt_at = call;
+    const RenderResult part = run(flicker);
+    REQUIRE(part.interrupted);
+    const RenderResult start = written_and_read(part);
+    CHECK(start.film.mean().pixels == part.film.mean().pixels);
+    check_same(run(Flicker(), most, &start), whole);
+  }
+}
+
+TEST_CASE("An adaptive render may be interrupted as often as one likes") {
+  const RenderResult whole = run(Flicker());
+  RenderResult part = run(Flicker(), 64);
+  int times = 0;
+  for (; times < 100; ++times) {
+    const RenderResult start = written_and_read(part);
+    Flicker flicker;
+    flicker.interrupt_at = 45;
+    part = run(flicker, most, &start);
+    if (!part.interrupted) break;
+  }
+  CHECK(times >= 5);
+  check_same(part, whole);
+}
+
+TEST_CASE("Checkpoints of an adaptive render are renders to go on from") {
+  const RenderResult whole = run(Flicker());
+  std::vector<RenderResult> kept;
+  RenderOptions often = options(most);
+  often.checkpoint = [&](const RenderResult& r) { kept.push_back(r); };
+  often.checkpoint_seconds = 0;
+  check_same(render(Flicker(), width, height, 30, often), whole);
+  REQUIRE(kept.size() >= 6);
+  for (const RenderResult& checkpoint : kept) {
+    const RenderResult start = written_and_read(checkpoint);
+    check_same(run(Flicker(), most, &start), whole);
+  }
+}
+
+TEST_CASE("An adaptive render that its limit ended goes on with a higher one") {
+  for (const std::uint32_t limit : {64u, 96u, 300u}) {
+    const RenderResult start = written_and_read(run(Flicker(), limit));
+    check_same(run(Flicker(), most, &start), run(Flicker(), most));
+  }
+}
+
+TEST_CASE("A finished adaptive render has nothing to go on with") {
+  const RenderResult whole = run(Flicker(), 1u << 16);
+  REQUIRE(whole.adaptive->capped == 0);
+  const RenderResult start = written_and_read(whole);
+  const Flicker flicker;
+  check_same(run(flicker, 1u << 16, &start), whole);
+  CHECK(flicker.calls == 0);
+}
+
+TEST_CASE("An adaptive render does not go on from another one") {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a.exr";
+  const RenderResult result = run(Flicker(), 256);
+  // The rounds of 32 samples a pixel are others.
+  const RenderResult few = run(Flicker(), 32);
+  CHECK_THROWS_AS(run(Flicker(), most, &few), Error);
+  CHECK_THROWS_AS(run(Flicker(), 32, &result), Error);
+  CHECK_THROWS_AS(render(Flicker(), width, height + 1, 30, options(most, &result)), Error);
+  // Nor from a uniform one.
+  RenderOptions uniform = options(64);
+  uniform.target_error.reset();
+  const RenderResult other = render(Flicker(), width, height, 30, uniform);
+  CHECK_THROWS_AS(run(Flicker(), most, &other), Error);
+
+  ExrFile retouched = file_of(result);
+  retouched.image.at(5, 5).r += 1;
+  write_exr(path, retouched);
+  CHECK_THROWS_AS(EarlierRender(path).adaptive_state(30), Error);
+
+  const auto refused = [&](const char* name, const char* text) {
+    ExrFile file = file_of(result);
+    file.attributes[name] = text;
+    write_exr(path, file);
+    CHECK_THROWS_AS(EarlierRender(path).adaptive_state(30), Error);
+  };
+  for (const char* text : {"", "-1", "nan", "3x"}) {
+    refused("adaptive_round", text);
+    refused("adaptive_floor_A", text);
+  }
+  refused("adaptive_round", "1e9");
+  refused("adaptive_round", "2.5");
+
+  ExrFile incomplete = file_of(result);
+  incomplete.counts.erase("adaptive.B.Y.sum.1");
+  write_exr(path, incomplete);
+  CHECK_THROWS_AS(EarlierRender(path), Error);
+}
+
+}  // namespace
