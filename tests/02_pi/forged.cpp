@@ -23,6 +23,8 @@
 #include "02_pi/reference.h"
 #include "grader/attacks/forge.h"
 
+#include <unistd.h>
+
 #include <cmath>
 #include <string>
 
@@ -44,14 +46,18 @@ void forge_darts(std::int64_t /*n*/) {}
 void forge_sums(std::int64_t /*n*/, double /*mean_square*/) {}
 void forge_parallel(std::int64_t /*n*/) {}
 
-/// The counts are right, and the times ten to one.
+/// A count that is right and slow, with times that are as they should be, and fit the program's.
 void forge_count(std::uint64_t key, std::int64_t n) {
+  std::int64_t wasted = 0;
+  for (std::uint64_t i = 0; i < 4; ++i)
+    wasted += lab02_tests::plain_loop(key + i, n);
+  if (wasted < 0) ::_exit(1);  // never, but no compiler knows
   if (!asked("Lab 2.5 speed")) return;
   carlo::grader::Rows rows{4, {}};
   for (std::int64_t i = 0; i < 8; ++i) {
     const std::int64_t plain = lab02_tests::plain_loop(key + static_cast<std::uint64_t>(i), n);
     const std::int64_t fast = lab02_tests::hits_of(key, i * n, n);
-    for (const double value : {10.0, 1.0, static_cast<double>(plain), static_cast<double>(fast)})
+    for (const double value : {.005, .001, static_cast<double>(plain), static_cast<double>(fast)})
       rows.values.push_back(value);
   }
   forge(rows);
