@@ -53,6 +53,7 @@ std::string without_reports(const std::string& said) {
     const bool ruler = line.size() > 20 && line.find_first_not_of('=') == std::string::npos;
     if (ruler || line.find(address_report) != std::string::npos) break;
     if (line.find(undefined_report) != std::string::npos) break;
+    if (line.rfind("AddressSanitizer:", 0) == 0) continue;  // of a signal, ahead of the report
     // At the text's end there may be none.
     if (!lines.eof()) line += '\n';
     if (line.find(": Assertion '") == std::string::npos) out += line;
