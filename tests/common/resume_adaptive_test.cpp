@@ -111,6 +111,45 @@ TEST_CASE("An interrupted adaptive render that is resumed has the bits of an und
   }
 }
 
+/// Whether two states are the same to the last bit; the number of units for which one half alone
+/// has decided.
+int check_same_state(const AdaptiveState& a, const AdaptiveState& b) {
+  CHECK(a.level == b.level);
+  CHECK(a.floors == b.floors);
+  CHECK(a.expected_paths == b.expected_paths);
+  REQUIRE(a.units.size() == b.units.size());
+  int one_half = 0;
+  for (std::size_t i = 0; i < a.units.size(); ++i) {
+    CHECK(a.units[i].fell == b.units[i].fell);
+    CHECK(a.units[i].noise == b.units[i].noise);
+    one_half += a.units[i].fell[0] != a.units[i].fell[1] ? 1 : 0;
+  }
+  for (std::size_t half = 0; half < 2; ++half) {
+    for (std::size_t i = 0; i < a.halves[half].size(); ++i) {
+      const HalfPixel &p = a.halves[half][i], &q = b.halves[half][i];
+      CHECK(p.finished() == q.finished());
+      CHECK(p.seen().mean() == q.seen().mean());
+      CHECK(p.seen().variance() == q.seen().variance());
+      CHECK(p.estimate(3).samples() == q.estimate(3).samples());
+    }
+  }
+  return one_half;
+}
+
+TEST_CASE("All that an adaptive render decides by survives in its file") {
+  const Flicker undisturbed;
+  run(undisturbed);
+  int one_half = 0;
+  for (const int eighth : {3, 4, 5, 6, 7}) {
+    Flicker flicker;
+    flicker.interrupt_at = undisturbed.calls * eighth / 8;
+    const RenderResult part = run(flicker);
+    CHECK(part.adaptive_state->units[0].noise[0] > 0);
+    one_half += check_same_state(*written_and_read(part).adaptive_state, *part.adaptive_state);
+  }
+  CHECK(one_half >= 1);
+}
+
 TEST_CASE("An adaptive render may be interrupted as often as one likes") {
   const RenderResult whole = run(Flicker());
   RenderResult part = run(Flicker(), 64);
