@@ -1,4 +1,5 @@
 #include "report/base64.h"
+
 #include "report/picture.h"
 
 #include <catch2/catch_test_macros.hpp>
