@@ -103,7 +103,10 @@ std::string next_line(const std::vector<LabStatus>& labs) {
   if (next == nullptr) {
     const auto changed = std::find_if(labs.begin(), labs.end(),
                                       [](const LabStatus& lab) { return lab.changed() > 0; });
-    return coloured(Colour::green, "Everything is done.") +
+    const std::string done = labs.size() == 1
+                                 ? fmt::format("Lab {} is done.", labs.front().lab->number)
+                                 : "Everything is done.";
+    return coloured(Colour::green, done) +
            (changed == labs.end() ? "\n"
                                   : fmt::format(" What was changed since is judged by "
                                                 "./carlo test {}\n",

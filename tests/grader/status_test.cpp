@@ -119,7 +119,7 @@ TEST_CASE("what has passed stays so until it is judged again, and says that it w
   tree.write("return 1;", "return 2;", "return 3;");
   for (const char* number : {"1.1", "1.2", "1.3"})
     tree.judge(number, "passed", number[2] - '0' + 1);
-  CHECK(has(status_text({tree.status()}, false), "Everything is done.\n"));
+  CHECK(has(status_text({tree.status()}, false), "Lab 1 is done.\n"));
   tree.write("return 1;", "return 2;", "return 3;", "#include <cmath>");
   const LabStatus status = tree.status();
   CHECK(status.passed() == 3);
@@ -127,7 +127,7 @@ TEST_CASE("what has passed stays so until it is judged again, and says that it w
   const std::string text = status_text({status}, false);
   CHECK(has(text, "9 of 9 points, 3 of 3 exercises (3 changed since)"));
   CHECK(has(text, "✓ 1.1  First   2 of 2  changed since"));
-  CHECK(has(text, "Everything is done. What was changed since is judged by ./carlo test 1"));
+  CHECK(has(text, "Lab 1 is done. What was changed since is judged by ./carlo test 1"));
   tree.judge("1.1", "failed", 0);
   CHECK(tree.stage(0) == Stage::failed);
   CHECK(tree.status().passed() == 2);

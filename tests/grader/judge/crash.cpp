@@ -2,9 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <array>
+#include <csignal>
 #include <regex>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 namespace carlo::grader {
 namespace {
@@ -20,6 +23,16 @@ std::string after(const std::string& said, std::string_view start, std::string_v
   return line.substr(0, line.find(end));
 }
 
+/// AddressSanitizer's word for a signal, as it is called where there is no sanitizer.
+std::string in_words(const std::string& word) {
+  constexpr std::array<std::pair<std::string_view, int>, 5> signals{
+      {{"SEGV", SIGSEGV}, {"ABRT", SIGABRT}, {"FPE", SIGFPE}, {"ILL", SIGILL}, {"BUS", SIGBUS}}};
+  for (const auto& [name, signal] : signals) {
+    if (word == name) return signal_name(signal);
+  }
+  return word;
+}
+
 std::string cause_of(const Outcome& outcome) {
   const std::size_t at = outcome.output.find(": Assertion '");
   const std::size_t size = outcome.output.find("size()' failed", at);
@@ -27,7 +40,7 @@ std::string cause_of(const Outcome& outcome) {
     return "an index outside of its vector, array or span";
   }
   const std::string memory = after(outcome.output, address_report, " on ");
-  if (!memory.empty()) return memory.substr(0, 100);
+  if (!memory.empty()) return in_words(memory.substr(0, 100));
   const std::string undefined = after(outcome.output, undefined_report, "\n");
   if (!undefined.empty()) return undefined.substr(0, 200);
   return signal_name(outcome.code);
