@@ -29,6 +29,9 @@ const Diagnosis float_counter{"float-counter",
 const Diagnosis not_scaled{"share-not-scaled-to-pi",
                            "this is the share of hits, π/4, or an error of it: the factor 4 is "
                            "missing."};
+const Diagnosis whole_numbers{"division-of-whole-numbers",
+                              "hits / thrown of two whole numbers is a whole number, 0 here: make "
+                              "one of them a double before you divide."};
 const Diagnosis error_not_scaled{"standard-error-not-scaled",
                                  "the standard error is that of the share of hits; π is 4 times "
                                  "the share, and so is its error."};
@@ -73,8 +76,12 @@ void judge_estimate(Case darts) {
                 {4 * std::sqrt(variance * darts.thrown / n1), error_of_one},
                 {error * error, variance_given},
                 {4 * std::sqrt(variance / darts.thrown), by_n}};
+    if (rows.at(0, 0) == 4 * std::floor(share)) suspects.push_back({0, whole_numbers});
   }
-  judge(equals("the estimate from " + of, rows.at(0, 0), 4 * share, 1e-12, {{share, not_scaled}}));
+  judge(equals("the estimate from " + of, rows.at(0, 0), 4 * share, 1e-12,
+               {{share, not_scaled},
+                {4 * std::floor(share), whole_numbers},
+                {std::floor(4 * share), whole_numbers}}));
   judge(equals("the standard error from " + of, rows.at(0, 1), error, 1e-12, suspects));
 }
 
