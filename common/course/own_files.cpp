@@ -59,6 +59,11 @@ std::string without_comments(const std::string& text) {
   return out;
 }
 
+/// What a line means to exercises further down: a library's header changes none of them.
+bool means_nothing(const std::string& line) {
+  return line.find_first_not_of(" \t\r") == std::string::npos || line.rfind("#include <", 0) == 0;
+}
+
 }  // namespace
 
 std::vector<fs::path> own_files(const fs::path& labs, const Lab& lab) {
@@ -102,6 +107,7 @@ void OwnCode::read(const std::string& text) {
       tag = std::move(heading);
       parts_[tag].shared = shared;
     }
+    if (tag.empty() && means_nothing(line)) continue;
     (tag.empty() ? shared : parts_[tag].text) += line + "\n";
   }
 }

@@ -77,11 +77,7 @@ std::string remark(const ExerciseStatus& status) {
   } else if (status.stage == Stage::edited || status.stage == Stage::failed) {
     add(name_of(status.stage));
   }
-  if (status.stage == Stage::passed && status.changed) {
-    add("changed since");
-  } else if (status.stage == Stage::passed && status.rest_edited) {
-    add("other exercises were changed since");
-  }
+  if (status.stage == Stage::passed && status.changed) add("changed since");
   if (status.hints > 0) {
     add(fmt::format("{} of {} hints seen", status.hints, exercise.hints.size()));
   }

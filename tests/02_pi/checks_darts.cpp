@@ -63,7 +63,7 @@ void judge_estimate(Case darts) {
   const Rows rows =
       probe("Lab 2.1 estimate", {.numbers = {{"thrown", darts.thrown}, {"hits", darts.hits}}},
             {.columns = 2, .finite = false});
-  const std::string of = fmt::format("{:g} hits of {:g}", darts.hits, darts.thrown);
+  const std::string of = fmt::format("{:.10g} hits of {:.10g}", darts.hits, darts.thrown);
   const double share = darts.hits / darts.thrown;
   const double variance = share * (1 - share);
   const double n1 = darts.thrown - 1;
@@ -112,7 +112,8 @@ std::vector<Diagnosis> interval_diagnoses(Interval measured, Case darts, double 
 
 void judge_limits(Interval measured, Case darts, double z) {
   const ScoreLimits share = score_limits(darts.thrown, darts.hits, z);
-  const std::string of = fmt::format("{:g} hits of {:g}, z = {:g}", darts.hits, darts.thrown, z);
+  const std::string of =
+      fmt::format("{:.10g} hits of {:.10g}, z = {:g}", darts.hits, darts.thrown, z);
   Verdict lower = equals("the lower limit from " + of, measured.lower, 4 * share.lower, 1e-9);
   Verdict upper = equals("the upper limit from " + of, measured.upper, 4 * share.upper, 1e-9);
   for (Verdict* limit : {&lower, &upper}) {

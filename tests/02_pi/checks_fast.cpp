@@ -58,9 +58,8 @@ void judge_count(std::int64_t first, std::int64_t n) {
   Suspects suspects;
   if (counted.expected != counted.at_corner) suspects.push_back({counted.at_corner, corner});
   if (n > 20'000'000) suspects.push_back({16777216, float_counter});
-  judge(
-      equals(fmt::format("the hits among {:g} darts from number {}", static_cast<double>(n), first),
-             counted.hits, counted.expected, 0, suspects));
+  judge(equals(fmt::format("the hits among {} darts from number {}", n, first), counted.hits,
+               counted.expected, 0, suspects));
 }
 
 /// Every range of up to n darts that begins at the darts 0 ... n, as the probe lists them.

@@ -120,7 +120,9 @@ TEST_CASE("what has passed stays so until it is judged again, and says that it w
   for (const char* number : {"1.1", "1.2", "1.3"})
     tree.judge(number, "passed", number[2] - '0' + 1);
   CHECK(has(status_text({tree.status()}, false), "Lab 1 is done.\n"));
-  tree.write("return 1;", "return 2;", "return 3;", "#include <cmath>");
+  tree.write("return 1;", "return 2;", "return 3;", "#include <cmath>\n");
+  CHECK(tree.status().changed() == 0);  // a library's header changes no exercise
+  tree.write("return 1;", "return 2;", "return 3;", "constexpr int two = 3;");
   const LabStatus status = tree.status();
   CHECK(status.passed() == 3);
   CHECK(status.changed() == 3);

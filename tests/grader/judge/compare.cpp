@@ -62,6 +62,7 @@ void name_suspects(Verdict& verdict, const Suspects& suspects,
 /// A whole number in full; another one with as many digits as show a difference, and no more.
 std::string number_text(double x, bool close) {
   constexpr double exact_below = 0x1p53;
+  if (std::isnan(x)) return "NaN";  // and not "-nan"
   if (std::abs(x) < exact_below && x == std::floor(x)) return fmt::format("{:.0f}", x);
   return close ? fmt::format("{:.16g}", x) : fmt::format("{:.6g}", x);
 }
