@@ -9,20 +9,71 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <set>
 
 namespace carlo {
 namespace {
 
 std::string padded(const std::string& text, std::size_t width, bool right) {
-  const std::string gap(width - std::min(width, display_width(text)), ' ');
-  return right ? gap + text : text + gap;
+  const std::string blank(width - std::min(width, display_width(text)), ' ');
+  return right ? blank + text : text + blank;
 }
 
-/// A line whose last column, of words, begins at `column`: what is too wide for the terminal goes
-/// on below in that column, as long as some room is left for it.
-std::string fitted(const std::string& line, const std::string& words, std::size_t column) {
-  const auto room = stdout_columns() - static_cast<int>(column);
-  if (room < 20 || display_width(words) <= static_cast<std::size_t>(room)) return line;
+using Columns = std::vector<std::size_t>;
+
+/// Between two columns.
+constexpr std::size_t gap = 2;
+/// Words in the last column may break into lines of this width or more.
+constexpr std::size_t least_words = 20;
+
+/// Whether no two rows have the same words in the first `names` columns.
+bool tell_apart(const std::vector<std::vector<Cell>>& rows, std::size_t names) {
+  std::set<std::vector<std::string>> seen;
+  return std::all_of(rows.begin(), rows.end(), [&](const std::vector<Cell>& row) {
+    std::vector<std::string> words;
+    for (std::size_t c = 0; c < names; ++c)
+      words.push_back(row[c].text);
+    return seen.insert(std::move(words)).second;
+  });
+}
+
+/// Where column `c` begins in a block.
+std::size_t start_of(std::size_t c, const Columns& block, const std::vector<std::size_t>& widths) {
+  std::size_t at = 0;
+  for (const std::size_t before : block) {
+    if (before == c) break;
+    at += widths[before] + gap;
+  }
+  return at;
+}
+
+/// The columns of each block no wider than `room`; the first `names` columns stand in all.
+std::vector<Columns> blocks_of(const std::vector<std::size_t>& widths, std::size_t names,
+                               std::size_t room) {
+  Columns block(names);
+  std::iota(block.begin(), block.end(), std::size_t{0});
+  const Columns front = block;
+  std::vector<Columns> blocks;
+  for (std::size_t c = names; c < widths.size(); ++c) {
+    block.push_back(c);
+    if (block.size() == names + 1 || start_of(c, block, widths) + widths[c] <= room) continue;
+    block.pop_back();
+    blocks.push_back(block);
+    block = front;
+    block.push_back(c);
+  }
+  blocks.push_back(block);
+  return blocks;
+}
+
+/// A line whose last column, of words, begins at `column`: what is too wide goes on below in that
+/// column, as long as some room is left for it.
+std::string fitted(const std::string& line, const std::string& words, std::size_t column,
+                   int columns) {
+  const auto room = columns - static_cast<int>(column);
+  const bool wide = display_width(words) > static_cast<std::size_t>(std::max(room, 0));
+  if (room < static_cast<int>(least_words) || !wide) return line;
   std::string below = wrapped_to(words, room);
   below.pop_back();
   for (std::size_t at = 0; (at = below.find('\n', at)) != std::string::npos; at += column + 1)
@@ -75,30 +126,45 @@ bool Table::numeric(std::size_t column) const {
 }
 
 std::string Table::text() const {
-  std::vector<std::size_t> widths;
+  return text(stdout_columns());
+}
+
+std::string Table::text(int columns) const {
+  std::vector<std::size_t> widths, needed;
+  std::size_t names = 0;
   for (std::size_t c = 0; c < titles_.size(); ++c) {
     std::size_t width = display_width(titles_[c]);
     for (const auto& row : rows_)
       width = std::max(width, display_width(row[c].text));
     widths.push_back(width);
+    const bool breaks = c + 1 == titles_.size() && !numeric(c);
+    needed.push_back(breaks ? std::min(width, least_words) : width);
+    if (names == c && !numeric(c)) ++names;
   }
-  const auto line = [&](const auto& text_of) {
-    std::string result;
-    for (std::size_t c = 0; c < titles_.size(); ++c) {
-      if (c > 0) result += "  ";
-      result += padded(text_of(c), widths[c], numeric(c));
+  // Words alone, or none in front: then the first column names the rows.
+  if (names == titles_.size() || names == 0) names = 1;
+  names = std::min(names, titles_.size() - 1);
+  while (names + 1 < titles_.size() && !tell_apart(rows_, names))
+    ++names;
+  const std::size_t room = columns > 0 ? static_cast<std::size_t>(columns) : std::string::npos;
+  std::string result;
+  for (const Columns& block : blocks_of(needed, names, room)) {
+    const auto line = [&](const auto& text_of) {
+      std::string text;
+      for (const std::size_t c : block)
+        text += padded(text_of(c), widths[c], numeric(c)) + std::string(gap, ' ');
+      return without_trailing_spaces(std::move(text));
+    };
+    result += result.empty() ? "" : "\n";
+    result += coloured(Colour::bold, line([&](std::size_t c) { return titles_[c]; })) + '\n';
+    const std::size_t last = block.back();
+    for (const auto& row : rows_) {
+      const std::string whole = line([&](std::size_t c) { return row[c].text; });
+      const bool breaks = last + 1 == titles_.size() && !numeric(last);
+      result +=
+          breaks ? fitted(whole, row[last].text, start_of(last, block, widths), columns) : whole;
+      result += '\n';
     }
-    return without_trailing_spaces(std::move(result));
-  };
-  std::string result = coloured(Colour::bold, line([&](std::size_t c) { return titles_[c]; }));
-  result += '\n';
-  std::size_t last = 2 * (widths.size() - 1);
-  for (std::size_t c = 0; c + 1 < widths.size(); ++c)
-    last += widths[c];
-  for (const auto& row : rows_) {
-    const std::string whole = line([&](std::size_t c) { return row[c].text; });
-    result += row.back().value ? whole : fitted(whole, row.back().text, last);
-    result += '\n';
   }
   return result;
 }

@@ -46,8 +46,11 @@ class Table {
   /// Whether the column holds numbers (and is set to the right).
   bool numeric(std::size_t column) const;
 
-  /// Aligned columns, each line ending in '\n'. Titles are bold where stdout shows colours;
-  /// nothing but plain text when piped.
+  /// Aligned columns, each line ending in '\n', no wider than `columns` (0: any width): the columns
+  /// that are left stand in a block below, behind those in front that name the rows. Titles are
+  /// bold where stdout shows colours; nothing but plain text when piped.
+  std::string text(int columns) const;
+  /// For the terminal that stdout is, or any width.
   std::string text() const;
 
   /// An array with one object a row: numbers as numbers (null when not finite), words as strings.

@@ -92,6 +92,38 @@ TEST_CASE("A table aligns words left and numbers right, counting letters and not
         "536");
 }
 
+TEST_CASE("A table wider than the terminal goes on below, behind the names of its rows",
+          "[report]") {
+  REQUIRE(::setenv("NO_COLOR", "1", 1) == 0);
+  Table table({"method", "first value", "second value", "third value"});
+  table.add_row({"one", 1.5, 2.5, 3.5});
+  table.add_row({"another", 10, 20, 30});
+  CHECK(table.text(0) == table.text(80));
+  const auto rows = lines(table.text(36));
+  REQUIRE(rows.size() == 7);
+  for (const std::string& row : rows)
+    CHECK(carlo::display_width(row) <= 36);
+  CHECK(rows[0] == "method   first value  second value");
+  CHECK(rows[2] == "another           10            20");
+  CHECK(rows[3].empty());
+  CHECK(rows[4] == "method   third value");
+  CHECK(rows[6] == "another           30");
+  CHECK(lines(table.text(5)).size() == 11);  // a column at least in each block
+  CHECK(lines(Table({"alone"}).text(3)).size() == 1);
+  table.add_row({"one", 1.75, 2.5, 3.5});  // a second one: its first value tells it apart
+  CHECK(lines(table.text(36))[5] == "method   first value  third value");
+}
+
+TEST_CASE("Words in a table's last column break at the terminal's width", "[report]") {
+  REQUIRE(::setenv("NO_COLOR", "1", 1) == 0);
+  Table table({"n", "remark"});
+  table.add_row({1, "a remark that is longer than the line"});
+  const auto rows = lines(table.text(30));
+  REQUIRE(rows.size() == 3);
+  CHECK(rows[1] == "1  a remark that is longer");
+  CHECK(rows[2] == "   than the line");
+}
+
 TEST_CASE("A table says in JSON what it shows, at full precision", "[report]") {
   Table table({"method", "error"}, {"name", "rms"});
   table.add_row({"a \"quoted\" name", 1.0 / 3});
