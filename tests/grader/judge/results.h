@@ -65,7 +65,8 @@ struct LabResult {
 /// them.
 std::vector<std::string> missing_functions(const ExerciseResult& result);
 
-/// Whether an exercise that is not done is begun: some test found values, right or wrong.
+/// Whether an exercise that is not done is begun: some test found values, right or wrong, or its
+/// first function is written.
 bool begun(const ExerciseResult& result);
 
 /// What an exercise's failed comparisons look like, in as few diagnoses as explain them: the one
