@@ -126,20 +126,14 @@ Runs measure(Context& context, const Blender& blender, const Compared& c, std::u
   return runs;
 }
 
-carlo::Cell duration_cell(const Spread& s) {
-  return {fmt::format("{} [{}, {}]", carlo::duration_text(s.median), carlo::duration_text(s.least),
-                      carlo::duration_text(s.greatest)),
-          s.median};
-}
-
 void add_row(carlo::Table& table, const std::string& scene, const Runs& runs,
              const Agreement& agreement) {
   const Spread rel_mse = spread(runs.rel_mse), samples = spread(runs.our_samples);
   table.add_row({scene,
-                 duration_cell(spread(runs.seconds)),
+                 seconds_spread_cell(spread(runs.seconds)),
                  {carlo::number_text(rel_mse.median, 3), rel_mse.median},
                  {carlo::number_text(samples.median, 3), samples.median},
-                 duration_cell(spread(runs.our_seconds)),
+                 seconds_spread_cell(spread(runs.our_seconds)),
                  spread_cell(spread(runs.ratio)),
                  {fmt::format("{:.4f}", agreement.mean_ratio), agreement.mean_ratio},
                  {fmt::format("{:.1f}", agreement.tile_z), agreement.tile_z},

@@ -83,10 +83,8 @@ class Fingerprints {
 std::vector<Subject> subjects(const Places& places, const std::vector<int>& wanted) {
   std::vector<Subject> list;
   const std::vector<Lab> labs = load_labs(places.labs);
-  for (const int number : wanted) {
-    const auto same = [&](const Lab& lab) { return lab.number == number; };
-    if (std::none_of(labs.begin(), labs.end(), same)) throw Error("there is no lab {}", number);
-  }
+  for (const int number : wanted)
+    (void)find_lab(labs, number);
   for (const Lab& lab : labs) {
     const bool asked = std::find(wanted.begin(), wanted.end(), lab.number) != wanted.end();
     if (!wanted.empty() && !asked) continue;
