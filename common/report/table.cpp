@@ -129,40 +129,56 @@ std::string Table::text() const {
   return text(stdout_columns());
 }
 
-std::string Table::text(int columns) const {
+namespace {
+
+/// What text() knows of a table's columns, worked out once.
+struct Layout {
+  std::vector<bool> numeric;
   std::vector<std::size_t> widths, needed;
-  std::size_t names = 0;
-  for (std::size_t c = 0; c < titles_.size(); ++c) {
-    std::size_t width = display_width(titles_[c]);
-    for (const auto& row : rows_)
-      width = std::max(width, display_width(row[c].text));
-    widths.push_back(width);
-    const bool breaks = c + 1 == titles_.size() && !numeric(c);
-    needed.push_back(breaks ? std::min(width, least_words) : width);
-    if (names == c && !numeric(c)) ++names;
+  std::size_t names = 0;  ///< columns in front that name the rows
+
+  explicit Layout(const Table& table) {
+    const std::size_t count = table.titles().size();
+    for (std::size_t c = 0; c < count; ++c) {
+      numeric.push_back(table.numeric(c));
+      std::size_t width = display_width(table.titles()[c]);
+      for (const auto& row : table.rows())
+        width = std::max(width, display_width(row[c].text));
+      widths.push_back(width);
+      needed.push_back(breaks(c, count) ? std::min(width, least_words) : width);
+      if (names == c && !numeric[c]) ++names;
+    }
+    // Words alone, or none in front: then the first column names the rows.
+    if (names == count || names == 0) names = 1;
+    names = std::min(names, count - 1);
+    while (names + 1 < count && !tell_apart(table.rows(), names))
+      ++names;
   }
-  // Words alone, or none in front: then the first column names the rows.
-  if (names == titles_.size() || names == 0) names = 1;
-  names = std::min(names, titles_.size() - 1);
-  while (names + 1 < titles_.size() && !tell_apart(rows_, names))
-    ++names;
+
+  /// Whether words in a column may go on below: in the last one, if it is of words.
+  bool breaks(std::size_t c, std::size_t count) const { return c + 1 == count && !numeric[c]; }
+};
+
+}  // namespace
+
+std::string Table::text(int columns) const {
+  const Layout layout(*this);
   const std::size_t room = columns > 0 ? static_cast<std::size_t>(columns) : std::string::npos;
   std::string result;
-  for (const Columns& block : blocks_of(needed, names, room)) {
+  for (const Columns& block : blocks_of(layout.needed, layout.names, room)) {
     const auto line = [&](const auto& text_of) {
       std::string text;
       for (const std::size_t c : block)
-        text += padded(text_of(c), widths[c], numeric(c)) + std::string(gap, ' ');
+        text += padded(text_of(c), layout.widths[c], layout.numeric[c]) + std::string(gap, ' ');
       return without_trailing_spaces(std::move(text));
     };
     result += result.empty() ? "" : "\n";
     result += coloured(Colour::bold, line([&](std::size_t c) { return titles_[c]; })) + '\n';
-    const std::size_t last = block.back();
+    const std::size_t last = block.back(), start = start_of(last, block, layout.widths);
+    const bool breaks = layout.breaks(last, titles_.size());
     for (const auto& row : rows_) {
       const std::string whole = line([&](std::size_t c) { return row[c].text; });
-      const bool breaks = last + 1 == titles_.size() && !numeric(last);
-      result +=
-          breaks ? fitted(whole, row[last].text, start_of(last, block, widths), columns) : whole;
+      result += breaks ? fitted(whole, row[last].text, start, columns) : whole;
       result += '\n';
     }
   }

@@ -41,8 +41,8 @@ void bench_lean_build(Context& context) {
   context.page().prose(
       "The whole renderer chooses its kernel when it has read the scene. The lean one is a program "
       "of the same sources into which only this scene's combination was compiled, the vector "
-      "kernel "
-      "for diffuse parallelograms, and no choice. The two take turns and render the same bits.");
+      "kernel for diffuse parallelograms, and no choice. The two take turns and render the same "
+      "bits.");
   const fs::path scene = context.options().scenes / "cornell_lambert.xml";
   Program whole{"whole renderer", this_program(), {"--render-cost", scene.string(), "--seed"}};
   Program lean{"only what the scene needs",
