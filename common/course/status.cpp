@@ -151,13 +151,11 @@ LabStatus status_of(const Lab& lab, const fs::path& labs, const VerdictBook& boo
     status.open = code.open_functions(exercise);
     status.hints = std::min(hints.seen(exercise), static_cast<int>(exercise.hints.size()));
     const KeptVerdict* verdict = book.find(exercise);
-    const Age age = verdict != nullptr ? age_of(*verdict, exercise, code) : Age::current;
-    status.changed = age == Age::edited;
+    status.changed = verdict != nullptr && verdict->exercise != code.digest(exercise);
     status.stage = stage_of(status, verdict);
     const bool counts = status.stage != Stage::untouched && status.stage != Stage::begun;
     if (verdict != nullptr && counts) {
       status.points = std::min(verdict->points, static_cast<double>(exercise.points));
-      status.rest_edited = age == Age::rest_edited;
       status.message = status.stage == Stage::failed ? verdict->message : "";
     }
     result.exercises.push_back(std::move(status));
@@ -250,7 +248,6 @@ std::string status_json(const std::vector<LabStatus>& labs) {
                            {"max", exercise.points},
                            {"open_functions", status.open},
                            {"changed", status.changed},
-                           {"rest_edited", status.rest_edited},
                            {"hints_seen", status.hints},
                            {"hints", exercise.hints.size()},
                            {"message", status.message}});

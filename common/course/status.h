@@ -22,12 +22,11 @@ enum class Stage {
 struct ExerciseStatus {
   const Exercise* exercise = nullptr;
   Stage stage = Stage::untouched;
-  double points = 0;         ///< of the last verdict; none where a function is open again
-  bool changed = false;      ///< what it is made of was edited since it was judged
-  bool rest_edited = false;  ///< other parts of the lab were edited since it was judged
-  int open = 0;              ///< functions not implemented
-  int hints = 0;             ///< seen
-  std::string message;       ///< what was wrong, in one line
+  double points = 0;     ///< of the last verdict; none where a function is open again
+  bool changed = false;  ///< what it is made of was edited since it was judged
+  int open = 0;          ///< functions not implemented
+  int hints = 0;         ///< seen
+  std::string message;   ///< what was wrong, in one line
 };
 
 struct LabStatus {

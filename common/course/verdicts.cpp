@@ -20,7 +20,6 @@ KeptVerdict verdict_of(const json& entry) {
   verdict.message = entry.at("message").get<std::string>();
   verdict.text = entry.at("text").get<std::string>();
   verdict.exercise = entry.value("exercise", "");
-  verdict.all = entry.value("all", "");
   return verdict;
 }
 
@@ -51,7 +50,6 @@ void VerdictBook::take(const std::string& judged, const Lab& lab, const OwnCode&
       if (exercise == nullptr) throw Error("verdicts of an exercise that lab.json does not list");
       KeptVerdict verdict = verdict_of(entry);
       verdict.exercise = code.digest(*exercise);
-      verdict.all = code.digest();
       verdicts_[exercise->number()] = std::move(verdict);
     }
   } catch (const json::exception&) {
@@ -62,18 +60,15 @@ void VerdictBook::take(const std::string& judged, const Lab& lab, const OwnCode&
 void VerdictBook::save() const {
   json exercises = json::object();
   for (const auto& [number, verdict] : verdicts_) {
-    exercises[number] = {{"points", verdict.points},     {"status", verdict.status},
-                         {"message", verdict.message},   {"text", verdict.text},
-                         {"exercise", verdict.exercise}, {"all", verdict.all}};
+    exercises[number] = {{"points", verdict.points},
+                         {"status", verdict.status},
+                         {"message", verdict.message},
+                         {"text", verdict.text},
+                         {"exercise", verdict.exercise}};
   }
   std::error_code ec;
   if (file_.has_parent_path()) fs::create_directories(file_.parent_path(), ec);
   write_file(file_, json{{"exercises", exercises}}.dump(1) + "\n");
-}
-
-Age age_of(const KeptVerdict& verdict, const Exercise& exercise, const OwnCode& code) {
-  if (verdict.all == code.digest()) return Age::current;
-  return verdict.exercise == code.digest(exercise) ? Age::rest_edited : Age::edited;
 }
 
 }  // namespace carlo

@@ -16,14 +16,6 @@ struct KeptVerdict {
   std::string message;   ///< what is wrong, in one line; empty when it passed
   std::string text;      ///< the same in full
   std::string exercise;  ///< OwnCode::digest() of the exercise
-  std::string all;       ///< and of all the lab's text
-};
-
-/// How a verdict stands to the files as they are now.
-enum class Age {
-  current,      ///< about this text
-  rest_edited,  ///< the lab's files were edited since, but not what this exercise is made of
-  edited        ///< about another text
 };
 
 /// The last verdicts of all exercises, kept in a small JSON file that is made when it is not there.
@@ -46,7 +38,5 @@ class VerdictBook {
   std::filesystem::path file_;
   std::map<std::string, KeptVerdict> verdicts_;  ///< by "1.2"
 };
-
-Age age_of(const KeptVerdict& verdict, const Exercise& exercise, const OwnCode& code);
 
 }  // namespace carlo

@@ -97,10 +97,10 @@ TEST_CASE("an exercise is untouched, begun, judged, and edited since", "[course]
   CHECK(tree.stage(1) == Stage::untouched);
   tree.judge("1.1", "passed", 2);
   CHECK(tree.stage(0) == Stage::passed);
-  CHECK_FALSE(tree.status().exercises[0].rest_edited);
+  CHECK_FALSE(tree.status().exercises[0].changed);
   tree.write("return 1;", "return 2;", "throws");
   CHECK(tree.stage(0) == Stage::passed);
-  CHECK(tree.status().exercises[0].rest_edited);
+  CHECK_FALSE(tree.status().exercises[0].changed);  // another one was
   tree.judge("1.2", "failed", 1);
   CHECK(tree.stage(1) == Stage::failed);
   CHECK(tree.status().points() == 3);
