@@ -29,6 +29,8 @@ fs::path file_of(const ScratchFolder& scratch, std::size_t job, const char* what
 
 std::vector<std::string> command(const Job& job, const fs::path& verdicts) {
   // A busy machine must not look like a slow answer: the processor time is limited all the same.
+  // Solutions and mistakes are the tree's own: to fence each of their workers takes as much
+  // processor time again as the judging and changes no verdict.
   std::vector<std::string> words{job.subject.judge,
                                  "--lab",
                                  job.subject.lab_json,
@@ -38,6 +40,8 @@ std::vector<std::string> command(const Job& job, const fs::path& verdicts) {
                                  std::to_string(job.key.seed),
                                  "--deadline",
                                  "120",
+                                 "--sandbox",
+                                 "limits",
                                  "--json",
                                  verdicts};
   if (!job.subject.exercise.empty()) {
