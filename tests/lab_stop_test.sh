@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# lab_stop_test.sh PROGRAMS: Ctrl-C ends a lab's program as a signal does, in one line that says so,
-# and nothing is left of its page.
+# lab_stop_test.sh PROGRAMS: Ctrl-C ends a lab's program as a signal does, in one line that says so
+# and in which experiment, and nothing is left of its page.
 set -euo pipefail
 programs=$1
 scratch=$(mktemp -d)
@@ -11,7 +11,7 @@ cd "$scratch"
 code=0
 timeout --preserve-status --signal=INT 2 "$programs/lab01_solution" --json run.json >text 2>errors ||
   code=$?
-if [ "$code" != 130 ] || [ "$(grep -c 'Stopped; no results were written' errors)" != 1 ]; then
+if [ "$code" != 130 ] || [ "$(grep -c '^Stopped in the experiment ".*"; no results were written' errors)" != 1 ]; then
   printf 'FAILED: exit code %s\n' "$code"
   cat errors
   exit 1

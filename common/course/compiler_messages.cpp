@@ -96,6 +96,47 @@ std::string calm(std::string text) {
   return text;
 }
 
+bool has(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// GCC's two phrases and Clang's: what such a function returns is anything, so nothing that is said
+/// of other warnings matters before it.
+bool lacks_return(const std::string& text) {
+  return has(text, "no return statement in function") ||
+         has(text, "control reaches end of non-void") ||
+         has(text, "non-void function does not return");
+}
+
+/// What follows from a function that is not closed: all below it stands inside of it.
+bool stands_inside(const std::string& text) {
+  return has(text, "function-definition is not allowed here") ||
+         has(text, "function definition is not allowed here") ||
+         has(text, "qualified-id in declaration before");
+}
+
+/// Leaves of what a missing } leads to, which is a complaint about each function below it, the
+/// first, and says what it means.
+void explain_missing_brace(std::vector<CompilerMessage>& messages) {
+  const auto is_end = [](const CompilerMessage& m) {
+    return has(m.text, "at end of input") || m.text == "expected '}'";
+  };
+  const auto end = std::find_if(messages.begin(), messages.end(), is_end);
+  const auto first = std::find_if(messages.begin(), messages.end(), [](const CompilerMessage& m) {
+    return m.whose == Whose::own && stands_inside(m.text);
+  });
+  if (end == messages.end() || first == messages.end()) return;
+  first->text = "this function begins inside the one above it, where a } is missing";
+  const CompilerMessage kept = *first;
+  messages.erase(std::remove_if(messages.begin(), messages.end(),
+                                [&](const CompilerMessage& m) {
+                                  return m.file == kept.file && m.line > kept.line &&
+                                         (is_end(m) || stands_inside(m.text) ||
+                                          has(m.text, "expected identifier before"));
+                                }),
+                 messages.end());
+}
+
 /// "   12 |   code" or "      |   ^~~~", or Clang's lines without numbers.
 bool is_excerpt(const std::string& line) {
   const std::size_t first = line.find_first_not_of(' ');
@@ -120,8 +161,10 @@ class Reader {
     std::istringstream lines{std::string(log)};
     for (std::string line; std::getline(lines, line);)
       take_line(plain(line));
+    explain_missing_brace(messages_);
     const auto rank = [](const CompilerMessage& m) {
-      return (m.error ? 0 : 10) + static_cast<int>(m.whose);
+      const int kind = m.error ? 0 : lacks_return(m.text) ? 10 : 20;
+      return kind + static_cast<int>(m.whose);
     };
     std::stable_sort(
         messages_.begin(), messages_.end(),

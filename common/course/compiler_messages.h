@@ -25,8 +25,8 @@ struct CompilerMessage {
 };
 
 /// What is worth telling of a build's output (GCC's or Clang's words, GNU ld's and lld's): errors
-/// before warnings, those in a student's files first, each in the order in which they were found
-/// and once. Empty when nothing is recognised.
+/// before warnings, missing returns before other warnings, those in a student's files first, each
+/// in the order in which they were found and once. Empty when nothing is recognised.
 std::vector<CompilerMessage> compiler_messages(std::string_view log,
                                                const std::filesystem::path& root);
 

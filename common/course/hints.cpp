@@ -79,10 +79,13 @@ std::string next_hint(const Exercise& exercise, HintState& state) {
   const int seen = state.seen(exercise);
   const int shown = std::min(seen + 1, count);
   if (shown != seen) state.set_seen(exercise, shown);
-  const char* next = seen >= count
-                         ? "there are no more (--all shows all); see the handout and the header"
-                     : shown == count ? "the last"
-                                      : "run again for the next";
+  const std::string next =
+      seen >= count ? fmt::format(
+                          "there are no more (all: ./carlo hint {} --all); see the handout "
+                          "and the header",
+                          exercise.number())
+      : shown == count ? "the last"
+                       : "run again for the next";
   return fmt::format("{}hint {} of {}; {}\n\n{}\n", heading(exercise), shown, count, next,
                      text_of(exercise, shown));
 }

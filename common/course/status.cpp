@@ -1,6 +1,7 @@
 #include "course/status.h"
 
 #include "cli/terminal.h"
+#include "cli/wrap.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -18,6 +19,27 @@ using nlohmann::json;
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+/// Without its end where it has more than `most` characters.
+std::string cut(const std::string& text, std::size_t most) {
+  if (width(text) <= most) return text;
+  std::string out;
+  std::size_t shown = 0;
+  for (const char c : text) {
+    if ((c & 0xC0) != 0x80 && ++shown >= std::max<std::size_t>(most, 1)) break;
+    out += c;
+  }
+  return out + "…";
+}
+
+/// How much of a title stands in a line whose other parts take `others`: all of it where there is
+/// no terminal, and never so little that it says nothing.
+std::size_t room_for_title(std::size_t others) {
+  constexpr std::size_t least = 16;
+  const auto columns = static_cast<std::size_t>(stdout_columns());
+  if (columns == 0) return std::string::npos;
+  return columns > others + least ? columns - others : least;
 }
 
 const char* name_of(Stage stage) {
@@ -79,9 +101,19 @@ std::string remark(const ExerciseStatus& status) {
   }
   if (status.stage == Stage::passed && status.changed) add("changed since");
   if (status.hints > 0) {
-    add(fmt::format("{} of {} hints seen", status.hints, exercise.hints.size()));
+    add(fmt::format("hint {} of {}", status.hints, exercise.hints.size()));
   }
-  return text;
+  return text.empty() ? "" : "  " + text;
+}
+
+std::string points(const ExerciseStatus& status) {
+  const char* had = status.stage == Stage::edited ? "had " : "";
+  return fmt::format("  {}{:g} of {}", had, status.points, status.exercise->points);
+}
+
+/// How much of an exercise's line is not its title: the indentation and the mark too.
+std::size_t beside_title(const ExerciseStatus& status) {
+  return 6 + width(status.exercise->number()) + width(points(status)) + width(remark(status));
 }
 
 std::string bar(double points, int possible) {
@@ -177,34 +209,36 @@ const Exercise* next_exercise(const std::vector<LabStatus>& labs) {
   return nullptr;
 }
 
-std::size_t title_width(const Lab& lab) {
-  std::size_t widest = 0;
-  for (const Exercise& exercise : lab.exercises)
-    widest = std::max(widest, width(exercise.title));
-  return widest;
+std::size_t title_width(const LabStatus& lab) {
+  std::size_t widest = 0, others = 0;
+  for (const ExerciseStatus& exercise : lab.exercises) {
+    widest = std::max(widest, width(exercise.exercise->title));
+    others = std::max(others, beside_title(exercise));
+  }
+  return std::min(widest, room_for_title(others));
 }
 
 std::string status_line(const ExerciseStatus& status, std::size_t titles) {
   const Exercise& exercise = *status.exercise;
-  const std::string gap(titles - std::min(titles, width(exercise.title)), ' ');
-  const std::string had = status.stage == Stage::edited ? "had " : "";
-  std::string line = fmt::format("{} {}  {}{}  {}{:g} of {}", mark(status), exercise.number(),
-                                 exercise.title, gap, had, status.points, exercise.points);
-  if (const std::string more = remark(status); !more.empty()) {
-    line += "  " + coloured(Colour::dim, more);
-  }
-  return line;
+  const std::string title = cut(exercise.title, room_for_title(beside_title(status)));
+  const std::string gap(titles - std::min(titles, width(title)), ' ');
+  const std::string more = remark(status);
+  return fmt::format("{} {}  {}{}{}{}", mark(status), exercise.number(), title, gap, points(status),
+                     more.empty() ? "" : coloured(Colour::dim, more));
 }
 
 std::string status_heading(const LabStatus& status) {
   const int possible = status.lab->points();
   const std::string changed =
       status.changed() > 0 ? fmt::format(" ({} changed since)", status.changed()) : "";
-  return fmt::format("{}  {}{:g} of {} points, {} of {} exercises{}  {}",
+  const std::string done = fmt::format("{:g} of {} points, {} of {} exercises{}", status.points(),
+                                       possible, status.passed(), status.exercises.size(), changed);
+  constexpr std::size_t number_and_bar = 22;
+  const std::string title = cut(status.lab->title.substr(0, status.lab->title.find(':')),
+                                room_for_title(number_and_bar + width(done)));
+  return fmt::format("{}  {}{}  {}",
                      coloured(Colour::bold, fmt::format("Lab {:02}", status.lab->number)),
-                     bar(status.points(), possible), status.points(), possible, status.passed(),
-                     status.exercises.size(), changed,
-                     status.lab->title.substr(0, status.lab->title.find(':')));
+                     bar(status.points(), possible), done, title);
 }
 
 std::string status_text(const std::vector<LabStatus>& labs, bool all) {
@@ -224,7 +258,7 @@ std::string status_text(const std::vector<LabStatus>& labs, bool all) {
     const bool open = lab.begun() && (!done || lab.changed() > 0);
     if (!all && !is_next && !open) continue;
     for (const ExerciseStatus& exercise : lab.exercises)
-      text += "  " + status_line(exercise, title_width(*lab.lab)) + "\n";
+      text += "  " + status_line(exercise, title_width(lab)) + "\n";
   }
   if (labs.size() > 1) {
     text += fmt::format("In all: {:g} of {} points, {} of {} exercises\n", points, possible, passed,

@@ -49,13 +49,14 @@ const Exercise* next_exercise(const LabStatus& lab);
 const Exercise* next_exercise(const std::vector<LabStatus>& labs);
 
 /// One line for one exercise, without line end; in colour where stdout shows it. `titles`: how wide
-/// the column of titles is.
+/// the column of titles is. A title is cut where the terminal has no room for all of the line.
 std::string status_line(const ExerciseStatus& status, std::size_t titles);
 /// The lab's name, a bar (on a terminal), its points and how many verdicts are of older text,
 /// without line end.
 std::string status_heading(const LabStatus& status);
-/// How wide a lab's column of titles is, in characters.
-std::size_t title_width(const Lab& lab);
+/// How wide a lab's column of titles is, in characters: as the widest, if the terminal has the
+/// room.
+std::size_t title_width(const LabStatus& lab);
 
 /// For people: every lab, the exercises of those that are begun and of the one that is next
 /// (`all`: of all), totals and what is next.

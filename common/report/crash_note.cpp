@@ -61,4 +61,8 @@ void note_experiment(std::string_view name) {
   title.at(length) = '\0';
 }
 
+std::string_view noted_experiment() {
+  return title.data();
+}
+
 }  // namespace carlo

@@ -12,4 +12,8 @@ void tell_crashes();
 /// The experiment that begins.
 void note_experiment(std::string_view title);
 
+/// The title of the experiment under way, cut to some 250 bytes; empty before the first. A signal
+/// handler may ask.
+std::string_view noted_experiment();
+
 }  // namespace carlo

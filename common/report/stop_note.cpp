@@ -1,5 +1,7 @@
 #include "report/stop_note.h"
 
+#include "report/crash_note.h"
+
 #include <unistd.h>
 
 #include <csignal>
@@ -10,10 +12,19 @@ namespace {
 
 struct sigaction before {};
 
+void say(std::string_view text) {
+  if (::write(STDERR_FILENO, text.data(), text.size()) < 0) return;
+}
+
 extern "C" void stopped(int signal) {
   // Behind the ^C, or a progress bar. Only calls that a handler may make.
-  constexpr std::string_view text = "\nStopped; no results were written.\n";
-  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+  say("\nStopped");
+  if (!carlo::noted_experiment().empty()) {
+    say(" in the experiment \"");
+    say(carlo::noted_experiment());
+    say("\"");
+  }
+  say("; no results were written.\n");
   ::raise(signal);  // the handler is gone: the system ends the program
 }
 

@@ -244,6 +244,37 @@ TEST_CASE("errors in the student's file come first, those it caused elsewhere ne
   CHECK(has(text, "and 2 more errors\nand 1 more warning\n"));
 }
 
+TEST_CASE("a missing } is told once, where the next function begins", "[course]") {
+  const std::string gcc =
+      "../../labs/02_pi/pi.cpp: In function 'double lab02::f()':\n"
+      "../../labs/02_pi/pi.cpp:21:9: error: a function-definition is not allowed here before '{' "
+      "token\n   21 | double g() {\n      |            ^\n"
+      "../../labs/02_pi/pi.cpp:29:18: error: qualified-id in declaration before '(' token\n"
+      "../../labs/02_pi/pi.cpp:33:5: error: 'y' was not declared in this scope\n"
+      "../../labs/02_pi/pi.cpp:45:2: error: expected '}' at end of input\n";
+  const std::vector<CompilerMessage> messages = compiler_messages(gcc, "/tree");
+  REQUIRE(messages.size() == 2);
+  CHECK(messages[0].line == 21);
+  CHECK(has(messages[0].text, "a } is missing"));
+  CHECK(messages[0].excerpt.size() == 2);
+  CHECK(messages[1].line == 33);  // an error of its own
+  const std::string clang =
+      "/tree/labs/02_pi/pi.cpp:21:12: error: function definition is not allowed here\n"
+      "/tree/labs/02_pi/pi.cpp:45:2: error: expected '}'\n";
+  REQUIRE(compiler_messages(clang, "/tree").size() == 1);
+  CHECK(has(compiler_messages(clang, "/tree")[0].text, "a } is missing"));
+}
+
+TEST_CASE("a missing return is told before other warnings", "[course]") {
+  const std::string log =
+      "/tree/labs/02_pi/pi.cpp:5:9: warning: unused variable 'x' [-Wunused-variable]\n"
+      "/tree/labs/02_pi/pi.cpp:9:1: warning: no return statement in function returning non-void "
+      "[-Wreturn-type]\n";
+  const std::vector<CompilerMessage> messages = compiler_messages(log, "/tree");
+  REQUIRE(messages.size() == 2);
+  CHECK(messages[0].line == 9);
+}
+
 TEST_CASE("Clang's way to the student's line, and what the linker misses", "[course]") {
   const std::string log =
       "/usr/include/c++/12/bits/stl_algo.h:10:5: error: invalid operands to binary expression\n"

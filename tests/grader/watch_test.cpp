@@ -31,7 +31,8 @@ namespace {
 constexpr const char* lab_text = R"({"lab": 1, "name": "demo", "title": "Demo", "exercises": [
   {"tag": "Lab 1.1", "title": "First", "points": 2, "lecture": "L", "functions": ["f"],
    "hints": ["the nudge of one", "the plan of one"]},
-  {"tag": "Lab 1.2", "title": "Second", "points": 3, "lecture": "L", "functions": ["g"],
+  {"tag": "Lab 1.2", "title": "Second, which is called a good deal more than fits into a narrow terminal's line",
+   "points": 3, "lecture": "L", "functions": ["g"],
    "hints": ["the nudge of two", "the plan of two"]}]})";
 
 // Where demo.cpp says "broken" it does not compile.
@@ -229,8 +230,16 @@ TEST_CASE("at a terminal: break, mend, hint, next, list, all and quit", "[watch]
   REQUIRE(terminal.says("✓ 1.2  Second"));
   tree.edit("good 1.1", "bad again");
   REQUIRE(terminal.says("verdict of 1.2: failed"));
+  tree.edit("good 1.1 too", "good 1.2");  // both at once: both are judged
+  REQUIRE(terminal.says("✓ Lab 1.1, First: 2 of 2 points"));
+  REQUIRE(terminal.says("✓ Lab 1.2, Second"));
+  tree.edit("bad once more", "bad once more");
+  REQUIRE(terminal.says("verdict of 1.1: failed"));
+  REQUIRE(terminal.says("verdict of 1.2: failed"));
   terminal.press("a");
   REQUIRE(terminal.says("✗ 1.2  Second"));
+  terminal.resize(60, 20);
+  REQUIRE(terminal.says("✗ 1.2  Second, which is called a g…  0 of 3  not right yet"));
   terminal.press("\x1b[A");  // an arrow is no key of ours
   terminal.press("q");
   CHECK(terminal.end() == 0);

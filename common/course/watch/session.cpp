@@ -29,6 +29,7 @@ WatchSession::WatchSession(WatchPlaces places, const Lab& lab)
       code_(places_.labs(), lab),
       current_(next_exercise(status())) {
   if (current_ == nullptr) current_ = &lab.exercises.front();
+  which_ = {current_};
 }
 
 LabStatus WatchSession::status() const {
@@ -68,11 +69,11 @@ void WatchSession::files_changed() {
   if (now.digest() == code_.digest()) return;
   const std::vector<const Exercise*> changed = now.changed_since(code_);
   if (!changed.empty()) {
-    // Of several, as after another version was copied here, the one at hand.
-    if (std::find(changed.begin(), changed.end(), current_) == changed.end()) {
-      current_ = changed.front();
-    }
-    all_ = false;
+    // So many at once are another version that was copied here.
+    constexpr std::size_t many = 4;
+    all_ = changed.size() >= many;
+    which_ = changed;
+    current_ = changed.front();
   }
   run();
 }
@@ -100,12 +101,22 @@ void WatchSession::built() {
     return;
   }
   built_at_ = Clock::now();
+  at_ = 0;
+  judge_next();
+}
+
+void WatchSession::judge_next() {
   const std::string bin = (places_.build / "bin").string();
   const fs::path folder = places_.labs() / fmt::format("{:02}_{}", lab_.number, lab_.name);
   std::vector<std::string> command{
       bin + "/" + program("judge"),  "--lab",  (folder / "lab.json").string(), "--worker",
       bin + "/" + program("worker"), "--json", judged_file().string()};
-  if (!all_) command.insert(command.end(), {"--exercise", current_->number()});
+  if (!all_) {
+    current_ = which_[at_];
+    command.insert(command.end(), {"--exercise", current_->number()});
+  }
+  std::error_code ec;
+  fs::remove(judged_file(), ec);
   start(Phase::judging, command);
 }
 
@@ -118,7 +129,17 @@ void WatchSession::judged() {
   } else if (OwnCode(places_.labs(), lab_).digest() == code_.digest()) {
     take_verdicts();
   }  // else the files were edited just now, and the next run has begun already or begins at once
+  if (!all_ && trouble_.empty() && ++at_ < which_.size()) {
+    judge_next();
+    return;
+  }
   stop();
+  // Of several, the one to go on with.
+  const auto open = std::find_if(which_.begin(), which_.end(), [&](const Exercise* exercise) {
+    const KeptVerdict* verdict = book_.find(*exercise);
+    return verdict == nullptr || verdict->status != "passed";
+  });
+  if (!all_ && open != which_.end()) current_ = *open;
 }
 
 void WatchSession::take_verdicts() {
@@ -134,6 +155,7 @@ void WatchSession::take_verdicts() {
 
 void WatchSession::go_to(const Exercise* exercise) {
   current_ = exercise;
+  which_ = {exercise};
   all_ = false;
   run();
 }

@@ -31,8 +31,8 @@ class WatchSession {
  public:
   WatchSession(WatchPlaces places, const Lab& lab);
 
-  /// The exercise's code may have changed: builds and judges the one whose part has, else the
-  /// current one. Nothing happens when the text is the same.
+  /// The exercises' code may have changed: builds, and judges those whose part has (all of the lab
+  /// when they are many), else the current one. Nothing happens when the text is the same.
   void files_changed();
   /// Builds and judges the current exercise (or all, when they were asked for last).
   void run();
@@ -63,6 +63,7 @@ class WatchSession {
   void start(Phase phase, const std::vector<std::string>& command);
   void stop();
   void built();
+  void judge_next();
   void judged();
   void take_verdicts();
   void go_to(const Exercise* exercise);
@@ -80,9 +81,11 @@ class WatchSession {
   const Lab& lab_;
   HintState hints_;
   VerdictBook book_;
-  OwnCode code_;             ///< what is being, or was, judged
-  const Exercise* current_;  ///< of the lab
-  bool all_ = false;         ///< all exercises are judged
+  OwnCode code_;                        ///< what is being, or was, judged
+  const Exercise* current_;             ///< of the lab
+  bool all_ = false;                    ///< all exercises are judged
+  std::vector<const Exercise*> which_;  ///< else these, in order; the current one is among them
+  std::size_t at_ = 0;                  ///< which of them is being judged
 
   std::unique_ptr<Child> child_;
   Phase phase_ = Phase::idle;

@@ -63,7 +63,7 @@ std::string WatchSession::list_text() const {
   const LabStatus now = status();
   std::string text;
   for (const ExerciseStatus& exercise : now.exercises)
-    text += status_line(exercise, title_width(lab_)) + "\n";
+    text += status_line(exercise, title_width(now)) + "\n";
   return text + what_next();
 }
 
@@ -77,14 +77,24 @@ std::string WatchSession::verdict_text(const Exercise& exercise) const {
   }
   const bool open = verdict->status == "not_implemented";
   const std::string mark = open ? coloured(Colour::yellow, "–") : coloured(Colour::red, "✗");
-  return fmt::format("{} {}: {}\n{}", mark, title, points, verdict->text);
+  std::string text = verdict->text;
+  const std::string typed = fmt::format("./carlo hint {}\n", current_->number());
+  if (const std::size_t at = text.rfind(typed); at != std::string::npos) {
+    text.replace(at, typed.size(), "press h\n");
+  }
+  return fmt::format("{} {}: {}\n{}", mark, title, points, text);
 }
 
 std::string WatchSession::verdicts_text() const {
   if (all_) return list_text();
-  const KeptVerdict* verdict = book_.find(*current_);
-  const bool passed = verdict != nullptr && verdict->status == "passed";
-  return verdict_text(*current_) + (passed ? what_next() : "");
+  std::string text;
+  bool passed = true;
+  for (const Exercise* exercise : which_) {
+    const KeptVerdict* verdict = book_.find(*exercise);
+    passed = passed && verdict != nullptr && verdict->status == "passed";
+    text += verdict_text(*exercise);
+  }
+  return text + (passed ? what_next() : "");
 }
 
 std::string WatchSession::body() const {
