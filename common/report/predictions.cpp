@@ -161,6 +161,7 @@ json Question::read(const std::string& typed) const {
     if (plain.back() != '%' && *value > 1) *value /= 100;
     return *value >= 0 && *value <= 1 ? json(*value) : json();
   }
+  if (plain.back() == '%') return {};  // of what?
   if (choices.empty()) return *value;
   const auto last = static_cast<double>(choices.size());
   if (*value < 1 || *value > last || std::floor(*value) != *value) return {};

@@ -131,7 +131,7 @@ TEST_CASE("numbers as people type them; a ratio of two rows", "[predictions]") {
   CHECK(question.read(" -1/2 ") == -0.5);
   CHECK(question.read("\u22121.5e1") == -15);
   CHECK(question.read("+3") == 3);
-  for (const char* no : {"", "x", "1/0", "1/", "1 or 2", "nan", "inf", "%", "3 %%"})
+  for (const char* no : {"", "x", "1/0", "1/", "1 or 2", "nan", "inf", "%", "3 %%", "95 %"})
     CHECK(question.read(no).is_null());
 }
 
