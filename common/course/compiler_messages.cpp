@@ -1,6 +1,7 @@
 #include "course/compiler_messages.h"
 
 #include "cli/terminal.h"
+#include "cli/wrap.h"
 #include "course/own_files.h"
 
 #include <fmt/core.h>
@@ -297,6 +298,24 @@ class Reader {
   bool wants_excerpt_ = false, duplicate_ = false;
 };
 
+/// The source line and the mark below it, moved to the left and cut where the terminal is too
+/// narrow for them: going on below they would not stand above one another.
+std::vector<std::string> narrowed(std::vector<std::string> excerpt) {
+  const auto columns = static_cast<std::size_t>(stdout_columns());
+  if (columns < 40 || excerpt.empty()) return excerpt;
+  const std::size_t bar = excerpt.front().find('|');
+  const std::size_t code = bar == std::string::npos ? 0 : bar + 2;
+  const std::size_t mark = excerpt.back().find_first_of("^~", code);
+  // A third of what is seen stands behind the mark.
+  std::size_t skip = 0;
+  if (mark != std::string::npos && mark + 3 > columns) skip = mark - columns * 2 / 3;
+  for (std::string& line : excerpt) {
+    if (skip > 0 && line.size() > code) line.erase(code, skip);
+    if (line.size() > columns) line.resize(columns - 1);
+  }
+  return excerpt;
+}
+
 std::string in_full(const CompilerMessage& message) {
   std::string text;
   if (!message.file.empty()) text += message.file + ":";
@@ -305,7 +324,7 @@ std::string in_full(const CompilerMessage& message) {
   if (!text.empty()) text = coloured(Colour::bold, text) + " ";
   text += message.error ? coloured(Colour::red, "error: ") : coloured(Colour::yellow, "warning: ");
   text += message.text + "\n";
-  for (const std::string& line : message.excerpt)
+  for (const std::string& line : narrowed(message.excerpt))
     text += line + "\n";
   if (!message.found_in.empty()) {
     text += coloured(Colour::dim, fmt::format("      (noticed in {})", message.found_in)) + "\n";

@@ -34,9 +34,8 @@ std::string cut(const std::string& text, std::size_t most) {
 }
 
 /// How much of a title stands in a line whose other parts take `others`: all of it where there is
-/// no terminal, and never so little that it says nothing.
-std::size_t room_for_title(std::size_t others) {
-  constexpr std::size_t least = 16;
+/// no terminal, and no less than `least`.
+std::size_t room_for_title(std::size_t others, std::size_t least = 16) {
   const auto columns = static_cast<std::size_t>(stdout_columns());
   if (columns == 0) return std::string::npos;
   return columns > others + least ? columns - others : least;
@@ -234,8 +233,10 @@ std::string status_heading(const LabStatus& status) {
   const std::string done = fmt::format("{:g} of {} points, {} of {} exercises{}", status.points(),
                                        possible, status.passed(), status.exercises.size(), changed);
   constexpr std::size_t number_and_bar = 22;
-  const std::string title = cut(status.lab->title.substr(0, status.lab->title.find(':')),
-                                room_for_title(number_and_bar + width(done)));
+  const std::size_t room = room_for_title(number_and_bar + width(done), 0);
+  constexpr std::size_t telling = 8;
+  const std::string title =
+      room < telling ? "" : cut(status.lab->title.substr(0, status.lab->title.find(':')), room);
   return fmt::format("{}  {}{}  {}",
                      coloured(Colour::bold, fmt::format("Lab {:02}", status.lab->number)),
                      bar(status.points(), possible), done, title);
