@@ -7,6 +7,7 @@
 //   }
 
 #include "grader/judge/compare.h"
+#include "grader/judge/numbers.h"
 #include "grader/judge/run.h"
 
 #include <catch2/catch_test_macros.hpp>

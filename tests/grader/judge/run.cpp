@@ -3,6 +3,7 @@
 #include "cli/error.h"
 #include "grader/judge/compare.h"
 #include "grader/judge/crash.h"
+#include "grader/judge/numbers.h"
 #include "random/hash.h"
 
 #include <algorithm>
@@ -103,10 +104,10 @@ std::string question(const Params& params, const Shape& shape) {
   };
   for (const auto& [name, value] : params.numbers) {
     if (std::find(silent.begin(), silent.end(), name) == silent.end()) {
-      add(name, fmt::format("{:g}", value));
+      add(name, number_in_report(value));
     }
   }
-  if (params.n != 0) add("n", std::to_string(params.n));
+  if (params.n != 0) add("n", number_in_report(static_cast<double>(params.n)));
   return text;
 }
 
