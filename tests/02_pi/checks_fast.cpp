@@ -87,6 +87,9 @@ std::vector<double> hits_of_ranges(std::uint64_t key, std::int64_t most) {
   return hits;
 }
 
+/// What the time of a wrong count is worth. The tests of the count tell what is wrong with it.
+constexpr const char* no_time_of_wrong_counts = "not judged: the count is wrong";
+
 constexpr std::int64_t timed_darts = 1'000'000;
 
 /// Both loops counted what they must in every round: nobody skipped one.
@@ -101,8 +104,7 @@ Verdict counts_while_timed(const Answer& rows) {
     wrong += right ? 0 : 1;
   }
   return holds("the hits counted while the time was taken", wrong == 0,
-               fmt::format("{} of {} counts wrong: the time is not judged", wrong, rows.count()),
-               "all right", {});
+               fmt::format("{} of {} counts wrong", wrong, rows.count()), "all right", {});
 }
 
 /// The times are the worker's word. Of one thread they cannot add up to more than the worker lived.
@@ -203,8 +205,8 @@ TEST_CASE("Lab 2.5: a dart takes at most a third of a dart by std::mt19937",
       probe("Lab 2.5 speed", {.n = timed_darts, .numbers = {{"repetitions", double{repetitions}}}},
             {.rows = repetitions, .columns = 4});
   const Verdict counts = counts_while_timed(rows);
+  if (!counts.passed && !million_right()) return leave_unjudged(no_time_of_wrong_counts);
   judge(counts);
-  if (!counts.passed) return;
   judge(times_fit(rows));
   const std::vector<double> plain = column(rows, 0);
   const std::vector<double> fast = column(rows, 1);
@@ -225,8 +227,8 @@ TEST_CASE("Lab 2.5: the time that the program takes as a whole tells the same",
   const bool judged = optimised && !address_sanitizer();
   const double ratio = judged ? ratio_from_outside() : 0;
   const bool right = ratio > 0 || !judged;
-  judge(is_so("the hits counted while the time was taken", right,
-              "some wrong: the time is not judged", "all right"));
+  if (!right && !million_right()) return leave_unjudged(no_time_of_wrong_counts);
+  judge(is_so("the hits counted while the time was taken", right, "some wrong", "all right"));
   if (!right) return;
   judge(holds("darts a second of the whole program, compared with std::mt19937",
               ratio >= 1.5 || !judged, fmt::format("{:.2g} times as many", ratio),

@@ -301,6 +301,19 @@ TEST_CASE("tests that were not run are not said to fail", "[report]") {
   CHECK_FALSE(has(text, "also fails"));
 }
 
+TEST_CASE("a test that is left unjudged has not passed, and says why", "[run]") {
+  Run run(Worker(FIXTURE_WORKER, Level::limits), 1, {});
+  run.begin_test("Lab 1.1: it is fast", Aspect::efficiency);
+  run.leave("not judged: the count is wrong");
+  run.end_test(true);
+  const std::vector<TestRecord> records{failed("Lab 1.1"), run.records()[0], passed("Lab 1.2")};
+  const LabResult result = collect(demo_lab(), records, "");
+  CHECK(result.earned() == 3);
+  CHECK(result.exercises[0].status == Status::failed);
+  CHECK(has(report_text(result), "    1 more test not judged: the count is wrong\n"));
+  CHECK_FALSE(has(report_text(result), "it is fast"));
+}
+
 TEST_CASE("who has done nothing yet is told where to start", "[report]") {
   const auto open = [](const std::string& tag) {
     return TestRecord{tag, "it holds", {}, Status::not_implemented, "not implemented yet", ""};

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 
 namespace carlo::grader {
 namespace {
@@ -51,7 +52,8 @@ std::string problem(const TestRecord& test, std::size_t lines, const std::string
 /// One test with all that it compared.
 std::string whole_test(const TestRecord& test, const std::string& locate) {
   const bool passed = test.status == Status::passed;
-  std::string out = fmt::format("    {} {}\n", passed ? "✓" : "✗", test.sentence);
+  const char* mark = passed ? "✓" : test.skipped ? "–" : "✗";
+  std::string out = fmt::format("    {} {}\n", mark, test.sentence);
   out += problem(test, shown_lines_verbose, locate);
   for (const Verdict& verdict : test.verdicts)
     out += comparison(verdict);
@@ -131,6 +133,19 @@ std::vector<const TestRecord*> by_what_they_tell(const ExerciseResult& result) {
   return list;
 }
 
+/// How many tests were not run, or not judged, for each reason why.
+std::string skipped_tests(const ExerciseResult& result) {
+  std::map<std::string, int> reasons;
+  for (const TestRecord& test : result.tests) {
+    if (test.skipped) ++reasons[test.problem];
+  }
+  std::string out;
+  for (const auto& [why, count] : reasons) {
+    out += fmt::format("    {} more {} {}\n", count, count == 1 ? "test" : "tests", harmless(why));
+  }
+  return out;
+}
+
 /// The tests that failed, the first ones in full; and those that were not run after a deadline. Not
 /// those that wait for something to be written.
 std::string failed_tests(const ExerciseResult& result) {
@@ -144,14 +159,7 @@ std::string failed_tests(const ExerciseResult& result) {
                : fmt::format("    also {}: {}\n", lacks_line(test.problem) ? "crashes" : "fails",
                              test.sentence);
   }
-  const auto skipped = [](const TestRecord& test) { return test.skipped; };
-  const auto count = std::count_if(result.tests.begin(), result.tests.end(), skipped);
-  if (count > 0) {
-    const auto one = std::find_if(result.tests.rbegin(), result.tests.rend(), skipped);
-    out += fmt::format("    {} more {} {}\n", count, count == 1 ? "test" : "tests",
-                       harmless(one->problem));
-  }
-  return out;
+  return out + skipped_tests(result);
 }
 
 /// Exercises that this one builds on and that are not right yet.

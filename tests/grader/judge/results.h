@@ -31,7 +31,7 @@ struct TestRecord {
   Status status = Status::failed;  ///< passed only after a verdict, and when all passed
   std::string problem;             ///< why there are no values; empty when there are
   std::string printed;       ///< the start of what the program printed, when there was a problem
-  bool skipped = false;      ///< not run, because an earlier test told what would come
+  bool skipped = false;      ///< not run, or not judged: another test told what would come
   std::string needs = {};    ///< the tag of another exercise, when that is the one not done
   std::string missing = {};  ///< the function that is not done, as the worker calls it
   Aspect aspect = Aspect::correctness;

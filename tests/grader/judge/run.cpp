@@ -271,6 +271,11 @@ void Run::note(const ProbeFailure& failure, const std::string& question) {
   }
 }
 
+void Run::leave(const std::string& why) {
+  current().skipped = true;
+  current().problem = why;
+}
+
 void Run::record(const Verdict& verdict) {
   if (verdict.p && ++statistical_ > lab_budget) {
     throw Error("more than {} statistical comparisons: their error rate is not kept", lab_budget);

@@ -73,6 +73,10 @@ class Run {
   /// Notes a verdict. Throws Error when the budget of statistical ones is used up.
   void record(const Verdict& verdict);
 
+  /// Leaves the current test without a verdict; it has not passed. For one that would judge what
+  /// another test has found wrong. `why`: "not judged: ...".
+  void leave(const std::string& why);
+
   const std::vector<TestRecord>& records() const { return records_; }
   /// All questions so far, those that were not put to a worker any more too.
   const std::vector<Asked>& asked() const { return asked_; }

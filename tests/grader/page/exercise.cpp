@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <vector>
 
 namespace carlo::grader {
@@ -218,16 +219,16 @@ std::string passed_tests(const json& exercise) {
 }
 
 std::string skipped_tests(const json& exercise) {
-  std::size_t count = 0;
-  std::string why;
+  std::map<std::string, int> reasons;
   for (const json& test : list_in(exercise, "tests")) {
-    if (!true_in(test, "skipped")) continue;
-    ++count;
-    why = text_in(test, "problem");
+    if (true_in(test, "skipped")) ++reasons[text_in(test, "problem")];
   }
-  if (count == 0) return "";
-  return fmt::format("<p class=\"soft\">{} more {} {}</p>\n", count, count == 1 ? "test" : "tests",
-                     html(why));
+  std::string out;
+  for (const auto& [why, count] : reasons) {
+    out += fmt::format("<p class=\"soft\">{} more {} {}</p>\n", count,
+                       count == 1 ? "test" : "tests", html(why));
+  }
+  return out;
 }
 
 // One exercise ---------------------------------------------------------------------------------
