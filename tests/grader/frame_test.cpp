@@ -86,9 +86,9 @@ TEST_CASE("parameters that are missing or of a wrong kind are errors", "[params]
 }
 
 TEST_CASE("values are shown beside their names, and numbered where they have none", "[rows]") {
-  const auto squeezed = [](const std::string& text) {
+  const auto squeezed = [](const std::string& spaced) {
     std::string out;
-    for (const char c : text) {
+    for (const char c : spaced) {
       if (c != ' ' || out.empty() || out.back() != ' ') out += c;
     }
     return out;
@@ -105,10 +105,10 @@ TEST_CASE("values are shown beside their names, and numbered where they have non
   CHECK(squeezed(rows_text(list, {"mean", "point"}, 0)) ==
         "4 values came back:\n mean 0.1\n point 1 2\n point 2 4\n point 3 8\n");
   CHECK(squeezed(rows_text({1, {7}}, {"hits"}, 10)) == "1 value came back:\n hits 7\n");
-  const Rows table{2, {0.5, 1, 0.25, 2}};
-  CHECK(squeezed(rows_text(table, {"lower", "upper"}, 0)) ==
+  const Rows pairs{2, {0.5, 1, 0.25, 2}};
+  CHECK(squeezed(rows_text(pairs, {"lower", "upper"}, 0)) ==
         "2 rows of 2 values came back:\n row lower upper\n 1 0.5 1\n 2 0.25 2\n");
-  CHECK(squeezed(rows_text(table, {}, 1)) ==
+  CHECK(squeezed(rows_text(pairs, {}, 1)) ==
         "2 rows of 2 values came back; the first 1:\n row value 1 value 2\n 1 0.5 1\n"
         " ... 1 more: --all\n");
   CHECK(rows_text({1, {}}, {"hits"}, 10) == "no values came back\n");
