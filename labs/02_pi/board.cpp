@@ -38,7 +38,9 @@ constexpr std::string_view script = R"JS(
   const slider = document.getElementById("board-n");
   const colour = (name) =>
     getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-  const grouped = (n) => String(n).replace(/\B(?=(\d{3})+$)/g, "\u2009");
+  // With gaps from five digits on, as the tables have them.
+  const grouped = (n) =>
+    n < 10000 ? String(n) : String(n).replace(/\B(?=(\d{3})+$)/g, "\u2009");
   const superscript = (n) => String(n).replace(/[0-9]/g, (c) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[+c]);
 
   // A canvas as large as its place on the screen; drawing is in CSS pixels.

@@ -16,6 +16,9 @@ namespace {
 
 const Diagnosis by_n_plus_one{"divides-by-n-plus-one",
                               "the sum of n values is divided by n + 1 and not by n."};
+const Diagnosis term_too_many{"one-term-too-many",
+                              "one term too many is added: f is evaluated n + 1 times, not n. "
+                              "Look at where the loop begins and where it ends."};
 const Diagnosis not_divided{"sum-not-divided", "the sum of the values is not divided by n."};
 const Diagnosis float_sum{"float-accumulation",
                           "the sum is kept in a float somewhere: 7 digits are not enough."};
@@ -68,10 +71,12 @@ Record record(const std::string& name, const Params& params, const std::string& 
 Verdict is_mean_of_values(const Record& of, int k, double scale) {
   const double mean = of.mean(k), expected = scale * mean;
   const auto n = static_cast<double>(of.points.size());
+  const std::string what = "the estimate against the values of f at its points";
+  // Of other terms, more than are known here, it is no mean of these in any way.
+  if (of.count != n) return equals(what, of.value, expected, 1e-12 * std::abs(expected));
   Suspects suspects{{expected * n / (n + 1), by_n_plus_one}, {expected * n, not_divided}};
   if (std::abs(scale - 1) > 1e-9) suspects.push_back({mean, width_missing});
-  Verdict verdict = equals("the estimate against the values of f at its points", of.value, expected,
-                           1e-12 * std::abs(expected), suspects);
+  Verdict verdict = equals(what, of.value, expected, 1e-12 * std::abs(expected), suspects);
   const bool near = std::abs(of.value - expected) <= 1e-5 * std::abs(expected);
   if (!verdict.passed && near) verdict.diagnoses.push_back(float_sum);
   return verdict;
@@ -84,18 +89,25 @@ Verdict within(const std::vector<double>& points, Interval on) {
                fmt::format("all within [{:g}, {:g})", on.a, on.b), {wrong_points});
 }
 
+/// With one term too many, everything that differs follows from that.
+Verdict following(Verdict verdict, const Record& of) {
+  const bool too_many = of.count == static_cast<double>(of.points.size()) + 1;
+  if (too_many && !verdict.passed) verdict.diagnoses = verdict.looked_for = {term_too_many};
+  return verdict;
+}
+
 /// What every estimate must be: n evaluations in the interval, at points that the generator gave.
 void judge_record(const Record& of, int k, Interval on) {
   const auto n = static_cast<double>(of.points.size());
-  judge(equals("the number of evaluations of f", of.count, n, 0));
+  judge(equals("the number of evaluations of f", of.count, n, 0, {{n + 1, term_too_many}}));
   if (of.count < n) return;  // the points that are missing would be named as wrong
   judge(within(of.points, on));
   std::vector<double> shares = of.points;
   for (double& x : shares)
     x = (x - on.a) / (on.b - on.a);
   judge(made_of("where the points lie in the interval", shares, of.before));
-  judge(is_mean_of_values(of, k, on.b - on.a));
-  judge(draws(of.before, of.next, n));
+  judge(following(is_mean_of_values(of, k, on.b - on.a), of));
+  judge(following(draws(of.before, of.next, n), of));
 }
 
 Rows integrals(double n, double repetitions, int k, Interval on) {
@@ -114,6 +126,7 @@ void judge_integral(int k, Interval on, double n, double repetitions) {
   Suspects suspects{{theory.mean / width, width_missing}, {shifted, wrong_points}};
   if (n > 1) {  // for one point these look like a wrong width
     suspects.push_back({theory.mean * n / (n + 1), by_n_plus_one});
+    suspects.push_back({theory.mean * (n + 1) / n, term_too_many});
     suspects.push_back({theory.mean * n, not_divided});
   }
   judge(mean_is(fmt::format("the integral of x^{} over [{:g}, {:g}], n = {:g}", k, on.a, on.b, n),
@@ -142,7 +155,9 @@ TEST_CASE("Lab 1.1: the average from 0 to 1 is unbiased", "[lab01][ex1]") {
               {.rows = 20'000, .of = powers(k, 16)});
     const Theory theory = theory_of_mean(power_moments(k, 0, 1), 16);
     judge(mean_is(fmt::format("the average of x^{}, n = 16", k), rows.values, theory,
-                  {{theory.mean * 16 / 17, by_n_plus_one}, {theory.mean * 16, not_divided}}));
+                  {{theory.mean * 16 / 17, by_n_plus_one},
+                   {theory.mean * 17 / 16, term_too_many},
+                   {theory.mean * 16, not_divided}}));
   }
 }
 

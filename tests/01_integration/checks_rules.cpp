@@ -28,6 +28,9 @@ const Diagnosis ends_not_halved{"trapezoid-ends-not-halved",
                                 "one cell only and has half."};
 const Diagnosis weights_swapped{"simpson-weights-swapped",
                                 "the weights 4 (midpoints) and 2 (inner joints) are swapped."};
+const Diagnosis wrong_factor{"simpson-wrong-factor",
+                             "Simpson's weighted sum has the wrong factor in front of it: of a "
+                             "function that is 1 everywhere it must make b - a."};
 const Diagnosis no_midpoints{
     "simpson-without-midpoints",
     "f is evaluated n + 1 times: here every one of the n cells has its own "
@@ -128,6 +131,9 @@ Suspects suspects(Rule rule, const F& f, Interval on, int n, double right) {
     list.push_back({weighted(f, on, n, 1, 0, 1), ends_not_halved});
   } else {
     list.push_back({weighted(f, on, n, 1.0 / 6, 2.0 / 6, 4.0 / 6), weights_swapped});
+    // The factor is h/6, or half the step through 3: other thirds, halves and sixths of either.
+    for (const double factor : {0.5, 1.5, 2.0, 3.0})
+      list.push_back({factor * right, wrong_factor});
   }
   return list;
 }

@@ -83,7 +83,7 @@ double apply_rule(const Params& params, const lab01::Function& f, double a, doub
 }  // namespace
 
 // All repetitions share one generator: an estimate that restarts it repeats itself.
-PROBE("Lab 1.1 estimates") {
+PROBE("Lab 1.1 estimates", "estimate") {
   carlo::Rng rng(params.seed);
   const lab01::Function f = power_function(params);
   RowWriter rows;
@@ -93,21 +93,22 @@ PROBE("Lab 1.1 estimates") {
   return rows.take();
 }
 
-PROBE("Lab 1.1 record") {
+PROBE("Lab 1.1 record", "estimate", "evaluations of f", "next word of rng", "next word 2",
+      "next word 3", "next word 4", "point") {
   carlo::Rng rng(params.seed);
   Recorder recorder(params.n, 1);
   const double value = lab01::average(recorder.watch(power_function(params)), params.n, rng);
   return record_of(value, recorder, rng);
 }
 
-PROBE("Lab 1.1 points") {
+PROBE("Lab 1.1 points", "point") {
   carlo::Rng rng(params.seed);
   Recorder recorder(params.n, 1);
   lab01::average(recorder.watch([](double x) { return x; }), params.n, rng);
   return {1, recorder.points()};
 }
 
-PROBE("Lab 1.2 estimates") {
+PROBE("Lab 1.2 estimates", "estimate") {
   carlo::Rng rng(params.seed);
   const lab01::Function f = power_function(params);
   RowWriter rows;
@@ -117,7 +118,8 @@ PROBE("Lab 1.2 estimates") {
   return rows.take();
 }
 
-PROBE("Lab 1.2 record") {
+PROBE("Lab 1.2 record", "estimate", "evaluations of f", "next word of rng", "next word 2",
+      "next word 3", "next word 4", "point") {
   carlo::Rng rng(params.seed);
   Recorder recorder(params.n, 1);
   const double value = lab01::integrate(recorder.watch(power_function(params)), params["a"],
@@ -125,7 +127,7 @@ PROBE("Lab 1.2 record") {
   return record_of(value, recorder, rng);
 }
 
-PROBE("Lab 1.2 points") {
+PROBE("Lab 1.2 points", "point") {
   carlo::Rng rng(params.seed);
   Recorder recorder(params.n, 1);
   lab01::integrate(recorder.watch([](double x) { return x; }), params["a"], params["b"], params.n,
@@ -133,14 +135,14 @@ PROBE("Lab 1.2 points") {
   return {1, recorder.points()};
 }
 
-PROBE("Lab 1.3 list") {
+PROBE("Lab 1.3 list", "count", "mean", "variance", "standard error") {
   RowWriter rows;
   write(rows, moments_of(params, 0, params.n));
   return rows.take();
 }
 
 // Every way to cut n numbers into three parts, empty ones too; the parts are merged in order.
-PROBE("Lab 1.3 merge") {
+PROBE("Lab 1.3 merge", "count", "mean", "variance", "standard error") {
   RowWriter rows;
   for (std::int64_t first = 0; first <= params.n; ++first) {
     for (std::int64_t second = first; second <= params.n; ++second) {
@@ -153,7 +155,7 @@ PROBE("Lab 1.3 merge") {
   return rows.take();
 }
 
-PROBE("Lab 1.3 merge many") {
+PROBE("Lab 1.3 merge many", "count", "mean", "variance", "standard error") {
   lab01::Moments merged;
   const std::int64_t length = params.whole("length");
   for (std::int64_t first = 0; first < params.n; first += length) {
@@ -165,7 +167,7 @@ PROBE("Lab 1.3 merge many") {
 }
 
 // The moments of a list that follows from the seed, and those of two parts of it merged.
-PROBE("Lab 1.3 drawn list") {
+PROBE("Lab 1.3 drawn list", "count", "mean", "variance", "standard error") {
   const DrawnList list = drawn_list(params.seed, params.n);
   lab01::Moments whole, first, second;
   for (std::size_t i = 0; i < list.numbers.size(); ++i) {
@@ -179,7 +181,7 @@ PROBE("Lab 1.3 drawn list") {
   return rows.take();
 }
 
-PROBE("Lab 1.4 rule") {
+PROBE("Lab 1.4 rule", "integral", "evaluations of f", "largest x") {
   double count = 0, highest = -std::numeric_limits<double>::infinity();
   const lab01::Function f = power_function(params);
   const auto watched = [&](double x) {
@@ -191,7 +193,7 @@ PROBE("Lab 1.4 rule") {
   return {3, {value, count, highest}};
 }
 
-PROBE("Lab 1.4 points") {
+PROBE("Lab 1.4 points", "point, in order") {
   Recorder recorder(params.whole("points"), 1);
   apply_rule(params, recorder.watch([](double x) { return x; }), params["a"], params["b"]);
   std::vector<double> points = recorder.points();
@@ -200,7 +202,7 @@ PROBE("Lab 1.4 points") {
 }
 
 // Of a function and over an interval that follow from the seed.
-PROBE("Lab 1.4 drawn wave") {
+PROBE("Lab 1.4 drawn wave", "integral") {
   const DrawnWave wave = drawn_wave(params.seed, 1);
   const auto f = [&](double x) { return wave(std::span(&x, 1)); };
   return {1, {apply_rule(params, f, wave.lower[0], wave.upper[0])}};

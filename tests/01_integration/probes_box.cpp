@@ -58,7 +58,7 @@ void append(Rows& rows, const std::vector<double>& values) {
 
 }  // namespace
 
-PROBE("Lab 1.5 nested") {
+PROBE("Lab 1.5 nested", "integral", "evaluations of f", "of them outside the box") {
   const Corners box = test_box(params);
   double count = 0, outside = 0;
   const auto kind = static_cast<BoxIntegrand>(params.whole("integrand"));
@@ -72,12 +72,12 @@ PROBE("Lab 1.5 nested") {
 }
 
 // Of a function and over a box that follow from the seed.
-PROBE("Lab 1.5 drawn wave") {
+PROBE("Lab 1.5 drawn wave", "integral") {
   const DrawnWave wave = drawn_wave(params.seed, static_cast<std::size_t>(params.whole("d")));
   return {1, {lab01::nested_midpoint(wave, {wave.lower, wave.upper}, params.n)}};
 }
 
-PROBE("Lab 1.6 estimates") {
+PROBE("Lab 1.6 estimates", "estimate") {
   const Corners box = test_box(params);
   const auto kind = static_cast<BoxIntegrand>(params.whole("integrand"));
   const lab01::FunctionNd f = [kind](std::span<const double> x) { return evaluate(kind, x); };
@@ -91,7 +91,8 @@ PROBE("Lab 1.6 estimates") {
 
 // The estimate, how often f was asked, the generator's next words; then the coordinates of the
 // points that f was asked at.
-PROBE("Lab 1.6 record") {
+PROBE("Lab 1.6 record", "estimate", "evaluations of f", "next word of rng", "next word 2",
+      "next word 3", "next word 4", "coordinate") {
   const Corners box = test_box(params);
   Recorder recorder(params.n, box.lower.size());
   carlo::Rng rng(params.seed);
@@ -104,7 +105,7 @@ PROBE("Lab 1.6 record") {
   return rows;
 }
 
-PROBE("Lab 1.7 estimates") {
+PROBE("Lab 1.7 estimates", "estimate", "standard error") {
   const Corners box = domain_box(params);
   const auto domain = static_cast<Domain>(params.whole("domain"));
   const auto kind = static_cast<DomainIntegrand>(params.whole("integrand"));
@@ -121,7 +122,8 @@ PROBE("Lab 1.7 estimates") {
 
 // The estimate and its error; how many points `inside` and f were asked at; the generator's next
 // words; then the coordinates of these points, first all of `inside`, then those of f.
-PROBE("Lab 1.7 record") {
+PROBE("Lab 1.7 record", "estimate", "standard error", "calls of inside", "evaluations of f",
+      "next word of rng", "next word 2", "next word 3", "next word 4", "coordinate") {
   const Corners box = domain_box(params);
   const auto domain = static_cast<Domain>(params.whole("domain"));
   const auto kind = static_cast<DomainIntegrand>(params.whole("integrand"));

@@ -135,10 +135,10 @@ TEST_CASE("Lab 2.3: the sums are those of the integrand at the numbers drawn", "
       Suspects of_squares{{squares / 16, factor_missing}};
       if (n > 1) of_squares.push_back({rows.at(0, 1) * rows.at(0, 1), squares_of_sum});
       judge(equals(fmt::format("the count, {}", method.name), rows.at(0, 0), count, 0));
-      judge(sum_equals(fmt::format("the sum of {} values of {}", n, method.name), rows.at(0, 1),
-                       sum, {{sum / 4, factor_missing}}));
-      judge(sum_equals(fmt::format("the sum of {} squares of {}", n, method.name), rows.at(0, 2),
-                       squares, of_squares));
+      judge(sum_equals(fmt::format("the sum of {} of {}", counted(count, "value"), method.name),
+                       rows.at(0, 1), sum, {{sum / 4, factor_missing}}));
+      judge(sum_equals(fmt::format("the sum of {} of {}", counted(count, "square"), method.name),
+                       rows.at(0, 2), squares, of_squares));
       judge(equals("the numbers drawn (calls of rng.uniform())", drawn / 2, count, 0));
     }
   }

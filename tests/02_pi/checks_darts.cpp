@@ -59,11 +59,16 @@ struct Case {
   double thrown, hits;
 };
 
+/// "1 hit of 2".
+std::string hits_of_thrown(Case darts) {
+  return fmt::format("{} of {}", counted(darts.hits, "hit"), number_in_report(darts.thrown));
+}
+
 void judge_estimate(Case darts) {
   const Rows rows =
       probe("Lab 2.1 estimate", {.numbers = {{"thrown", darts.thrown}, {"hits", darts.hits}}},
             {.columns = 2, .finite = false});
-  const std::string of = fmt::format("{:.10g} hits of {:.10g}", darts.hits, darts.thrown);
+  const std::string of = hits_of_thrown(darts);
   const double share = darts.hits / darts.thrown;
   const double variance = share * (1 - share);
   const double n1 = darts.thrown - 1;
@@ -112,8 +117,7 @@ std::vector<Diagnosis> interval_diagnoses(Interval measured, Case darts, double 
 
 void judge_limits(Interval measured, Case darts, double z) {
   const ScoreLimits share = score_limits(darts.thrown, darts.hits, z);
-  const std::string of =
-      fmt::format("{:.10g} hits of {:.10g}, z = {:g}", darts.hits, darts.thrown, z);
+  const std::string of = fmt::format("{}, z = {:g}", hits_of_thrown(darts), z);
   Verdict lower = equals("the lower limit from " + of, measured.lower, 4 * share.lower, 1e-9);
   Verdict upper = equals("the upper limit from " + of, measured.upper, 4 * share.upper, 1e-9);
   for (Verdict* limit : {&lower, &upper}) {
@@ -144,7 +148,7 @@ TEST_CASE("Lab 2.1: every dart takes two numbers, x and y, and is judged by them
     const NextWords next{rows.at(0, 2), rows.at(0, 3), rows.at(0, 4), rows.at(0, 5)};
     const double drawn = words_drawn(before, next, 8 * n + 64);
     judge(equals("the darts thrown", rows.at(0, 0), count, 0));
-    judge(equals(fmt::format("the hits among {} darts", n), rows.at(0, 1), hits, 0));
+    judge(equals("the hits among " + counted(count, "dart"), rows.at(0, 1), hits, 0));
     // A uniform double takes two of the generator's 32-bit words.
     judge(equals("the numbers drawn (calls of rng.uniform())", drawn / 2, 2 * count, 0));
   }

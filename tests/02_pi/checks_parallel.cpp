@@ -60,9 +60,10 @@ void judge_sums(double n, double threads) {
       probe("Lab 2.6 sums", {.n = whole, .numbers = {{"threads", threads}}}, {.columns = 3});
   const auto totals = lab02_tests::totals_by_chunks(whole, rows.seed);
   const auto repeated = lab02_tests::totals_by_chunks(whole, rows.seed, Streams::the_first);
-  const std::string of = fmt::format(" of {:g} samples, {:g} threads", n, threads);
-  judge(holds("the count" + of, rows.at(0, 0) == n, fmt::format("{:.0f}", rows.at(0, 0)),
-              fmt::format("{:.0f}", n), {wrong_sizes}));
+  const std::string of =
+      fmt::format(" of {}, {}", counted(n, "sample"), counted(threads, "thread"));
+  judge(holds("the count" + of, rows.at(0, 0) == n, number_in_report(rows.at(0, 0)),
+              number_in_report(n), {wrong_sizes}));
   if (rows.at(0, 0) != n) return;
   for (const std::size_t i : {1U, 2U}) {
     const double measured = rows.at(0, i);
@@ -105,15 +106,17 @@ void judge_chunks(double n, double threads) {
                           {.n = static_cast<std::int64_t>(n), .numbers = {{"threads", threads}}},
                           {.rows = chunks + 1, .columns = 2});
   const Handed handed = handed_out(rows, n);
-  judge(holds(fmt::format("the samples handed out for n = {:g}, {:g} threads", n, threads),
-              handed.samples == n, fmt::format("{:g}", handed.samples), fmt::format("{:g}", n),
+  judge(holds(fmt::format("the samples handed out for n = {}, {}", number_in_report(n),
+                          counted(threads, "thread")),
+              handed.samples == n, number_in_report(handed.samples), number_in_report(n),
               {wrong_sizes}));
   judge(
       holds("each chunk's generator, once, with the chunk's samples",
             handed.wrong == 0 && handed.strays == 0,
-            fmt::format("{} chunks as they should be, {} not, {:g} generators of no chunk",
-                        handed.right, handed.wrong, handed.strays),
-            fmt::format("all {} chunks as they should be", chunks),
+            fmt::format("{} as they should be, {} not, {} of no chunk",
+                        counted(static_cast<double>(handed.right), "chunk"), handed.wrong,
+                        counted(handed.strays, "generator")),
+            fmt::format("all {} as they should be", counted(static_cast<double>(chunks), "chunk")),
             {handed.only_first ? same_stream : (handed.strays > 0 ? wrong_streams : wrong_sizes)}));
 }
 
@@ -128,16 +131,17 @@ void judge_failure(double threads, double chunks, double failing) {
   const auto of_failure = [&](const Diagnosis& diagnosis) {
     return failed ? std::vector{diagnosis} : std::vector<Diagnosis>{};
   };
-  const std::string of = fmt::format(", {:g} threads, chunk {:g} throws", threads, failing);
+  const std::string of =
+      fmt::format(", {}, chunk {:g} throws", counted(threads, "thread"), failing);
   judge(holds("the exception that reaches the caller" + of, outcome == 2,
               outcome == 0 ? "none" : (outcome == 1 ? "another one" : "the sampler's"),
               "the sampler's", of_failure(outcome == 0 ? swallowed : other_exception)));
   judge(holds("samplers still running afterwards" + of, rows.at(0, 1) == 0,
-              fmt::format("{:g}", rows.at(0, 1)), "none", {left_running}));
+              number_in_report(rows.at(0, 1)), "none", {left_running}));
   // While the news spreads another thread may begin a chunk or two; not a hundred.
   const double allowed = threads == 1 ? failing + 1 : failing + 1 + 100 * threads;
   judge(holds("calls of the sampler" + of, rows.at(0, 2) <= allowed,
-              fmt::format("{:g}", rows.at(0, 2)), fmt::format("at most {:g}", allowed),
+              number_in_report(rows.at(0, 2)), "at most " + number_in_report(allowed),
               of_failure(goes_on)));
 }
 
@@ -177,11 +181,13 @@ TEST_CASE("Lab 2.6: threads that take a chunk at the same moment take different 
   if (strays > 0) diagnoses = {wrong_streams};
   if (rows.values.front() == chunks) diagnoses = {same_stream};
   if (diagnoses.empty() && twice > 0) diagnoses = {race};
-  judge(holds(fmt::format("{:g} chunks, taken by threads that meet", chunks),
-              twice == 0 && never == 0 && strays == 0,
-              fmt::format("{} taken twice or more, {} never, {:g} generators of no chunk", twice,
-                          never, strays),
-              "each taken once", diagnoses));
+  judge(
+      holds(fmt::format("{}, taken by threads that meet", counted(chunks, "chunk")),
+            twice == 0 && never == 0 && strays == 0,
+            fmt::format("{} taken twice or more, {} never, {} of no chunk",
+                        number_in_report(static_cast<double>(twice)),
+                        number_in_report(static_cast<double>(never)), counted(strays, "generator")),
+            "each taken once", diagnoses));
 }
 
 // The samplers wait for each other: with three threads, three are inside at once.
@@ -191,7 +197,7 @@ TEST_CASE("Lab 2.6: as many samplers run at once as there are threads, and no mo
       probe("Lab 2.6 together",
             {.n = static_cast<std::int64_t>(12 * chunk), .numbers = {{"threads", 3}}}, {});
   const double most = rows.at(0, 0);
-  judge(holds("the most samplers at once, of 3 threads", most == 3, fmt::format("{:g}", most), "3",
+  judge(holds("the most samplers at once, of 3 threads", most == 3, number_in_report(most), "3",
               {most < 3 ? too_few : too_many}));
 }
 

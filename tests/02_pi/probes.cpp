@@ -31,7 +31,7 @@ lab02::Sums sums_of(const Params& params, carlo::Rng& rng) {
 }  // namespace
 
 // All repetitions share one generator: a function that restarts it repeats itself.
-PROBE("Lab 2.1 repeated") {
+PROBE("Lab 2.1 repeated", "hits") {
   carlo::Rng rng(params.seed);
   RowWriter rows;
   for (std::int64_t i = 0; i < params.whole("repetitions"); ++i) {
@@ -40,7 +40,8 @@ PROBE("Lab 2.1 repeated") {
   return rows.take();
 }
 
-PROBE("Lab 2.1 record") {
+PROBE("Lab 2.1 record", "thrown", "hits", "next word of rng", "next word 2", "next word 3",
+      "next word 4") {
   carlo::Rng rng(params.seed);
   const lab02::Darts darts = lab02::throw_darts(params.n, rng);
   const NextWords next = next_words(rng);
@@ -49,23 +50,23 @@ PROBE("Lab 2.1 record") {
            next[2], next[3]}};
 }
 
-PROBE("Lab 2.1 many") {
+PROBE("Lab 2.1 many", "thrown", "hits") {
   carlo::Rng rng(params.seed);
   const lab02::Darts darts = lab02::throw_darts(params.n, rng);
   return {2, {static_cast<double>(darts.thrown), static_cast<double>(darts.hits)}};
 }
 
-PROBE("Lab 2.1 estimate") {
+PROBE("Lab 2.1 estimate", "estimate", "standard error") {
   const lab02::Estimate estimate = lab02::pi_estimate(darts_of(params));
   return {2, {estimate.value, estimate.standard_error}};
 }
 
-PROBE("Lab 2.2 interval") {
+PROBE("Lab 2.2 interval", "lower limit", "upper limit") {
   const lab02::Interval interval = lab02::pi_interval(darts_of(params), params["z"]);
   return {2, {interval.lower, interval.upper}};
 }
 
-PROBE("Lab 2.2 drawn intervals") {
+PROBE("Lab 2.2 drawn intervals", "lower limit", "upper limit") {
   RowWriter rows;
   for (const IntervalQuestion& asked : drawn_intervals(params.seed, params.n)) {
     const lab02::Interval interval = lab02::pi_interval({asked.thrown, asked.hits}, asked.z);
@@ -76,7 +77,7 @@ PROBE("Lab 2.2 drawn intervals") {
 
 // The probability of a hit is a parameter: Lab 2.2 can be judged before Lab 2.1 is done, and for
 // rare hits.
-PROBE("Lab 2.2 intervals") {
+PROBE("Lab 2.2 intervals", "lower limit", "upper limit") {
   carlo::Rng rng(params.seed);
   RowWriter rows;
   for (std::int64_t i = 0; i < params.whole("repetitions"); ++i) {
@@ -89,7 +90,8 @@ PROBE("Lab 2.2 intervals") {
   return rows.take();
 }
 
-PROBE("Lab 2.3 record") {
+PROBE("Lab 2.3 record", "count", "sum", "squares", "next word of rng", "next word 2", "next word 3",
+      "next word 4") {
   carlo::Rng rng(params.seed);
   const lab02::Sums sums = sums_of(params, rng);
   const NextWords next = next_words(rng);
@@ -98,7 +100,7 @@ PROBE("Lab 2.3 record") {
            next[3]}};
 }
 
-PROBE("Lab 2.3 repeated") {
+PROBE("Lab 2.3 repeated", "mean") {
   carlo::Rng rng(params.seed);
   RowWriter rows;
   for (std::int64_t i = 0; i < params.whole("repetitions"); ++i) {
@@ -107,23 +109,23 @@ PROBE("Lab 2.3 repeated") {
   return rows.take();
 }
 
-PROBE("Lab 2.3 mean") {
+PROBE("Lab 2.3 mean", "mean", "standard error") {
   const lab02::Estimate estimate =
       lab02::mean_of({params.whole("count"), params["sum"], params["squares"]});
   return {2, {estimate.value, estimate.standard_error}};
 }
 
-PROBE("Lab 2.4 deviations") {
+PROBE("Lab 2.4 deviations", "of darts", "of the circle", "of the arctangent") {
   return {3, {lab02::darts_deviation(), lab02::circle_deviation(), lab02::arctangent_deviation()}};
 }
 
-PROBE("Lab 2.4 samples") {
+PROBE("Lab 2.4 samples", "samples") {
   return {1,
           {static_cast<double>(
               lab02::samples_needed(params["deviation"], params["half_width"], params["z"]))}};
 }
 
-PROBE("Lab 2.4 drawn samples") {
+PROBE("Lab 2.4 drawn samples", "samples") {
   RowWriter rows;
   for (const PlanQuestion& asked : drawn_plans(params.seed, params.n)) {
     const std::int64_t samples = lab02::samples_needed(asked.deviation, asked.half_width, asked.z);

@@ -24,13 +24,13 @@ double thread_seconds() {
 
 }  // namespace
 
-PROBE("Lab 2.5 count") {
+PROBE("Lab 2.5 count", "hits") {
   const std::int64_t first = params.whole("first");
   return {1, {number(lab02::count_hits(params.seed, first, params.n))}};
 }
 
 // Every range of up to params.n darts that begins at the darts 0 ... params.n.
-PROBE("Lab 2.5 ranges") {
+PROBE("Lab 2.5 ranges", "hits of range") {
   RowWriter rows;
   for (std::int64_t first = 0; first <= params.n; ++first) {
     for (std::int64_t n = 0; n <= params.n; ++n) {
@@ -42,7 +42,8 @@ PROBE("Lab 2.5 ranges") {
 
 // The two loops take turns, so that a slow moment of the machine meets both. The counts leave the
 // program with the times: neither loop can be optimised away, and the judge sees that both ran.
-PROBE("Lab 2.5 speed") {
+PROBE("Lab 2.5 speed", "seconds, std::mt19937", "seconds, yours", "hits, std::mt19937",
+      "hits, yours") {
   RowWriter rows;
   for (std::int64_t i = 0; i < params.whole("repetitions"); ++i) {
     const double start = thread_seconds();

@@ -98,7 +98,7 @@ class Inside {
 
 }  // namespace
 
-PROBE("Lab 2.6 sums") {
+PROBE("Lab 2.6 sums", "count", "sum", "squares") {
   const auto sampler = [](std::int64_t n, carlo::Rng& rng) {
     const auto [count, sum, squares] = lab02_tests::sample(n, rng);
     return Sums{count, sum, squares};
@@ -110,7 +110,7 @@ PROBE("Lab 2.6 sums") {
 
 // A row a chunk: how often its generator was handed out, with how many samples in all. The last
 // row is for generators that belong to no chunk.
-PROBE("Lab 2.6 chunks") {
+PROBE("Lab 2.6 chunks", "times taken", "samples") {
   const std::int64_t chunks = chunks_of(params.n);
   std::mutex mutex;
   std::vector<Sums> seen(static_cast<std::size_t>(chunks + 1));
@@ -132,7 +132,7 @@ PROBE("Lab 2.6 chunks") {
 
 // The first chunk is not done before all others are, which takes a free thread; its sum is so
 // large that the others vanish unless they were added up before it.
-PROBE("Lab 2.6 slow chunk") {
+PROBE("Lab 2.6 slow chunk", "others were done first", "sum", "most at once") {
   Watch watch;
   std::atomic<bool> others_done = false;
   const std::int64_t chunks = chunks_of(params.n);
@@ -146,7 +146,7 @@ PROBE("Lab 2.6 slow chunk") {
   return {3, {others_done ? 1.0 : 0.0, sums.sum, watch.most()}};
 }
 
-PROBE("Lab 2.6 together") {
+PROBE("Lab 2.6 together", "most at once") {
   Watch watch;
   const auto threads = params.whole("threads");
   const auto sampler = [&](std::int64_t n, carlo::Rng&) {
@@ -160,7 +160,8 @@ PROBE("Lab 2.6 together") {
 
 // {what came of the exception: 0 nothing, 1 another one, 2 the one thrown; samplers still running;
 // calls of the sampler; whether the chunk that fails was sampled}
-PROBE("Lab 2.6 failure") {
+PROBE("Lab 2.6 failure", "exception that arrived", "still running", "calls of the sampler",
+      "the chunk failed") {
   Watch watch;
   const std::int64_t failing = params.whole("chunk");
   std::atomic<bool> failed = false;

@@ -67,7 +67,7 @@ class Meeting {
 
 // A row a chunk: how often its generator was handed out. The last row is for generators of no
 // chunk.
-PROBE("Lab 2.6 meeting") {
+PROBE("Lab 2.6 meeting", "times taken") {
   const auto chunks = static_cast<std::size_t>(params.whole("chunks"));
   const auto by_word = chunks_by_word(params.seed, chunks);
   std::vector<std::atomic<int>> seen(chunks + 1);

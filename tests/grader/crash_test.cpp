@@ -45,6 +45,26 @@ TEST_CASE("a crash is told by its signal, the library's check or the sanitizer's
   CHECK(crash_cause(crash("labs/02_pi/pi.cpp:9\n")) == signal_name(SIGABRT));
 }
 
+TEST_CASE("an exception that nobody catches is told as such", "[report]") {
+  const std::string thrown =
+      "terminate called after throwing an instance of 'std::domain_error'\n"
+      "  what():  a sample went wrong\n";
+  const std::string cause = "an exception (std::domain_error: a sample went wrong) left a thread's";
+  CHECK(crash_cause(crash(thrown)).rfind(cause, 0) == 0);
+  const std::string in_debug =
+      thrown + "AddressSanitizer:DEADLYSIGNAL\n" +
+      "==7==ERROR: AddressSanitizer: ABRT on unknown address 0x3e8 (pc 0x7f)\n"
+      "    #9 0x56 in work /tree/labs/02_pi/pi.cpp:80\n";
+  CHECK(crash_cause(crash(in_debug)).rfind(cause, 0) == 0);
+  CHECK(place_in(crash_cause(crash(in_debug))) == "labs/02_pi/pi.cpp:80");
+  CHECK(without_reports("i = 3\n" + in_debug) == "i = 3\n");
+  const std::string no_words = "terminate called after throwing an instance of 'int'\n";
+  CHECK(crash_cause(crash(no_words)).rfind("an exception (int) left", 0) == 0);
+  const std::string unjoined = "terminate called without an active exception\n";
+  CHECK(crash_cause(crash(unjoined)).find("neither joined nor detached") != std::string::npos);
+  CHECK(without_reports(unjoined).empty());
+}
+
 TEST_CASE("what a program said itself is kept, reports are not", "[report]") {
   CHECK(without_reports("i = 3\n" + assertion + "AddressSanitizer:DEADLYSIGNAL\n" + report) ==
         "i = 3\n");

@@ -2,6 +2,7 @@
 
 #include "cli/error.h"
 #include "grader/protocol/params.h"
+#include "grader/protocol/rows_text.h"
 #include "random/rng.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -82,4 +83,34 @@ TEST_CASE("parameters that are missing or of a wrong kind are errors", "[params]
   CHECK_THROWS_AS(params_from_json("{"), carlo::Error);
   CHECK_THROWS_AS(params_from_json("{}"), carlo::Error);
   CHECK_THROWS_AS(params_from_json(R"({"seed": "x", "n": 1, "numbers": {}})"), carlo::Error);
+}
+
+TEST_CASE("values are shown beside their names, and numbered where they have none", "[rows]") {
+  const auto squeezed = [](const std::string& spaced) {
+    std::string out;
+    for (const char c : spaced) {
+      if (c != ' ' || out.empty() || out.back() != ' ') out += c;
+    }
+    return out;
+  };
+  const Rows row{2, {0.5, 3}};
+  CHECK(squeezed(rows_text(row, {"mean", "count"}, 0)) ==
+        "2 values came back:\n mean 0.5\n count 3\n");
+  // As many names as there are columns, or none.
+  CHECK(squeezed(rows_text(row, {"mean"}, 0)) == "2 values came back:\n value 1 0.5\n value 2 3\n");
+  const Rows list{1, {0.1, 2, 4, 8}};
+  CHECK(squeezed(rows_text(list, {}, 2)) ==
+        "4 values came back; the first 2:\n value 1 0.1\n value 2 2\n ... 2 more: --all\n");
+  // The last name of a list is that of all that follow.
+  CHECK(squeezed(rows_text(list, {"mean", "point"}, 0)) ==
+        "4 values came back:\n mean 0.1\n point 1 2\n point 2 4\n point 3 8\n");
+  CHECK(squeezed(rows_text({1, {7}}, {"hits"}, 10)) == "1 value came back:\n hits 7\n");
+  const Rows pairs{2, {0.5, 1, 0.25, 2}};
+  CHECK(squeezed(rows_text(pairs, {"lower", "upper"}, 0)) ==
+        "2 rows of 2 values came back:\n row lower upper\n 1 0.5 1\n 2 0.25 2\n");
+  CHECK(squeezed(rows_text(pairs, {}, 1)) ==
+        "2 rows of 2 values came back; the first 1:\n row value 1 value 2\n 1 0.5 1\n"
+        " ... 1 more: --all\n");
+  CHECK(rows_text({1, {}}, {"hits"}, 10) == "no values came back\n");
+  CHECK(rows_text({}, {}, 10) == "no rows came back\n");
 }

@@ -105,6 +105,17 @@ TEST_CASE("the page shows points, diagnosis, numbers, figure and the hint's comm
   CHECK_FALSE(has(page, "<script"));
 }
 
+TEST_CASE("a crash stands first on the page, with how to find its line", "[page]") {
+  const carlo::Lab lab{1, "demo", "Demo", {{"Lab 1.1", "First", 2, "L", {"f"}, {"a", "b"}}}};
+  const TestRecord wrong{"Lab 1.1",      "small", {holds("it", false, "1", "2")},
+                         Status::failed, "",      ""};
+  const TestRecord crash{"Lab 1.1", "empty", {}, Status::crashed, "it crashed: abort", ""};
+  const json verdicts = json::parse(report_json(collect(lab, {wrong, crash}, "")));
+  const std::string page = grade_page(verdicts, {"Lab 01"});
+  CHECK(page.find("✗ empty") < page.find("✗ small"));
+  CHECK(has(page, "In which line it crashes: <code>CARLO_PRESET=debug ./carlo test 1.1</code>"));
+}
+
 TEST_CASE("nothing that a student's program says becomes markup", "[page]") {
   Verdict verdict = holds(hostile, false, hostile, hostile, {{hostile, hostile}});
   verdict.certainty = hostile;

@@ -5,6 +5,7 @@
 #include "grader/judge/run.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <string>
@@ -151,7 +152,8 @@ TEST_CASE("after a deadline or a missing implementation an exercise starts no mo
   }
   CHECK(run.records()[1].status == Status::not_implemented);
   CHECK(run.records()[1].skipped);
-  CHECK(run.records()[1].problem == "not run: the worker ended in \"first\"");
+  CHECK(run.records()[1].problem ==
+        "not run: your code came upon what is not implemented yet in \"first\"");
   run.begin_test("Lab 1.2: is quick", Aspect::efficiency);
   run.end_test(false);
   CHECK(run.records()[2].aspect == Aspect::efficiency);
@@ -182,6 +184,59 @@ TEST_CASE("of a crash without a line it is said how to find it", "[report]") {
   CHECK(has(report_text(collect(demo_lab(), {passed("Lab 1.1"), crashed}, "")), advice));
   crashed.problem += ", in labs/01_demo/demo.cpp:3 (n = 2)";
   CHECK_FALSE(has(report_text(collect(demo_lab(), {passed("Lab 1.1"), crashed}, "")), advice));
+}
+
+TEST_CASE("a crash is shown first, and how to find its line beside it", "[report]") {
+  const auto with = [](const std::string& sentence, Status status, const std::string& problem) {
+    TestRecord test{"Lab 1.2", sentence, {}, status, problem, ""};
+    if (problem.empty()) test.verdicts = {holds("it", false, "1", "2")};
+    return test;
+  };
+  const std::string advice = "In which line it crashes: CARLO_PRESET=debug ./carlo test 1.2\n";
+  const LabResult result = collect(
+      demo_lab(),
+      {passed("Lab 1.1"), with("small", Status::failed, ""), with("large", Status::failed, ""),
+       with("empty", Status::crashed, "it crashed: abort"),
+       with("long", Status::crashed, "it crashed: abort")},
+      "");
+  const std::string text = report_text(result);
+  CHECK(has(text, "    ✗ empty\n      it crashed: abort\n      " + advice + "    ✗ small\n"));
+  CHECK(has(text, "    also fails: large\n    also crashes: long\n"));
+  CHECK(text.find(advice) == text.rfind(advice));
+  const std::string all = report_text(result, true);
+  CHECK(has(all, "    ✗ empty\n      it crashed: abort\n      " + advice + "    ✗ long\n"));
+  CHECK(all.find("✗ small") < all.find("✗ empty"));
+  CHECK(all.find(advice) == all.rfind(advice));
+}
+
+TEST_CASE("of what a program printed a report shows the first lines", "[report]") {
+  TestRecord flood{"Lab 1.2", "it holds", {}, Status::crashed, "it printed without end", ""};
+  for (int i = 1; i <= 30; ++i)
+    flood.printed += fmt::format("line {}\n", i);
+  flood.printed += "é" + std::string(200, 'x');
+  flood.lost_lines = 1000;
+  const LabResult result = collect(demo_lab(), {passed("Lab 1.1"), flood}, "");
+  const std::string text = report_text(result), all = report_text(result, true);
+  CHECK(has(text, "| line 3\n        | and 1028 more lines\n"));
+  CHECK(has(all, "| line 20\n        | and 1011 more lines\n"));
+  flood.printed = "é" + std::string(200, 'x');
+  flood.lost_lines = 0;
+  const std::string wide = report_text(collect(demo_lab(), {passed("Lab 1.1"), flood}, ""));
+  CHECK(has(wide, "| é" + std::string(79, 'x') + " ...\n    For"));
+  flood.printed = "a\nb\nc\nd";
+  const std::string four = report_text(collect(demo_lab(), {passed("Lab 1.1"), flood}, ""));
+  CHECK(has(four, "| c\n        | and 1 more line\n"));
+}
+
+TEST_CASE("a seed is named once, and only when it is not the usual one", "[report]") {
+  LabResult result = collect(demo_lab(), {failed("Lab 1.1"), failed("Lab 1.2")}, "");
+  result.seed = local_seed();
+  CHECK_FALSE(has(report_text(result), "--seed"));
+  CHECK(has(report_text(result), "The raw values: ./carlo replay 1.2\n"));
+  result.seed = 7;
+  const std::string text = report_text(result);
+  CHECK(has(text, "--seed 7, after ./carlo test and ./carlo replay\n"));
+  CHECK(text.find("--seed") == text.rfind("--seed"));
 }
 
 TEST_CASE("of an exercise that is begun it is said what is missing and what works", "[report]") {
@@ -238,12 +293,25 @@ TEST_CASE("an exercise that builds on a wrong one says so", "[report]") {
 TEST_CASE("tests that were not run are not said to fail", "[report]") {
   const TestRecord slow{"Lab 1.1", "it ends", {}, Status::timeout, "it was not done", ""};
   TestRecord skipped = slow;
-  skipped.problem = "not run: the worker ended in \"it ends\"";
+  skipped.problem = "not run: your code took too long in \"it ends\"";
   skipped.skipped = true;
   const std::string text =
       report_text(collect(demo_lab(), {slow, skipped, skipped, passed("Lab 1.2")}, ""));
-  CHECK(has(text, "2 more tests not run: the worker ended in \"it ends\""));
+  CHECK(has(text, "2 more tests not run: your code took too long in \"it ends\""));
   CHECK_FALSE(has(text, "also fails"));
+}
+
+TEST_CASE("a test that is left unjudged has not passed, and says why", "[run]") {
+  Run run(Worker(FIXTURE_WORKER, Level::limits), 1, {});
+  run.begin_test("Lab 1.1: it is fast", Aspect::efficiency);
+  run.leave("not judged: the count is wrong");
+  run.end_test(true);
+  const std::vector<TestRecord> records{failed("Lab 1.1"), run.records()[0], passed("Lab 1.2")};
+  const LabResult result = collect(demo_lab(), records, "");
+  CHECK(result.earned() == 3);
+  CHECK(result.exercises[0].status == Status::failed);
+  CHECK(has(report_text(result), "    1 more test not judged: the count is wrong\n"));
+  CHECK_FALSE(has(report_text(result), "it is fast"));
 }
 
 TEST_CASE("who has done nothing yet is told where to start", "[report]") {

@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <filesystem>
@@ -25,6 +26,7 @@ struct Result {
   Status status = Status::passed;
   std::string message, printed;
   double seconds = 0;
+  std::size_t lost_lines = 0;
 };
 
 /// Short for workers that hang, long for those that end by themselves, however busy the machine is.
@@ -36,7 +38,7 @@ Result run(Level level, const std::string& probe, bool hangs = false) {
   try {
     run_probe(Worker(FIXTURE_WORKER, level), probe, {}, {}, limits);
   } catch (const ProbeFailure& failure) {
-    result = {failure.status, failure.what(), failure.printed};
+    result = {failure.status, failure.what(), failure.printed, 0, failure.lost_lines};
   }
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return result;
@@ -100,9 +102,9 @@ TEST_CASE("misbehaviour gives its verdict in time and leaves no process", "[work
   };
   const Level level = GENERATE(Catch::Generators::from_range(levels()));
   const Case expected = GENERATE(
-      Case{"exit 0", Status::crashed, "ended itself (exit code 0) before"},
-      Case{"_exit 0", Status::crashed, "ended itself (exit code 0) before"},
-      Case{"quick_exit 0", Status::crashed, "ended itself (exit code 0) before"},
+      Case{"exit 0", Status::crashed, "your code ended the program"},
+      Case{"_exit 0", Status::crashed, "your code ended the program"},
+      Case{"quick_exit 0", Status::crashed, "your code ended the program"},
       Case{"exit 3", Status::crashed, "exit code 3"}, Case{"abort", Status::crashed, "abort"},
       Case{"hang", Status::timeout, "not done after 1.5 seconds"},
       Case{"stops itself", Status::timeout, "not done after 1.5 seconds"},
@@ -176,6 +178,11 @@ TEST_CASE("what a program printed before it failed is shown, cut to size", "[wor
   const Level level = GENERATE(Catch::Generators::from_range(levels()));
   const Result flood = run(level, "flood stdout");
   CHECK(flood.printed.size() == Limits{}.output_kept);
+  CHECK(flood.lost_lines == 0);  // without end, but on one line
+  const Result many = run(level, "prints 5000 lines");
+  const auto kept =
+      static_cast<std::size_t>(std::count(many.printed.begin(), many.printed.end(), '\n'));
+  CHECK(kept + 1 + many.lost_lines == 5000);  // it is cut in the middle of one
   const Result crash = run(level, "no such probe");
   CHECK(has(crash.printed, "no probe"));
   CHECK(run(level, "prints").status == Status::passed);

@@ -24,9 +24,13 @@
     return `${significant(value / size, digits)} ${name}`;
   };
 
+  // With gaps from five digits on, as tables have them.
+  const grouped = (whole) =>
+    /\d{5}/.test(whole) ? whole.replace(/\B(?=(\d{3})+$)/g, "\u2009") : whole;
+
   const count = (value) =>
     Math.abs(value - Math.round(value)) > 1e-6 ? significant(value, 4)
-      : String(Math.round(value)).replace(/\B(?=(\d{3})+$)/g, "\u2009");
+      : grouped(String(Math.round(value)));
 
   const spoken = (axis, value) =>
     axis.unit === "seconds" ? seconds(value, 3)

@@ -5,7 +5,7 @@
 #include "cli/error.h"
 #include "grader/grade/foreign_symbols.h"
 #include "grader/grade/own_names.h"
-#include "grader/judge/report.h"
+#include "grader/judge/printed.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -1,7 +1,7 @@
 #include "grader/grade/outputs.h"
 
 #include "cli/atomic_file.h"
-#include "grader/judge/report.h"
+#include "grader/judge/printed.h"
 #include "grader/judge/results.h"
 #include "grader/page/grade_page.h"
 

@@ -1,6 +1,7 @@
 #include "grader/judge/compare.h"
 
 #include "grader/judge/figures.h"
+#include "grader/judge/numbers.h"
 #include "stats/distributions.h"
 
 #include <fmt/core.h>
@@ -59,14 +60,6 @@ void name_suspects(Verdict& verdict, const Suspects& suspects,
   }
 }
 
-/// A whole number in full; another one with as many digits as show a difference, and no more.
-std::string number_text(double x, bool close) {
-  constexpr double exact_below = 0x1p53;
-  if (std::isnan(x)) return "NaN";  // and not "-nan"
-  if (std::abs(x) < exact_below && x == std::floor(x)) return fmt::format("{:.0f}", x);
-  return close ? fmt::format("{:.16g}", x) : fmt::format("{:.6g}", x);
-}
-
 /// How many standard deviations a value may lie off a suspect's to be taken for it.
 constexpr double fit = 6;
 
@@ -98,8 +91,8 @@ Verdict mean_is(const std::string& what, std::span<const double> values, const T
   const double spread = std::sqrt(mean_square_about(values, mean));
   Verdict verdict;
   verdict.what = what;
-  verdict.measured =
-      fmt::format("{:.6g} ± {:.2g}, the mean of {}", mean, theory.sd / root, values.size());
+  verdict.measured = fmt::format("{:.6g} ± {:.2g}, the mean of {}", mean, theory.sd / root,
+                                 number_in_report(static_cast<double>(values.size())));
   verdict.expected = fmt::format("{:.6g}", theory.mean);
   const std::string z_text =
       std::abs(z) < 1e6 ? fmt::format("{:.1f}", z) : fmt::format("{:.1e}", z);
@@ -124,7 +117,8 @@ Verdict variance_is(const std::string& what, std::span<const double> values, con
   const double ratio = variance / expected;
   Verdict verdict;
   verdict.what = what;
-  verdict.measured = fmt::format("{:.5g}, from {} values", variance, values.size());
+  verdict.measured = fmt::format("{:.5g}, from {}", variance,
+                                 counted(static_cast<double>(values.size()), "value"));
   verdict.expected = fmt::format("{:.5g}", expected);
   conclude(verdict, fmt::format("ratio {:.4g}", ratio), chi_square_two_sided(ratio * dof, dof));
   verdict.effect = effect_on_variance(ratio, dof);
@@ -158,7 +152,7 @@ Verdict uniform_on(const std::string& what, std::vector<double> values, double l
     rank += 1;
   }
   verdict.measured =
-      fmt::format("{} values from {:.6g} to {:.6g}", values.size(), values.front(), values.back());
+      fmt::format("{} from {:.6g} to {:.6g}", counted(n, "value"), values.front(), values.back());
   conclude(verdict, fmt::format("largest distance of the distributions {:.3g}", distance),
            kolmogorov_smirnov(distance, values.size()));
   verdict.effect = effect_on_distribution(distance, n);
@@ -172,8 +166,9 @@ Verdict equals(const std::string& what, double measured, double expected, double
   verdict.what = what;
   verdict.passed = std::abs(measured - expected) <= tolerance;
   const bool close = std::abs(measured - expected) <= 1e-4 * std::abs(expected);
-  verdict.measured = number_text(measured, close);
-  verdict.expected = number_text(expected, close);
+  // With as many digits as show a difference, and no more.
+  verdict.measured = number_in_report(measured, close ? 16 : 6);
+  verdict.expected = number_in_report(expected, close ? 16 : 6);
   if (tolerance > 0) verdict.expected += fmt::format(" within {:.1g}", tolerance);
   const auto slack = [tolerance](double value) {
     return std::max(tolerance, 1e-9 * std::abs(value));

@@ -14,6 +14,9 @@ namespace {
 
 constexpr std::string_view address_report = "ERROR: AddressSanitizer: ";
 constexpr std::string_view undefined_report = ": runtime error: ";
+constexpr std::string_view thrown_type = "terminate called after throwing an instance of '";
+constexpr std::string_view thrown_words = "  what():  ";
+constexpr std::string_view nothing_thrown = "terminate called without an active exception";
 
 /// What follows `start`, up to `end` or the line's end; empty when it does not say so.
 std::string after(const std::string& said, std::string_view start, std::string_view end) {
@@ -33,12 +36,36 @@ std::string in_words(const std::string& word) {
   return word;
 }
 
+/// What the library says when std::terminate() ends the program; empty when it did not.
+std::string termination(const std::string& said) {
+  const std::string type = after(said, thrown_type, "'");
+  if (!type.empty()) {
+    const std::string words = after(said, thrown_words, "\n");
+    return fmt::format(
+        "an exception ({}{}{}) left a thread's function, or one that is noexcept, "
+        "and std::terminate() ended the program",
+        type.substr(0, 100), words.empty() ? "" : ": ", words.substr(0, 100));
+  }
+  if (said.find(nothing_thrown) == std::string::npos) return "";
+  return "std::terminate() ended the program, as it does when a std::thread has been neither "
+         "joined "
+         "nor detached in the end";
+}
+
+/// Whether a line is the library's, ahead of an abort.
+bool is_of_library(const std::string& line) {
+  return line.find(": Assertion '") != std::string::npos || line.rfind(thrown_type, 0) == 0 ||
+         line.rfind(thrown_words, 0) == 0 || line.rfind(nothing_thrown, 0) == 0;
+}
+
 std::string cause_of(const Outcome& outcome) {
   const std::size_t at = outcome.output.find(": Assertion '");
   const std::size_t size = outcome.output.find("size()' failed", at);
   if (at != std::string::npos && size != std::string::npos && size - at < 60) {
     return "an index outside of its vector, array or span";
   }
+  const std::string terminated = termination(outcome.output);
+  if (!terminated.empty()) return terminated;
   const std::string memory = after(outcome.output, address_report, " on ");
   if (!memory.empty()) return in_words(memory.substr(0, 100));
   const std::string undefined = after(outcome.output, undefined_report, "\n");
@@ -69,7 +96,7 @@ std::string without_reports(const std::string& said) {
     if (line.rfind("AddressSanitizer:", 0) == 0) continue;  // of a signal, ahead of the report
     // At the text's end there may be none.
     if (!lines.eof()) line += '\n';
-    if (line.find(": Assertion '") == std::string::npos) out += line;
+    if (!is_of_library(line)) out += line;
   }
   return out;
 }

@@ -24,8 +24,8 @@ Verdict draws(double words, double expected) {
   const Diagnosis floats{"uniform-float-drawn",
                          "the numbers are floats, with 24 random bits: take rng.uniform()."};
   const Diagnosis surplus{"surplus-numbers-drawn",
-                          "more numbers are drawn than there are coordinates: each one costs time, "
-                          "and the next estimate gets other numbers."};
+                          "more random numbers are drawn than its points have coordinates: each "
+                          "one costs time, and what draws next gets other numbers."};
   std::string measured = fmt::format("{:g}", words / 2);
   std::vector<Diagnosis> diagnosis;
   if (words < 0) measured = "not to be told: rng was restarted or exchanged, or gave far too many";

@@ -54,6 +54,10 @@ void judge(const Verdict& verdict) {
   CHECK(verdict.passed);
 }
 
+void leave_unjudged(const std::string& why) {
+  current_run()->leave(why);
+}
+
 std::vector<double> column(const Rows& rows, std::size_t index) {
   std::vector<double> values;
   values.reserve(rows.count());

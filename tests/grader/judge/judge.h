@@ -7,6 +7,7 @@
 //   }
 
 #include "grader/judge/compare.h"
+#include "grader/judge/numbers.h"
 #include "grader/judge/run.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -19,6 +20,10 @@ Answer probe(const std::string& name, const Params& params, const Shape& shape);
 
 /// Notes the verdict for the current test case.
 void judge(const Verdict& verdict);
+
+/// Leaves the current test case unjudged, and not passed: another one has found wrong what it would
+/// judge the cost of. `why`: "not judged: ...".
+void leave_unjudged(const std::string& why);
 
 /// One column of a table.
 std::vector<double> column(const Rows& rows, std::size_t index);

@@ -29,7 +29,7 @@ struct Options {
   std::string lab, worker, exercise, json, handout;
   std::vector<std::string> stub;  ///< its files
   PageFiles page;
-  std::string secret_file, submission = "local", sandbox = "auto";
+  std::string secret_file, submission = local_submission, sandbox = "auto";
   std::uint64_t seed = 0;
   double deadline = 10;
   bool verbose = false;
@@ -72,7 +72,7 @@ std::uint64_t run_seed(const Options& options) {
   if (options.seed_given) return options.seed;
   // From a file, because everybody may read a command line.
   const std::string secret =
-      options.secret_file.empty() ? "public" : read_file(options.secret_file);
+      options.secret_file.empty() ? public_secret : read_file(options.secret_file);
   return hash(word_of(secret), word_of(options.submission));
 }
 

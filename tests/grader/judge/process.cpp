@@ -15,6 +15,7 @@
 #include <csignal>
 #include <cstring>
 #include <optional>
+#include <string_view>
 
 namespace carlo::grader {
 namespace {
@@ -36,7 +37,9 @@ class Reader {
       if (got == 0) fd_.close();
       const auto bytes = static_cast<std::size_t>(got);
       seen_ += bytes;
-      text_.append(block_.data(), std::min(bytes, kept_ - std::min(kept_, text_.size())));
+      const std::size_t fit = std::min(bytes, kept_ - std::min(kept_, text_.size()));
+      text_.append(block_.data(), fit);
+      count_lost(std::string_view(block_.data(), bytes).substr(fit));
     }
     return seen_ <= most_;
   }
@@ -44,11 +47,24 @@ class Reader {
   int fd() const { return fd_.get(); }
   bool open() const { return fd_.open(); }
   std::string take() { return std::move(text_); }
+  /// Lines begun in what was not stored.
+  std::size_t lost_lines() const { return lost_lines_; }
 
  private:
+  void count_lost(std::string_view bytes) {
+    if (bytes.empty()) return;
+    if (!lost_any_) in_line_ = !text_.empty() && text_.back() != '\n';
+    lost_any_ = true;
+    for (const char c : bytes) {
+      lost_lines_ += in_line_ ? 0 : 1;
+      in_line_ = c != '\n';
+    }
+  }
+
   Descriptor fd_;
   std::size_t most_, kept_;
-  std::size_t seen_ = 0;
+  std::size_t seen_ = 0, lost_lines_ = 0;
+  bool lost_any_ = false, in_line_ = false;
   std::string text_;
   std::array<char, 65536> block_{};
 };
@@ -57,7 +73,7 @@ class Reader {
 bool ended(pid_t pid, Outcome& outcome) {
   siginfo_t info{};
   if (::waitid(P_PID, static_cast<id_t>(pid), &info, WEXITED | WNOHANG | WNOWAIT) != 0) {
-    throw Error("lost sight of a worker: {}", std::strerror(errno));
+    throw Error("lost sight of the program that was started: {}", std::strerror(errno));
   }
   if (info.si_pid != pid) return false;
   const bool exited = info.si_code == CLD_EXITED;
@@ -121,6 +137,7 @@ Outcome run_limited(const Command& command, const Limits& limits) {
   outcome.peak_bytes = end_orphans();
   outcome.result = result.take();
   outcome.output = output.take();
+  outcome.lost_lines = output.lost_lines();
   outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return outcome;
 }

@@ -43,6 +43,7 @@ struct Outcome {
   int code = 0;                ///< the exit code or the signal
   std::string result;          ///< what came over descriptor 3
   std::string output;          ///< the start of what it printed on stdout and stderr
+  std::size_t lost_lines = 0;  ///< that it printed beyond `output`, or began to
   double seconds = 0;          ///< wall clock
   std::size_t peak_bytes = 0;  ///< resident memory of the largest process, as far as it was reaped
 

@@ -1,33 +1,31 @@
 #include "grader/judge/report.h"
 
 #include "cli/terminal.h"
+#include "grader/judge/crash_line.h"
+#include "grader/judge/printed.h"
+#include "grader/judge/run.h"
 
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <sstream>
+#include <iterator>
+#include <map>
 
 namespace carlo::grader {
 namespace {
 
 /// Of many failures the first few tell the story: tests shown in full, comparisons of each, and the
-/// diagnoses that fit best.
-constexpr int shown_tests = 2;
+/// diagnoses that fit best. Of what a program printed, the first lines do; more when all is asked
+/// for.
+constexpr std::size_t shown_tests = 2;
 constexpr int shown_comparisons = 2;
 constexpr std::size_t shown_diagnoses = 2;
+constexpr std::size_t shown_lines = 3, shown_lines_verbose = 20;
 
 /// How far the columns reach, in characters (bytes of UTF-8 that start one).
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-std::string indent(const std::string& text, const std::string& margin) {
-  std::string out;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);)
-    out += margin + harmless(line) + "\n";
-  return out;
 }
 
 std::string comparison(const Verdict& verdict) {
@@ -37,22 +35,45 @@ std::string comparison(const Verdict& verdict) {
   return out;
 }
 
-/// One test with all that it compared.
-std::string whole_test(const TestRecord& test) {
-  const bool passed = test.status == Status::passed;
-  std::string out = fmt::format("    {} {}\n", passed ? "✓" : "✗", test.sentence);
+/// What kept the values from coming, if anything did. `locate`: the number of the exercise, where
+/// it is to be said how the line of a crash is found.
+std::string problem(const TestRecord& test, std::size_t lines, const std::string& locate) {
+  std::string out;
   if (!test.problem.empty()) out += fmt::format("      {}\n", harmless(test.problem));
+  if (!locate.empty()) {
+    out += fmt::format("      In which line it crashes: {}\n", line_command(locate));
+  }
+  if (!test.printed.empty()) {
+    out += "      your program printed:\n" + printed_lines(test, lines, "        | ");
+  }
+  return out;
+}
+
+/// One test with all that it compared.
+std::string whole_test(const TestRecord& test, const std::string& locate) {
+  const bool passed = test.status == Status::passed;
+  const char* mark = passed ? "✓" : test.skipped ? "–" : "✗";
+  std::string out = fmt::format("    {} {}\n", mark, test.sentence);
+  out += problem(test, shown_lines_verbose, locate);
   for (const Verdict& verdict : test.verdicts)
     out += comparison(verdict);
   return out;
 }
 
-std::string failed_test(const TestRecord& test) {
-  std::string out = fmt::format("    {} {}\n", coloured(Colour::red, "✗"), test.sentence);
-  if (!test.problem.empty()) out += fmt::format("      {}\n", harmless(test.problem));
-  if (!test.printed.empty()) {
-    out += "      your program printed:\n" + indent(test.printed, "        | ");
+/// All tests, in their order.
+std::string whole_tests(const ExerciseResult& result) {
+  const auto lost = std::find_if(result.tests.begin(), result.tests.end(),
+                                 [](const TestRecord& test) { return lacks_line(test.problem); });
+  std::string out;
+  for (auto test = result.tests.begin(); test != result.tests.end(); ++test) {
+    out += whole_test(*test, test == lost ? result.exercise.number() : "");
   }
+  return out;
+}
+
+std::string failed_test(const TestRecord& test, const std::string& locate) {
+  std::string out = fmt::format("    {} {}\n", coloured(Colour::red, "✗"), test.sentence);
+  out += problem(test, shown_lines, locate);
   int failures = 0;
   for (const Verdict& verdict : test.verdicts) {
     if (!verdict.passed && ++failures <= shown_comparisons) out += comparison(verdict);
@@ -91,27 +112,54 @@ std::string open_text(const ExerciseResult& result) {
   return fmt::format("not implemented yet: ./carlo hint {}", result.exercise.number());
 }
 
+bool failed(const TestRecord& test) {
+  return test.status != Status::passed && test.status != Status::not_implemented && !test.skipped;
+}
+
+/// The tests that failed, those that tell most first: one that crashed, for what goes wrong there
+/// is not to be guessed from numbers; then those that have numbers; then the other crashes, which
+/// are mostly the same again.
+std::vector<const TestRecord*> by_what_they_tell(const ExerciseResult& result) {
+  std::vector<const TestRecord*> list;
+  for (const TestRecord& test : result.tests) {
+    if (failed(test)) list.push_back(&test);
+  }
+  const auto crashed = [](const TestRecord* test) { return test->status == Status::crashed; };
+  std::stable_partition(list.begin(), list.end(), [&](const auto* test) { return !crashed(test); });
+  auto first = std::find_if(list.begin(), list.end(),
+                            [](const TestRecord* test) { return lacks_line(test->problem); });
+  if (first == list.end()) first = std::find_if(list.begin(), list.end(), crashed);
+  if (first != list.end()) std::rotate(list.begin(), first, std::next(first));
+  return list;
+}
+
+/// How many tests were not run, or not judged, for each reason why.
+std::string skipped_tests(const ExerciseResult& result) {
+  std::map<std::string, int> reasons;
+  for (const TestRecord& test : result.tests) {
+    if (test.skipped) ++reasons[test.problem];
+  }
+  std::string out;
+  for (const auto& [why, count] : reasons) {
+    out += fmt::format("    {} more {} {}\n", count, count == 1 ? "test" : "tests", harmless(why));
+  }
+  return out;
+}
+
 /// The tests that failed, the first ones in full; and those that were not run after a deadline. Not
 /// those that wait for something to be written.
 std::string failed_tests(const ExerciseResult& result) {
   std::string out;
-  int failures = 0, skipped = 0;
-  std::string why;
-  for (const TestRecord& test : result.tests) {
-    const bool waits = test.status == Status::not_implemented && !test.skipped;
-    if (test.status == Status::passed || waits) continue;
-    if (test.skipped) {
-      ++skipped;
-      why = harmless(test.problem);
-      continue;
-    }
-    out += ++failures <= shown_tests ? failed_test(test)
-                                     : fmt::format("    also fails: {}\n", test.sentence);
+  const std::vector<const TestRecord*> tests = by_what_they_tell(result);
+  for (std::size_t i = 0; i < tests.size(); ++i) {
+    const TestRecord& test = *tests[i];
+    const bool locate = i == 0 && lacks_line(test.problem);
+    out += i < shown_tests
+               ? failed_test(test, locate ? result.exercise.number() : "")
+               : fmt::format("    also {}: {}\n", lacks_line(test.problem) ? "crashes" : "fails",
+                             test.sentence);
   }
-  if (skipped > 0) {
-    out += fmt::format("    {} more {} {}\n", skipped, skipped == 1 ? "test" : "tests", why);
-  }
-  return out;
+  return out + skipped_tests(result);
 }
 
 /// Exercises that this one builds on and that are not right yet.
@@ -150,17 +198,6 @@ std::string likely_causes(const ExerciseResult& result) {
   return out;
 }
 
-/// How to find out in which line a program crashed, where no report has named it.
-std::string line_of_crash(const ExerciseResult& result) {
-  const auto unknown = [](const TestRecord& test) {
-    return test.problem.rfind("it crashed: ", 0) == 0 &&
-           test.problem.find(", in labs/") == std::string::npos;
-  };
-  if (std::none_of(result.tests.begin(), result.tests.end(), unknown)) return "";
-  return fmt::format("    In which line it crashes: CARLO_PRESET=debug ./carlo test {}\n",
-                     result.exercise.number());
-}
-
 /// Of an exercise of which some is written: what is missing, what already works, what to do next.
 std::string begun_text(const ExerciseResult& result, const LabResult& lab, bool tests) {
   std::string passed, waiting;
@@ -174,7 +211,6 @@ std::string begun_text(const ExerciseResult& result, const LabResult& lab, bool 
                                     : fmt::format("    still to write: {}\n", joined(missing));
   out += unsound_ground(result, lab) + likely_causes(result);
   if (tests) out += passed + waiting + failed_tests(result);
-  out += line_of_crash(result);
   const std::string number = result.exercise.number();
   return out + (missing.empty() ? fmt::format("    Next: ./carlo hint {}\n", number)
                                 : fmt::format("    Next: write {}; for help: ./carlo hint {}\n",
@@ -185,8 +221,7 @@ std::string begun_text(const ExerciseResult& result, const LabResult& lab, bool 
 std::string details(const ExerciseResult& result, const LabResult& lab, bool tests) {
   std::string out = right_but(result) + unsound_ground(result, lab) + likely_causes(result);
   if (tests) out += failed_tests(result);
-  return out + line_of_crash(result) +
-         fmt::format("    For help: ./carlo hint {}\n", result.exercise.number());
+  return out + fmt::format("    For help: ./carlo hint {}\n", result.exercise.number());
 }
 
 std::string exercise_text(const ExerciseResult& result, const LabResult& lab, std::size_t titles,
@@ -198,13 +233,9 @@ std::string exercise_text(const ExerciseResult& result, const LabResult& lab, st
   if (result.status != Status::passed) {
     out += open ? begun_text(result, lab, !verbose) : details(result, lab, !verbose);
   }
-  if (verbose) {
-    for (const TestRecord& test : result.tests)
-      out += whole_test(test);
-  }
+  if (verbose) out += whole_tests(result);
   if (result.status == Status::passed) return out;
-  return out + fmt::format("    The raw values: ./carlo replay {} --seed {}\n",
-                           result.exercise.number(), lab.seed);
+  return out + fmt::format("    The raw values: ./carlo replay {}\n", result.exercise.number());
 }
 
 /// What to do next, below the total.
@@ -219,20 +250,13 @@ std::string advice(const LabResult& result) {
     return fmt::format("Nothing done yet: start with {}, ./carlo hint {}\n", first.tag,
                        first.number());
   }
-  return fmt::format("The same numbers again: --seed {}\n", result.seed);
+  // Without --seed they are the same each time.
+  if (result.seed == local_seed()) return "";
+  return fmt::format("The same numbers again: --seed {}, after ./carlo test and ./carlo replay\n",
+                     result.seed);
 }
 
 }  // namespace
-
-std::string harmless(std::string text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto c = static_cast<unsigned char>(text[i]);
-    const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0U;
-    if (c < 32 || c == 127) text[i] = ' ';
-    if (c == 0xC2 && next >= 0x80 && next < 0xA0) text[i] = text[i + 1] = ' ';
-  }
-  return text;
-}
 
 std::string shortfall(const ExerciseResult& result, const LabResult& lab) {
   if (result.status == Status::passed) return "";

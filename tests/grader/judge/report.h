@@ -6,11 +6,6 @@
 
 namespace carlo::grader {
 
-/// What a student's program says, or a compiler of it, must not steer the terminal nor start a line
-/// of the report: control characters, the C1 ones (in UTF-8: 0xC2 0x80 to 0x9F) among them, become
-/// spaces.
-std::string harmless(std::string text);
-
 /// The report for the student, in colour where stdout shows it. `verbose`: every test and every
 /// comparison, those that passed too.
 std::string report_text(const LabResult& result, bool verbose = false);

@@ -3,6 +3,7 @@
 #include "course/exercises.h"
 #include "grader/judge/verdict.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -29,11 +30,12 @@ struct TestRecord {
   std::vector<Verdict> verdicts;
   Status status = Status::failed;  ///< passed only after a verdict, and when all passed
   std::string problem;             ///< why there are no values; empty when there are
-  std::string printed;             ///< what the student's program printed, when there was a problem
-  bool skipped = false;            ///< not run, because an earlier test told what would come
-  std::string needs = {};          ///< the tag of another exercise, when that is the one not done
-  std::string missing = {};        ///< the function that is not done, as the worker calls it
+  std::string printed;       ///< the start of what the program printed, when there was a problem
+  bool skipped = false;      ///< not run, or not judged: another test told what would come
+  std::string needs = {};    ///< the tag of another exercise, when that is the one not done
+  std::string missing = {};  ///< the function that is not done, as the worker calls it
   Aspect aspect = Aspect::correctness;
+  std::size_t lost_lines = 0;  ///< that the program printed beyond `printed`
 };
 
 /// One exercise after all its test cases.

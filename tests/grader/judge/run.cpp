@@ -3,6 +3,7 @@
 #include "cli/error.h"
 #include "grader/judge/compare.h"
 #include "grader/judge/crash.h"
+#include "grader/judge/numbers.h"
 #include "random/hash.h"
 
 #include <algorithm>
@@ -18,11 +19,18 @@ std::string shape_text(std::size_t rows, std::size_t columns) {
   return fmt::format("{} x {} values", rows, columns);
 }
 
+/// The failure with what the program said itself.
+ProbeFailure printing(ProbeFailure failure, const Outcome& outcome) {
+  failure.printed = without_reports(outcome.output);
+  failure.lost_lines = outcome.lost_lines;
+  return failure;
+}
+
 /// Throws unless the worker ended as it should.
 void check_end(const Outcome& outcome, const Limits& limits) {
   using End = Outcome::End;
   const auto fail = [&](Status status, const std::string& message) {
-    throw ProbeFailure(status, message, without_reports(outcome.output));
+    throw printing(ProbeFailure(status, message), outcome);
   };
   switch (outcome.end) {
     case End::exited:
@@ -48,16 +56,19 @@ void check_end(const Outcome& outcome, const Limits& limits) {
                                         limits.memory_bytes >> 20));
       break;
     case End::not_started:
-      throw Error("a worker was not started");
+      throw Error("your program could not be started");
   }
   if (outcome.code != 0 && has_report(outcome.output)) {
     fail(Status::crashed, fmt::format("it crashed: {}", crash_cause(outcome)));
   }
   if (outcome.code != 0) {
-    fail(Status::crashed, fmt::format("the program ended itself with exit code {}", outcome.code));
+    fail(Status::crashed,
+         fmt::format("your code ended the program with exit code {}, by exit() or the like",
+                     outcome.code));
   }
   if (outcome.result.empty()) {
-    fail(Status::crashed, "the program ended itself (exit code 0) before the function returned");
+    fail(Status::crashed,
+         "your code ended the program, by exit() or the like, before the function returned");
   }
 }
 
@@ -93,10 +104,10 @@ std::string question(const Params& params, const Shape& shape) {
   };
   for (const auto& [name, value] : params.numbers) {
     if (std::find(silent.begin(), silent.end(), name) == silent.end()) {
-      add(name, fmt::format("{:g}", value));
+      add(name, number_in_report(value));
     }
   }
-  if (params.n != 0) add("n", std::to_string(params.n));
+  if (params.n != 0) add("n", number_in_report(static_cast<double>(params.n)));
   return text;
 }
 
@@ -123,6 +134,12 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// Why the tests after one that ended so are not run.
+std::string why_hopeless(Status status) {
+  return status == Status::not_implemented ? "your code came upon what is not implemented yet"
+                                           : "your code took too long";
+}
+
 /// `said`: what the worker sent, the exercise's message and below it the function's name.
 ProbeFailure undone(const std::string& said) {
   ProbeFailure failure(Status::not_implemented, "not implemented yet");
@@ -142,6 +159,10 @@ std::uint64_t word_of(const std::string& text) {
   return mix(h);
 }
 
+std::uint64_t local_seed() {
+  return hash(word_of(public_secret), word_of(local_submission));
+}
+
 Answer run_probe(const Worker& worker, const std::string& name, const Params& params,
                  const Shape& shape, const Limits& limits) {
   const Outcome outcome =
@@ -153,8 +174,9 @@ Answer run_probe(const Worker& worker, const std::string& name, const Params& pa
     throw undone(frame->text);
   }
   if (frame->status == Frame::Status::error) {
-    throw ProbeFailure(Status::crashed, "it threw an exception: " + frame->text.substr(0, 500),
-                       outcome.output);
+    throw printing(
+        ProbeFailure(Status::crashed, "it threw an exception: " + frame->text.substr(0, 500)),
+        outcome);
   }
   check_rows(frame->rows, shape);
   return {std::move(frame->rows), params.seed, outcome.seconds};
@@ -220,8 +242,9 @@ Answer Run::probe(const std::string& name, Params params, const Shape& shape) {
   try {
     if (const TestRecord* earlier = hopeless(test.tag)) {
       test.skipped = true;
-      throw ProbeFailure(earlier->status,
-                         fmt::format("not run: the worker ended in \"{}\"", earlier->sentence));
+      throw ProbeFailure(
+          earlier->status,
+          fmt::format("not run: {} in \"{}\"", why_hopeless(earlier->status), earlier->sentence));
     }
     check_time(test);
     const Stopwatch stopwatch(seconds_, seconds_of_[test.tag]);
@@ -239,12 +262,18 @@ void Run::note(const ProbeFailure& failure, const std::string& question) {
   test.status = failure.status;
   test.problem = failure.what();
   test.printed = failure.printed;
+  test.lost_lines = failure.lost_lines;
   if (failure.status == Status::not_implemented) {
     if (failure.not_implemented != test.tag) test.needs = failure.not_implemented;
     test.missing = failure.function;
   } else if (!test.skipped && !question.empty()) {
     test.problem += fmt::format(" ({})", question);
   }
+}
+
+void Run::leave(const std::string& why) {
+  current().skipped = true;
+  current().problem = why;
 }
 
 void Run::record(const Verdict& verdict) {

@@ -31,6 +31,7 @@ struct ProbeFailure : std::runtime_error {
   std::string printed;
   std::string not_implemented = {};  ///< the tag of the exercise that is not done
   std::string function = {};         ///< and the function, without its class
+  std::size_t lost_lines = 0;        ///< that it printed beyond `printed`
 };
 
 /// The table that a probe returned, and what the judge itself knows of it. The table may be forged;
@@ -72,6 +73,10 @@ class Run {
   /// Notes a verdict. Throws Error when the budget of statistical ones is used up.
   void record(const Verdict& verdict);
 
+  /// Leaves the current test without a verdict; it has not passed. For one that would judge what
+  /// another test has found wrong. `why`: "not judged: ...".
+  void leave(const std::string& why);
+
   const std::vector<TestRecord>& records() const { return records_; }
   /// All questions so far, those that were not put to a worker any more too.
   const std::vector<Asked>& asked() const { return asked_; }
@@ -95,6 +100,13 @@ class Run {
   std::map<std::string, double> seconds_of_;  ///< that the probes of an exercise took, by tag
   double seconds_ = 0;                        ///< that all took
 };
+
+/// What seeds follow from where nobody says otherwise: a secret that is none, and the submission.
+constexpr const char* public_secret = "public";
+constexpr const char* local_submission = "local";
+
+/// The seed of a run that is told no other, which a student's own machine has.
+std::uint64_t local_seed();
 
 /// A word from a text (FNV-1a, then mixed): seeds follow from names.
 std::uint64_t word_of(const std::string& text);

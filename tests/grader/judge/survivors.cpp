@@ -49,7 +49,7 @@ std::size_t end_orphans() {
   // Killing a parent hands us its children, so we look again until none is left.
   while (reap(peak)) {
     if (std::chrono::steady_clock::now() - start > std::chrono::seconds(10)) {
-      throw Error("processes of the worker could not be ended");
+      throw Error("processes that the program started could not be ended");
     }
     kill_children();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -1,6 +1,7 @@
 #include "grader/page/exercise.h"
 
 #include "cli/error.h"
+#include "grader/judge/crash_line.h"
 #include "grader/judge/figure_json.h"
 #include "grader/page/figure_svg.h"
 #include "grader/page/text.h"
@@ -9,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <vector>
 
 namespace carlo::grader {
@@ -153,11 +156,15 @@ std::string folded_verdicts(const std::string& summary, const std::vector<const 
 
 // One test -------------------------------------------------------------------------------------
 
-std::string failed_test(const json& test) {
+std::string failed_test(const json& test, const std::string& number) {
   std::string out =
       fmt::format("<div class=\"test\">\n<h4>✗ {}</h4>\n", html(text_in(test, "sentence")));
   const std::string problem = text_in(test, "problem"), printed = text_in(test, "printed");
   if (!problem.empty()) out += fmt::format("<p class=\"problem\">{}</p>\n", html(problem));
+  if (lacks_line(problem)) {
+    out += fmt::format("<p class=\"help\">In which line it crashes: <code>{}</code></p>\n",
+                       html(line_command(number)));
+  }
   if (!printed.empty()) {
     out +=
         fmt::format("<p class=\"soft\">Your program printed:</p>\n<pre>{}</pre>\n", html(printed));
@@ -185,6 +192,19 @@ std::string failed_test(const json& test) {
   return out + "</div>\n";
 }
 
+/// The tests that failed, in their order, but first of all one that crashed.
+std::vector<const json*> failed_tests(const json& exercise) {
+  std::vector<const json*> list;
+  for (const json& test : list_in(exercise, "tests")) {
+    if (text_in(test, "status") != "passed" && !true_in(test, "skipped")) list.push_back(&test);
+  }
+  const auto crashed = std::find_if(list.begin(), list.end(), [](const json* test) {
+    return lacks_line(text_in(*test, "problem"));
+  });
+  if (crashed != list.end()) std::rotate(list.begin(), crashed, std::next(crashed));
+  return list;
+}
+
 std::string passed_tests(const json& exercise) {
   std::string out;
   for (const json& test : list_in(exercise, "tests")) {
@@ -199,16 +219,16 @@ std::string passed_tests(const json& exercise) {
 }
 
 std::string skipped_tests(const json& exercise) {
-  std::size_t count = 0;
-  std::string why;
+  std::map<std::string, int> reasons;
   for (const json& test : list_in(exercise, "tests")) {
-    if (!true_in(test, "skipped")) continue;
-    ++count;
-    why = text_in(test, "problem");
+    if (true_in(test, "skipped")) ++reasons[text_in(test, "problem")];
   }
-  if (count == 0) return "";
-  return fmt::format("<p class=\"soft\">{} more {} {}</p>\n", count, count == 1 ? "test" : "tests",
-                     html(why));
+  std::string out;
+  for (const auto& [why, count] : reasons) {
+    out += fmt::format("<p class=\"soft\">{} more {} {}</p>\n", count,
+                       count == 1 ? "test" : "tests", html(why));
+  }
+  return out;
 }
 
 // One exercise ---------------------------------------------------------------------------------
@@ -299,9 +319,8 @@ std::string exercise_html(const json& exercise, const std::string& lab) {
                                 heading(exercise));
   out += diagnosis(exercise) + unsound_ground(exercise);
   out += fmt::format("<p class=\"help\">For help: {}</p>\n", hint(number_of(exercise)));
-  for (const json& test : list_in(exercise, "tests")) {
-    if (text_in(test, "status") != "passed" && !true_in(test, "skipped")) out += failed_test(test);
-  }
+  for (const json* test : failed_tests(exercise))
+    out += failed_test(*test, number_of(exercise));
   out += skipped_tests(exercise);
   const std::string passed = passed_tests(exercise);
   if (!passed.empty()) {

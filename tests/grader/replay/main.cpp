@@ -7,6 +7,7 @@
 #include "cli/main_guard.h"
 #include "cli/wrap.h"
 #include "course/exercises.h"
+#include "grader/judge/run.h"
 #include "grader/replay/pick.h"
 #include "grader/replay/rerun.h"
 
@@ -43,8 +44,19 @@ const Exercise& exercise_of(const Lab& lab, const std::string& number) {
   return *exercise;
 }
 
+/// The command for one question; the seed that ./carlo test has by itself need not be named.
 std::string again(const Options& options, std::uint64_t seed, std::size_t number) {
-  return fmt::format("./carlo replay {} --seed {} --probe {}", options.exercise, seed, number);
+  return fmt::format("./carlo replay {}{} --probe {}", options.exercise,
+                     seed == local_seed() ? "" : fmt::format(" --seed {}", seed), number);
+}
+
+/// What the probe was given, by name.
+std::string passed(const Params& params) {
+  std::string text;
+  if (params.n != 0) text += fmt::format("n = {}, ", params.n);
+  for (const auto& [name, value] : params.numbers)
+    text += fmt::format("{} = {}, ", name, value);
+  return text + fmt::format("seed = {}", params.seed);
 }
 
 /// The list, and how to go on: with the first question that brought no values.
@@ -63,8 +75,10 @@ int ask(const Options& options, const Exercise& exercise, const Questions& quest
   if (options.worker.empty()) throw Error("--worker is missing: which program is asked?");
   const Asked& asked = pick(questions.asked, options.probe);
   const std::size_t number = number_of(questions.asked, asked);
-  fmt::print("{} of \"{}\"\n{}{}", asked.probe, asked.sentence, asked.question,
-             asked.question.empty() ? "" : "\n");
+  fmt::print("{}", wrapped(fmt::format("{}: {}\nProbe {}, \"{}\"{}{}\npassed: {}\n", exercise.tag,
+                                       asked.sentence, number, asked.probe,
+                                       asked.question.empty() ? "" : ": ", asked.question,
+                                       passed(asked.params))));
   const auto words =
       command(options.worker, asked, options.all || !options.debugger.empty() ? 0 : 10);
   if (!options.debugger.empty()) {

@@ -30,8 +30,9 @@ expect() {
 }
 
 expect 0 'Lab 1.2 .*seed 5'
-expect 0 '1 row of 1 value' --probe 1
-expect 0 '^ +1 +3$' --probe 'echo seed'
+expect 0 '^passed: seed = 12884901888$' --probe 1
+expect 0 '^1 value came back:$' --probe 1
+expect 0 '^ +high word of the seed +3$' --probe 'echo seed'
 expect 1 'no values: ' --probe throws
 expect 1 'Lab 1.2 crashed.*--seed 5 --probe 3|Lab 1.2 crashed in' --probe crash
 expect 1 'no values: .*not implemented' --probe 4

@@ -4,18 +4,20 @@
 #include "cli/error.h"
 #include "cli/main_guard.h"
 #include "course/not_implemented.h"
+#include "grader/protocol/rows_text.h"
 #include "grader/worker/probe.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <new>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace carlo::grader {
 namespace {
@@ -41,9 +43,8 @@ Frame run(Probe probe, const Params& params) {
   return frame;
 }
 
-/// The frame for people: its first `most` rows (all for 0), every value so that it reads back the
-/// same. Nothing but a table is a success.
-int print(const Frame& frame, std::size_t most) {
+/// The frame for people: its first `most` rows (all for 0). Nothing but a table is a success.
+int print(const Frame& frame, const std::vector<std::string>& names, std::size_t most) {
   if (frame.status != Frame::Status::rows) {
     const std::size_t line =
         frame.status == Frame::Status::not_implemented ? frame.text.find('\n') : std::string::npos;
@@ -51,17 +52,7 @@ int print(const Frame& frame, std::size_t most) {
                line == std::string::npos ? "" : ", in " + frame.text.substr(line + 1));
     return 1;
   }
-  const Rows& rows = frame.rows;
-  const std::size_t shown = most == 0 ? rows.count() : std::min(most, rows.count());
-  fmt::print("{} {} of {} {}\n", rows.count(), rows.count() == 1 ? "row" : "rows", rows.columns,
-             rows.columns == 1 ? "value" : "values");
-  for (std::size_t row = 0; row < shown; ++row) {
-    fmt::print("{:>8}", row + 1);
-    for (std::size_t column = 0; column < rows.columns; ++column)
-      fmt::print("  {:>22}", rows.at(row, column));
-    fmt::print("\n");
-  }
-  if (shown < rows.count()) fmt::print("     ...  ({} more: --all)\n", rows.count() - shown);
+  fmt::print("{}", rows_text(frame.rows, names, most));
   return 0;
 }
 
@@ -89,14 +80,14 @@ int main(int argc, char** argv) {
   app.add_flag("--list", list, "name all probes");
   CLI11_PARSE(app, argc, argv);
   if (list) {
-    for (const auto& [probe, function] : probes())
+    for (const auto& [probe, entry] : probes())
       fmt::print("{}\n", probe);
     return 0;
   }
   const auto found = probes().find(name);
   if (found == probes().end()) throw Error("no probe \"{}\"", name);
-  const Frame frame = run(found->second, params_from_json(text));
-  if (as_text->count() > 0) return print(frame, rows);
+  const Frame frame = run(found->second.run, params_from_json(text));
+  if (as_text->count() > 0) return print(frame, found->second.names, rows);
   std::fflush(nullptr);
   send(fd, encode(frame));
   // Without the handlers that the student's code may have left behind: the answer is given.

@@ -2,15 +2,21 @@
 
 #include "cli/error.h"
 
+#include <utility>
+
 namespace carlo::grader {
 
-std::map<std::string, Probe>& probes() {
-  static std::map<std::string, Probe> registry;
+std::map<std::string, NamedProbe>& probes() {
+  static std::map<std::string, NamedProbe> registry;
   return registry;
 }
 
-Registration::Registration(const char* name, Probe probe) {
-  if (!probes().emplace(name, probe).second) throw Error("two probes are named \"{}\"", name);
+Registration::Registration(Probe probe, std::initializer_list<const char*> words) {
+  const std::string name = *words.begin();
+  NamedProbe named{probe, {words.begin() + 1, words.end()}};
+  if (!probes().emplace(name, std::move(named)).second) {
+    throw Error("two probes are named \"{}\"", name);
+  }
 }
 
 void RowWriter::add(std::initializer_list<double> row) {

@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace carlo::grader {
 
@@ -13,12 +14,19 @@ namespace carlo::grader {
 /// beside the student's code.
 using Probe = Rows (*)(const Params&);
 
-/// All probes of this worker by name.
-std::map<std::string, Probe>& probes();
+/// A probe and what its values are called, for people who look at them (rows_text.h); where it does
+/// not say, no names.
+struct NamedProbe {
+  Probe run = nullptr;
+  std::vector<std::string> names;
+};
 
-/// Puts a probe into probes() before main() starts.
+/// All probes of this worker by name.
+std::map<std::string, NamedProbe>& probes();
+
+/// Puts a probe into probes() before main() starts. `words`: its name, then those of its values.
 struct Registration {
-  Registration(const char* name, Probe probe);
+  Registration(Probe probe, std::initializer_list<const char*> words);
 };
 
 /// Builds a table row by row.
@@ -36,9 +44,11 @@ class RowWriter {
 #define CARLO_JOIN_(a, b) a##b
 #define CARLO_JOIN(a, b) CARLO_JOIN_(a, b)
 
-/// PROBE("Lab 1.1 estimates") { ... params.seed ... return rows; }
-#define PROBE(name) CARLO_PROBE(name, CARLO_JOIN(carlo_probe_, __LINE__))
-#define CARLO_PROBE(name, function)                                                        \
-  static ::carlo::grader::Rows function(const ::carlo::grader::Params& params);            \
-  static const ::carlo::grader::Registration CARLO_JOIN(function, _entry)(name, function); \
+/// PROBE("Lab 1.1 estimates", "estimate") { ... params.seed ... return rows; }
+/// The probe's name; then, if it says, what its values are called.
+#define PROBE(...) CARLO_PROBE(CARLO_JOIN(carlo_probe_, __LINE__), __VA_ARGS__)
+#define CARLO_PROBE(function, ...)                                                        \
+  static ::carlo::grader::Rows function(const ::carlo::grader::Params& params);           \
+  static const ::carlo::grader::Registration CARLO_JOIN(function, _entry)(function,       \
+                                                                          {__VA_ARGS__}); \
   static ::carlo::grader::Rows function([[maybe_unused]] const ::carlo::grader::Params& params)

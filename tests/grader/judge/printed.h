@@ -1,0 +1,19 @@
+#pragma once
+
+#include "grader/judge/results.h"
+
+#include <cstddef>
+#include <string>
+
+namespace carlo::grader {
+
+/// What a student's program says, or a compiler of it, must not steer the terminal nor start a line
+/// of the report: control characters, the C1 ones (in UTF-8: 0xC2 0x80 to 0x9F) among them, become
+/// spaces.
+std::string harmless(std::string text);
+
+/// The first `most` lines that the program printed in a test, each behind `margin` and cut to 80
+/// characters, and how many there were besides. Harmless.
+std::string printed_lines(const TestRecord& test, std::size_t most, const std::string& margin);
+
+}  // namespace carlo::grader
