@@ -52,7 +52,8 @@ std::string pass_on(int from) {
 int wait_for(pid_t pid) {
   int status = 0;
   while (::waitpid(pid, &status, 0) < 0) {
-    if (errno != EINTR) throw Error("lost sight of the program that was started: {}", std::strerror(errno));
+    if (errno != EINTR)
+      throw Error("lost sight of the program that was started: {}", std::strerror(errno));
   }
   return status;
 }
