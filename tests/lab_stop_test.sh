@@ -11,7 +11,7 @@ cd "$scratch"
 code=0
 timeout --preserve-status --signal=INT 2 "$programs/lab01_solution" --json run.json >text 2>errors ||
   code=$?
-if [ "$code" != 130 ] || [ "$(grep -c '^Stopped in the experiment ".*"; no results were written' errors)" != 1 ]; then
+if [ "$code" != 130 ] || [ "$(grep -c '^Stopped in the experiment ".*"\.$' errors)" != 1 ]; then
   printf 'FAILED: exit code %s\n' "$code"
   cat errors
   exit 1

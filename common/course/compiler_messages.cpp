@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -146,6 +147,17 @@ bool is_excerpt(const std::string& line) {
   return bar != std::string::npos && (line[bar] == '|' || line[bar] == '^' || line[bar] == '~');
 }
 
+/// Of mathematics, which everybody needs and no header of a lab brings along.
+std::string with_missing_header(const std::string& text) {
+  if (!has(text, "is not a member of") && !has(text, "no member named")) return text;
+  static const std::regex function(
+      "\\b(sqrt|cbrt|exp|expm1|log|log1p|pow|sin|cos|tan|asin|acos|atan2?|fabs|floor|ceil|round|"
+      "lround|hypot|fma|isnan|isfinite|copysign|ldexp|frexp)\\b");
+  std::smatch name;
+  if (!std::regex_search(text, name, function)) return text;
+  return fmt::format("std::{} is not known here: #include <cmath>", name.str());
+}
+
 /// The name that `line` puts between ` or ' and '.
 std::string quoted(const std::string& line, std::size_t from) {
   const std::size_t open = line.find_first_of("`'", from);
@@ -237,7 +249,7 @@ class Reader {
     message.file = place.file;
     message.line = place.line;
     message.column = place.column;
-    message.text = calm(place.rest);
+    message.text = with_missing_header(calm(place.rest));
     if (is_own_file(place.file)) message.whose = Whose::own;
     for (const Located& leading : led_here_)
       blame(message, leading);
@@ -345,18 +357,16 @@ std::vector<CompilerMessage> compiler_messages(std::string_view log, const fs::p
 }
 
 std::string compiler_text(const std::vector<CompilerMessage>& messages, std::size_t most) {
+  // Beside an error, warnings are about code that was not understood. Errors come first.
+  const auto errors = static_cast<std::size_t>(std::count_if(
+      messages.begin(), messages.end(), [](const CompilerMessage& m) { return m.error; }));
+  const std::size_t count = errors > 0 ? errors : messages.size();
   std::string text;
-  for (std::size_t i = 0; i < std::min(most, messages.size()); ++i)
+  for (std::size_t i = 0; i < std::min(most, count); ++i)
     text += in_full(messages[i]);
-  const auto left = [&](bool error) {
-    if (messages.size() <= most) return std::ptrdiff_t{0};
-    return std::count_if(messages.begin() + static_cast<std::ptrdiff_t>(most), messages.end(),
-                         [&](const CompilerMessage& message) { return message.error == error; });
-  };
-  const std::ptrdiff_t errors = left(true), warnings = left(false);
-  if (errors > 0) text += fmt::format("and {} more error{}\n", errors, errors == 1 ? "" : "s");
-  if (warnings > 0) {
-    text += fmt::format("and {} more warning{}\n", warnings, warnings == 1 ? "" : "s");
+  if (count > most) {
+    text += fmt::format("and {} more {}{}\n", count - most, errors > 0 ? "error" : "warning",
+                        count - most == 1 ? "" : "s");
   }
   return text;
 }

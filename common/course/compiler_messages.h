@@ -30,7 +30,8 @@ struct CompilerMessage {
 std::vector<CompilerMessage> compiler_messages(std::string_view log,
                                                const std::filesystem::path& root);
 
-/// The first `most` messages in full and how many there are more; in colour where stdout shows it.
+/// The first `most` messages in full and how many there are more, warnings only where there is no
+/// error; in colour where stdout shows it.
 std::string compiler_text(const std::vector<CompilerMessage>& messages, std::size_t most);
 
 /// A build's log as a person wants it when nothing in it is recognised: its last lines, without the

@@ -219,7 +219,7 @@ std::size_t title_width(const LabStatus& lab) {
 
 std::string status_line(const ExerciseStatus& status, std::size_t titles) {
   const Exercise& exercise = *status.exercise;
-  const std::string title = cut(exercise.title, room_for_title(beside_title(status)));
+  const std::string title = cut(exercise.title, titles);
   const std::string gap(titles - std::min(titles, width(title)), ' ');
   const std::string more = remark(status);
   return fmt::format("{} {}  {}{}{}{}", mark(status), exercise.number(), title, gap, points(status),
@@ -234,7 +234,7 @@ std::string status_heading(const LabStatus& status) {
                                        possible, status.passed(), status.exercises.size(), changed);
   constexpr std::size_t number_and_bar = 22;
   const std::size_t room = room_for_title(number_and_bar + width(done), 0);
-  constexpr std::size_t telling = 8;
+  constexpr std::size_t telling = 16;
   const std::string title =
       room < telling ? "" : cut(status.lab->title.substr(0, status.lab->title.find(':')), room);
   return fmt::format("{}  {}{}  {}",

@@ -49,7 +49,7 @@ const Exercise* next_exercise(const LabStatus& lab);
 const Exercise* next_exercise(const std::vector<LabStatus>& labs);
 
 /// One line for one exercise, without line end; in colour where stdout shows it. `titles`: how wide
-/// the column of titles is. A title is cut where the terminal has no room for all of the line.
+/// the column of titles is. A longer one is cut.
 std::string status_line(const ExerciseStatus& status, std::size_t titles);
 /// The lab's name, a bar (on a terminal), its points and how many verdicts are of older text,
 /// without line end.

@@ -24,7 +24,7 @@ extern "C" void stopped(int signal) {
     say(carlo::noted_experiment());
     say("\"");
   }
-  say("; no results were written.\n");
+  say(".\nNo results were written.\n");
   ::raise(signal);  // the handler is gone: the system ends the program
 }
 

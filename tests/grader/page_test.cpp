@@ -113,7 +113,9 @@ TEST_CASE("a crash stands first on the page, with how to find its line", "[page]
   const json verdicts = json::parse(report_json(collect(lab, {wrong, crash}, "")));
   const std::string page = grade_page(verdicts, {"Lab 01"});
   CHECK(page.find("✗ empty") < page.find("✗ small"));
-  CHECK(has(page, "In which line it crashes: <code>CARLO_PRESET=debug ./carlo test 1.1</code>"));
+  CHECK(has(page,
+            "In which line it crashes (it builds for minutes, once): <code>CARLO_PRESET=debug "
+            "./carlo test 1.1</code>"));
 }
 
 TEST_CASE("nothing that a student's program says becomes markup", "[page]") {

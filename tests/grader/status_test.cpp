@@ -241,7 +241,7 @@ TEST_CASE("errors in the student's file come first, those it caused elsewhere ne
   CHECK_FALSE(messages[3].error);
   const std::string text = compiler_text(messages, 1);
   CHECK(text.rfind("labs/02_pi/pi.cpp:20:10: error: 'y' was not declared", 0) == 0);
-  CHECK(has(text, "and 2 more errors\nand 1 more warning\n"));
+  CHECK(has(text, "and 2 more errors\n"));
 }
 
 TEST_CASE("a missing } is told once, where the next function begins", "[course]") {

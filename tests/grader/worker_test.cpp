@@ -109,7 +109,7 @@ TEST_CASE("misbehaviour gives its verdict in time and leaves no process", "[work
       Case{"hang", Status::timeout, "not done after 1.5 seconds"},
       Case{"stops itself", Status::timeout, "not done after 1.5 seconds"},
       Case{"one byte, then silence", Status::timeout, "not done after 1.5 seconds"},
-      Case{"flood stdout", Status::crashed, "printed without end"},
+      Case{"flood stdout", Status::crashed, "printed more than"},
       Case{"flood result", Status::crashed, "sent more than any answer holds"},
       Case{"truncated frame", Status::crashed, "cut short"},
       Case{"frame, then crash", Status::crashed, "abort"},

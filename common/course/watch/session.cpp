@@ -67,7 +67,17 @@ void WatchSession::run() {
 void WatchSession::files_changed() {
   const OwnCode now(places_.labs(), lab_);
   if (now.digest() == code_.digest()) return;
-  const std::vector<const Exercise*> changed = now.changed_since(code_);
+  std::vector<const Exercise*> changed = now.changed_since(code_);
+  // Those that the save before this one changed and that were not judged yet.
+  if (busy() && !all_) {
+    const std::size_t done = phase_ == Phase::judging ? at_ : 0;
+    for (std::size_t i = done; i < which_.size(); ++i) {
+      if (std::find(changed.begin(), changed.end(), which_[i]) == changed.end()) {
+        changed.push_back(which_[i]);
+      }
+    }
+    std::sort(changed.begin(), changed.end());  // all are of one vector
+  }
   if (!changed.empty()) {
     // So many at once are another version that was copied here.
     constexpr std::size_t many = 4;
@@ -160,6 +170,16 @@ void WatchSession::go_to(const Exercise* exercise) {
   run();
 }
 
+const Exercise* WatchSession::next_open() const {
+  const LabStatus now = status();
+  const auto place = static_cast<std::size_t>(current_ - lab_.exercises.data());
+  for (std::size_t i = 1; i <= now.exercises.size(); ++i) {
+    const ExerciseStatus& status = now.exercises[(place + i) % now.exercises.size()];
+    if (status.stage != Stage::passed) return status.exercise;
+  }
+  return nullptr;
+}
+
 void WatchSession::go_on(int step) {
   const auto place = current_ - lab_.exercises.data();
   const auto count = static_cast<std::ptrdiff_t>(lab_.exercises.size());
@@ -187,7 +207,11 @@ bool WatchSession::key(char pressed) {
       show_hint();
       return true;
     case 'n':
-      go_on(1);
+      if (const Exercise* next = next_open(); next != nullptr && next != current_) {
+        go_to(next);
+      } else {
+        go_on(1);
+      }
       return true;
     case 'p':
       go_on(-1);

@@ -67,6 +67,8 @@ class WatchSession {
   void judged();
   void take_verdicts();
   void go_to(const Exercise* exercise);
+  /// The first exercise behind the current one, or from the beginning, that has not passed.
+  const Exercise* next_open() const;
   void go_on(int step);
   void show_hint();
 

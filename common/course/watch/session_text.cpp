@@ -49,7 +49,7 @@ std::string WatchSession::heading() const {
 
 std::string WatchSession::what_next() const {
   const LabStatus now = status();
-  if (const Exercise* next = next_exercise(now)) {
+  if (const Exercise* next = next_open()) {
     return fmt::format("{} {}, {}\n", coloured(Colour::bold, "Next:"), next->tag, next->title);
   }
   if (now.changed() > 0) {

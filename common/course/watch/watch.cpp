@@ -64,6 +64,22 @@ class Signals {
   int fd_ = -1;
 };
 
+/// Every line dim, and in no other colour: what is shown is of the run before.
+std::string faded(const std::string& text) {
+  std::string out, line;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\x1b') {
+      i = std::min(text.find('m', i), text.size());
+    } else if (text[i] == '\n') {
+      out += (line.empty() ? "" : coloured(Colour::dim, line)) + "\n";
+      line.clear();
+    } else {
+      line += text[i];
+    }
+  }
+  return out;
+}
+
 /// What a person sees: the whole screen anew, or lines.
 class Display {
  public:
@@ -95,6 +111,7 @@ class Display {
       return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
     };
     std::string body = wrapped_to(session.body(), size.columns);
+    if (session.busy()) body = faded(body);
     // Two empty lines, and the one on which the cursor rests.
     const int room = std::max(size.rows - lines(head) - lines(foot) - 3, 3);
     if (session.in_short()) body = first_rows(body, room, "press v");

@@ -41,7 +41,8 @@ std::string problem(const TestRecord& test, std::size_t lines, const std::string
   std::string out;
   if (!test.problem.empty()) out += fmt::format("      {}\n", harmless(test.problem));
   if (!locate.empty()) {
-    out += fmt::format("      In which line it crashes: {}\n", line_command(locate));
+    out += fmt::format("      In which line it crashes (it builds for minutes, once): {}\n",
+                       line_command(locate));
   }
   if (!test.printed.empty()) {
     out += "      your program printed:\n" + printed_lines(test, lines, "        | ");
@@ -178,6 +179,11 @@ std::string unsound_ground(const ExerciseResult& result, const LabResult& lab) {
 /// What keeps right values from all the points.
 std::string right_but(const ExerciseResult& result) {
   if (!result.passed(Aspect::correctness)) return "";
+  // What crashed, or was stopped, has shown no variance and no cost.
+  const auto unmeasured = [](const TestRecord& test) {
+    return test.status == Status::crashed || test.status == Status::timeout;
+  };
+  if (std::any_of(result.tests.begin(), result.tests.end(), unmeasured)) return "";
   const bool variance = result.has(Aspect::variance) && !result.passed(Aspect::variance);
   const bool cost = result.has(Aspect::efficiency) && !result.passed(Aspect::efficiency);
   return fmt::format("    right, but {}{}{}: {} of {} points\n",

@@ -43,7 +43,10 @@ void check_end(const Outcome& outcome, const Limits& limits) {
                                         static_cast<double>(limits.deadline.count()) / 1000));
       break;
     case End::flooded_output:
-      fail(Status::crashed, "it printed without end");
+      fail(
+          Status::crashed,
+          fmt::format("it printed more than {} MB, and was stopped: take the printing out of loops",
+                      limits.output_bytes >> 20));
       break;
     case End::flooded_result:
       fail(Status::crashed, "it sent more than any answer holds");
