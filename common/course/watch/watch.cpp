@@ -117,7 +117,7 @@ class Display {
     if (session.in_short()) body = first_rows(body, room, "press v");
     // Clears below as it goes, so that nothing flickers.
     std::string screen = "\x1b[H";
-    for (const char c : head + "\n" + body + "\n" + foot) {
+    for (const char c : fmt::format("{}\n{}\n{}", head, body, foot)) {
       if (c == '\n') screen += "\x1b[K";
       screen += c;
     }
