@@ -63,7 +63,7 @@ std::string cause_of(const Outcome& outcome) {
   if (at != std::string::npos && size != std::string::npos && size - at < 60) {
     return "an index outside of its vector, array or span";
   }
-  const std::string terminated = termination(outcome.output);
+  std::string terminated = termination(outcome.output);
   if (!terminated.empty()) return terminated;
   const std::string memory = after(outcome.output, address_report, " on ");
   if (!memory.empty()) return in_words(memory.substr(0, 100));
