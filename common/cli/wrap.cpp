@@ -11,6 +11,10 @@
 namespace carlo {
 namespace {
 
+bool starts_character(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+}
+
 /// One character with what colours it: a colour's escape takes no room.
 struct Glyph {
   std::string bytes;
@@ -25,7 +29,7 @@ std::vector<Glyph> glyphs(const std::string& line) {
     if (escape) {
       end = std::min(line.find('m', i), line.size() - 1) + 1;
     } else {
-      while (end < line.size() && (line[end] & 0xC0) == 0x80)
+      while (end < line.size() && !starts_character(line[end]))
         ++end;
     }
     list.push_back({line.substr(i, end - i), escape ? 0 : 1});
@@ -63,6 +67,34 @@ std::string wrapped_line(const std::string& line, int columns) {
 }
 
 }  // namespace
+
+std::size_t display_width(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), starts_character));
+}
+
+std::string shortened(const std::string& text, std::size_t most) {
+  if (display_width(text) <= most) return text;
+  std::string out;
+  std::size_t shown = 0;
+  for (const char c : text) {
+    if (starts_character(c) && ++shown >= most) break;
+    out += c;
+  }
+  return out + "…";
+}
+
+std::string without_escapes(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\x1b') {
+      out += text[i];
+      continue;
+    }
+    i = text.find_first_of("mK", i);
+    if (i == std::string_view::npos) break;
+  }
+  return out;
+}
 
 std::string wrapped_to(const std::string& text, int columns) {
   std::string out;

@@ -1,8 +1,19 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace carlo {
+
+/// Columns that UTF-8 text without colours takes on a terminal; each code point counts as one.
+std::size_t display_width(std::string_view text);
+
+/// `text` in at most `most` columns; where something is left out, "…" stands at its end.
+std::string shortened(const std::string& text, std::size_t most);
+
+/// Without colours and what else a terminal is told (ESC ... m or K).
+std::string without_escapes(std::string_view text);
 
 /// `text` for a screen of `columns`: longer lines go on below, indented like their beginning and
 /// parted at spaces where that is possible. Colours (ESC [ ... m) take no room. Every line ends.

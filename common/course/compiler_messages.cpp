@@ -120,23 +120,22 @@ bool stands_inside(const std::string& text) {
 /// Leaves of what a missing } leads to, which is a complaint about each function below it, the
 /// first, and says what it means.
 void explain_missing_brace(std::vector<CompilerMessage>& messages) {
-  const auto is_end = [](const CompilerMessage& m) {
-    return has(m.text, "at end of input") || m.text == "expected '}'";
-  };
-  const auto end = std::find_if(messages.begin(), messages.end(), is_end);
   const auto first = std::find_if(messages.begin(), messages.end(), [](const CompilerMessage& m) {
     return m.whose == Whose::own && stands_inside(m.text);
   });
-  if (end == messages.end() || first == messages.end()) return;
+  if (first == messages.end()) return;
+  const std::string file = first->file;
+  const auto is_end = [&](const CompilerMessage& m) {
+    return m.file == file && (has(m.text, "at end of input") || m.text == "expected '}'");
+  };
+  if (std::none_of(messages.begin(), messages.end(), is_end)) return;
   first->text = "this function begins inside the one above it, where a } is missing";
-  const CompilerMessage kept = *first;
-  messages.erase(std::remove_if(messages.begin(), messages.end(),
-                                [&](const CompilerMessage& m) {
-                                  return m.file == kept.file && m.line > kept.line &&
-                                         (is_end(m) || stands_inside(m.text) ||
-                                          has(m.text, "expected identifier before"));
-                                }),
-                 messages.end());
+  const std::size_t line = first->line;
+  const auto follows = [&](const CompilerMessage& m) {
+    return m.file == file && m.line > line &&
+           (is_end(m) || stands_inside(m.text) || has(m.text, "expected identifier before"));
+  };
+  messages.erase(std::remove_if(messages.begin(), messages.end(), follows), messages.end());
 }
 
 /// "   12 |   code" or "      |   ^~~~", or Clang's lines without numbers.
@@ -147,15 +146,18 @@ bool is_excerpt(const std::string& line) {
   return bar != std::string::npos && (line[bar] == '|' || line[bar] == '^' || line[bar] == '~');
 }
 
-/// Of mathematics, which everybody needs and no header of a lab brings along.
+/// Of mathematics, which everybody needs and no header of a lab brings along. Quotes are what the
+/// compiler's language has: one byte or several.
 std::string with_missing_header(const std::string& text) {
-  if (!has(text, "is not a member of") && !has(text, "no member named")) return text;
-  static const std::regex function(
-      "\\b(sqrt|cbrt|exp|expm1|log|log1p|pow|sin|cos|tan|asin|acos|atan2?|fabs|floor|ceil|round|"
-      "lround|hypot|fma|isnan|isfinite|copysign|ldexp|frexp)\\b");
-  std::smatch name;
-  if (!std::regex_search(text, name, function)) return text;
-  return fmt::format("std::{} is not known here: #include <cmath>", name.str());
+  static const std::string name =
+      "(sqrt|cbrt|exp|expm1|log|log1p|pow|sin|cos|tan|asin|acos|atan2?|fabs|floor|ceil|round|"
+      "lround|hypot|fma|isnan|isfinite|copysign|ldexp|frexp)";
+  static const std::regex gcc("^\\W*" + name + "\\W* is not a member of \\W*std[^\\w:].*");
+  static const std::regex clang("^no member named \\W*" + name +
+                                "\\W* in namespace \\W*std[^\\w:].*");
+  std::smatch found;
+  if (!std::regex_match(text, found, gcc) && !std::regex_match(text, found, clang)) return text;
+  return fmt::format("std::{} is not known here: #include <cmath>", found.str(1));
 }
 
 /// The name that `line` puts between ` or ' and '.
@@ -172,8 +174,10 @@ class Reader {
 
   std::vector<CompilerMessage> read(std::string_view log) {
     std::istringstream lines{std::string(log)};
-    for (std::string line; std::getline(lines, line);)
-      take_line(plain(line));
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.empty() && line.back() == '\r') line.pop_back();
+      take_line(without_escapes(line));
+    }
     explain_missing_brace(messages_);
     const auto rank = [](const CompilerMessage& m) {
       const int kind = m.error ? 0 : lacks_return(m.text) ? 10 : 20;
@@ -186,20 +190,6 @@ class Reader {
   }
 
  private:
-  /// Without colours.
-  static std::string plain(const std::string& line) {
-    std::string out;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      if (line[i] == '\x1b') {
-        i = line.find_first_of("mK", i);
-        if (i == std::string::npos) break;
-      } else if (line[i] != '\r') {
-        out += line[i];
-      }
-    }
-    return out;
-  }
-
   std::string relative(const std::string& file) const {
     const fs::path path = fs::path(file).lexically_normal();
     // ccache may have made it relative to the build's folder.

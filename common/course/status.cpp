@@ -15,24 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Characters: bytes of UTF-8 that start one.
-std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-/// Without its end where it has more than `most` characters.
-std::string cut(const std::string& text, std::size_t most) {
-  if (width(text) <= most) return text;
-  std::string out;
-  std::size_t shown = 0;
-  for (const char c : text) {
-    if ((c & 0xC0) != 0x80 && ++shown >= std::max<std::size_t>(most, 1)) break;
-    out += c;
-  }
-  return out + "…";
-}
-
 /// How much of a title stands in a line whose other parts take `others`: all of it where there is
 /// no terminal, and no less than `least`.
 std::size_t room_for_title(std::size_t others, std::size_t least = 16) {
@@ -112,7 +94,8 @@ std::string points(const ExerciseStatus& status) {
 
 /// How much of an exercise's line is not its title: the indentation and the mark too.
 std::size_t beside_title(const ExerciseStatus& status) {
-  return 6 + width(status.exercise->number()) + width(points(status)) + width(remark(status));
+  return 6 + display_width(status.exercise->number()) + display_width(points(status)) +
+         display_width(remark(status));
 }
 
 std::string bar(double points, int possible) {
@@ -211,7 +194,7 @@ const Exercise* next_exercise(const std::vector<LabStatus>& labs) {
 std::size_t title_width(const LabStatus& lab) {
   std::size_t widest = 0, others = 0;
   for (const ExerciseStatus& exercise : lab.exercises) {
-    widest = std::max(widest, width(exercise.exercise->title));
+    widest = std::max(widest, display_width(exercise.exercise->title));
     others = std::max(others, beside_title(exercise));
   }
   return std::min(widest, room_for_title(others));
@@ -219,8 +202,8 @@ std::size_t title_width(const LabStatus& lab) {
 
 std::string status_line(const ExerciseStatus& status, std::size_t titles) {
   const Exercise& exercise = *status.exercise;
-  const std::string title = cut(exercise.title, titles);
-  const std::string gap(titles - std::min(titles, width(title)), ' ');
+  const std::string title = shortened(exercise.title, titles);
+  const std::string gap(titles - std::min(titles, display_width(title)), ' ');
   const std::string more = remark(status);
   return fmt::format("{} {}  {}{}{}{}", mark(status), exercise.number(), title, gap, points(status),
                      more.empty() ? "" : coloured(Colour::dim, more));
@@ -233,10 +216,11 @@ std::string status_heading(const LabStatus& status) {
   const std::string done = fmt::format("{:g} of {} points, {} of {} exercises{}", status.points(),
                                        possible, status.passed(), status.exercises.size(), changed);
   constexpr std::size_t number_and_bar = 22;
-  const std::size_t room = room_for_title(number_and_bar + width(done), 0);
+  const std::size_t room = room_for_title(number_and_bar + display_width(done), 0);
   constexpr std::size_t telling = 16;
   const std::string title =
-      room < telling ? "" : cut(status.lab->title.substr(0, status.lab->title.find(':')), room);
+      room < telling ? ""
+                     : shortened(status.lab->title.substr(0, status.lab->title.find(':')), room);
   return fmt::format("{}  {}{}  {}",
                      coloured(Colour::bold, fmt::format("Lab {:02}", status.lab->number)),
                      bar(status.points(), possible), done, title);
@@ -258,8 +242,9 @@ std::string status_text(const std::vector<LabStatus>& labs, bool all) {
     const bool done = lab.passed() == static_cast<int>(lab.exercises.size());
     const bool open = lab.begun() && (!done || lab.changed() > 0);
     if (!all && !is_next && !open) continue;
+    const std::size_t titles = title_width(lab);
     for (const ExerciseStatus& exercise : lab.exercises)
-      text += "  " + status_line(exercise, title_width(lab)) + "\n";
+      text += "  " + status_line(exercise, titles) + "\n";
   }
   if (labs.size() > 1) {
     text += fmt::format("In all: {:g} of {} points, {} of {} exercises\n", points, possible, passed,

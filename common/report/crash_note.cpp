@@ -1,6 +1,6 @@
 #include "report/crash_note.h"
 
-#include <unistd.h>
+#include "report/say_in_handler.h"
 
 #include <algorithm>
 #include <array>
@@ -13,15 +13,11 @@ namespace {
 std::array<char, 256> title{};
 std::array<char, 16384> stack{};
 
-void say(std::string_view text) {
-  if (::write(STDERR_FILENO, text.data(), text.size()) < 0) return;
-}
-
 extern "C" void crashed(int signal) {
   if (title[0] != '\0') {
-    say("\nThe program crashed in the experiment \"");
-    say(title.data());
-    say("\".\n");
+    say_in_handler("\nThe program crashed in the experiment \"");
+    say_in_handler(title.data());
+    say_in_handler("\".\n");
   }
   ::raise(signal);  // the handler is gone: the system ends the program
 }

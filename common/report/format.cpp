@@ -70,9 +70,4 @@ std::string interval_text(double value, double half_width) {
   return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, half_width, decimals);
 }
 
-std::size_t display_width(std::string_view text) {
-  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
-  return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), continues));
-}
-
 }  // namespace carlo

@@ -20,7 +20,4 @@ std::string duration_text(double seconds);
 /// "-0.501 ± 0.012": the half width to two significant digits, the value to the same place.
 std::string interval_text(double value, double half_width);
 
-/// Columns that UTF-8 text takes on a terminal; each code point counts as one.
-std::size_t display_width(std::string_view text);
-
 }  // namespace carlo

@@ -1,8 +1,7 @@
 #include "report/stop_note.h"
 
 #include "report/crash_note.h"
-
-#include <unistd.h>
+#include "report/say_in_handler.h"
 
 #include <csignal>
 #include <string_view>
@@ -12,19 +11,15 @@ namespace {
 
 struct sigaction before {};
 
-void say(std::string_view text) {
-  if (::write(STDERR_FILENO, text.data(), text.size()) < 0) return;
-}
-
 extern "C" void stopped(int signal) {
   // Behind the ^C, or a progress bar. Only calls that a handler may make.
-  say("\nStopped");
-  if (!carlo::noted_experiment().empty()) {
-    say(" in the experiment \"");
-    say(carlo::noted_experiment());
-    say("\"");
+  say_in_handler("\nStopped");
+  if (!noted_experiment().empty()) {
+    say_in_handler(" in the experiment \"");
+    say_in_handler(noted_experiment());
+    say_in_handler("\"");
   }
-  say(".\nNo results were written.\n");
+  say_in_handler(".\nNo results were written.\n");
   ::raise(signal);  // the handler is gone: the system ends the program
 }
 

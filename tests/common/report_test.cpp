@@ -1,5 +1,6 @@
 #include "cli/atomic_file.h"
 #include "cli/error.h"
+#include "cli/wrap.h"
 #include "report/format.h"
 #include "report/page.h"
 #include "report/table.h"

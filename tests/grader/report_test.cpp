@@ -225,7 +225,7 @@ TEST_CASE("of what a program printed a report shows the first lines", "[report]"
   flood.printed = "é" + std::string(200, 'x');
   flood.lost_lines = 0;
   const std::string wide = report_text(collect(demo_lab(), {passed("Lab 1.1"), flood}, ""));
-  CHECK(has(wide, "| é" + std::string(79, 'x') + " ...\n    For"));
+  CHECK(has(wide, "| é" + std::string(78, 'x') + "…\n    For"));
   flood.printed = "a\nb\nc\nd";
   const std::string four = report_text(collect(demo_lab(), {passed("Lab 1.1"), flood}, ""));
   CHECK(has(four, "| c\n        | and 1 more line\n"));

@@ -265,6 +265,23 @@ TEST_CASE("a missing } is told once, where the next function begins", "[course]"
   CHECK(has(compiler_messages(clang, "/tree")[0].text, "a } is missing"));
 }
 
+TEST_CASE("of a function of <cmath> the header is named, of a member of another class not",
+          "[course]") {
+  const auto told = [](const std::string& text) {
+    return compiler_messages("/tree/labs/02_pi/pi.cpp:5:9: error: " + text + "\n", "/tree")
+        .at(0)
+        .text;
+  };
+  const std::string missing = "std::sqrt is not known here: #include <cmath>";
+  CHECK(told("'sqrt' is not a member of 'std'; did you mean 'sort'?") == missing);
+  CHECK(told("‘sqrt’ is not a member of ‘std’; did you mean ‘sort’?") == missing);
+  CHECK(told("no member named 'sqrt' in namespace 'std'; did you mean 'sort'?") == missing);
+  for (const char* other :
+       {"'struct Point' has no member named 'log'", "'sort' is not a member of 'std'",
+        "'log' is not a member of 'std::chrono'", "no member named 'exp' in 'lab02::Sums'"})
+    CHECK(told(other) == other);
+}
+
 TEST_CASE("a missing return is told before other warnings", "[course]") {
   const std::string log =
       "/tree/labs/02_pi/pi.cpp:5:9: warning: unused variable 'x' [-Wunused-variable]\n"

@@ -35,9 +35,10 @@ constexpr const char* lab_text = R"({"lab": 1, "name": "demo", "title": "Demo", 
    "points": 3, "lecture": "L", "functions": ["g"],
    "hints": ["the nudge of two", "the plan of two"]}]})";
 
-// Where demo.cpp says "broken" it does not compile.
+// Where demo.cpp says "broken" it does not compile; where it says "slow" it takes a second.
 constexpr const char* ninja_text = R"sh(#!/bin/sh
 file=$(dirname "$2")/labs/01_demo/demo.cpp
+! grep slow "$file" >/dev/null || sleep 1
 grep -n broken "$file" >/dev/null || exit 0
 echo "$file:3:5: error: 'broken' was not declared in this scope"
 echo "    3 |     broken"
@@ -235,6 +236,13 @@ TEST_CASE("at a terminal: break, mend, hint, next, list, all and quit", "[watch]
   REQUIRE(terminal.says("✓ Lab 1.2, Second"));
   tree.edit("bad once more", "bad once more");
   REQUIRE(terminal.says("verdict of 1.1: failed"));
+  REQUIRE(terminal.says("verdict of 1.2: failed"));
+  tree.edit("good 1.1, slow", "bad once more");
+  REQUIRE(terminal.says("building for Lab 1.1"));
+  tree.edit("good 1.1, slow", "good 1.2");  // before the first was judged: both are
+  REQUIRE(terminal.says("✓ Lab 1.1, First: 2 of 2 points"));
+  REQUIRE(terminal.says("✓ Lab 1.2, Second"));
+  tree.edit("bad at last", "bad at last");
   REQUIRE(terminal.says("verdict of 1.2: failed"));
   terminal.press("a");
   REQUIRE(terminal.says("✗ 1.2  Second"));

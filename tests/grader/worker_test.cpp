@@ -102,9 +102,9 @@ TEST_CASE("misbehaviour gives its verdict in time and leaves no process", "[work
   };
   const Level level = GENERATE(Catch::Generators::from_range(levels()));
   const Case expected = GENERATE(
-      Case{"exit 0", Status::crashed, "your code ended the program"},
-      Case{"_exit 0", Status::crashed, "your code ended the program"},
-      Case{"quick_exit 0", Status::crashed, "your code ended the program"},
+      Case{"exit 0", Status::crashed, "by exit() or the like, before the function returned"},
+      Case{"_exit 0", Status::crashed, "by exit() or the like, before the function returned"},
+      Case{"quick_exit 0", Status::crashed, "by exit() or the like, before the function returned"},
       Case{"exit 3", Status::crashed, "exit code 3"}, Case{"abort", Status::crashed, "abort"},
       Case{"hang", Status::timeout, "not done after 1.5 seconds"},
       Case{"stops itself", Status::timeout, "not done after 1.5 seconds"},

@@ -62,8 +62,9 @@ std::string WatchSession::what_next() const {
 std::string WatchSession::list_text() const {
   const LabStatus now = status();
   std::string text;
+  const std::size_t titles = title_width(now);
   for (const ExerciseStatus& exercise : now.exercises)
-    text += status_line(exercise, title_width(now)) + "\n";
+    text += status_line(exercise, titles) + "\n";
   return text + what_next();
 }
 

@@ -22,6 +22,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -66,17 +67,10 @@ class Signals {
 
 /// Every line dim, and in no other colour: what is shown is of the run before.
 std::string faded(const std::string& text) {
-  std::string out, line;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '\x1b') {
-      i = std::min(text.find('m', i), text.size());
-    } else if (text[i] == '\n') {
-      out += (line.empty() ? "" : coloured(Colour::dim, line)) + "\n";
-      line.clear();
-    } else {
-      line += text[i];
-    }
-  }
+  std::istringstream lines(without_escapes(text));
+  std::string out;
+  for (std::string line; std::getline(lines, line);)
+    out += (line.empty() ? "" : coloured(Colour::dim, line)) + "\n";
   return out;
 }
 

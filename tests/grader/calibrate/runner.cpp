@@ -29,8 +29,8 @@ fs::path file_of(const ScratchFolder& scratch, std::size_t job, const char* what
 
 std::vector<std::string> command(const Job& job, const fs::path& verdicts) {
   // A busy machine must not look like a slow answer: the processor time is limited all the same.
-  // Solutions and mistakes are the tree's own: to fence each of their workers takes as much
-  // processor time again as the judging and changes no verdict.
+  // Solutions and mistakes are the tree's own: a fence around each of their workers changes no
+  // verdict, and takes a third of all processor time.
   std::vector<std::string> words{job.subject.judge,
                                  "--lab",
                                  job.subject.lab_json,

@@ -13,6 +13,9 @@ inline bool lacks_line(const std::string& problem) {
   return problem.rfind("it crashed: ", 0) == 0 && problem.find(", in labs/") == std::string::npos;
 }
 
+/// What line_command() tells.
+constexpr const char* which_line = "In which line it crashes (it builds for minutes, once)";
+
 /// What to type; `exercise` is a number such as "1.2".
 inline std::string line_command(const std::string& exercise) {
   return fmt::format("CARLO_PRESET=debug ./carlo test {}", exercise);

@@ -1,5 +1,7 @@
 #include "grader/judge/printed.h"
 
+#include "cli/wrap.h"
+
 #include <fmt/core.h>
 
 #include <sstream>
@@ -8,16 +10,6 @@ namespace carlo::grader {
 namespace {
 
 constexpr std::size_t widest = 80;
-
-/// The first `widest` characters, as bytes of UTF-8 that start one.
-std::string cut(const std::string& line) {
-  std::size_t characters = 0;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const bool starts = (line[i] & 0xC0) != 0x80;
-    if (starts && characters++ == widest) return line.substr(0, i) + " ...";
-  }
-  return line;
-}
 
 }  // namespace
 
@@ -41,7 +33,7 @@ std::string printed_lines(const TestRecord& test, std::size_t most, const std::s
       continue;
     }
     ++shown;
-    out += margin + cut(harmless(line)) + "\n";
+    out += margin + shortened(harmless(line), widest) + "\n";
   }
   if (more > 0)
     out += fmt::format("{}and {} more {}\n", margin, more, more == 1 ? "line" : "lines");

@@ -39,7 +39,11 @@ class Reader {
       seen_ += bytes;
       const std::size_t fit = std::min(bytes, kept_ - std::min(kept_, text_.size()));
       text_.append(block_.data(), fit);
-      count_lost(std::string_view(block_.data(), bytes).substr(fit));
+      if (fit > 0) last_ = text_.back();
+      for (const char c : std::string_view(block_.data(), bytes).substr(fit)) {
+        lost_lines_ += last_ == '\n' ? 1 : 0;
+        last_ = c;
+      }
     }
     return seen_ <= most_;
   }
@@ -51,20 +55,10 @@ class Reader {
   std::size_t lost_lines() const { return lost_lines_; }
 
  private:
-  void count_lost(std::string_view bytes) {
-    if (bytes.empty()) return;
-    if (!lost_any_) in_line_ = !text_.empty() && text_.back() != '\n';
-    lost_any_ = true;
-    for (const char c : bytes) {
-      lost_lines_ += in_line_ ? 0 : 1;
-      in_line_ = c != '\n';
-    }
-  }
-
   Descriptor fd_;
   std::size_t most_, kept_;
   std::size_t seen_ = 0, lost_lines_ = 0;
-  bool lost_any_ = false, in_line_ = false;
+  char last_ = '\n';  ///< of all bytes seen
   std::string text_;
   std::array<char, 65536> block_{};
 };

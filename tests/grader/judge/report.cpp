@@ -1,6 +1,7 @@
 #include "grader/judge/report.h"
 
 #include "cli/terminal.h"
+#include "cli/wrap.h"
 #include "grader/judge/crash_line.h"
 #include "grader/judge/printed.h"
 #include "grader/judge/run.h"
@@ -22,12 +23,6 @@ constexpr int shown_comparisons = 2;
 constexpr std::size_t shown_diagnoses = 2;
 constexpr std::size_t shown_lines = 3, shown_lines_verbose = 20;
 
-/// How far the columns reach, in characters (bytes of UTF-8 that start one).
-std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
 std::string comparison(const Verdict& verdict) {
   std::string out = fmt::format("      {}: {}\n        expected {}\n", verdict.what,
                                 verdict.measured, verdict.expected);
@@ -41,8 +36,7 @@ std::string problem(const TestRecord& test, std::size_t lines, const std::string
   std::string out;
   if (!test.problem.empty()) out += fmt::format("      {}\n", harmless(test.problem));
   if (!locate.empty()) {
-    out += fmt::format("      In which line it crashes (it builds for minutes, once): {}\n",
-                       line_command(locate));
+    out += fmt::format("      {}: {}\n", which_line, line_command(locate));
   }
   if (!test.printed.empty()) {
     out += "      your program printed:\n" + printed_lines(test, lines, "        | ");
@@ -92,7 +86,7 @@ std::string heading(const ExerciseResult& result, std::size_t titles) {
                            : open ? coloured(Colour::yellow, "–")
                                   : coloured(Colour::red, "✗");
   const std::string& title = result.exercise.title;
-  const std::string gap(titles - width(title), ' ');
+  const std::string gap(titles - display_width(title), ' ');
   const std::string points =
       fmt::format("{} of {} points", points_text(result.earned()), result.exercise.points);
   return fmt::format("{} {}  {}{}  {}", mark, result.exercise.number(), title, gap, points);
@@ -274,7 +268,7 @@ std::string shortfall(const ExerciseResult& result, const LabResult& lab) {
 std::string report_text(const LabResult& result, bool verbose) {
   std::size_t titles = 0;
   for (const ExerciseResult& entry : result.exercises) {
-    titles = std::max(titles, width(entry.exercise.title));
+    titles = std::max(titles, display_width(entry.exercise.title));
   }
   std::string out = fmt::format("Lab {:02}  {}  (sandbox: {})\n", result.lab.number,
                                 result.lab.title, result.sandbox);

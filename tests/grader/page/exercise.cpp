@@ -162,10 +162,8 @@ std::string failed_test(const json& test, const std::string& number) {
   const std::string problem = text_in(test, "problem"), printed = text_in(test, "printed");
   if (!problem.empty()) out += fmt::format("<p class=\"problem\">{}</p>\n", html(problem));
   if (lacks_line(problem)) {
-    out += fmt::format(
-        "<p class=\"help\">In which line it crashes (it builds for minutes, once): "
-        "<code>{}</code></p>\n",
-        html(line_command(number)));
+    out += fmt::format("<p class=\"help\">{}: <code>{}</code></p>\n", which_line,
+                       html(line_command(number)));
   }
   if (!printed.empty()) {
     out +=

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <string_view>
+
+namespace carlo {
+
+/// To stderr, by nothing but what a signal handler may call.
+inline void say_in_handler(std::string_view text) {
+  if (::write(STDERR_FILENO, text.data(), text.size()) < 0) return;
+}
+
+}  // namespace carlo
