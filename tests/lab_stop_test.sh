@@ -17,3 +17,13 @@ if [ "$code" != 130 ] || [ "$(grep -c '^Stopped in the experiment ".*"\.$' error
   exit 1
 fi
 [ "$(ls)" = "$(printf 'errors\ntext')" ] || { ls && exit 1; }
+
+# A student's own may have been caught in a loop: who tells them in which exercise?
+code=0
+CARLO_COURSE=$scratch timeout --preserve-status --signal=INT 2 "$programs/lab01_solution" --no-predict \
+  >text 2>errors || code=$?
+if [ "$code" != 130 ] || ! grep -qxF 'If it came to no end: ./carlo test 1 says in which exercise.' errors; then
+  printf 'FAILED: no advice, exit code %s\n' "$code"
+  cat errors
+  exit 1
+fi

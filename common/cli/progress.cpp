@@ -14,31 +14,68 @@ Progress::Progress(std::string label, bool enabled)
     : label_(std::move(label)), enabled_(enabled && stderr_is_interactive()) {}
 
 Progress::~Progress() {
-  clear();
+  finish();
+  if (watcher_.joinable()) watcher_.join();
 }
 
-void Progress::update(double fraction) {
-  if (!enabled_) return;
-  const auto now = Clock::now();
-  if (drawn_ && now - last_ < std::chrono::milliseconds(100)) return;
-  last_ = now;
+void Progress::draw(const std::string& more) {
+  last_draw_ = Clock::now();
   drawn_ = true;
   constexpr int width = 30;
-  const double done = std::clamp(fraction, 0.0, 1.0);
-  const int filled = static_cast<int>(std::lround(done * width));
-  const double elapsed = std::chrono::duration<double>(now - start_).count();
-  const std::string left =
-      done > 0.01 ? format_seconds(elapsed * (1 - done) / done) + " left" : "estimating";
+  const int filled = static_cast<int>(std::lround(fraction_ * width));
   fmt::print(stderr, "\r\x1b[K{} [{:=<{}}{: <{}}] {:3.0f} %  {}", label_, "", filled, "",
-             width - filled, 100 * done, left);
+             width - filled, 100 * fraction_, more);
   std::fflush(stderr);
 }
 
-void Progress::clear() {
+void Progress::erase() {
   if (!drawn_) return;
   fmt::print(stderr, "\r\x1b[K");
   std::fflush(stderr);
   drawn_ = false;
+}
+
+void Progress::update(double fraction) {
+  if (!enabled_) return;
+  const std::lock_guard lock(mutex_);
+  const auto now = Clock::now();
+  last_report_ = now;
+  fraction_ = std::clamp(fraction, 0.0, 1.0);
+  if (drawn_ && now - last_draw_ < std::chrono::milliseconds(100)) return;
+  const double elapsed = std::chrono::duration<double>(now - start_).count();
+  draw(fraction_ > 0.01 ? format_seconds(elapsed * (1 - fraction_) / fraction_) + " left"
+                        : "estimating");
+}
+
+void Progress::clear() {
+  if (!enabled_) return;
+  const std::lock_guard lock(mutex_);
+  last_report_ = Clock::now();
+  erase();
+}
+
+void Progress::tell_stalls() {
+  if (enabled_ && !watcher_.joinable()) watcher_ = std::thread([this] { watch(); });
+}
+
+void Progress::finish() {
+  {
+    const std::lock_guard lock(mutex_);
+    finished_ = true;
+    erase();
+  }
+  woken_.notify_all();
+}
+
+void Progress::watch() {
+  constexpr std::chrono::seconds patience{4};
+  std::unique_lock lock(mutex_);
+  while (!woken_.wait_for(lock, std::chrono::seconds(1), [this] { return finished_; })) {
+    const auto still = Clock::now() - last_report_;
+    if (still < patience) continue;
+    draw(fmt::format("nothing new for {} s",
+                     std::chrono::duration_cast<std::chrono::seconds>(still).count()));
+  }
 }
 
 std::string format_seconds(double seconds) {

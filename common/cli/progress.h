@@ -1,8 +1,10 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
+#include <condition_variable>
+#include <mutex>
 #include <string>
+#include <thread>
 
 namespace carlo {
 
@@ -20,13 +22,27 @@ class Progress {
   /// Clears the line; update() draws it again.
   void clear();
 
+  /// From now on, where nothing is reported or cleared for some seconds, the line says for how
+  /// long.
+  void tell_stalls();
+  /// Clears the line, and no stall is told any more.
+  void finish();
+
  private:
   using Clock = std::chrono::steady_clock;
+  void draw(const std::string& more);
+  void erase();
+  void watch();
+
   std::string label_;
   bool enabled_;
-  bool drawn_ = false;
+  bool drawn_ = false, finished_ = false;
+  double fraction_ = 0;
   Clock::time_point start_ = Clock::now();
-  Clock::time_point last_;
+  Clock::time_point last_draw_, last_report_ = Clock::now();
+  std::mutex mutex_;  ///< of all above, once there is a watcher
+  std::condition_variable woken_;
+  std::thread watcher_;
 };
 
 /// Seconds for people: "830 ms", "12.3 s", "4 min 10 s", "2 h 5 min".

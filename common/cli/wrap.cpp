@@ -109,6 +109,12 @@ int stdout_columns() {
   return ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
 }
 
+std::size_t room_beside(std::size_t others, std::size_t least) {
+  const auto columns = static_cast<std::size_t>(stdout_columns());
+  if (columns == 0) return std::string::npos;
+  return columns > others + least ? columns - others : least;
+}
+
 std::string wrapped(const std::string& text, int most) {
   const int terminal = stdout_columns();
   const int columns = terminal > 0 && most > 0 ? std::min(terminal, most) : terminal + most;

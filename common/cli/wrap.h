@@ -22,6 +22,10 @@ std::string wrapped_to(const std::string& text, int columns);
 /// How wide the terminal is that stdout is; 0 where it is none.
 int stdout_columns();
 
+/// How much of a title stands in a line of stdout whose other parts take `others` columns: all of
+/// it where there is no terminal, and no less than `least`.
+std::size_t room_beside(std::size_t others, std::size_t least);
+
 /// Wrapped to the terminal that stdout is, and to `most` columns there and elsewhere (0: as wide as
 /// it is). What stands behind the last line end, as a prompt does, stays without one.
 std::string wrapped(const std::string& text, int most = 0);

@@ -15,14 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// How much of a title stands in a line whose other parts take `others`: all of it where there is
-/// no terminal, and no less than `least`.
-std::size_t room_for_title(std::size_t others, std::size_t least = 16) {
-  const auto columns = static_cast<std::size_t>(stdout_columns());
-  if (columns == 0) return std::string::npos;
-  return columns > others + least ? columns - others : least;
-}
-
 const char* name_of(Stage stage) {
   switch (stage) {
     case Stage::untouched:
@@ -197,7 +189,7 @@ std::size_t title_width(const LabStatus& lab) {
     widest = std::max(widest, display_width(exercise.exercise->title));
     others = std::max(others, beside_title(exercise));
   }
-  return std::min(widest, room_for_title(others));
+  return std::min(widest, room_beside(others, 16));
 }
 
 std::string status_line(const ExerciseStatus& status, std::size_t titles) {
@@ -216,7 +208,7 @@ std::string status_heading(const LabStatus& status) {
   const std::string done = fmt::format("{:g} of {} points, {} of {} exercises{}", status.points(),
                                        possible, status.passed(), status.exercises.size(), changed);
   constexpr std::size_t number_and_bar = 22;
-  const std::size_t room = room_for_title(number_and_bar + display_width(done), 0);
+  const std::size_t room = room_beside(number_and_bar + display_width(done), 0);
   constexpr std::size_t telling = 16;
   const std::string title =
       room < telling ? ""

@@ -21,6 +21,8 @@
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <set>
+#include <string>
 
 namespace carlo {
 namespace {
@@ -45,16 +47,21 @@ void ask(Predictions& predictions, bool again) {
       again);
 }
 
-/// Where a student runs the lab, ./carlo says which tree it is; what was predicted is kept there.
-std::optional<Predictions> predictions_of(const LabApp& lab, const Arguments& arguments) {
+/// Where a student runs the lab, ./carlo says which tree it is.
+bool of_student() {
   const char* tree = std::getenv("CARLO_COURSE");
-  const bool student = tree != nullptr && *tree != '\0';
+  return tree != nullptr && *tree != '\0';
+}
+
+/// What was predicted is kept in the student's tree.
+std::optional<Predictions> predictions_of(const LabApp& lab, const Arguments& arguments) {
+  const bool student = of_student();
   const bool somebody = ::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1;
   if (arguments.predict && (!student || !somebody || !lab.part.empty())) {
     throw Error("--predict asks you at a terminal, about the whole lab on your own code");
   }
   if (!student || arguments.no_predict) return std::nullopt;
-  std::optional<Predictions> predictions(std::in_place, tree, lab.number);
+  std::optional<Predictions> predictions(std::in_place, std::getenv("CARLO_COURSE"), lab.number);
   if (somebody && lab.part.empty()) ask(*predictions, arguments.predict);
   return predictions;
 }
@@ -65,6 +72,12 @@ void show_predictions(const Predictions& predictions, Notebook& notebook) {
   notebook.begin("What you predicted");
   notebook.table("predictions", table,
                  "Predictions, and what this run gave (--predict asks again)");
+}
+
+/// Who stops an experiment may have waited for a loop without end.
+std::string advice_when_stopped(const LabApp& lab) {
+  if (!of_student()) return "";
+  return fmt::format("If it came to no end: ./carlo test {} says in which exercise.\n", lab.number);
 }
 
 /// The command as one could type it again.
@@ -86,9 +99,18 @@ void run_experiments(const LabApp& lab, const std::optional<Predictions>& predic
   }
   notebook.finish();
   if (predictions) show_predictions(*predictions, notebook);
-  notebook.begin("What you should see");
+  notebook.begin(notebook.left_out().empty() ? "What you should see"
+                                             : "What you should see once all exercises are done");
   for (const std::string& paragraph : lab.what_you_should_see)
     notebook.say(paragraph);
+}
+
+/// Which exercises wait to be done; each experiment that misses one has said what to do.
+std::string left_out_text(const std::set<std::string>& reasons) {
+  std::string tags;
+  for (const std::string& reason : reasons)
+    tags += (tags.empty() ? "" : ", ") + reason.substr(0, reason.find(" is not implemented"));
+  return fmt::format("Left out, as not implemented yet: {}", tags);
 }
 
 nlohmann::json results(const LabApp& lab, const Notebook& notebook, double seconds) {
@@ -104,7 +126,7 @@ nlohmann::json results(const LabApp& lab, const Notebook& notebook, double secon
 }
 
 void run(const LabApp& lab, const Arguments& arguments, const std::string& command) {
-  std::optional<StopNote> note(std::in_place);
+  std::optional<StopNote> note(std::in_place, advice_when_stopped(lab));
   // A file that cannot be written is better known before the experiments than after them.
   if (!arguments.json.empty()) (void)AtomicFile(arguments.json);
   const std::optional<Predictions> predictions = predictions_of(lab, arguments);
@@ -121,8 +143,8 @@ void run(const LabApp& lab, const Arguments& arguments, const std::string& comma
   page.fact("Seed", std::to_string(arguments.options.seed));
   page.fact("Machine", machine_text());
   page.fact("Compiler", compiler_text());
-  for (const std::string& reason : notebook.left_out()) {
-    fmt::print("{}\n", wrapped(coloured(Colour::yellow, reason)));
+  if (!notebook.left_out().empty()) {
+    fmt::print("{}\n", wrapped(coloured(Colour::yellow, left_out_text(notebook.left_out()))));
   }
   if (!arguments.json.empty()) {
     write_file(arguments.json, results(lab, notebook, spent.count()).dump(2) + "\n");

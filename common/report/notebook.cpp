@@ -12,7 +12,9 @@
 namespace carlo {
 
 Notebook::Notebook(std::string label, const LabOptions& options, Page& page)
-    : options_(options), page_(page), bar_(std::move(label), true) {}
+    : options_(options), page_(page), bar_(std::move(label), true) {
+  bar_.tell_stalls();
+}
 
 void Notebook::begin(std::string_view title) {
   bar_.clear();

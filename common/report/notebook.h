@@ -66,7 +66,7 @@ class Notebook {
   /// How far the run is: `done` of `total` steps of the current one of all experiments.
   void progress(double done, double total);
   void set_experiment(int index, int count);
-  void finish() { bar_.clear(); }
+  void finish() { bar_.finish(); }
 
   /// What was left out, for the last lines of the run; and everything measured.
   const std::set<std::string>& left_out() const { return left_out_; }

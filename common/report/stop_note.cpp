@@ -4,12 +4,13 @@
 #include "report/say_in_handler.h"
 
 #include <csignal>
-#include <string_view>
+#include <string>
 
 namespace carlo {
 namespace {
 
 struct sigaction before {};
+std::string advice;  // of the note that lives: it does not change while a handler may read it
 
 extern "C" void stopped(int signal) {
   // Behind the ^C, or a progress bar. Only calls that a handler may make.
@@ -20,12 +21,14 @@ extern "C" void stopped(int signal) {
     say_in_handler("\"");
   }
   say_in_handler(".\nNo results were written.\n");
+  say_in_handler(advice);
   ::raise(signal);  // the handler is gone: the system ends the program
 }
 
 }  // namespace
 
-StopNote::StopNote() {
+StopNote::StopNote(const std::string& what_now) {
+  advice = what_now;
   struct sigaction action {};
   action.sa_handler = stopped;
   action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_NODEFER;

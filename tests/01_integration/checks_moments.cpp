@@ -33,6 +33,10 @@ const Diagnosis between_missing{"merge-without-between-means",
                                 "merging adds the spreads within both parts, but their means "
                                 "differ too, and that is spread as well."};
 
+const Diagnosis nothing_merged{"merge-of-nothing",
+                               "two parts without a number are merged into NaN: their counts add "
+                               "up to 0, and something is divided by that."};
+
 /// What a list of numbers must give.
 struct Exact {
   double count, mean, variance;
@@ -137,8 +141,12 @@ TEST_CASE("Lab 1.3: the variance survives a mean of 1e8", "[lab01][ex3]") {
 
 // 0 1 4 9 ... 49: mean 17.5, sum of squares 4676, so m2 = 4676 - 8 * 17.5^2 = 2226.
 TEST_CASE("Lab 1.3: parts merged are the whole, however it is cut", "[lab01][ex3]") {
-  const Rows rows = probe("Lab 1.3 merge", {.n = 8, .numbers = {{"pattern", 2}, {"offset", 0}}},
-                          {.rows = 45, .columns = 4, .of = "a list of 8 numbers, in parts"});
+  const Rows rows =
+      probe("Lab 1.3 merge", {.n = 8, .numbers = {{"pattern", 2}, {"offset", 0}}},
+            {.rows = 45, .columns = 4, .finite = false, .of = "a list of 8 numbers, in parts"});
+  // The first row's first two parts are empty.
+  judge(is_so("a mean, where two empty parts are merged first", std::isfinite(rows.at(0, 1)),
+              "no number", "the mean of the other part", {nothing_merged}));
   const auto spread = [](int first, int last) {
     double sum = 0, squares = 0;
     for (int i = first; i < last; ++i) {

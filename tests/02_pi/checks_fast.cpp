@@ -30,7 +30,8 @@ const Diagnosis cut_squares{
     "squares-in-32-bits",
     "every dart is counted as a hit: the sum of two squares needs more than "
     "32 bits, and the bits above them are lost."};
-const Diagnosis slow{"not-faster", "the count is right; now make it fast (./carlo hint 2.5)."};
+const Diagnosis slow{"not-faster",
+                     "the count is right, but a dart takes too long: ./carlo hint 2.5 leads on."};
 
 /// Only a count that is right is told to be slow.
 std::vector<Diagnosis> slow_if(bool right) {
@@ -198,7 +199,7 @@ TEST_CASE("Lab 2.5: any range counts, whatever dart it begins and ends with", "[
 
 // The least of eight times each: what disturbs a loop makes it slower, never faster. Sanitizers and
 // builds without optimisation change the ratio, and it is not judged there.
-TEST_CASE("Lab 2.5: a dart takes at most a third of a dart by std::mt19937",
+TEST_CASE("Lab 2.5: a dart takes at most a third of the time of one by std::mt19937",
           "[lab02][ex5][efficiency]") {
   constexpr std::size_t repetitions = 8;
   const Answer rows =

@@ -69,6 +69,8 @@ std::string cause_of(const Outcome& outcome) {
   if (!memory.empty()) return in_words(memory.substr(0, 100));
   const std::string undefined = after(outcome.output, undefined_report, "\n");
   if (!undefined.empty()) return undefined.substr(0, 200);
+  // What students' code is compiled to do there (-fsanitize=return).
+  if (outcome.code == SIGILL) return "a function came to its end without a return";
   return signal_name(outcome.code);
 }
 

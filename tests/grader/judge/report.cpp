@@ -74,7 +74,9 @@ std::string failed_test(const TestRecord& test, const std::string& locate) {
     if (!verdict.passed && ++failures <= shown_comparisons) out += comparison(verdict);
   }
   if (failures > shown_comparisons) {
-    out += fmt::format("      and {} more like these\n", failures - shown_comparisons);
+    const int more = failures - shown_comparisons;
+    out += fmt::format("      and {} more {}\n", more,
+                       more == 1 ? "comparison that fails" : "comparisons that fail");
   }
   return out;
 }
@@ -85,7 +87,7 @@ std::string heading(const ExerciseResult& result, std::size_t titles) {
   const std::string mark = passed ? coloured(Colour::green, "✓")
                            : open ? coloured(Colour::yellow, "–")
                                   : coloured(Colour::red, "✗");
-  const std::string& title = result.exercise.title;
+  const std::string title = shortened(result.exercise.title, titles);
   const std::string gap(titles - display_width(title), ' ');
   const std::string points =
       fmt::format("{} of {} points", points_text(result.earned()), result.exercise.points);
@@ -270,6 +272,8 @@ std::string report_text(const LabResult& result, bool verbose) {
   for (const ExerciseResult& entry : result.exercises) {
     titles = std::max(titles, display_width(entry.exercise.title));
   }
+  constexpr std::size_t mark_number_points = 25;
+  titles = std::min(titles, room_beside(mark_number_points, 16));
   std::string out = fmt::format("Lab {:02}  {}  (sandbox: {})\n", result.lab.number,
                                 result.lab.title, result.sandbox);
   for (const ExerciseResult& entry : result.exercises)

@@ -187,7 +187,10 @@ std::string failed_test(const json& test, const std::string& number) {
     out += fmt::format("<div class=\"verdicts{}\">\n{}</div>\n", shown == 1 ? " one" : "", full);
   }
   if (!brief.empty()) out += verdict_rows(brief);
-  out += folded_verdicts(fmt::format("And {} more like these", more.size()), more);
+  out += folded_verdicts(
+      fmt::format("And {} more {}", more.size(),
+                  more.size() == 1 ? "comparison that fails" : "comparisons that fail"),
+      more);
   out += folded_verdicts(fmt::format("What passed in this test: {}", passed.size()), passed);
   return out + "</div>\n";
 }
