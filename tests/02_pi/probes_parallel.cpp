@@ -131,15 +131,20 @@ PROBE("Lab 2.6 chunks", "times taken", "samples") {
 }
 
 // The first chunk is not done before all others are, which takes a free thread; its sum is so
-// large that the others vanish unless they were added up before it.
+// large that the others vanish unless they were added up before it. The others wait until two are
+// inside, that a thread which starts late is not taken for none.
 PROBE("Lab 2.6 slow chunk", "others were done first", "sum", "most at once") {
   Watch watch;
-  std::atomic<bool> others_done = false;
+  std::atomic<bool> others_done = false, alone = false;
   const std::int64_t chunks = chunks_of(params.n);
   const auto sampler = [&](std::int64_t n, carlo::Rng& rng) {
     const Inside inside(watch);
     const bool first = chunk_of(rng, params.seed, 1) == 0;
-    if (first) others_done = watch.wait_for_left(chunks - 1);
+    if (first) {
+      others_done = watch.wait_for_left(chunks - 1);
+    } else if (!alone) {
+      alone = !watch.wait_for_most(2);
+    }
     return Sums{n, first ? 1e18 : 50, 0};
   };
   const Sums sums = lab02::sum_in_parallel(sampler, params.n, params.seed, 2);
