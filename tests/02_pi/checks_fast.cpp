@@ -197,9 +197,11 @@ TEST_CASE("Lab 2.5: any range counts, whatever dart it begins and ends with", "[
               measured, "all right", diagnoses));
 }
 
-// The least of eight times each: what disturbs a loop makes it slower, never faster. Sanitizers and
-// builds without optimisation change the ratio, and it is not judged there.
-TEST_CASE("Lab 2.5: a dart takes at most a third of the time of one by std::mt19937",
+// By GCC 12 at -O3 the contract written down plainly is 2.8 times as fast, with each word computed
+// once 4.3 to 5, in whole numbers 6 to 8. The least of eight times each: what disturbs a loop makes
+// it slower, never faster. Sanitizers and builds without optimisation change the ratio, and it is
+// not judged there.
+TEST_CASE("Lab 2.5: a dart takes far less time than one by std::mt19937",
           "[lab02][ex5][efficiency]") {
   constexpr std::size_t repetitions = 8;
   const Answer rows =
@@ -214,15 +216,15 @@ TEST_CASE("Lab 2.5: a dart takes at most a third of the time of one by std::mt19
   const double ratio =
       *std::min_element(plain.begin(), plain.end()) / *std::min_element(fast.begin(), fast.end());
   const bool judged = optimised && !address_sanitizer();
-  const bool fast_enough = ratio >= 3 || !judged;
+  const bool fast_enough = ratio >= 3.5 || !judged;
   judge(holds("darts a second, compared with std::mt19937", fast_enough,
               fmt::format("{:.2g} times as many", ratio),
-              judged ? "at least 3 times as many" : "not judged in this build",
+              judged ? "at least 3.5 times as many" : "not judged in this build",
               slow_if(!fast_enough && million_right())));
 }
 
 // The times above are taken in the worker, which could forge them. Seen from outside they are
-// coarser, so half the ratio is enough here.
+// coarser, so less than half the ratio is enough here.
 TEST_CASE("Lab 2.5: the time that the program takes as a whole tells the same",
           "[lab02][ex5][efficiency]") {
   const bool judged = optimised && !address_sanitizer();
