@@ -18,10 +18,9 @@ Progress::~Progress() {
   if (watcher_.joinable()) watcher_.join();
 }
 
-void Progress::draw(const std::string& more) {
+void Progress::draw(const std::string& more, int width) {
   last_draw_ = Clock::now();
   drawn_ = true;
-  constexpr int width = 30;
   const int filled = static_cast<int>(std::lround(fraction_ * width));
   fmt::print(stderr, "\r\x1b[K{} [{:=<{}}{: <{}}] {:3.0f} %  {}", label_, "", filled, "",
              width - filled, 100 * fraction_, more);
@@ -73,8 +72,9 @@ void Progress::watch() {
   while (!woken_.wait_for(lock, std::chrono::seconds(1), [this] { return finished_; })) {
     const auto still = Clock::now() - last_report_;
     if (still < patience) continue;
-    draw(fmt::format("nothing new for {} s",
-                     std::chrono::duration_cast<std::chrono::seconds>(still).count()));
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(still).count();
+    // With a short bar, so that it fits 80 columns.
+    draw(fmt::format("nothing new for {} s: a loop without end?", seconds), 10);
   }
 }
 

@@ -30,7 +30,7 @@ class Progress {
 
  private:
   using Clock = std::chrono::steady_clock;
-  void draw(const std::string& more);
+  void draw(const std::string& more, int width = 30);
   void erase();
   void watch();
 

@@ -15,9 +15,9 @@ std::array<char, 16384> stack{};
 
 extern "C" void crashed(int signal) {
   if (title[0] != '\0') {
-    say_in_handler("\nThe program crashed in the experiment \"");
+    say_in_handler("\nThe program crashed in the experiment\n  \"");
     say_in_handler(title.data());
-    say_in_handler("\".\n");
+    say_in_handler("\"\n");
   }
   ::raise(signal);  // the handler is gone: the system ends the program
 }

@@ -99,8 +99,11 @@ void run_experiments(const LabApp& lab, const std::optional<Predictions>& predic
   }
   notebook.finish();
   if (predictions) show_predictions(*predictions, notebook);
-  notebook.begin(notebook.left_out().empty() ? "What you should see"
-                                             : "What you should see once all exercises are done");
+  notebook.begin("What you should see");
+  if (!notebook.left_out().empty()) {
+    notebook.say("It is told here once all exercises are done.");
+    return;
+  }
   for (const std::string& paragraph : lab.what_you_should_see)
     notebook.say(paragraph);
 }

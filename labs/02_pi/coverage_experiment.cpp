@@ -84,10 +84,10 @@ carlo::Cell percent(std::int64_t held, int runs) {
 void coverage_experiment(Notebook& notebook) {
   notebook.begin("Do the intervals keep their promise?");
   const int runs = notebook.repetitions(10'000);
-  carlo::Table table(
-      {"target", "N", "estimate ± 1.96 s.e.", "its width", "score interval", "its width", "time"},
-      {"target", "points", "normal_coverage", "normal_width", "score_coverage", "score_width",
-       "seconds"});
+  carlo::Table table({"target", "N", "estimate ± 1.96 s.e.", "its width", "score interval",
+                      "score's width", "time"},
+                     {"target", "points", "normal_coverage", "normal_width", "score_coverage",
+                      "score_width", "seconds"});
   if (!notebook.attempt([] { (void)pi_interval({1, 1}, z95); })) return;
   std::vector<carlo::Chart> charts;
   const bool done = notebook.attempt([&] {

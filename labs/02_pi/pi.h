@@ -96,12 +96,12 @@ using Sampler = std::function<Sums(std::int64_t n, carlo::Rng& rng)>;
 /// The work is cut into chunks of so many samples; the last one may be shorter.
 constexpr std::int64_t chunk_samples = 1 << 14;
 
-/// Lab 2.6. Calls `sampler` once a chunk, for n >= 0 samples in all, on up to `threads` >= 1
-/// threads at once. Chunk i, from 0, has a generator of its own, carlo::Rng(seed, i), and the
-/// results are added up in the order of the chunks: the same bits for any number of threads. A
-/// thread that is free takes the next chunk that nobody has begun. When the sampler throws, no
-/// further chunk is begun, the running ones are waited for, and the caller gets the exception (one
-/// of them, when several chunks throw).
+/// Lab 2.6. Calls `sampler` once a chunk, for n >= 0 samples in all, on `threads` >= 1
+/// threads at once (fewer only where there are fewer chunks). Chunk i, from 0, has a generator of
+/// its own, carlo::Rng(seed, i), and the results are added up in the order of the chunks: the same
+/// bits for any number of threads. A thread that is free takes the next chunk that nobody has
+/// begun. When the sampler throws, no further chunk is begun, the running ones are waited for, and
+/// the caller gets the exception (one of them, when several chunks throw).
 Sums sum_in_parallel(const Sampler& sampler, std::int64_t n, std::uint64_t seed, int threads);
 
 }  // namespace lab02

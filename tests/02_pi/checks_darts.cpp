@@ -27,7 +27,7 @@ const Diagnosis float_counter{"float-counter",
                               "the hits stop at 16777216 = 2^24: a float cannot count further. "
                               "Count in whole numbers."};
 const Diagnosis not_scaled{"share-not-scaled-to-pi",
-                           "this is the share of hits, π/4, or an error of it: the factor 4 is "
+                           "the share of hits, π/4, or an error of it, is given: the factor 4 is "
                            "missing."};
 const Diagnosis whole_numbers{"division-of-whole-numbers",
                               "hits / thrown of two whole numbers is a whole number, 0 here: make "
@@ -39,17 +39,24 @@ const Diagnosis error_of_one{"standard-error-of-one-dart",
                              "the standard deviation of one dart is given; that of the mean is "
                              "smaller by sqrt(N)."};
 const Diagnosis variance_given{"variance-in-place-of-standard-error",
-                               "this is the variance: its square root is the standard error."};
+                               "the variance is given: its square root is the standard error."};
 const Diagnosis by_n{"variance-divided-by-n",
                      "the variance is divided by N; the unbiased estimate takes N - 1."};
 const Diagnosis normal_interval{"interval-of-the-measured-variance",
-                                "this is the estimate ± z standard errors, whose width comes from "
+                                "the estimate ± z standard errors is given, whose width comes from "
                                 "the measured share: with no hit, or no miss, it is 0."};
-const Diagnosis interval_not_scaled{"interval-not-scaled-to-pi",
-                                    "these are limits for the share of hits; π is 4 times that."};
+const Diagnosis interval_not_scaled{
+    "interval-not-scaled-to-pi", "the limits are those of the share of hits; π is 4 times that."};
 const Diagnosis not_shrunk{"interval-not-divided",
                            "the division by 1 + z^2/N is missing: the coefficient of p^2 in the "
                            "quadratic equation is not 1."};
+
+const Diagnosis swapped{"limits-swapped", "the lower limit stands in the place of the upper one."};
+const Diagnosis center_moved_twice{
+    "centre-moved-twice",
+    "the centre is moved by z^2/N where the quadratic equation gives z^2/(2N)."};
+const Diagnosis root_short{"root-without-its-second-term",
+                           "z^2/(4 N^2) is missing below the root."};
 
 struct Interval {
   double lower, upper;
@@ -102,15 +109,28 @@ std::vector<Diagnosis> interval_diagnoses(Interval measured, Case darts, double 
   const ScoreLimits share = score_limits(darts.thrown, darts.hits, z);
   const Interval normal = normal_limits(darts, z);
   const double undivided = 4 * (1 + z * z / darts.thrown);
-  const std::array<std::pair<Interval, Diagnosis>, 4> mistakes = {
+  const double hits = darts.hits / darts.thrown, shift = z * z / darts.thrown;
+  const double root = z * std::sqrt(hits * (1 - hits) / darts.thrown);
+  const double right_root = (share.upper - share.lower) / 2 * (1 + shift);
+  const auto around = [&](double centre, double half) {
+    return Interval{4 * (centre - half) / (1 + shift), 4 * (centre + half) / (1 + shift)};
+  };
+  const std::array<std::pair<Interval, Diagnosis>, 7> mistakes = {
       {{normal, normal_interval},
        {{std::max(0.0, normal.lower), std::min(4.0, normal.upper)}, normal_interval},
        {{share.lower, share.upper}, interval_not_scaled},
-       {{undivided * share.lower, undivided * share.upper}, not_shrunk}}};
+       {{undivided * share.lower, undivided * share.upper}, not_shrunk},
+       {{4 * share.upper, 4 * share.lower}, swapped},
+       {around(hits + shift, right_root), center_moved_twice},
+       {around(hits + shift / 2, root), root_short}}};
+  const auto far = [](const Interval& a, const Interval& b, double by) {
+    return std::abs(a.lower - b.lower) > by || std::abs(a.upper - b.upper) > by;
+  };
   for (const auto& [limits, diagnosis] : mistakes) {
-    const bool fits = std::abs(measured.lower - limits.lower) <= 1e-9 &&
-                      std::abs(measured.upper - limits.upper) <= 1e-9;
-    if (fits) return {diagnosis};
+    // Of very many darts all formulas give nearly the same.
+    if (!far(measured, limits, 1e-9) && far(limits, {4 * share.lower, 4 * share.upper}, 1e-6)) {
+      return {diagnosis};
+    }
   }
   return {};
 }
@@ -123,7 +143,8 @@ void judge_limits(Interval measured, Case darts, double z) {
   for (Verdict* limit : {&lower, &upper}) {
     if (!limit->passed) {
       limit->diagnoses = interval_diagnoses(measured, darts, z);
-      limit->looked_for = {normal_interval, interval_not_scaled, not_shrunk};
+      limit->looked_for = {normal_interval, interval_not_scaled, not_shrunk,
+                           swapped,         center_moved_twice,  root_short};
     }
     judge(*limit);
   }

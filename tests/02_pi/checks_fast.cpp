@@ -20,9 +20,10 @@ const Diagnosis corner{"corner-of-the-cell",
                        "the corner, a few darts too many hit."};
 const Diagnosis float_counter{"float-counter",
                               "the hits stop at 16777216 = 2^24: a float cannot count further."};
-const Diagnosis ragged{"range-not-in-whole-rounds",
-                       "ranges of an even begin and a round length are right, others are not: the "
-                       "darts before the first whole word or after the last whole round."};
+const Diagnosis ragged{
+    "range-not-in-whole-rounds",
+    "ranges that begin with an even dart and have a round length are right, others are not: the "
+    "darts before the first whole word or after the last whole round."};
 const Diagnosis cut_number{"dart-number-in-32-bits",
                            "far along the list the darts are others than they should be: a dart's "
                            "number is kept in 32 bits somewhere, which end at 2^32 - 1."};

@@ -17,8 +17,9 @@ constexpr double chunk = 1 << 14;  // chunk_samples of the contract
 
 const Diagnosis order{"added-up-as-they-finish",
                       "the sums differ in their last bits: floating-point addition depends on the "
-                      "order. Keep each chunk's result and add them up in the order of the "
-                      "chunks."};
+                      "order (and threads that add to one variable without a lock lose "
+                      "some). Keep each chunk's result and add them up in the order of the chunks, "
+                      "after all threads have ended."};
 const Diagnosis wrong_streams{"generators-not-of-the-chunks",
                               "a chunk's random numbers must come from carlo::Rng(seed, chunk), "
                               "whoever works on it."};
@@ -30,7 +31,7 @@ const Diagnosis wrong_sizes{"samples-not-n",
 const Diagnosis too_few{
     "threads-not-at-the-same-time",
     "fewer samplers than threads run at the same time: is each thread joined before "
-    "the next one starts, or one lock held while sampling?"};
+    "the next one starts, one lock held while sampling, or the number cut to the machine's cores?"};
 const Diagnosis too_many{"too-many-threads", "more samplers run at once than `threads` allows."};
 const Diagnosis fixed_shares{"fixed-shares",
                              "a thread that is free does not take over chunks that nobody has "
@@ -120,19 +121,21 @@ void judge_chunks(double n, double threads) {
             {handed.only_first ? same_stream : (handed.strays > 0 ? wrong_streams : wrong_sizes)}));
 }
 
-void judge_failure(double threads, double chunks, double failing) {
-  const Rows rows = probe("Lab 2.6 failure",
-                          {.n = static_cast<std::int64_t>(chunks * chunk),
-                           .numbers = {{"threads", threads}, {"chunk", failing}}},
-                          {.columns = 4});
+/// `plain`: what is thrown is an int, of no class of exceptions.
+void judge_failure(double threads, double chunks, double failing, bool plain = false) {
+  const Rows rows =
+      probe("Lab 2.6 failure",
+            {.n = static_cast<std::int64_t>(chunks * chunk),
+             .numbers = {{"threads", threads}, {"chunk", failing}, {"plain", plain ? 1.0 : 0.0}}},
+            {.columns = 4});
   const double outcome = rows.at(0, 0);
   // A sampler that never gets the failing chunk's generator has nothing to throw.
   const bool failed = rows.at(0, 3) == 1;
   const auto of_failure = [&](const Diagnosis& diagnosis) {
     return failed ? std::vector{diagnosis} : std::vector<Diagnosis>{};
   };
-  const std::string of =
-      fmt::format(", {}, chunk {:g} throws", counted(threads, "thread"), failing);
+  const std::string of = fmt::format(", {}, chunk {:g} throws{}", counted(threads, "thread"),
+                                     failing, plain ? " 42" : "");
   judge(holds("the exception that reaches the caller" + of, outcome == 2,
               outcome == 0 ? "none" : (outcome == 1 ? "another one" : "the sampler's"),
               "the sampler's", of_failure(outcome == 0 ? swallowed : other_exception)));
@@ -222,6 +225,7 @@ TEST_CASE("Lab 2.6: an exception of the sampler reaches the caller", "[lab02][ex
   judge_failure(1, 20, 7);
   judge_failure(4, 20, 0);
   judge_failure(4, 20, 19);
+  judge_failure(2, 20, 7, true);
 }
 
 TEST_CASE("Lab 2.6: after an exception no further chunk is begun", "[lab02][ex6]") {

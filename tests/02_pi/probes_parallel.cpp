@@ -169,12 +169,14 @@ PROBE("Lab 2.6 failure", "exception that arrived", "still running", "calls of th
       "the chunk failed") {
   Watch watch;
   const std::int64_t failing = params.whole("chunk");
+  const bool plain = params.whole("plain") != 0;
   std::atomic<bool> failed = false;
   const auto sampler = [&](std::int64_t n, carlo::Rng& rng) {
     const Inside inside(watch);
     const std::int64_t chunk = chunk_of(rng, params.seed, failing + 2);
     if (chunk == failing) {
       failed = true;
+      if (plain) throw 42;
       throw std::domain_error("a sample went wrong");
     }
     if (chunk == failing + 1) std::this_thread::sleep_for(std::chrono::milliseconds(50));
@@ -188,6 +190,8 @@ PROBE("Lab 2.6 failure", "exception that arrived", "still running", "calls of th
     throw;
   } catch (const std::domain_error& error) {
     outcome = std::string_view(error.what()) == "a sample went wrong" ? 2 : 1;
+  } catch (int number) {
+    outcome = plain && number == 42 ? 2 : 1;
   } catch (...) {
     outcome = 1;
   }

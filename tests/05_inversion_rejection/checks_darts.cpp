@@ -37,7 +37,7 @@ const Diagnosis endless{"never-gives-up", "a function that is 0 everywhere must 
 const Diagnosis bound_missing{"acceptance-without-bound", "the rectangle's area is (b - a) f_max."};
 const Diagnosis width_missing{"acceptance-without-width", "the rectangle's area is (b - a) f_max."};
 const Diagnosis inverted{"acceptance-inverted",
-                         "this is the mean number of darts, the inverse of the share accepted."};
+                         "the mean number of darts is given, the inverse of the share accepted."};
 const Diagnosis uniform_radius{
     "uniform-radius",
     "the distance itself is uniform: the points crowd at the centre, for "

@@ -20,7 +20,8 @@ using namespace lab07_tests;
 
 namespace {
 
-const Diagnosis missing_cosine{"missing-cosine", "this is the integral of L, not of L cos(theta)."};
+const Diagnosis missing_cosine{"missing-cosine",
+                               "the integral of L is given, not of L cos(theta)."};
 const Diagnosis missing_pdf{
     "missing-one-over-pdf",
     "the mean of L cos(theta) is not divided by the density of the directions."};

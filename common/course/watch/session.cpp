@@ -145,11 +145,18 @@ void WatchSession::judged() {
   }
   stop();
   // Of several, the one to go on with.
-  const auto open = std::find_if(which_.begin(), which_.end(), [&](const Exercise* exercise) {
-    const KeptVerdict* verdict = book_.find(*exercise);
-    return verdict == nullptr || verdict->status != "passed";
-  });
-  if (!all_ && open != which_.end()) current_ = *open;
+  const auto passed = [&](const Exercise& exercise) {
+    const KeptVerdict* verdict = book_.find(exercise);
+    return verdict != nullptr && verdict->status == "passed";
+  };
+  if (all_) {
+    const auto open = std::find_if_not(lab_.exercises.begin(), lab_.exercises.end(), passed);
+    if (open != lab_.exercises.end()) current_ = &*open;
+  } else {
+    const auto open = std::find_if_not(which_.begin(), which_.end(),
+                                       [&](const Exercise* exercise) { return passed(*exercise); });
+    if (open != which_.end()) current_ = *open;
+  }
 }
 
 void WatchSession::take_verdicts() {

@@ -74,8 +74,10 @@ class WatchSession {
 
   LabStatus status() const;
   std::string verdict_text(const Exercise& exercise) const;
-  std::string what_next() const;
-  std::string list_text() const;
+  /// The next open exercise behind the current one; the current one itself where it is open and
+  /// `from_current`.
+  std::string what_next(bool from_current = false) const;
+  std::string list_text(bool from_current = false) const;
   std::string verdicts_text() const;
   std::string last_run() const;
 

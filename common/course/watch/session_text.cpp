@@ -5,6 +5,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace carlo {
 namespace {
 
@@ -47,25 +49,31 @@ std::string WatchSession::heading() const {
   return text + "\n";
 }
 
-std::string WatchSession::what_next() const {
+std::string WatchSession::what_next(bool from_current) const {
   const LabStatus now = status();
-  if (const Exercise* next = next_open()) {
+  const auto is_open = [&](const ExerciseStatus& status) {
+    return status.exercise == current_ && status.stage != Stage::passed;
+  };
+  const bool here =
+      from_current && std::any_of(now.exercises.begin(), now.exercises.end(), is_open);
+  if (const Exercise* next = here ? current_ : next_open()) {
     return fmt::format("{} {}, {}\n", coloured(Colour::bold, "Next:"), next->tag, next->title);
   }
   if (now.changed() > 0) {
     return fmt::format("Lab {} was done; a judges what was changed since.\n", lab_.number);
   }
   return coloured(Colour::green, fmt::format("Lab {} is done.", lab_.number)) +
-         fmt::format(" ./carlo lab {} runs its experiments.\n", lab_.number);
+         fmt::format(" ./carlo lab {} runs its experiments, ./carlo status says what is next.\n",
+                     lab_.number);
 }
 
-std::string WatchSession::list_text() const {
+std::string WatchSession::list_text(bool from_current) const {
   const LabStatus now = status();
   std::string text;
   const std::size_t titles = title_width(now);
   for (const ExerciseStatus& exercise : now.exercises)
     text += status_line(exercise, titles) + "\n";
-  return text + what_next();
+  return text + what_next(from_current);
 }
 
 std::string WatchSession::verdict_text(const Exercise& exercise) const {
@@ -87,7 +95,7 @@ std::string WatchSession::verdict_text(const Exercise& exercise) const {
 }
 
 std::string WatchSession::verdicts_text() const {
-  if (all_) return list_text();
+  if (all_) return list_text(true);
   std::string text;
   bool passed = true;
   for (const Exercise* exercise : which_) {
@@ -108,11 +116,11 @@ std::string WatchSession::last_run() const {
   const std::size_t most = whole_ ? messages_.size() : compiles_ ? 1 : 2;
   std::string text;
   if (compiles_ && trouble_.empty()) {
-    text = verdicts_text() +
-           coloured(Colour::dim,
+    // First, for the end may be cut: it tells that the verdict is a new one.
+    text = coloured(Colour::dim,
                     fmt::format("{:.1f} s: build {:.1f}, tests {:.1f}",
                                 build_seconds_ + judge_seconds_, build_seconds_, judge_seconds_)) +
-           "\n";
+           "\n" + verdicts_text();
   } else if (!compiles_) {
     text = coloured(Colour::red, "✗") + " the code does not compile\n";
   }

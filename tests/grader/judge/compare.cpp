@@ -91,8 +91,8 @@ Verdict mean_is(const std::string& what, std::span<const double> values, const T
   const double spread = std::sqrt(mean_square_about(values, mean));
   Verdict verdict;
   verdict.what = what;
-  verdict.measured = fmt::format("{:.6g} ± {:.2g}, the mean of {} values", mean, theory.sd / root,
-                                 number_in_report(static_cast<double>(values.size())));
+  verdict.measured = fmt::format("{:.6g} ± {:.2g}, the mean of {}", mean, theory.sd / root,
+                                 counted(static_cast<double>(values.size()), "value"));
   verdict.expected = fmt::format("{:.6g}", theory.mean);
   const std::string z_text =
       std::abs(z) < 1e6 ? fmt::format("{:.1f}", z) : fmt::format("{:.1e}", z);

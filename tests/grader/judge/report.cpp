@@ -274,7 +274,7 @@ std::string report_text(const LabResult& result, bool verbose) {
   }
   constexpr std::size_t mark_number_points = 25;
   titles = std::min(titles, room_beside(mark_number_points, 16));
-  std::string out = fmt::format("Lab {:02}  {}  (sandbox: {})\n", result.lab.number,
+  std::string out = fmt::format("Lab {:02}  {}\n(sandbox: {})\n", result.lab.number,
                                 result.lab.title, result.sandbox);
   for (const ExerciseResult& entry : result.exercises)
     out += exercise_text(entry, result, titles, verbose);

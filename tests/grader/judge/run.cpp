@@ -39,8 +39,9 @@ void check_end(const Outcome& outcome, const Limits& limits) {
       fail(Status::crashed, fmt::format("it crashed: {}", crash_cause(outcome)));
       break;
     case End::deadline:
-      fail(Status::timeout, fmt::format("it was not done after {:.3g} seconds",
-                                        static_cast<double>(limits.deadline.count()) / 1000));
+      fail(Status::timeout,
+           fmt::format("it was not done after {:.3g} seconds: a loop that does not end?",
+                       static_cast<double>(limits.deadline.count()) / 1000));
       break;
     case End::flooded_output:
       fail(

@@ -7,6 +7,7 @@
 #include "cli/main_guard.h"
 #include "cli/wrap.h"
 #include "course/exercises.h"
+#include "grader/judge/numbers.h"
 #include "grader/judge/run.h"
 #include "grader/replay/pick.h"
 #include "grader/replay/rerun.h"
@@ -15,6 +16,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -50,12 +52,17 @@ std::string again(const Options& options, std::uint64_t seed, std::size_t number
                      seed == local_seed() ? "" : fmt::format(" --seed {}", seed), number);
 }
 
+/// Every digit, and whole numbers as reports have them.
+std::string exact(double value) {
+  return value == std::floor(value) ? number_in_report(value) : fmt::format("{}", value);
+}
+
 /// What the probe was given, by name.
-std::string passed(const Params& params) {
+std::string arguments(const Params& params) {
   std::string text;
-  if (params.n != 0) text += fmt::format("n = {}, ", params.n);
+  if (params.n != 0) text += fmt::format("n = {}, ", exact(static_cast<double>(params.n)));
   for (const auto& [name, value] : params.numbers)
-    text += fmt::format("{} = {}, ", name, value);
+    text += fmt::format("{} = {}, ", name, exact(value));
   return text + fmt::format("seed = {}", params.seed);
 }
 
@@ -75,10 +82,10 @@ int ask(const Options& options, const Exercise& exercise, const Questions& quest
   if (options.worker.empty()) throw Error("--worker is missing: which program is asked?");
   const Asked& asked = pick(questions.asked, options.probe);
   const std::size_t number = number_of(questions.asked, asked);
-  fmt::print("{}", wrapped(fmt::format("{}: {}\nProbe {}, \"{}\"{}{}\npassed: {}\n", exercise.tag,
-                                       asked.sentence, number, asked.probe,
+  fmt::print("{}", wrapped(fmt::format("{}: {}\nProbe {}, \"{}\"{}{}\narguments: {}\n",
+                                       exercise.tag, asked.sentence, number, asked.probe,
                                        asked.question.empty() ? "" : ": ", asked.question,
-                                       passed(asked.params))));
+                                       arguments(asked.params))));
   const auto words =
       command(options.worker, asked, options.all || !options.debugger.empty() ? 0 : 10);
   if (!options.debugger.empty()) {

@@ -30,7 +30,7 @@ expect() {
 }
 
 expect 0 'Lab 1.2 .*seed 5'
-expect 0 '^passed: seed = 12884901888$' --probe 1
+expect 0 '^arguments: seed = 12884901888$' --probe 1
 expect 0 '^1 value came back:$' --probe 1
 expect 0 '^ +high word of the seed +3$' --probe 'echo seed'
 expect 1 'no values: ' --probe throws
