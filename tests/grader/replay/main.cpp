@@ -15,6 +15,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -50,12 +51,18 @@ std::string again(const Options& options, std::uint64_t seed, std::size_t number
                      seed == local_seed() ? "" : fmt::format(" --seed {}", seed), number);
 }
 
-/// What the probe was given, by name.
-std::string passed(const Params& params) {
+/// What the probe was given, by name: the first `most` numbers of its own.
+std::string passed(const Params& params, std::size_t most) {
   std::string text;
   if (params.n != 0) text += fmt::format("n = {}, ", params.n);
-  for (const auto& [name, value] : params.numbers)
+  std::size_t shown = 0;
+  for (const auto& [name, value] : params.numbers) {
+    if (shown == most) break;
     text += fmt::format("{} = {}, ", name, value);
+    ++shown;
+  }
+  if (shown < params.numbers.size())
+    text += fmt::format("{} more (--all), ", params.numbers.size() - shown);
   return text + fmt::format("seed = {}", params.seed);
 }
 
@@ -78,7 +85,7 @@ int ask(const Options& options, const Exercise& exercise, const Questions& quest
   fmt::print("{}", wrapped(fmt::format("{}: {}\nProbe {}, \"{}\"{}{}\npassed: {}\n", exercise.tag,
                                        asked.sentence, number, asked.probe,
                                        asked.question.empty() ? "" : ": ", asked.question,
-                                       passed(asked.params))));
+                                       passed(asked.params, options.all ? SIZE_MAX : 12))));
   const auto words =
       command(options.worker, asked, options.all || !options.debugger.empty() ? 0 : 10);
   if (!options.debugger.empty()) {
