@@ -61,8 +61,7 @@ struct GridInverse {
 };
 
 const char* name_of(int smooth) {
-  return smooth == 1 ? "a smooth table of 16 x 12 cells"
-                     : "a table of 3 x 4 cells with an empty row and column";
+  return smooth == 1 ? "16 x 12 smooth cells" : "3 x 4 cells, a row and a column empty";
 }
 
 }  // namespace

@@ -311,7 +311,7 @@ TEST_CASE("Lab 6.4: a mixture draws from both with what is left of u", "[lab06][
                             {.rows = count,
                              .columns = 5,
                              .finite = false,
-                             .of = fmt::format("share {:g}", shares().at(i))});
+                             .of = fmt::format("share {}", shares().at(i))});
     judge_mixture_samples(i, rows);
     judge_mixture_pdf(i, rows);
   }

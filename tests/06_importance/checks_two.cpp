@@ -281,7 +281,7 @@ TEST_CASE("Lab 6.7: the number handed on stays below 1", "[lab06][ex7]") {
               {.rows = numbers.size(),
                .columns = 2,
                .finite = false,
-               .of = fmt::format("share {:g}", shares().at(index))});
+               .of = fmt::format("share {}", shares().at(index))});
     double outside = 0;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const double number = rows.at(i, 1);

@@ -179,7 +179,7 @@ Rows estimates(Lamp lamp, int form) {
        .numbers = {{"lamp", static_cast<double>(lamp)}, {"form", static_cast<double>(form)}}},
       {.rows = 100'000,
        .columns = 3,
-       .of = fmt::format("{}, {}", form == 0 ? "by area" : "over the hemisphere", name_of(lamp))});
+       .of = fmt::format("{}, {}", form == 0 ? "by area" : "by directions", name_of(lamp))});
 }
 
 /// Lamps emit (1, 2, 4): each estimate must have its channels so.

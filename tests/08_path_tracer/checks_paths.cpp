@@ -86,10 +86,10 @@ Rows trace(Method method, Params params) {
 
 Rows trace_all(Params params, double depth) {
   params.numbers["depth"] = depth;
-  const std::string length = depth == 0 ? "of any length" : fmt::format("of max_depth = {}", depth);
+  const std::string length = depth == 0 ? "any length" : fmt::format("max_depth = {}", depth);
   return probe(
       "Lab 8.8 paths", params,
-      {.rows = paths, .columns = 6, .of = fmt::format("{}, {}", view_text(params), length)});
+      {.rows = paths, .columns = 6, .of = fmt::format("{}, {}", length, view_text(params))});
 }
 
 Params furnace_of(double r, double g) {

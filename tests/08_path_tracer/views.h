@@ -26,6 +26,8 @@ enum Place {
 /// The place and whence it is seen, in words.
 inline std::string place_text(const carlo::grader::Params& params) {
   const auto rgb = [&] {
+    if (params["r"] == params["g"] && params["g"] == params["b"])
+      return fmt::format("{:g}", params["r"]);
     return fmt::format("({:g}, {:g}, {:g})", params["r"], params["g"], params["b"]);
   };
   const double degrees = params["degrees"];

@@ -147,9 +147,9 @@ TEST_CASE("a table that is wider than the screen goes on below, unless all is as
           "[rows]") {
   const std::vector<std::string> names = {"first", "second", "third", "fourth", "fifth"};
   Rows rows{5, std::vector<double>(15, -2.2250738585072014e-308)};
-  const auto widest = [](const std::string& text) {
+  const auto widest = [](const std::string& lines) {
     std::size_t most = 0, begin = 0;
-    for (std::size_t end = 0; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1)
+    for (std::size_t end = 0; (end = lines.find('\n', begin)) != std::string::npos; begin = end + 1)
       most = std::max(most, end - begin);
     return most;
   };

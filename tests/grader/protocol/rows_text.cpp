@@ -47,13 +47,14 @@ std::vector<std::string> names_of_columns(std::size_t columns,
   std::vector<std::string> list;
   if (repeated == 0 && single != columns) return list;
   if (repeated > 0 && (columns <= single || (columns - single) % repeated != 0)) return list;
+  const std::size_t each = repeated == 0 ? 0 : (columns - single) / repeated;
   for (const std::string& name : names) {
     if (!repeats(name)) {
       list.push_back(name);
       continue;
     }
     const std::string stem = name.substr(0, name.size() - and_so_on.size());
-    for (std::size_t i = 1; i <= (columns - single) / repeated; ++i)
+    for (std::size_t i = 1; i <= each; ++i)
       list.push_back(fmt::format("{} {}", stem, i));
   }
   return list;
