@@ -52,7 +52,10 @@ std::uint32_t after(std::uint32_t x0, std::uint64_t n, bool summand_after_factor
 Rows jumped(const std::string& name, std::uint32_t x0, std::uint64_t steps, std::size_t n) {
   Params params{.n = static_cast<std::int64_t>(n), .numbers = {{"x0", x0}}};
   set_wide_word(params, "steps", steps);
-  return probe(name, params, {.rows = n, .finite = false});
+  return probe(name, params,
+               {.rows = n,
+                .finite = false,
+                .of = fmt::format("{} step{} from x_0 = {}", steps, steps == 1 ? "" : "s", x0)});
 }
 
 void judge_jump(const std::string& name, std::uint32_t x0, std::uint64_t steps) {
@@ -183,7 +186,9 @@ Rows pcg_rows(std::uint64_t seed, std::uint64_t stream, std::int64_t n) {
   Params params{.n = n};
   set_wide_word(params, "seed", seed);
   set_wide_word(params, "stream", stream);
-  return probe("Lab 3.4 numbers", params, {.rows = static_cast<std::size_t>(n)});
+  return probe("Lab 3.4 numbers", params,
+               {.rows = static_cast<std::size_t>(n),
+                .of = fmt::format("{} numbers, seed {:#x}, stream {:#x}", n, seed, stream)});
 }
 
 }  // namespace

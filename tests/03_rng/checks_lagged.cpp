@@ -72,27 +72,29 @@ std::vector<double> lagged(std::size_t j, int combine, std::vector<std::uint32_t
 }
 
 void judge_recurrence(int j, int k, int combine, std::int64_t n) {
+  constexpr std::array<const char*, 3> names = {"+", "-", "xor"};
+  const std::string which =
+      fmt::format("({}, {}), {}", j, k, names[static_cast<std::size_t>(combine)]);
   const Answer rows =
       probe("Lab 3.3 recurrence",
             {.n = n, .numbers = {{"j", double(j)}, {"k", double(k)}, {"combine", double(combine)}}},
-            {.rows = static_cast<std::size_t>(n)});
+            {.rows = static_cast<std::size_t>(n), .of = which});
   const std::vector<std::uint32_t> first = random_words(rows.seed, k);
   const auto with = [&](Slip slip) {
     return lagged(static_cast<std::size_t>(j), combine, first, n, slip);
   };
-  constexpr std::array<const char*, 3> names = {"+", "-", "xor"};
   std::vector<Alternative> slips = {{with(Slip::place), wrong_place}, {with(Slip::oldest), late}};
   if (combine == 1) slips.push_back({with(Slip::swapped), operands_swapped});
-  judge(sequence_is(
-      fmt::format("the numbers for ({}, {}), {}", j, k, names[static_cast<std::size_t>(combine)]),
-      rows.values, with(Slip::none), slips));
+  judge(sequence_is("the numbers for " + which, rows.values, with(Slip::none), slips));
 }
 
 Rows seeded(std::uint64_t first, std::int64_t n, std::size_t k) {
   Params params{.n = n, .numbers = {{"k", static_cast<double>(k)}}};
   set_wide_word(params, "first", first);
   return probe("Lab 3.3 first words", params,
-               {.rows = static_cast<std::size_t>(n), .columns = 2 * k});
+               {.rows = static_cast<std::size_t>(n),
+                .columns = 2 * k,
+                .of = fmt::format("{} seeds from {:#x}, k = {}", n, first, k)});
 }
 
 /// A word as a number about 0 with variance 1.
@@ -151,7 +153,7 @@ TEST_CASE("Lab 3.3: the numbers of random() in the GNU C library come out", "[la
     params.numbers["word" + std::to_string((i + 28) % 31)] = static_cast<double>(word);
     word = word * 16807 % 2147483647;
   }
-  Rows rows = probe("Lab 3.3 known answer", params, {.rows = 5});
+  Rows rows = probe("Lab 3.3 known answer", params, {.rows = 5, .of = "srandom(1)"});
   for (double& value : rows.values)
     value = std::floor(value / 2);
   judge(sequence_is("random() after srandom(1)", rows.values,

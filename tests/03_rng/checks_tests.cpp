@@ -94,7 +94,9 @@ void judge_result(const std::string& what, const double* result, const Counts& c
 }
 
 /// Infinities are judged, not refused: dividing by a count of 0 makes them.
-const Shape three_numbers{.columns = 3, .finite = false};
+Shape three_numbers(const std::string& what) {
+  return {.columns = 3, .finite = false, .of = what};
+}
 
 void judge_counts(const std::string& what, const Counts& counts, const Counts& expected) {
   Params params{.n = static_cast<std::int64_t>(counts.size())};
@@ -102,7 +104,7 @@ void judge_counts(const std::string& what, const Counts& counts, const Counts& e
     params.numbers["count" + std::to_string(i)] = counts[i];
     params.numbers["expected" + std::to_string(i)] = expected[i];
   }
-  const Rows rows = probe("Lab 3.7 counts", params, three_numbers);
+  const Rows rows = probe("Lab 3.7 counts", params, three_numbers(what));
   judge_result(what, rows.values.data(), counts, expected);
 }
 
@@ -206,8 +208,9 @@ TEST_CASE("Lab 3.7: tails far out keep their digits", "[lab03][ex7]") {
   judge_counts("256 counts that are all but equal", close, even);
   judge_counts("256 counts off by 100", wild, even);
   const Params params{.n = 65'536, .numbers = {{"bits", 8}}};
-  const Rows rows = probe("Lab 3.7 counting words", params, three_numbers);
-  judge_result("words that count up", rows.values.data(), Counts(256, 256), Counts(256, 256));
+  const std::string what = "words that count up";
+  const Rows rows = probe("Lab 3.7 counting words", params, three_numbers(what));
+  judge_result(what, rows.values.data(), Counts(256, 256), Counts(256, 256));
 }
 
 TEST_CASE("Lab 3.7: equidistribution looks at the bits it is told to", "[lab03][ex7]") {
@@ -215,9 +218,10 @@ TEST_CASE("Lab 3.7: equidistribution looks at the bits it is told to", "[lab03][
   for (const auto& field :
        {std::pair{22, 10}, {0, 8}, {0, 1}, {31, 1}, {16, 16}, {0, 16}, {5, 3}, {13, 7}}) {
     const int lowest = field.first, bits = field.second;
+    const std::string what = fmt::format("{} bits from bit {}", bits, lowest);
     const Answer rows = probe(
         "Lab 3.7 words", {.n = n, .numbers = {{"lowest", double(lowest)}, {"bits", double(bits)}}},
-        three_numbers);
+        three_numbers(what));
     const std::vector<std::uint32_t> words = random_words(rows.seed, n);
     const auto cells = std::size_t{1} << bits;
     const double each = static_cast<double>(n) / static_cast<double>(cells);
@@ -232,8 +236,7 @@ TEST_CASE("Lab 3.7: equidistribution looks at the bits it is told to", "[lab03][
     if (each >= 1 && each != std::floor(each)) {
       suspects.push_back({statistic_of(counts, rounded), whole_expectation});
     }
-    judge_result(fmt::format("{} bits from bit {}", bits, lowest), rows.values.data(), counts,
-                 expected, suspects);
+    judge_result(what, rows.values.data(), counts, expected, suspects);
   }
 }
 

@@ -49,9 +49,9 @@ double gap(double x) {
 }
 
 void judge_between(float a, float b) {
-  const Rows rows = probe("Lab 3.5 between", {.n = tried, .numbers = {{"a", a}, {"b", b}}},
-                          {.rows = all_tried, .finite = false});
   const std::string range = fmt::format("[{:.9g}, {:.9g})", a, b);
+  const Rows rows = probe("Lab 3.5 between", {.n = tried, .numbers = {{"a", a}, {"b", b}}},
+                          {.rows = all_tried, .finite = false, .of = range});
   const auto [low, high] = std::minmax_element(rows.values.begin(), rows.values.end());
   const bool finite = std::all_of(rows.values.begin(), rows.values.end(),
                                   [](double x) { return std::isfinite(x); });

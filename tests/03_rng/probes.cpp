@@ -42,23 +42,24 @@ double jump_seconds() {
 
 }  // namespace
 
-PROBE("Lab 3.1 numbers") {
+PROBE("Lab 3.1 numbers", "number") {
   lab03::Lcg generator(static_cast<std::uint32_t>(params.whole("x0")));
   return numbers(generator, params.n);
 }
 
-PROBE("Lab 3.2 jump") {
+PROBE("Lab 3.2 jump", "number after the jump") {
   lab03::Lcg generator(static_cast<std::uint32_t>(params.whole("x0")));
   generator.discard(wide_word(params, "steps"));
   return numbers(generator, params.n);
 }
 
-PROBE("Lab 3.2 cost") {
+PROBE("Lab 3.2 cost", "seconds") {
   return {1, {jump_seconds()}};
 }
 
 // Jumps too long to be made step by step: NaN from a generator that would try.
-PROBE("Lab 3.2 long jump") {
+PROBE("Lab 3.2 long jump", "number after the jump",
+      "(nan: jumps take too long for this one to be tried)") {
   if (jump_seconds() > 0.05) return {1, {std::numeric_limits<double>::quiet_NaN()}};
   lab03::Lcg generator(static_cast<std::uint32_t>(params.whole("x0")));
   generator.discard(wide_word(params, "steps"));
@@ -66,7 +67,8 @@ PROBE("Lab 3.2 long jump") {
 }
 
 // A row for each of n seeds that follow each other: its first k words, twice.
-PROBE("Lab 3.3 first words") {
+PROBE("Lab 3.3 first words", "word ...", "again, word ...",
+      "(a row a seed: its words, and those that the same call gives again)") {
   const auto k = static_cast<std::size_t>(params.whole("k"));
   const std::uint64_t seed = wide_word(params, "first");
   Rows rows;
@@ -83,7 +85,7 @@ PROBE("Lab 3.3 first words") {
 }
 
 // The n numbers after k words that follow from the seed.
-PROBE("Lab 3.3 recurrence") {
+PROBE("Lab 3.3 recurrence", "number") {
   const lab03::Lags lags{static_cast<int>(params.whole("j")), static_cast<int>(params.whole("k"))};
   lab03::LaggedFibonacci generator(lags, static_cast<lab03::Combine>(params.whole("combine")),
                                    random_words(params.seed, lags.k));
@@ -91,7 +93,7 @@ PROBE("Lab 3.3 recurrence") {
 }
 
 // Started with 31 given words ("word0" ...); the first `skip` numbers are left out.
-PROBE("Lab 3.3 known answer") {
+PROBE("Lab 3.3 known answer", "number") {
   std::vector<std::uint32_t> first;
   for (int i = 0; i < 31; ++i)
     first.push_back(static_cast<std::uint32_t>(params.whole("word" + std::to_string(i))));
@@ -102,7 +104,7 @@ PROBE("Lab 3.3 known answer") {
 }
 
 // The time of n numbers, with k words.
-PROBE("Lab 3.3 cost") {
+PROBE("Lab 3.3 cost", "seconds") {
   const auto k = static_cast<int>(params.whole("k"));
   lab03::LaggedFibonacci generator({k / 3, k}, lab03::Combine::subtract,
                                    std::vector<std::uint32_t>(static_cast<std::size_t>(k), 1));
@@ -114,7 +116,7 @@ PROBE("Lab 3.3 cost") {
   return {1, {processor_seconds() - start}};
 }
 
-PROBE("Lab 3.4 numbers") {
+PROBE("Lab 3.4 numbers", "number") {
   lab03::Pcg32 generator(wide_word(params, "seed"), wide_word(params, "stream"));
   return numbers(generator, params.n);
 }

@@ -21,14 +21,16 @@ struct Exhausted {};
 
 }  // namespace
 
-PROBE("Lab 3.5 unit") {
+PROBE("Lab 3.5 unit", "float",
+      "(of the words 0 to 4095, of n words between, of the last 4096 words)") {
   Rows rows{1, {}};
   for (const std::uint32_t word : words_to_convert(params.n))
     rows.values.push_back(lab03::unit_float(word));
   return rows;
 }
 
-PROBE("Lab 3.5 between") {
+PROBE("Lab 3.5 between", "float",
+      "(of the words 0 to 4095, of n words between, of the last 4096 words)") {
   Rows rows{1, {}};
   const auto a = static_cast<float>(params["a"]);
   const auto b = static_cast<float>(params["b"]);
@@ -37,9 +39,8 @@ PROBE("Lab 3.5 between") {
   return rows;
 }
 
-// Columns: the value, and the words drawn for it. The value is NaN once the source has run dry, and
-// minus infinity from a division by zero on.
-PROBE("Lab 3.6 integers") {
+PROBE("Lab 3.6 integers", "number", "words drawn",
+      "(nan: far too many words were asked for; -inf: from a division by zero on)") {
   carlo::Rng rng(params.seed);
   const auto u = static_cast<std::int32_t>(params.whole("u"));
   const auto v = static_cast<std::int32_t>(params.whole("v"));
@@ -66,7 +67,8 @@ PROBE("Lab 3.6 integers") {
 }
 
 // For each of words_to_deal(n): the number made of it, or NaN when another word was asked for.
-PROBE("Lab 3.6 words dealt") {
+PROBE("Lab 3.6 words dealt", "number",
+      "(one for each word close to a multiple of 2^32 / 6; nan: another word was asked for)") {
   const auto u = static_cast<std::int32_t>(params.whole("u"));
   const auto v = static_cast<std::int32_t>(params.whole("v"));
   Rows rows{1, {}};
@@ -87,7 +89,7 @@ PROBE("Lab 3.6 words dealt") {
 }
 
 // n cells whose counts and expectations stand in "count0", "expected0", ...
-PROBE("Lab 3.7 counts") {
+PROBE("Lab 3.7 counts", "statistic", "p_lower", "p_upper") {
   std::vector<std::int64_t> counts;
   std::vector<double> expected;
   for (std::int64_t i = 0; i < params.n; ++i) {
@@ -99,7 +101,7 @@ PROBE("Lab 3.7 counts") {
 }
 
 // The test of n words that follow from the seed.
-PROBE("Lab 3.7 words") {
+PROBE("Lab 3.7 words", "statistic", "p_lower", "p_upper") {
   const std::vector<std::uint32_t> words = random_words(params.seed, params.n);
   const auto result = lab03::equidistribution(words, static_cast<int>(params.whole("lowest")),
                                               static_cast<int>(params.whole("bits")));
@@ -107,7 +109,7 @@ PROBE("Lab 3.7 words") {
 }
 
 // The words 0, 1, 2, ... n - 1: every field of low bits comes equally often.
-PROBE("Lab 3.7 counting words") {
+PROBE("Lab 3.7 counting words", "statistic", "p_lower", "p_upper") {
   std::vector<std::uint32_t> words(static_cast<std::size_t>(params.n));
   for (std::size_t i = 0; i < words.size(); ++i)
     words[i] = static_cast<std::uint32_t>(i);
@@ -115,8 +117,7 @@ PROBE("Lab 3.7 counting words") {
   return {3, {result.statistic, result.p_lower, result.p_upper}};
 }
 
-// Minus infinity for a division by zero.
-PROBE("Lab 3.8 length") {
+PROBE("Lab 3.8 length", "squared length", "(-inf: a division by zero)") {
   double length = divided_by_zero;
   divides_well([&] {
     length = static_cast<double>(lab03::spectral_2d(static_cast<std::uint64_t>(params.whole("a")),

@@ -15,7 +15,7 @@ using carlo::grader::Rows;
 using carlo::grader::RowWriter;
 
 // All repetitions share one generator: an estimate that restarts it repeats itself.
-PROBE("Lab 4.1 estimates") {
+PROBE("Lab 4.1 estimates", "estimate") {
   carlo::Rng rng(params.seed);
   const auto k = static_cast<int>(params.whole("k"));
   const lab04::Function f = [k](double x) { return power(x, k); };
@@ -27,7 +27,8 @@ PROBE("Lab 4.1 estimates") {
 
 // The estimate of x^2, how often f was asked, the generator's next words; then the n places, filled
 // up or cut.
-PROBE("Lab 4.1 record") {
+PROBE("Lab 4.1 record", "estimate", "evaluations of f", "next word of rng", "next word 2",
+      "next word 3", "next word 4", "point", "(nan: f was asked less often)") {
   carlo::Rng rng(params.seed);
   std::vector<double> places;
   const double value = lab04::stratified_average(
@@ -46,7 +47,7 @@ PROBE("Lab 4.1 record") {
 }
 
 // The place given for each of drawn_shares().
-PROBE("Lab 4.2 places") {
+PROBE("Lab 4.2 places", "x", "(for strata and numbers u that follow from the seed)") {
   const auto n = static_cast<std::int32_t>(params.n);
   Rows rows{1, {}};
   for (const Share& share : drawn_shares(params.seed, n, params.whole("places")))
@@ -55,7 +56,7 @@ PROBE("Lab 4.2 places") {
 }
 
 // One value: how many points came. Then the points, filled up with NaN or cut.
-PROBE("Lab 4.3 points") {
+PROBE("Lab 4.3 points", "x", "y", "(row 1: how many points came, and 0; nan: no point came)") {
   carlo::Rng rng(params.seed);
   const auto points = lab04::jittered(params.whole("columns"), params.whole("rows"), rng);
   const auto wanted = static_cast<std::size_t>(params.whole("columns") * params.whole("rows"));
@@ -69,7 +70,8 @@ PROBE("Lab 4.3 points") {
 }
 
 // A row a hypercube: its number of coordinates, then the coordinates, filled up with NaN or cut.
-PROBE("Lab 4.4 hypercubes") {
+PROBE("Lab 4.4 hypercubes", "coordinates", "coordinate ...",
+      "(a row a hypercube: how many coordinates came, then they, point by point; nan: none came)") {
   carlo::Rng rng(params.seed);
   const std::int64_t d = params.whole("dimensions");
   const auto wanted = static_cast<std::size_t>(params.n * d);
@@ -83,7 +85,7 @@ PROBE("Lab 4.4 hypercubes") {
   return rows;
 }
 
-PROBE("Lab 4.5 estimates") {
+PROBE("Lab 4.5 estimates", "value", "standard error", "plain standard error") {
   carlo::Rng rng(params.seed);
   RowWriter rows;
   const lab04::Function2d f = [](double x, double y) { return x * y; };
@@ -96,7 +98,9 @@ PROBE("Lab 4.5 estimates") {
 }
 
 // The three results; how often f was asked; then every place, filled up or cut.
-PROBE("Lab 4.5 record") {
+PROBE("Lab 4.5 record", "x", "y",
+      "(row 1: value and standard error; row 2: plain standard error and evaluations of f; then "
+      "where f was asked; nan: it was asked less often)") {
   carlo::Rng rng(params.seed);
   Rows places{2, {}};
   const DrawnPlane plane = drawn_plane(params.seed, params["offset"]);

@@ -12,7 +12,7 @@ using namespace lab04_tests;
 using carlo::grader::Rows;
 using carlo::grader::RowWriter;
 
-PROBE("Lab 4.6 estimates") {
+PROBE("Lab 4.6 estimates", "value", "standard error") {
   carlo::Rng rng(params.seed);
   const auto kind = static_cast<CubeIntegrand>(params.whole("integrand"));
   const lab04::FunctionNd f = [kind](std::span<const double> x) { return evaluate(kind, x); };
@@ -24,9 +24,9 @@ PROBE("Lab 4.6 estimates") {
   return rows.take();
 }
 
-// Columns: the estimate and its error; how often f was asked, and outside the cube or with a point
-// of the wrong dimension; the share of the places in [0, 1/4)^2; how many strata there were.
-PROBE("Lab 4.6 record") {
+// A point of the wrong dimension is one outside the cube.
+PROBE("Lab 4.6 record", "value", "standard error", "evaluations of f", "of them outside the cube",
+      "share in [0, 1/4)^2", "strata") {
   carlo::Rng rng(params.seed);
   const auto kind = static_cast<CubeIntegrand>(params.whole("integrand"));
   const auto d = static_cast<std::size_t>(params.whole("d"));
@@ -48,8 +48,8 @@ PROBE("Lab 4.6 record") {
            static_cast<double>(strata.size())}};
 }
 
-// A row a stratum: lower corner, upper corner, points. Rows without a stratum are 0.
-PROBE("Lab 4.6 strata") {
+PROBE("Lab 4.6 strata", "lower ...", "upper ...", "points",
+      "(rows of zeros: there are no more strata)") {
   carlo::Rng rng(params.seed);
   const auto kind = static_cast<CubeIntegrand>(params.whole("integrand"));
   const lab04::FunctionNd f = [kind](std::span<const double> x) { return evaluate(kind, x); };

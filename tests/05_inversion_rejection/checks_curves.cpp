@@ -129,8 +129,8 @@ bool lost_by_difference(const Case& c, const std::vector<double>& samples) {
 void judge_inverse(const Case& c, double relative, double absolute,
                    const std::vector<Alternative>& alternatives) {
   const std::vector<double> u = hard_numbers();
-  const Rows rows =
-      probe("Lab 5.1 to 5.3 inverse", params_of(c), {.rows = u.size(), .finite = false});
+  const Rows rows = probe("Lab 5.1 to 5.3 inverse", params_of(c),
+                          {.rows = u.size(), .finite = false, .of = c.name});
   Verdict verdict = equals_everywhere("the sample of " + c.name, u, rows.values, c.inverse,
                                       relative, absolute, alternatives);
   if (!verdict.passed && lost_by_difference(c, rows.values)) {
@@ -148,7 +148,10 @@ void judge_density(const Case& c, const std::vector<Alternative>& alternatives) 
   const double first = c.first - margin, last = c.last + margin;
   params.numbers["first"] = first;
   params.numbers["last"] = last;
-  const Rows rows = probe("Lab 5.1 to 5.3 density", params, {.rows = steps + 1, .finite = false});
+  const Rows rows = probe("Lab 5.1 to 5.3 density", params,
+                          {.rows = steps + 1,
+                           .finite = false,
+                           .of = fmt::format("{}, x = {:g} ... {:g}", c.name, first, last)});
   std::vector<double> at, inside_at, inside;
   bool right_outside = true;
   for (int i = 0; i <= steps; ++i) {
@@ -172,7 +175,7 @@ void judge_samples(const Case& c, double first, double last) {
   constexpr std::size_t n = 200'000, cells = 100;
   Params params = params_of(c);
   params.n = n;
-  const Rows rows = probe("Lab 5.1 to 5.3 samples", params, {.rows = n});
+  const Rows rows = probe("Lab 5.1 to 5.3 samples", params, {.rows = n, .of = c.name});
   std::vector<double> counts = counted(rows.values, first, last, cells);
   std::vector<double> mass = masses(c.cdf, first, last, cells);
   if (c.family == Family::exponential) {  // the tail is one more cell

@@ -75,7 +75,7 @@ TEST_CASE("Lab 5.7: samples fill every cell by f's integral, whatever the bound"
     const auto target = static_cast<Target>(kind);
     const TargetCase c = target_case(target);
     const Rows rows = probe("Lab 5.7 samples", {.n = n, .numbers = {{"target", kind}}},
-                            {.rows = n, .columns = 2, .finite = false});
+                            {.rows = n, .columns = 2, .finite = false, .of = name_of(target)});
     const std::vector<double> x = column(rows, 0);
     const auto count_in = [&](double first, double last) { return counted(x, first, last, cells); };
     const auto is_like = [&](const Formula& cdf) {
@@ -108,9 +108,10 @@ TEST_CASE("Lab 5.7: samples fill every cell by f's integral, whatever the bound"
 TEST_CASE("Lab 5.7: a dart is two fresh numbers, x first, and one look at f", "[lab05][ex7]") {
   constexpr std::size_t n = 500;
   for (int kind = 0; kind < static_cast<int>(Target::count); ++kind) {
-    const TargetCase c = target_case(static_cast<Target>(kind));
+    const auto target = static_cast<Target>(kind);
+    const TargetCase c = target_case(target);
     const Rows rows = probe("Lab 5.7 record", {.n = n, .numbers = {{"target", kind}}},
-                            {.rows = n, .columns = 6, .finite = false});
+                            {.rows = n, .columns = 6, .finite = false, .of = name_of(target)});
     std::vector<double> twice = column(rows, 1), expected_x;
     bool from_second = true;
     for (std::size_t i = 0; i < n; ++i) {
@@ -134,12 +135,13 @@ TEST_CASE("Lab 5.7: f outside its promised range is an error, and so is a search
   constexpr const char* names[] = {"f = 1.5 under the bound 1", "f = -0.5", "f that is NaN",
                                    "f that is NaN above x = 1/2"};
   for (int kind = 0; kind < 4; ++kind) {
-    const Rows rows = probe("Lab 5.7 broken promise", {.numbers = {{"kind", kind}}}, {});
+    const Rows rows =
+        probe("Lab 5.7 broken promise", {.numbers = {{"kind", kind}}}, {.of = names[kind]});
     judge(is_so(names[kind], rows.at(0, 0) == 1,
                 rows.at(0, 0) == 0 ? "accepted" : "an exception of another kind", "carlo::Error",
                 {promise_unchecked}));
   }
-  const Rows rows = probe("Lab 5.7 in vain", {}, {.columns = 2});
+  const Rows rows = probe("Lab 5.7 in vain", {}, {.columns = 2, .of = "f = 0 everywhere"});
   judge(
       is_so("f = 0 everywhere", rows.at(0, 0) == 1, "no carlo::Error", "carlo::Error", {endless}));
   judge(equals("the darts thrown in vain", rows.at(0, 1), 1e7, 0));

@@ -60,6 +60,10 @@ struct GridInverse {
   std::vector<std::vector<double>> columns;
 };
 
+const char* name_of(int smooth) {
+  return smooth == 1 ? "16 x 12 smooth cells" : "3 x 4 cells, a row and a column empty";
+}
+
 }  // namespace
 
 // The first number alone decides y, for every value of the second, and x is the inverse within the
@@ -69,7 +73,7 @@ TEST_CASE("Lab 5.6: u_row decides the row, u_column the place in it", "[lab05][e
     const GridInverse exact(smooth == 1 ? smooth_grid() : small_grid());
     const std::vector<double> u = hard_numbers();
     const Rows rows = probe("Lab 5.6 inverse", {.numbers = {{"smooth", smooth}}},
-                            {.rows = u.size() * u.size(), .columns = 3});
+                            {.rows = u.size() * u.size(), .columns = 3, .of = name_of(smooth)});
     double wrong_x = 0, wrong_y = 0, empty = 0, swapped = 0, uniform = 0, u_again = 0,
            first_row = 0;
     double judged = 0;
@@ -119,8 +123,8 @@ TEST_CASE("Lab 5.6: the density is that of each cell, and 0 outside the square",
       for (std::size_t i = 0; i < grid.width; ++i)
         expected.push_back(exact.density(i, j));
     }
-    Rows rows =
-        probe("Lab 5.6 density", {.numbers = {{"smooth", smooth}}}, {.rows = expected.size() + 4});
+    Rows rows = probe("Lab 5.6 density", {.numbers = {{"smooth", smooth}}},
+                      {.rows = expected.size() + 4, .of = name_of(smooth)});
     const std::vector<double> outside(rows.values.end() - 4, rows.values.end());
     rows.values.resize(expected.size());
     const double cells = number(expected.size());
@@ -138,7 +142,7 @@ TEST_CASE("Lab 5.6: the density is that of each cell, and 0 outside the square",
 TEST_CASE("Lab 5.6: ten million cells", "[lab05][ex6]") {
   const std::vector<double> u = hard_numbers();
   const Rows rows = probe("Lab 5.6 many cells", {.numbers = {{"width", 4000}, {"height", 2500}}},
-                          {.rows = u.size(), .columns = 3});
+                          {.rows = u.size(), .columns = 3, .of = "4000 x 2500 equal cells"});
   judge(equals_everywhere(
       "y from 1e7 equal cells", u, column(rows, 1), [](double v) { return v; }, 0, 1e-8));
   judge(equals_everywhere(
@@ -156,8 +160,8 @@ TEST_CASE("Lab 5.6: samples fill every cell by its integral", "[lab05][ex6]") {
   constexpr std::size_t n = 400'000;
   const GridInverse exact(smooth_grid());
   const Grid& grid = exact.grid;
-  const Rows rows =
-      probe("Lab 5.6 samples", {.n = n, .numbers = {{"smooth", 1}}}, {.rows = n, .columns = 2});
+  const Rows rows = probe("Lab 5.6 samples", {.n = n, .numbers = {{"smooth", 1}}},
+                          {.rows = n, .columns = 2, .of = name_of(1)});
   std::vector<double> counts(grid.weights.size()), mass;
   for (const double weight : grid.weights)
     mass.push_back(weight / exact.total);

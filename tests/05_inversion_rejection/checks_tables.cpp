@@ -66,9 +66,9 @@ bool exact_edges(Weights kind) {
 void judge_picks(Weights kind) {
   const std::vector<double> weights = weights_of(kind), cdf = exact_cdf(weights);
   const std::vector<double> u = numbers_for(weights);
-  const Rows rows =
-      probe("Lab 5.4 picks", params_of(kind), {.rows = u.size(), .columns = 2, .finite = false});
   const std::string name = name_of(kind);
+  const Rows rows = probe("Lab 5.4 picks", params_of(kind),
+                          {.rows = u.size(), .columns = 2, .finite = false, .of = name});
   double worst = 0;
   bool below_one = true, all_spent = true, all_raw = true;
   for (std::size_t i = 0; i < u.size(); ++i) {
@@ -128,8 +128,8 @@ TEST_CASE("Lab 5.4: the number drawn is where u falls, and weight 0 is never dra
 TEST_CASE("Lab 5.4: probabilities are the weights' shares", "[lab05][ex4]") {
   for (const Weights kind : {Weights::eighths, Weights::gaps, Weights::rugged, Weights::tiny}) {
     const std::vector<double> expected = probabilities(weights_of(kind));
-    const Rows rows =
-        probe("Lab 5.4 probabilities", params_of(kind), {.rows = expected.size(), .finite = false});
+    const Rows rows = probe("Lab 5.4 probabilities", params_of(kind),
+                            {.rows = expected.size(), .finite = false, .of = name_of(kind)});
     const std::vector<double> cdf = exact_cdf(weights_of(kind));
     const bool sums = std::equal(cdf.begin(), cdf.end(), rows.values.begin(),
                                  [](double a, double b) { return std::abs(a - b) <= 1e-9; });
@@ -144,7 +144,7 @@ TEST_CASE("Lab 5.4: ten million weights keep their probabilities", "[lab05][ex4]
   constexpr std::int64_t n = 10'000'000, stride = 9973;
   constexpr std::size_t count = (n + stride - 1) / stride + 1;
   const Rows rows = probe("Lab 5.4 many weights", {.n = n, .numbers = {{"stride", stride}}},
-                          {.rows = count, .columns = 2});
+                          {.rows = count, .columns = 2, .of = "1e7 equal weights"});
   std::vector<double> drawn;
   for (std::int64_t i = 0; i < n; i += stride)
     drawn.push_back(static_cast<double>(i));
@@ -165,7 +165,8 @@ TEST_CASE("Lab 5.4: random u give each number its share, and a fraction that is 
   constexpr std::size_t n = 400'000;
   Params params = params_of(Weights::rugged);
   params.n = n;
-  const Rows rows = probe("Lab 5.4 samples", params, {.rows = n, .columns = 2});
+  const Rows rows =
+      probe("Lab 5.4 samples", params, {.rows = n, .columns = 2, .of = name_of(Weights::rugged)});
   const std::vector<double> expected = probabilities(weights_of(Weights::rugged));
   std::vector<double> counts(expected.size());
   for (const double index : column(rows, 0)) {
@@ -183,7 +184,7 @@ TEST_CASE("Lab 5.5: samples are the inverse of the CDF and never fall where the 
     const std::vector<double> weights = weights_of(kind), cdf = exact_cdf(weights);
     const std::vector<double> u = numbers_for(weights);
     const Rows rows = probe("Lab 5.5 inverse", params_of(kind),
-                            {.rows = u.size(), .columns = 2, .finite = false});
+                            {.rows = u.size(), .columns = 2, .finite = false, .of = name_of(kind)});
     const double bins = number(weights.size());
     std::vector<double> at, found;
     double outside = 0, empty = 0;
@@ -217,7 +218,8 @@ TEST_CASE("Lab 5.5: the density is that of each bin, and 0 outside [0, 1)", "[la
     const std::vector<double> plain = expected;
     for (double& p : expected)
       p *= bins;
-    Rows rows = probe("Lab 5.5 density", params_of(kind), {.rows = expected.size() + 4});
+    Rows rows = probe("Lab 5.5 density", params_of(kind),
+                      {.rows = expected.size() + 4, .of = name_of(kind)});
     const std::vector<double> outside(rows.values.end() - 4, rows.values.end());
     rows.values.resize(expected.size());
     const bool unscaled = std::equal(plain.begin(), plain.end(), rows.values.begin(),
@@ -231,7 +233,8 @@ TEST_CASE("Lab 5.5: the density is that of each bin, and 0 outside [0, 1)", "[la
 
 TEST_CASE("Lab 5.5: ten million bins", "[lab05][ex5]") {
   const std::vector<double> u = hard_numbers();
-  const Rows rows = probe("Lab 5.5 many bins", {.n = 10'000'000}, {.rows = u.size(), .columns = 2});
+  const Rows rows = probe("Lab 5.5 many bins", {.n = 10'000'000},
+                          {.rows = u.size(), .columns = 2, .of = "1e7 equal bins"});
   judge(equals_everywhere(
       "the sample of 1e7 equal bins", u, column(rows, 0), [](double v) { return v; }, 0, 1e-8));
   judge(all_equal("its density", column(rows, 1), std::vector<double>(u.size(), 1.0), 1e-8));
@@ -241,7 +244,7 @@ TEST_CASE("Lab 5.5: samples fill every half bin by its integral", "[lab05][ex5]"
   constexpr std::size_t n = 400'000;
   Params params = params_of(Weights::gaps);
   params.n = n;
-  const Rows rows = probe("Lab 5.5 samples", params, {.rows = n});
+  const Rows rows = probe("Lab 5.5 samples", params, {.rows = n, .of = name_of(Weights::gaps)});
   std::vector<double> mass;
   for (const double p : probabilities(weights_of(Weights::gaps)))
     mass.insert(mass.end(), {p / 2, p / 2});

@@ -10,6 +10,7 @@
 using namespace lab05_tests;
 using carlo::grader::Params;
 using carlo::grader::refusal;
+using carlo::grader::refusal_codes;
 using carlo::grader::RowWriter;
 
 namespace {
@@ -62,15 +63,15 @@ double number(std::size_t index) {
 
 }  // namespace
 
-PROBE("Lab 5.1 to 5.3 inverse") {
+PROBE("Lab 5.1 to 5.3 inverse", "x",
+      "(for u = 0, tiny ones, 0.01, 0.02 ... 0.99, and up to the last double below 1)") {
   RowWriter rows;
   for (const double u : hard_numbers())
     rows.add({sample(params, u)});
   return rows.take();
 }
 
-// At n + 1 places from `first` to `last`.
-PROBE("Lab 5.1 to 5.3 density") {
+PROBE("Lab 5.1 to 5.3 density", "density", "(at n + 1 places, evenly from first to last)") {
   const double first = params["first"], last = params["last"];
   RowWriter rows;
   for (std::int64_t i = 0; i <= params.n; ++i) {
@@ -80,7 +81,7 @@ PROBE("Lab 5.1 to 5.3 density") {
   return rows.take();
 }
 
-PROBE("Lab 5.1 to 5.3 samples") {
+PROBE("Lab 5.1 to 5.3 samples", "x") {
   carlo::Rng rng(params.seed);
   RowWriter rows;
   for (std::int64_t i = 0; i < params.n; ++i)
@@ -88,7 +89,9 @@ PROBE("Lab 5.1 to 5.3 samples") {
   return rows.take();
 }
 
-PROBE("Lab 5.4 picks") {
+PROBE("Lab 5.4 picks", "index", "fraction",
+      "(for u from 0 to the last double below 1, both sides of each share's edge among them; nan: "
+      "the weights were refused)") {
   const std::vector<double> list = weights(params);
   const std::vector<double> numbers = numbers_for(list);
   return rows_or_nan(numbers.size(), 2, [&] {
@@ -102,7 +105,7 @@ PROBE("Lab 5.4 picks") {
   });
 }
 
-PROBE("Lab 5.4 probabilities") {
+PROBE("Lab 5.4 probabilities", "probability", "(nan: the weights were refused)") {
   const std::vector<double> list = weights(params);
   return rows_or_nan(list.size(), 1, [&] {
     const lab05::Discrete discrete(list);
@@ -113,7 +116,7 @@ PROBE("Lab 5.4 probabilities") {
   });
 }
 
-PROBE("Lab 5.4 samples") {
+PROBE("Lab 5.4 samples", "index", "fraction") {
   carlo::Rng rng(params.seed);
   const lab05::Discrete discrete(weights(params));
   RowWriter rows;
@@ -125,7 +128,8 @@ PROBE("Lab 5.4 samples") {
 }
 
 // n equal weights of 0.1; u in the middle of every stride-th share, and the last u of all.
-PROBE("Lab 5.4 many weights") {
+PROBE("Lab 5.4 many weights", "index", "probability",
+      "(for u in the middle of every stride-th share; last row: the last double below 1)") {
   const std::vector<double> list(static_cast<std::size_t>(params.n), 0.1);
   const lab05::Discrete discrete(list);
   RowWriter rows;
@@ -137,12 +141,13 @@ PROBE("Lab 5.4 many weights") {
   return rows.take();
 }
 
-PROBE("Lab 5.4 refusal") {
+PROBE("Lab 5.4 refusal", "refusal", refusal_codes) {
   const auto list = bad_weights(params.whole("kind"));
   return {1, {refusal([&] { (void)lab05::Discrete(list); })}};
 }
 
-PROBE("Lab 5.5 inverse") {
+PROBE("Lab 5.5 inverse", "x", "density at x",
+      "(for u from 0 to the last double below 1, both sides of each bin's edge among them)") {
   const std::vector<double> list = weights(params);
   const lab05::Tabulated1d table(list);
   RowWriter rows;
@@ -153,8 +158,8 @@ PROBE("Lab 5.5 inverse") {
   return rows.take();
 }
 
-// In the middle of each bin; then at -0.5, at the last double below 0, at 1 and at 1.5.
-PROBE("Lab 5.5 density") {
+PROBE("Lab 5.5 density", "density",
+      "(in the middle of each bin; the last four: at -0.5, just below 0, at 1, at 1.5)") {
   const lab05::Tabulated1d table(weights(params));
   RowWriter rows;
   for (std::size_t i = 0; i < table.size(); ++i)
@@ -164,7 +169,7 @@ PROBE("Lab 5.5 density") {
   return rows.take();
 }
 
-PROBE("Lab 5.5 samples") {
+PROBE("Lab 5.5 samples", "x") {
   carlo::Rng rng(params.seed);
   const lab05::Tabulated1d table(weights(params));
   RowWriter rows;
@@ -173,7 +178,8 @@ PROBE("Lab 5.5 samples") {
   return rows.take();
 }
 
-PROBE("Lab 5.5 many bins") {
+PROBE("Lab 5.5 many bins", "x", "density at x",
+      "(for u = 0, tiny ones, 0.01, 0.02 ... 0.99, and up to the last double below 1)") {
   const std::vector<double> list(static_cast<std::size_t>(params.n), 0.1);
   const lab05::Tabulated1d table(list);
   RowWriter rows;
@@ -184,7 +190,9 @@ PROBE("Lab 5.5 many bins") {
   return rows.take();
 }
 
-PROBE("Lab 5.6 inverse") {
+PROBE("Lab 5.6 inverse", "x", "y", "density there",
+      "(for all pairs of u_row and u_column, from 0 to the last double below 1; u_column runs "
+      "faster)") {
   const lab05::Tabulated2d table = table_of(grid(params));
   RowWriter rows;
   for (const double u_row : hard_numbers()) {
@@ -196,8 +204,8 @@ PROBE("Lab 5.6 inverse") {
   return rows.take();
 }
 
-// In the middle of each cell, row by row; then at four points outside the square.
-PROBE("Lab 5.6 density") {
+PROBE("Lab 5.6 density", "density",
+      "(in the middle of each cell, row by row; the last four: outside the square)") {
   const Grid g = grid(params);
   const lab05::Tabulated2d table = table_of(g);
   RowWriter rows;
@@ -214,7 +222,7 @@ PROBE("Lab 5.6 density") {
   return rows.take();
 }
 
-PROBE("Lab 5.6 samples") {
+PROBE("Lab 5.6 samples", "x", "y") {
   carlo::Rng rng(params.seed);
   const lab05::Tabulated2d table = table_of(grid(params));
   RowWriter rows;
@@ -228,7 +236,8 @@ PROBE("Lab 5.6 samples") {
 }
 
 // width x height equal weights of 0.1: the point is (u_column, u_row).
-PROBE("Lab 5.6 many cells") {
+PROBE("Lab 5.6 many cells", "x", "y", "density there",
+      "(for u_row from 0 to the last double below 1, and u_column = 1 - u_row)") {
   const auto width = static_cast<std::size_t>(params.whole("width"));
   const auto height = static_cast<std::size_t>(params.whole("height"));
   const std::vector<double> list(width * height, 0.1);
@@ -241,7 +250,7 @@ PROBE("Lab 5.6 many cells") {
   return rows.take();
 }
 
-PROBE("Lab 5.6 refusal") {
+PROBE("Lab 5.6 refusal", "refusal", refusal_codes) {
   const auto kind = params.whole("kind");
   const std::vector<double> list = bad_cells(kind);
   return {1, {refusal([&] { (void)lab05::Tabulated2d(list, 2, 2); })}};

@@ -12,6 +12,7 @@
 using namespace lab05_tests;
 using carlo::grader::Params;
 using carlo::grader::refusal;
+using carlo::grader::refusal_codes;
 using carlo::grader::RowWriter;
 
 namespace {
@@ -51,7 +52,7 @@ Dart dart(carlo::Rng rng, std::int64_t darts) {
 
 }  // namespace
 
-PROBE("Lab 5.7 samples") {
+PROBE("Lab 5.7 samples", "x", "darts", "(nan: f was refused)") {
   carlo::Rng rng(params.seed);
   const Target t = target(params);
   const TargetCase c = target_case(t);
@@ -67,7 +68,9 @@ PROBE("Lab 5.7 samples") {
 }
 
 // What a few calls draw, and the two numbers of the dart that each says it accepted.
-PROBE("Lab 5.7 record") {
+PROBE("Lab 5.7 record", "x", "darts", "evaluations of f", "numbers drawn", "dart's first number",
+      "its second number",
+      "(the numbers of the dart that `darts` says was accepted; nan: f was refused)") {
   carlo::Rng rng(params.seed);
   const Target t = target(params);
   const TargetCase c = target_case(t);
@@ -90,7 +93,7 @@ PROBE("Lab 5.7 record") {
 }
 
 // 0: f above its bound, 1: f negative, 2: f is NaN.
-PROBE("Lab 5.7 broken promise") {
+PROBE("Lab 5.7 broken promise", "refusal", refusal_codes) {
   carlo::Rng rng(params.seed);
   const auto kind = params.whole("kind");
   const auto f = [kind](double x) {
@@ -103,7 +106,7 @@ PROBE("Lab 5.7 broken promise") {
           })}};
 }
 
-PROBE("Lab 5.7 in vain") {
+PROBE("Lab 5.7 in vain", "refusal", "evaluations of f", refusal_codes) {
   carlo::Rng rng(params.seed);
   double evaluations = 0;
   const auto zero = [&](double) {
@@ -114,12 +117,13 @@ PROBE("Lab 5.7 in vain") {
   return {2, {refused, evaluations}};
 }
 
-PROBE("Lab 5.7 rate") {
+PROBE("Lab 5.7 rate", "acceptance rate") {
   return {1,
           {lab05::acceptance_rate(params["integral"], params["a"], params["b"], params["bound"])}};
 }
 
-PROBE("Lab 5.8 rejection") {
+PROBE("Lab 5.8 rejection", "x", "y", "darts", "dart's first number", "its second number",
+      "(the numbers of the dart that `darts` says was accepted)") {
   carlo::Rng rng(params.seed);
   RowWriter rows;
   for (std::int64_t i = 0; i < params.n; ++i) {
@@ -131,7 +135,7 @@ PROBE("Lab 5.8 rejection") {
   return rows.take();
 }
 
-PROBE("Lab 5.8 inversion at") {
+PROBE("Lab 5.8 inversion at", "u_radius", "u_angle", "x", "y") {
   RowWriter rows;
   for (const double u_radius : hard_numbers()) {
     for (const double u_angle : {0.0, 0.1, 0.25, 0.5, 0.75, 0.875, last_below_one}) {
@@ -142,7 +146,7 @@ PROBE("Lab 5.8 inversion at") {
   return rows.take();
 }
 
-PROBE("Lab 5.8 inversion") {
+PROBE("Lab 5.8 inversion", "x", "y") {
   carlo::Rng rng(params.seed);
   RowWriter rows;
   for (std::int64_t i = 0; i < params.n; ++i) {
@@ -154,6 +158,6 @@ PROBE("Lab 5.8 inversion") {
   return rows.take();
 }
 
-PROBE("Lab 5.8 density") {
+PROBE("Lab 5.8 density", "density") {
   return {1, {lab05::disc_pdf({params["x"], params["y"]})}};
 }

@@ -53,7 +53,7 @@ inline bool near_edge(double u, const std::vector<double>& cdf) {
 
 inline void judge_refusal(const char* probe_name, const char* name, int kind) {
   const carlo::grader::Rows rows =
-      carlo::grader::probe(probe_name, {.numbers = {{"kind", kind}}}, {});
+      carlo::grader::probe(probe_name, {.numbers = {{"kind", kind}}}, {.of = name});
   const double answer = rows.at(0, 0);
   carlo::grader::judge(carlo::grader::is_so(
       name, answer == 1, answer == 0 ? "accepted" : "an exception of another kind", "carlo::Error",

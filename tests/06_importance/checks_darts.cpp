@@ -45,7 +45,7 @@ void judge_darts(Profile profile) {
   const Dartboard board = dartboard(profile);
   const double width = board.b - board.a;
   const Rows rows = probe("Lab 6.5 record", profile_params(profile, n),
-                          {.rows = n + 1, .columns = 3, .finite = false});
+                          {.rows = n + 1, .columns = 3, .finite = false, .of = name_of(profile)});
   double kept = 0;
   const auto dart = [&](std::size_t i, auto&& value) {
     const double x = board.a + width * rows.at(i, 1);
@@ -115,8 +115,9 @@ void judge_darts(Profile profile) {
 TEST_CASE("Lab 6.5: the mean over all darts is f's integral where g > 0", "[lab06][ex5]") {
   for (const Profile profile : {Profile::parabola, Profile::step}) {
     constexpr std::size_t n = 400'000;
-    const auto values =
-        probe("Lab 6.5 contributions", profile_params(profile, n), {.rows = n}).values;
+    const auto values = probe("Lab 6.5 contributions", profile_params(profile, n),
+                              {.rows = n, .of = name_of(profile)})
+                            .values;
     const Theory theory = theory_of(dart_moments(profile));
     judge(mean_is(name_of(profile), values, theory));
     judge(variance_is(fmt::format("the variance, {}", name_of(profile)), values, theory));
@@ -132,7 +133,8 @@ TEST_CASE("Lab 6.5: a shape that breaks its promise is an error", "[lab06][ex5]"
   const char* const kinds[] = {"g above its bound", "g negative", "g NaN"};
   for (const int kind : {0, 1, 2}) {
     const double refused =
-        probe("Lab 6.5 broken promise", {.numbers = {{"kind", kind}}}, {}).at(0, 0);
+        probe("Lab 6.5 broken promise", {.numbers = {{"kind", kind}}}, {.of = kinds[kind]})
+            .at(0, 0);
     judge(is_so(kinds[kind], refused == 1, refused == 0 ? "accepted" : "another exception",
                 "a carlo::Error", {promise_unchecked}));
   }

@@ -54,7 +54,8 @@ const Diagnosis no_time{"efficiency-without-time", "the time of a sample is miss
 
 std::vector<double> contributions(double k, double n, std::int64_t count) {
   return probe("Lab 6.1 contributions", {.n = count, .numbers = {{"k", k}, {"n", n}}},
-               {.rows = static_cast<std::size_t>(count)})
+               {.rows = static_cast<std::size_t>(count),
+                .of = fmt::format("{:g} x^{:g} with p as x^{:g}", k + 1, k, n)})
       .values;
 }
 
@@ -71,7 +72,7 @@ struct Summary {
 void judge_summary(const std::string& name, List list, const Summary& right, double tolerance,
                    const std::vector<Diagnosis>& always = {}) {
   const Rows rows = probe("Lab 6.2 summary", {.numbers = {{"list", static_cast<double>(list)}}},
-                          {.columns = 3, .finite = false});
+                          {.columns = 3, .finite = false, .of = name});
   const auto n = static_cast<double>(list_of(list).size());
   const auto one = [&](const std::string& what, std::size_t column, double expected,
                        const Suspects& suspects) {
@@ -133,11 +134,12 @@ TEST_CASE("Lab 6.1: with p proportional to f every single contribution is the in
 // Mean 1/4, sd .144: a bias of .002 is caught with power .999 at n = 400 000.
 TEST_CASE("Lab 6.1: a p that does not cover f gives the integral over what it covers",
           "[lab06][ex1]") {
-  const auto values = probe("Lab 6.1 uncovered",
-                            {.n = 400'000, .numbers = {{"k", 1}, {"edge", 0.5}}}, {.rows = 400'000})
-                          .values;
-  judge(mean_is("2 x with p uniform on [0, 1/2)", values, theory_of(uncovered_moments(1, 0.5)),
-                {{0.5, not_divided}}));
+  const char* const what = "2 x with p uniform on [0, 1/2)";
+  const auto values =
+      probe("Lab 6.1 uncovered", {.n = 400'000, .numbers = {{"k", 1}, {"edge", 0.5}}},
+            {.rows = 400'000, .of = what})
+          .values;
+  judge(mean_is(what, values, theory_of(uncovered_moments(1, 0.5)), {{0.5, not_divided}}));
 }
 
 TEST_CASE("Lab 6.1: f and p are asked at the same point", "[lab06][ex1]") {
@@ -218,7 +220,7 @@ TEST_CASE("Lab 6.2: no digits are lost far from zero", "[lab06][ex2]") {
 TEST_CASE("Lab 6.2: a million values are added up in double", "[lab06][ex2]") {
   const Rows rows =
       probe("Lab 6.2 summary", {.numbers = {{"list", static_cast<double>(List::tenths)}}},
-            {.columns = 3});
+            {.columns = 3, .of = "a million times 0.1"});
   judge(holds("the mean of a million times 0.1", std::abs(rows.at(0, 0) - 0.1) <= 1e-11,
               fmt::format("{:.12g}", rows.at(0, 0)), "0.1 within 1e-11", {float_sum}));
 }

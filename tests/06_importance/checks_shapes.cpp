@@ -62,7 +62,7 @@ void judge_samples(std::size_t index) {
   const Lamp lamp = lamps().at(index);
   const std::size_t count = hard_numbers().size();
   const Rows rows = probe("Lab 6.3 samples", lamp_params(index),
-                          {.rows = count + 1, .columns = 3, .finite = false});
+                          {.rows = count + 1, .columns = 3, .finite = false, .of = name_of(lamp)});
   std::vector<double> u = hard_numbers(), t = column(rows, 1), pdf = column(rows, 2);
   t.pop_back();
   pdf.pop_back();
@@ -104,8 +104,8 @@ void judge_samples(std::size_t index) {
 void judge_pdf(std::size_t index) {
   const Lamp lamp = lamps().at(index);
   constexpr std::size_t n = 400;
-  const Rows rows =
-      probe("Lab 6.3 pdf", lamp_params(index, n), {.rows = n, .columns = 2, .finite = false});
+  const Rows rows = probe("Lab 6.3 pdf", lamp_params(index, n),
+                          {.rows = n, .columns = 2, .finite = false, .of = name_of(lamp)});
   const std::vector<double> t = column(rows, 0);
   const auto shape = [&](double x) { return 1 / (lamp.height * lamp.height + x * x); };
   const std::vector<Alternative> others = {
@@ -134,15 +134,33 @@ const Diagnosis no_tail{"no-tail-is-infinite",
                         "where the sizes do not differ, or are 0 at m_k, the index is infinite."};
 const Diagnosis decimal_logs{"logarithm-to-base-10", "the index needs natural logarithms."};
 
+/// Of the lists of inputs.h those that the largest share and the index are asked of.
+std::string name_of(List list) {
+  switch (list) {
+    case List::mixed:
+      return "2 4 4 4 5 5 7 9";
+    case List::tail:
+      return "powers of 2 with signs";
+    case List::one:
+      return "a single value";
+    case List::equal:
+      return "ten times 2.5";
+    case List::sparse:
+      return "three numbers among zeros";
+    default:
+      return "zeros";
+  }
+}
+
 double share_probe(List list) {
   return probe("Lab 6.4 share", {.numbers = {{"list", static_cast<double>(list)}}},
-               {.finite = false})
+               {.finite = false, .of = name_of(list)})
       .at(0, 0);
 }
 
 double index_probe(List list, int k) {
   return probe("Lab 6.4 index", {.numbers = {{"list", static_cast<double>(list)}, {"k", k}}},
-               {.finite = false})
+               {.finite = false, .of = fmt::format("{}, k = {}", name_of(list), k)})
       .at(0, 0);
 }
 
@@ -290,7 +308,10 @@ TEST_CASE("Lab 6.4: a mixture draws from both with what is left of u", "[lab06][
   for (std::size_t i = 0; i < shares().size(); ++i) {
     const std::size_t count = numbers_for(shares().at(i)).size();
     const Rows rows = probe("Lab 6.4 mixture", {.numbers = {{"share", static_cast<double>(i)}}},
-                            {.rows = count, .columns = 5, .finite = false});
+                            {.rows = count,
+                             .columns = 5,
+                             .finite = false,
+                             .of = fmt::format("share {}", shares().at(i))});
     judge_mixture_samples(i, rows);
     judge_mixture_pdf(i, rows);
   }

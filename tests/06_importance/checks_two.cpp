@@ -59,6 +59,7 @@ struct Plan {
     return fmt::format("{} heuristic, {} + {} samples",
                        kind == Weighting::power ? "power" : "balance", n_first, n_second);
   }
+  std::string question() const { return name() + (wide ? ", the first covers f alone" : ""); }
   Params params(std::int64_t n) const {
     return {.n = n,
             .numbers = {{"weighting", static_cast<double>(kind)},
@@ -88,8 +89,8 @@ double replay(const Plan& plan, const std::vector<double>& u, const Term& term, 
 
 void judge_record(const Plan& plan) {
   const auto n = static_cast<std::size_t>(plan.n_first + plan.n_second);
-  const Rows rows =
-      probe("Lab 6.7 multi record", plan.params(0), {.rows = n + 2, .columns = 1, .finite = false});
+  const Rows rows = probe("Lab 6.7 multi record", plan.params(0),
+                          {.rows = n + 2, .columns = 1, .finite = false, .of = plan.question()});
   const std::vector<double> u(rows.values.begin() + 1, rows.values.end() - 1);
   const Term right = [&](const StepDensity& own, double n_own, const StepDensity& other,
                          double n_other, std::size_t cell) {
@@ -162,6 +163,11 @@ struct OneSample {
   }
 };
 
+std::string heuristic_and_share(Weighting kind, double share) {
+  return fmt::format("{} heuristic, share {:g}", kind == Weighting::power ? "power" : "balance",
+                     share);
+}
+
 void judge_one(Weighting kind, std::size_t index) {
   const double share = shares().at(index);
   const std::vector<double> numbers = numbers_for(share);
@@ -169,7 +175,10 @@ void judge_one(Weighting kind, std::size_t index) {
                           {.numbers = {{"weighting", static_cast<double>(kind)},
                                        {"wide", 0},
                                        {"share", static_cast<double>(index)}}},
-                          {.rows = numbers.size(), .columns = 2, .finite = false});
+                          {.rows = numbers.size(),
+                           .columns = 2,
+                           .finite = false,
+                           .of = heuristic_and_share(kind, share)});
   const OneSample right{kind, step_first, share};
   std::vector<double> u, measured;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -196,8 +205,7 @@ void judge_one(Weighting kind, std::size_t index) {
     others.push_back({but(&OneSample::chances_given, false), chance_not_given});
   }
   judge(all_match(
-      fmt::format("one sample, {} heuristic, share {:g},",
-                  kind == Weighting::power ? "power" : "balance", share),
+      fmt::format("one sample, {},", heuristic_and_share(kind, share)),
       [&](std::size_t i) { return fmt::format("at u = {:.17g}", u[i]); }, measured, values(right),
       1e-12, 0, others));
 }
@@ -219,7 +227,8 @@ TEST_CASE("Lab 6.7: two techniques together are unbiased, with theory's variance
   for (const Weighting kind : {Weighting::balance, Weighting::power}) {
     for (const Plan& plan : {Plan{kind, false, 1, 1}, Plan{kind, false, 4, 1}}) {
       constexpr std::size_t n = 100'000;
-      const auto values = probe("Lab 6.7 multi", plan.params(n), {.rows = n}).values;
+      const auto values =
+          probe("Lab 6.7 multi", plan.params(n), {.rows = n, .of = plan.question()}).values;
       const Theory theory =
           multi_theory(kind, plan.first(), plan.n_first, step_second, plan.n_second);
       judge(mean_is(plan.name(), values, theory));
@@ -231,7 +240,9 @@ TEST_CASE("Lab 6.7: two techniques together are unbiased, with theory's variance
 TEST_CASE("Lab 6.7: a technique without samples leaves the other as it is", "[lab06][ex7]") {
   constexpr std::size_t n = 50'000;
   const Plan plan{Weighting::balance, true, 2, 0};
-  const auto values = probe("Lab 6.7 multi", plan.params(n), {.rows = n, .finite = false}).values;
+  const auto values =
+      probe("Lab 6.7 multi", plan.params(n), {.rows = n, .finite = false, .of = plan.question()})
+          .values;
   const bool finite =
       std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
   judge(is_so("estimates that are no numbers", finite, "some", "none", {no_samples}));
@@ -267,7 +278,10 @@ TEST_CASE("Lab 6.7: the number handed on stays below 1", "[lab06][ex7]") {
     const std::vector<double> numbers = numbers_for(shares().at(index));
     const Rows rows =
         probe("Lab 6.7 one numbers", {.numbers = {{"share", static_cast<double>(index)}}},
-              {.rows = numbers.size(), .columns = 2, .finite = false});
+              {.rows = numbers.size(),
+               .columns = 2,
+               .finite = false,
+               .of = fmt::format("share {}", shares().at(index))});
     double outside = 0;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const double number = rows.at(i, 1);
@@ -283,16 +297,15 @@ TEST_CASE("Lab 6.7: a single sample is unbiased, with theory's variance", "[lab0
   for (const Weighting kind : {Weighting::balance, Weighting::power}) {
     for (const double share : {0.5, 0.2}) {
       constexpr std::size_t n = 200'000;
+      const std::string name = heuristic_and_share(kind, share);
       const auto values = probe("Lab 6.7 one estimates",
                                 {.n = n,
                                  .numbers = {{"weighting", static_cast<double>(kind)},
                                              {"wide", 0},
                                              {"share", share}}},
-                                {.rows = n})
+                                {.rows = n, .of = name})
                               .values;
       const Theory theory = one_theory(kind, step_first, step_second, share);
-      const std::string name = fmt::format("{} heuristic, share {:g}",
-                                           kind == Weighting::power ? "power" : "balance", share);
       judge(mean_is(name, values, theory));
       judge(variance_is(fmt::format("the variance, {}", name), values, theory));
     }

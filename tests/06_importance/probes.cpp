@@ -11,6 +11,7 @@
 using namespace lab06_tests;
 using carlo::grader::Params;
 using carlo::grader::refusal;
+using carlo::grader::refusal_codes;
 using carlo::grader::RowWriter;
 
 namespace {
@@ -34,7 +35,7 @@ lab06::Density negative() {
 
 }  // namespace
 
-PROBE("Lab 6.1 contributions") {
+PROBE("Lab 6.1 contributions", "contribution") {
   carlo::Rng rng(params.seed);
   const auto values = lab06::contributions(power_function(params["k"]),
                                            lab06::power_density(params["n"]), params.n, rng);
@@ -42,15 +43,14 @@ PROBE("Lab 6.1 contributions") {
 }
 
 // f where p covers only [0, edge).
-PROBE("Lab 6.1 uncovered") {
+PROBE("Lab 6.1 uncovered", "contribution") {
   carlo::Rng rng(params.seed);
   const auto values = lab06::contributions(
       power_function(params["k"]), lab06::uniform_density(0, params["edge"]), params.n, rng);
   return {1, values};
 }
 
-// Columns: the value, and whether it was refused.
-PROBE("Lab 6.1 answers") {
+PROBE("Lab 6.1 answers", "contribution", "refusal", refusal_codes) {
   RowWriter rows;
   for (const Answers& a : answers()) {
     const lab06::Density p{[](double u) { return u; }, [&](double) { return a.pdf; }};
@@ -62,15 +62,14 @@ PROBE("Lab 6.1 answers") {
   return rows.take();
 }
 
-PROBE("Lab 6.1 at") {
+PROBE("Lab 6.1 at", "contribution") {
   const lab06::Density p{[](double u) { return u; }, [](double x) { return 2 + x; }};
   const auto f = [](double x) { return x * x; };
   return {1, {lab06::contribution(f, p, params["x"])}};
 }
 
-// Columns: the contribution, the generator's number, what sample() was given in its place. The
-// last row: how many values came, how often sample() was called, whether the next number agrees.
-PROBE("Lab 6.1 record") {
+PROBE("Lab 6.1 record", "contribution", "number of rng", "number given to p.sample",
+      "(last row: contributions that came, calls of p.sample, 1 if rng is where it should be)") {
   carlo::Rng rng(params.seed);
   carlo::Rng copy = rng;
   std::vector<double> asked;
@@ -90,17 +89,17 @@ PROBE("Lab 6.1 record") {
   return rows.take();
 }
 
-PROBE("Lab 6.2 summary") {
+PROBE("Lab 6.2 summary", "value", "variance", "standard error") {
   const lab06::Estimate e = lab06::summarize(list_of(params));
   return {3, {e.value, e.variance, e.standard_error}};
 }
 
-PROBE("Lab 6.2 efficiency") {
+PROBE("Lab 6.2 efficiency", "efficiency") {
   return {1, {lab06::efficiency(params["variance"], params["seconds"])}};
 }
 
-// Columns: u, sample(u), the pdf there; then the pdf outside, at both sides.
-PROBE("Lab 6.3 samples") {
+PROBE("Lab 6.3 samples", "u", "sample(u)", "pdf there",
+      "(last row: nan, then the pdf below a and above b)") {
   const Lamp lamp = lamps().at(static_cast<std::size_t>(params.whole("lamp")));
   const lab06::Density p = lab06::light_density(lamp.height, lamp.a, lamp.b);
   const double width = lamp.b - lamp.a;
@@ -114,7 +113,7 @@ PROBE("Lab 6.3 samples") {
 }
 
 // The pdf at the middles of n equal cells of [a, b].
-PROBE("Lab 6.3 pdf") {
+PROBE("Lab 6.3 pdf", "t", "pdf") {
   const Lamp lamp = lamps().at(static_cast<std::size_t>(params.whole("lamp")));
   const lab06::Density p = lab06::light_density(lamp.height, lamp.a, lamp.b);
   RowWriter rows;
@@ -126,16 +125,16 @@ PROBE("Lab 6.3 pdf") {
   return rows.take();
 }
 
-PROBE("Lab 6.4 share") {
+PROBE("Lab 6.4 share", "largest share") {
   return {1, {lab06::largest_share(list_of(params))}};
 }
 
-PROBE("Lab 6.4 index") {
+PROBE("Lab 6.4 index", "tail index") {
   return {1, {lab06::tail_index(list_of(params), static_cast<std::size_t>(params.whole("k")))}};
 }
 
 // Pareto numbers of index a, half of them negative: 1 / estimate for each list of n.
-PROBE("Lab 6.4 pareto") {
+PROBE("Lab 6.4 pareto", "1 / tail index") {
   carlo::Rng rng(params.seed);
   RowWriter rows;
   std::vector<double> values(static_cast<std::size_t>(params.n));
@@ -149,8 +148,7 @@ PROBE("Lab 6.4 pareto") {
   return rows.take();
 }
 
-// Columns: u, whether q was asked, with which number; the mixture's pdf at u and at -u.
-PROBE("Lab 6.4 mixture") {
+PROBE("Lab 6.4 mixture", "u", "q was asked", "with the number", "pdf at u", "pdf at -u") {
   const double share = shares().at(static_cast<std::size_t>(params.whole("share")));
   const lab06::Density p = lab06::mixture(positive(), negative(), share);
   RowWriter rows;

@@ -12,6 +12,7 @@
 using namespace lab06_tests;
 using carlo::grader::Params;
 using carlo::grader::refusal;
+using carlo::grader::refusal_codes;
 using carlo::grader::RowWriter;
 
 namespace {
@@ -43,7 +44,7 @@ const StepDensity& first_steps(const Params& params) {
 
 }  // namespace
 
-PROBE("Lab 6.5 contributions") {
+PROBE("Lab 6.5 contributions", "contribution") {
   carlo::Rng rng(params.seed);
   const auto profile = static_cast<Profile>(params.whole("profile"));
   const Dartboard board = dartboard(profile);
@@ -52,9 +53,8 @@ PROBE("Lab 6.5 contributions") {
   return {1, lab06::rejection_contributions(f, g, board.a, board.b, board.g_max, params.n, rng)};
 }
 
-// Columns: the contribution, the dart's two numbers. The last row: how many values came, how often
-// f was asked, whether the next number agrees.
-PROBE("Lab 6.5 record") {
+PROBE("Lab 6.5 record", "contribution", "dart's first number", "its second number",
+      "(last row: contributions that came, evaluations of f, 1 if rng is where it should be)") {
   carlo::Rng rng(params.seed);
   carlo::Rng copy = rng;
   const auto profile = static_cast<Profile>(params.whole("profile"));
@@ -79,7 +79,7 @@ PROBE("Lab 6.5 record") {
 }
 
 // 0: g above its bound, 1: g negative, 2: g is NaN.
-PROBE("Lab 6.5 broken promise") {
+PROBE("Lab 6.5 broken promise", "refusal", refusal_codes) {
   carlo::Rng rng(params.seed);
   const auto kind = params.whole("kind");
   const auto g = [kind](double) { return kind == 0 ? 1.5 : kind == 1 ? -0.5 : not_a_number; };
@@ -87,8 +87,7 @@ PROBE("Lab 6.5 broken promise") {
   return {1, {refusal([&] { (void)lab06::rejection_contributions(one, g, 0, 1, 1, 4, rng); })}};
 }
 
-// Columns: balance, and with the roles exchanged; power, and with the roles exchanged.
-PROBE("Lab 6.6 weights") {
+PROBE("Lab 6.6 weights", "balance", "roles exchanged", "power", "roles exchanged") {
   RowWriter rows;
   for (const Pair& pair : pairs()) {
     const lab06::Effort own{pair.samples, pair.pdf}, other{pair.other_samples, pair.other_pdf};
@@ -99,7 +98,8 @@ PROBE("Lab 6.6 weights") {
 }
 
 // The sums of a pair's weights, for pdfs over the whole range of double.
-PROBE("Lab 6.6 sums") {
+PROBE("Lab 6.6 sums", "balance", "sum of the two", "power", "sum of the two",
+      "(the sums: own's weight and other's)") {
   carlo::Rng rng(params.seed);
   RowWriter rows;
   for (std::int64_t i = 0; i < params.n; ++i) {
@@ -115,7 +115,7 @@ PROBE("Lab 6.6 sums") {
   return rows.take();
 }
 
-PROBE("Lab 6.7 multi") {
+PROBE("Lab 6.7 multi", "estimate") {
   carlo::Rng rng(params.seed);
   const lab06::Technique first{step_density(first_steps(params)), params.whole("n_first")};
   const lab06::Technique second{step_density(step_second), params.whole("n_second")};
@@ -125,9 +125,8 @@ PROBE("Lab 6.7 multi") {
   return rows.take();
 }
 
-// One estimate and the numbers it was made from, one a row; the last row says whether the
-// generator's next number agrees.
-PROBE("Lab 6.7 multi record") {
+PROBE("Lab 6.7 multi record", "estimate", "number of rng",
+      "(the last: 1 if rng is where it should be)") {
   carlo::Rng rng(params.seed);
   carlo::Rng copy = rng;
   const lab06::Technique first{step_density(first_steps(params)), params.whole("n_first")};
@@ -141,7 +140,9 @@ PROBE("Lab 6.7 multi record") {
 }
 
 // Every sample of the first technique has pdf 0 there: nothing may come from it, and no NaN.
-PROBE("Lab 6.7 vanishing") {
+PROBE("Lab 6.7 vanishing", "of two techniques, the first's pdf is 0",
+      "of two techniques, both pdfs are 0", "of one sample, whose pdf is 0",
+      "of one sample, the other's pdf is 0") {
   carlo::Rng rng(params.seed);
   const lab06::Density never{[](double) { return 0.5; }, [](double) { return 0.0; }};
   const lab06::Density even = lab06::uniform_density(0, 1);
@@ -154,8 +155,7 @@ PROBE("Lab 6.7 vanishing") {
            lab06::one_sample(two, never, even, 0.5, power, 0.8)}};
 }
 
-// Columns: u and what it contributes.
-PROBE("Lab 6.7 one") {
+PROBE("Lab 6.7 one", "u", "contribution") {
   const double share = shares().at(static_cast<std::size_t>(params.whole("share")));
   const lab06::Density first = step_density(first_steps(params));
   const lab06::Density second = step_density(step_second);
@@ -165,8 +165,7 @@ PROBE("Lab 6.7 one") {
   return rows.take();
 }
 
-// Columns: u and the number that the chosen technique is handed.
-PROBE("Lab 6.7 one numbers") {
+PROBE("Lab 6.7 one numbers", "u", "number handed on") {
   const double share = shares().at(static_cast<std::size_t>(params.whole("share")));
   double handed = not_a_number;
   const lab06::Density note{[&handed](double u) {
@@ -182,7 +181,7 @@ PROBE("Lab 6.7 one numbers") {
   return rows.take();
 }
 
-PROBE("Lab 6.7 one estimates") {
+PROBE("Lab 6.7 one estimates", "estimate") {
   carlo::Rng rng(params.seed);
   const lab06::Density first = step_density(first_steps(params));
   const lab06::Density second = step_density(step_second);

@@ -346,14 +346,14 @@ TEST_CASE("Lab 7.7: ambient occlusion is irradiance over pi", "[lab07][ex7]") {
 
 TEST_CASE("Lab 7.7: radiance is asked once a direction, and never below the horizon",
           "[lab07][ex7]") {
-  constexpr double n = 20'000;
+  constexpr std::int64_t n = 20'000;
   for (const Case& c : {make(Light::sky, Technique::uniform), make(Light::sky, Technique::cosine),
                         make(Light::sunset, Technique::lobe, 4, true)}) {
-    const Answer rows = probe("Lab 7.7 record", params_of(c, tilted, n), {.columns = 7});
+    const Answer rows =
+        probe("Lab 7.7 record", params_of(c, tilted, n), {.columns = 7, .of = c.name});
     const double asked = rows.at(0, 0), below = rows.at(0, 1), off = rows.at(0, 2);
     const NextWords next{rows.at(0, 3), rows.at(0, 4), rows.at(0, 5), rows.at(0, 6)};
-    const double words =
-        words_drawn(carlo::Rng(rows.seed), next, static_cast<std::int64_t>(64 * n));
+    const double words = words_drawn(carlo::Rng(rows.seed), next, 64 * n);
     judge(holds("radiance asked for below the horizon, under " + c.name, below == 0,
                 fmt::format("{} times", below), "never", {asks_below}));
     judge(holds("the length of the directions asked for, under " + c.name, off <= 1e-5,
@@ -372,18 +372,18 @@ TEST_CASE("Lab 7.7: radiance is asked once a direction, and never below the hori
 TEST_CASE("Lab 7.7: a direction on the lobe's very edge does not spoil the estimate",
           "[lab07][ex7]") {
   for (const double n : {0.0, 0.05}) {
+    const std::string lobe = fmt::format("the lobe of n = {:g}", n);
     const Params params = {
         .numbers = {{"exponent", n}, {"x", tilted.x}, {"y", tilted.y}, {"z", tilted.z}}};
-    const Rows rows = probe("Lab 7.7 edge", params,
-                            {.rows = std::size_t{edge_streams} * edge_mirrors, .finite = false});
+    const Rows rows =
+        probe("Lab 7.7 edge", params,
+              {.rows = std::size_t{edge_streams} * edge_mirrors, .finite = false, .of = lobe});
     const auto wrong = std::count_if(rows.values.begin(), rows.values.end(),
                                      [](double e) { return !(e >= 0 && e <= 20); });
-    judge(holds(fmt::format("estimates from one direction of the lobe of n = {:g} whose u.x is the "
-                            "last float below 1",
-                            n),
-                wrong == 0,
-                fmt::format("{} of {} are infinite or no number", wrong, rows.values.size()),
-                "at most cos(theta)/pdf, or 0", {density_zero}));
+    judge(holds(
+        fmt::format("estimates from one direction of {} whose u.x is the last float below 1", lobe),
+        wrong == 0, fmt::format("{} of {} are infinite or no number", wrong, rows.values.size()),
+        "at most cos(theta)/pdf, or 0", {density_zero}));
   }
 }
 

@@ -46,7 +46,9 @@ constexpr std::size_t n = 200'000;
 Rows drawn(Vec3 normal) {
   return probe("Lab 7.2 directions",
                {.n = n, .numbers = {{"x", normal.x}, {"y", normal.y}, {"z", normal.z}}},
-               {.rows = n, .columns = 4});
+               {.rows = n,
+                .columns = 4,
+                .of = fmt::format("normal ({:g}, {:g}, {:g})", normal.x, normal.y, normal.z)});
 }
 
 bool in_one_octant(const std::vector<Double3>& directions) {

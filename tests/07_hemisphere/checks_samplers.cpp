@@ -70,8 +70,9 @@ double upper(double value, Double3 w) {
 
 /// The density is 0 wherever theory's is 0, or it would be one of the others'.
 bool wrong_only_below(const Subject& subject) {
-  const Rows rows = probe("Lab 7.3 to 7.6 density", subject.params(),
-                          {.rows = std::size_t{density_rings} * density_sectors, .finite = false});
+  const Rows rows = probe(
+      "Lab 7.3 to 7.6 density", subject.params(),
+      {.rows = std::size_t{density_rings} * density_sectors, .finite = false, .of = subject.name});
   for (int ring = 0; ring < density_rings / 2; ++ring) {
     const Double3 w = density_place(ring, 0);
     const double value = rows.values[static_cast<std::size_t>(ring) * density_sectors];
@@ -192,7 +193,7 @@ TEST_CASE("Lab 7.5: the density is right across the narrowest lobes", "[lab07][e
   for (const double n : {20.0, 1000.0, 1e5, 1e6, 1e7}) {
     const Subject subject = lobe_subject(n);
     const Rows rows = probe("Lab 7.5 to 7.6 lobe density", subject.params(),
-                            {.rows = lobe_steps, .finite = false});
+                            {.rows = lobe_steps, .finite = false, .of = subject.name});
     std::vector<Double3> places;
     for (int step = 0; step < lobe_steps; ++step) {
       places.emplace_back(lobe_place(step, n, {0, 0, 1}));

@@ -47,7 +47,7 @@ bool bad_at_zero_only(const std::vector<Vec2>& u, const std::vector<bool>& bad) 
 void judge_edges(const Subject& subject, const std::vector<Diagnosis>& at_zero) {
   const std::vector<Vec2> u = edge_numbers();
   const Rows rows = probe("Lab 7.3 to 7.6 edges", subject.params(),
-                          {.rows = u.size(), .columns = 4, .finite = false});
+                          {.rows = u.size(), .columns = 4, .finite = false, .of = subject.name});
   const std::vector<Double3> directions = directions_in(rows);
   judge(all_unit(directions));
   std::vector<bool> bad;

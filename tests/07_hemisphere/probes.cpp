@@ -58,8 +58,9 @@ struct Subject {
 
 }  // namespace
 
-// Columns: s, t, n; a local vector in the world, a world vector locally.
-PROBE("Lab 7.1 frames") {
+PROBE("Lab 7.1 frames", "s.x", "s.y", "s.z", "t.x", "t.y", "t.z", "n.x", "n.y", "n.z", "to_world.x",
+      "to_world.y", "to_world.z", "to_local.x", "to_local.y", "to_local.z",
+      "(to_world of (0.3, -0.5, 0.8), to_local of (-0.6, 0.2, 0.7))") {
   RowWriter rows;
   for (const Vec3 normal : hard_normals()) {
     const lab07::Frame f(normal);
@@ -70,7 +71,7 @@ PROBE("Lab 7.1 frames") {
   return rows.take();
 }
 
-PROBE("Lab 7.2 directions") {
+PROBE("Lab 7.2 directions", "x", "y", "z", "darts") {
   const Vec3 normal(params["x"], params["y"], params["z"]);
   carlo::Rng rng(params.seed);
   RowWriter rows;
@@ -81,8 +82,8 @@ PROBE("Lab 7.2 directions") {
   return rows.take();
 }
 
-// One row a direction: the darts it tells, the direction, and the generator's next words.
-PROBE("Lab 7.2 record") {
+PROBE("Lab 7.2 record", "darts", "x", "y", "z", "next word of rng", "next word 2", "next word 3",
+      "next word 4") {
   carlo::Rng rng(params.seed);
   RowWriter rows;
   for (std::int64_t i = 0; i < params.n; ++i) {
@@ -93,7 +94,7 @@ PROBE("Lab 7.2 record") {
   return rows.take();
 }
 
-PROBE("Lab 7.3 to 7.6 directions") {
+PROBE("Lab 7.3 to 7.6 directions", "x", "y", "z", "pdf") {
   const Subject subject(params);
   carlo::Rng rng(params.seed);
   RowWriter rows;
@@ -106,7 +107,8 @@ PROBE("Lab 7.3 to 7.6 directions") {
   return rows.take();
 }
 
-PROBE("Lab 7.3 to 7.6 edges") {
+PROBE("Lab 7.3 to 7.6 edges", "x", "y", "z", "pdf",
+      "(for all pairs of 10 numbers u from 0 to the last float below 1)") {
   const Subject subject(params);
   RowWriter rows;
   for (const Vec2 u : edge_numbers()) {
@@ -116,7 +118,8 @@ PROBE("Lab 7.3 to 7.6 edges") {
   return rows.take();
 }
 
-PROBE("Lab 7.3 to 7.6 density") {
+PROBE("Lab 7.3 to 7.6 density", "pdf",
+      "(in 200 rings of 32 directions, from z = 1 down to z = -1)") {
   const Subject subject(params);
   RowWriter rows;
   for (int ring = 0; ring < density_rings; ++ring) {
@@ -126,7 +129,7 @@ PROBE("Lab 7.3 to 7.6 density") {
   return rows.take();
 }
 
-PROBE("Lab 7.5 to 7.6 lobe density") {
+PROBE("Lab 7.5 to 7.6 lobe density", "pdf", "(in 160 directions, from the lobe's axis outwards)") {
   const Subject subject(params);
   RowWriter rows;
   for (int step = 0; step < lobe_steps; ++step)
@@ -134,7 +137,7 @@ PROBE("Lab 7.5 to 7.6 lobe density") {
   return rows.take();
 }
 
-PROBE("Lab 7.6 mirror") {
+PROBE("Lab 7.6 mirror", "x", "y", "z") {
   RowWriter rows;
   for (const Vec3 wo : hard_normals()) {
     const Vec3 mirror = lab07::mirror_direction({wo.x, wo.y, std::abs(wo.z)});

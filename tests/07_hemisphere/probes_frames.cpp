@@ -87,9 +87,10 @@ Found climb(Region region, carlo::Rng& rng) {
 
 }  // namespace
 
-// Columns: the worst normal found, and s and t there. n regions all over the sphere are looked at;
-// from those where s turns most the search climbs.
-PROBE("Lab 7.1 search") {
+// The worst normal found. n regions all over the sphere are looked at; from those where s turns
+// most the search climbs.
+PROBE("Lab 7.1 search", "normal.x", "normal.y", "normal.z", "s.x", "s.y", "s.z", "t.x", "t.y",
+      "t.z") {
   constexpr std::size_t climbs = 10;
   carlo::Rng rng(params.seed);
   std::vector<Region> regions;

@@ -49,7 +49,7 @@ constexpr std::array<std::uint64_t, edge_streams> last_float_streams = {
 }  // namespace
 
 // ambient = 1 asks for the ambient occlusion of the same scene.
-PROBE("Lab 7.7 estimates") {
+PROBE("Lab 7.7 estimates", "estimate") {
   const Surface surface(params);
   carlo::Rng rng(params.seed);
   const lab07::Radiance radiance = [&](Vec3 wi) { return surface.lit(wi) ? 1.0f : 0.0f; };
@@ -65,9 +65,8 @@ PROBE("Lab 7.7 estimates") {
   return rows.take();
 }
 
-// Columns: how often radiance was asked for, how often below the horizon, the largest deviation of
-// a direction's length from 1, the generator's next words.
-PROBE("Lab 7.7 record") {
+PROBE("Lab 7.7 record", "radiance was asked for", "of this below the horizon", "length off 1 by",
+      "next word of rng", "next word 2", "next word 3", "next word 4") {
   const Surface surface(params);
   carlo::Rng rng(params.seed);
   double asked = 0, below = 0, off = 0;
@@ -86,7 +85,7 @@ PROBE("Lab 7.7 record") {
 
 // Estimates from one direction of the lobe, its u.x the last float below 1: it lies on the lobe's
 // very edge, and turning may round it out, where the density is 0. By mirror directions all around.
-PROBE("Lab 7.7 edge") {
+PROBE("Lab 7.7 edge", "estimate") {
   const Vec3 normal(params["x"], params["y"], params["z"]);
   const Axes axes(normal);
   const lab07::Radiance sky = [](Vec3) { return 1.0f; };
@@ -104,7 +103,7 @@ PROBE("Lab 7.7 edge") {
 }
 
 // The irradiance of an open sky from many directions at once; they all contribute the same.
-PROBE("Lab 7.7 many") {
+PROBE("Lab 7.7 many", "irradiance") {
   carlo::Rng rng(params.seed);
   const lab07::Radiance sky = [](Vec3) { return 1.0f; };
   const lab07::Sampling sampling{lab07::Technique::cosine, {0, 0, 1}, 1};

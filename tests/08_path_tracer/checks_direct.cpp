@@ -81,6 +81,10 @@ Figure strata_picture(std::size_t strata, const std::vector<double>& rays) {
   return figure;
 }
 
+std::string pixel(int x, int y, int strata) {
+  return fmt::format("pixel ({}, {}), {} x {} strata", x, y, strata, strata);
+}
+
 }  // namespace
 
 TEST_CASE("Lab 8.1: one ray in every stratum of the pixel, uniform within it", "[lab08][ex1]") {
@@ -88,7 +92,7 @@ TEST_CASE("Lab 8.1: one ray in every stratum of the pixel, uniform within it", "
   for (const int strata : {1, 3, 16}) {
     const auto k = static_cast<std::size_t>(strata);
     const Rows rows = probe("Lab 8.1 rays", {.n = strata, .numbers = {{"x", 5}, {"y", 6}}},
-                            {.rows = k * k + 2, .columns = 2});
+                            {.rows = k * k + 2, .columns = 2, .of = pixel(5, 6, strata)});
     std::set<std::pair<int, int>> met;
     double same_across = 0, same_down = 0, same = 0;
     bool mirrored = true, astray = false;
@@ -132,8 +136,8 @@ TEST_CASE("Lab 8.1: one ray in every stratum of the pixel, uniform within it", "
 }
 
 TEST_CASE("Lab 8.1: the mean of what the rays bring, each asked once", "[lab08][ex1]") {
-  const Rows rows =
-      probe("Lab 8.1 rays", {.n = 4, .numbers = {{"x", 0}, {"y", 7}}}, {.rows = 18, .columns = 2});
+  const Rows rows = probe("Lab 8.1 rays", {.n = 4, .numbers = {{"x", 0}, {"y", 7}}},
+                          {.rows = 18, .columns = 2, .of = pixel(0, 7, 4)});
   judge(equals("rays", rows.at(17, 1), 16, 0));
   judge(equals("the mean of 1, 2, ... 16", rows.at(16, 0), 8.5, 1e-5,
                {{136, not_averaged}, {34, not_averaged}}));
@@ -173,7 +177,9 @@ Rows estimates(Lamp lamp, int form) {
       "Lab 8.2 estimates",
       {.n = 100'000,
        .numbers = {{"lamp", static_cast<double>(lamp)}, {"form", static_cast<double>(form)}}},
-      {.rows = 100'000, .columns = 3});
+      {.rows = 100'000,
+       .columns = 3,
+       .of = fmt::format("{}, {}", form == 0 ? "by area" : "by directions", name_of(lamp))});
 }
 
 /// Lamps emit (1, 2, 4): each estimate must have its channels so.

@@ -4,6 +4,7 @@
 // known one by one instead, and how often each must come.
 
 #include "08_path_tracer/theory.h"
+#include "08_path_tracer/views.h"
 
 using namespace carlo::grader;
 using namespace lab08_tests;
@@ -68,8 +69,6 @@ const Diagnosis no_distance{"distance-missing-in-light-pdf",
 
 constexpr std::size_t paths = 50'000;
 
-/// Places of probes_paths.cpp.
-enum Place { in_furnace = 0, with_glass = 1, on_ball = 2, on_floor = 3, in_mirrors = 6 };
 enum Method { lecture = 0, mended = 1, direct = 2 };
 
 Params with(Place place, std::map<std::string, double> numbers) {
@@ -79,12 +78,18 @@ Params with(Place place, std::map<std::string, double> numbers) {
 
 Rows trace(Method method, Params params) {
   params.numbers["method"] = static_cast<double>(method);
-  return probe("Lab 8 paths", params, {.rows = paths, .columns = 3});
+  const char* const rules[] = {"the lecture's rule, ", "mended, ", ""};
+  return probe(
+      "Lab 8 paths", params,
+      {.rows = paths, .columns = 3, .of = fmt::format("{}{}", rules[method], view_text(params))});
 }
 
 Rows trace_all(Params params, double depth) {
   params.numbers["depth"] = depth;
-  return probe("Lab 8.8 paths", params, {.rows = paths, .columns = 6});
+  const std::string length = depth == 0 ? "any length" : fmt::format("max_depth = {}", depth);
+  return probe(
+      "Lab 8.8 paths", params,
+      {.rows = paths, .columns = 6, .of = fmt::format("{}, {}", length, view_text(params))});
 }
 
 Params furnace_of(double r, double g) {
@@ -286,7 +291,7 @@ TEST_CASE("Lab 8.8: the power heuristic", "[lab08][ex8]") {
                         {1e30, 1, 1}}) {
     const Rows rows =
         probe("Lab 8.8 heuristic", {.numbers = {{"p", c.p}, {"q", std::isinf(c.q) ? -1 : c.q}}},
-              {.finite = false});
+              {.finite = false, .of = fmt::format("p = {:g}, q = {:g}", c.p, c.q)});
     const bool extreme = c.p > 1e20 || (c.p < 1e-20 && c.p > 0) || c.q > 1e20;
     Suspects suspects;
     if (!extreme && c.p != c.q && c.p > 0 && c.q > 0)
@@ -301,7 +306,7 @@ TEST_CASE("Lab 8.8: the power heuristic", "[lab08][ex8]") {
 TEST_CASE("Lab 8.8: the density of light points", "[lab08][ex8]") {
   for (const Lamp lamp : {Lamp::rectangle, Lamp::sphere, Lamp::two}) {
     const Rows rows = probe("Lab 8.8 light pdf", {.numbers = {{"lamp", static_cast<double>(lamp)}}},
-                            {.rows = 40, .columns = 5});
+                            {.rows = 40, .columns = 5, .of = name_of(lamp)});
     double wrong = 0, uncounted = 0, flat = 0, near = 0, lit = 0;
     for (std::size_t i = 0; i < rows.count(); ++i) {
       const double d2 = rows.at(i, 1), cosine = rows.at(i, 2), area = rows.at(i, 3);

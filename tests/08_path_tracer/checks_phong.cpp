@@ -167,7 +167,10 @@ void judge_values(const std::string& what, const PhongCase& c, const std::vector
 
 Rows values_of(std::size_t i) {
   return probe("Lab 8.3 values", {.numbers = {{"case", static_cast<double>(i)}}},
-               {.rows = direction_pairs(phong_cases()[i].n).size(), .columns = 2, .finite = false});
+               {.rows = direction_pairs(phong_cases()[i].n).size(),
+                .columns = 2,
+                .finite = false,
+                .of = name_of(phong_cases()[i])});
 }
 
 /// f and pdf with the lobe about the normal.

@@ -47,15 +47,15 @@ struct SampleCase {
   double degrees;
 };
 
+std::string title(const SampleCase& c) {
+  return fmt::format("{}, wo at {:g} degrees", name_of(phong_cases()[c.material]), c.degrees);
+}
+
 Rows samples_of(const SampleCase& c) {
   return probe(
       "Lab 8.3 samples",
       {.n = draws, .numbers = {{"case", static_cast<double>(c.material)}, {"degrees", c.degrees}}},
-      {.rows = draws, .columns = 6});
-}
-
-std::string title(const SampleCase& c) {
-  return fmt::format("{}, wo at {:g} degrees", name_of(phong_cases()[c.material]), c.degrees);
+      {.rows = draws, .columns = 6, .of = title(c)});
 }
 
 Double3 world_wo(double degrees) {

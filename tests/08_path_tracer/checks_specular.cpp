@@ -1,6 +1,7 @@
 // Checks of exercise 8.7: exact values, but for the last world.
 
 #include "08_path_tracer/theory.h"
+#include "08_path_tracer/views.h"
 
 using namespace carlo::grader;
 using namespace lab08_tests;
@@ -48,9 +49,8 @@ constexpr std::size_t paths = 50'000;
 
 Rows trace(std::map<std::string, double> numbers, std::size_t count = 2000) {
   numbers.insert({{"method", 3}, {"emission", 1}, {"degrees", 0}});
-  return probe("Lab 8 paths",
-               {.n = static_cast<std::int64_t>(count), .numbers = std::move(numbers)},
-               {.rows = count, .columns = 3});
+  const Params params{.n = static_cast<std::int64_t>(count), .numbers = std::move(numbers)};
+  return probe("Lab 8 paths", params, {.rows = count, .columns = 3, .of = view_text(params)});
 }
 
 }  // namespace
@@ -60,7 +60,8 @@ TEST_CASE("Lab 8.7: Fresnel's reflectance", "[lab08][ex7]") {
     for (const double degrees : {0.0, 30.0, 40.0, 56.309932, 75.0, 89.0, 90.0}) {
       const double c = std::cos(degrees * pi / 180), exact = fresnel_exact(c, eta);
       const Rows rows =
-          probe("Lab 8.7 fresnel", {.numbers = {{"cos", c}, {"eta", eta}}}, {.finite = false});
+          probe("Lab 8.7 fresnel", {.numbers = {{"cos", c}, {"eta", eta}}},
+                {.finite = false, .of = fmt::format("{:g} degrees, eta = {:.4g}", degrees, eta)});
       Suspects suspects{{fresnel_exact(c, 1 / eta), eta_inverted}};
       if (degrees > 10) suspects.push_back({s_only(c, eta), one_polarisation});
       Verdict verdict =
@@ -109,11 +110,11 @@ TEST_CASE("Lab 8.7: refraction by Snell's law", "[lab08][ex7]") {
 TEST_CASE("Lab 8.7: mirrors and glass, from both sides", "[lab08][ex7]") {
   for (const double front : {1.0, 0.0}) {
     for (const double degrees : {0.0, 30.0, 60.0}) {
-      const Rows rows =
-          probe("Lab 8.7 specular", {.numbers = {{"front", front}, {"degrees", degrees}}},
-                {.rows = 65, .columns = 7, .finite = false});
       const std::string side =
           fmt::format("{:g} degrees from {}", degrees, front == 1 ? "outside" : "within");
+      const Rows rows =
+          probe("Lab 8.7 specular", {.numbers = {{"front", front}, {"degrees", degrees}}},
+                {.rows = 65, .columns = 7, .finite = false, .of = side});
       const double sine = std::sin(degrees * pi / 180), cosine = std::cos(degrees * pi / 180);
       const auto direction = [&](std::size_t i) {
         return Double3(rows.at(i, 0), rows.at(i, 1), rows.at(i, 2));
@@ -160,12 +161,14 @@ TEST_CASE("Lab 8.7: mirrors and glass, from both sides", "[lab08][ex7]") {
 }
 
 TEST_CASE("Lab 8.7: what is seen in a mirror and through glass", "[lab08][ex7]") {
-  const Rows mirror = trace({{"place", 4}, {"r", 0.5}, {"g", 0.6}, {"b", 0.7}, {"degrees", 30}});
+  const Rows mirror =
+      trace({{"place", mirror_ball}, {"r", 0.5}, {"g", 0.6}, {"b", 0.7}, {"degrees", 30}});
   judge(all_equal("a mirror ball under the sky",
                   std::vector(mirror.values.begin(), mirror.values.begin() + 3),
                   std::vector{0.5, 0.6, 0.7}, 1e-5));
   for (const double degrees : {0.0, 70.0}) {
-    const std::vector<double> seen = column(trace({{"place", 5}, {"degrees", degrees}}), 0);
+    const std::vector<double> seen =
+        column(trace({{"place", glass_ball}, {"degrees", degrees}}), 0);
     judge(all_equal(fmt::format("the sky through a glass ball, {:g} degrees", degrees), seen,
                     std::vector<double>(seen.size(), 1.0), 1e-3, {no_radiance_factor}));
   }
@@ -173,14 +176,15 @@ TEST_CASE("Lab 8.7: what is seen in a mirror and through glass", "[lab08][ex7]")
 
 TEST_CASE("Lab 8.7: emission counts behind mirrors and glass", "[lab08][ex7]") {
   // Behind the ball a black wall that emits 1: every path ends there, whatever its way.
-  const std::vector<double> seen = column(trace({{"place", 7}}), 0);
+  const std::vector<double> seen = column(trace({{"place", behind_glass}}), 0);
   judge(all_equal("a glowing wall through a glass ball", seen,
                   std::vector<double>(seen.size(), 1.0), 1e-3,
                   std::all_of(seen.begin(), seen.end(), [](double x) { return x == 0; })
                       ? std::vector{emission_lost}
                       : std::vector<Diagnosis>{}));
   // The sd is a bound: three halves of what a right solution shows (no closed form).
-  judge(mean_is("radiance in a furnace around a glass ball",
-                column(trace({{"place", 1}, {"r", 0.5}, {"g", 0.5}, {"b", 0.5}}, paths), 0),
-                {2, 2}));
+  judge(
+      mean_is("radiance in a furnace around a glass ball",
+              column(trace({{"place", with_glass}, {"r", 0.5}, {"g", 0.5}, {"b", 0.5}}, paths), 0),
+              {2, 2}));
 }

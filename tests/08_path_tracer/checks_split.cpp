@@ -60,7 +60,9 @@ Rows estimates(std::size_t i, int one) {
   return probe("Lab 8.5 estimates",
                {.n = 100'000,
                 .numbers = {{"case", static_cast<double>(i)}, {"one", static_cast<double>(one)}}},
-               {.rows = 100'000, .columns = 4});
+               {.rows = 100'000,
+                .columns = 4,
+                .of = fmt::format("{}, {}", one == 0 ? "two rays" : "one ray", name_of(i))});
 }
 
 Suspects suspects_of(const Parts& p, double doubled) {

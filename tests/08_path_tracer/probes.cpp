@@ -28,7 +28,8 @@ carlo::Phong phong_of(const Params& params) {
 
 // A camera that looks along -z with a square film as wide as it is far. Each row: where in its
 // pixel a ray went through (in pixels, from the pixel's top left), and how many rays there were.
-PROBE("Lab 8.1 rays") {
+PROBE("Lab 8.1 rays", "x in the pixel", "y in the pixel",
+      "(last two rows: red and green of the mean; its blue and the number of rays)") {
   carlo::Camera camera;
   carlo::Rng rng(params.seed);
   const int x = static_cast<int>(params.whole("x")), y = static_cast<int>(params.whole("y"));
@@ -50,7 +51,7 @@ PROBE("Lab 8.1 rays") {
 
 // Direct light at the floor's origin, by either form. The BRDF is wrong on purpose where the
 // contract says that nobody asks.
-PROBE("Lab 8.2 estimates") {
+PROBE("Lab 8.2 estimates", "red", "green", "blue") {
   const auto lamp = static_cast<Lamp>(params.whole("lamp"));
   const lab08::World world(lamp_scene(lamp));
   const Pose pose = pose_of(lamp);
@@ -77,7 +78,7 @@ PROBE("Lab 8.2 estimates") {
   return rows.take();
 }
 
-PROBE("Lab 8.3 chances") {
+PROBE("Lab 8.3 chances", "diffuse", "specular") {
   RowWriter rows;
   for (const auto& [kd, ks] : chance_cases()) {
     const lab08::LobeChances chances = lab08::lobe_chances({kd, ks, 10});
@@ -87,7 +88,7 @@ PROBE("Lab 8.3 chances") {
 }
 
 // f and pdf for every direction of places.h.
-PROBE("Lab 8.3 values") {
+PROBE("Lab 8.3 values", "f", "pdf") {
   const carlo::Phong phong = phong_of(params);
   RowWriter rows;
   for (const DirectionPair& d : direction_pairs(phong.exponent)) {
@@ -97,8 +98,7 @@ PROBE("Lab 8.3 values") {
   return rows.take();
 }
 
-// Rows: whether a direction came, the direction, weight, pdf.
-PROBE("Lab 8.3 samples") {
+PROBE("Lab 8.3 samples", "direction came", "wi.x", "wi.y", "wi.z", "weight", "pdf") {
   const carlo::Phong phong = phong_of(params);
   const Frame3 frame = tilted_frame();
   const Vec3 wo = frame.at(direction_at(static_cast<float>(params["degrees"]), 0));
@@ -119,9 +119,7 @@ PROBE("Lab 8.3 samples") {
   return rows.take();
 }
 
-// Rows: the estimate, how often incoming light was asked for, how often below the horizon, and how
-// often within the cone.
-PROBE("Lab 8.5 estimates") {
+PROBE("Lab 8.5 estimates", "estimate", "directions asked", "below the horizon", "within the cone") {
   const SplitCase c = split_cases()[static_cast<std::size_t>(params.whole("case"))];
   const lab08::Cone cone{c.axis, c.one_minus_cos};
   carlo::Rng rng(params.seed);

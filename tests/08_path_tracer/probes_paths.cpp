@@ -1,6 +1,6 @@
 // Probes of lab 08's exercises 8.4 and 8.6 to 8.8: paths through whole worlds.
 
-#include "08_path_tracer/scenes.h"
+#include "08_path_tracer/views.h"
 #include "grader/worker/probe.h"
 #include "path_tracer.h"
 #include "random/rng.h"
@@ -33,44 +33,33 @@ struct View {
   carlo::Ray ray;
 };
 
-enum class Place {
-  furnace = 0,
-  glass_furnace = 1,
-  ball = 2,
-  floor = 3,
-  mirror = 4,
-  glass = 5,
-  mirror_furnace = 6,
-  through_glass = 7
-};
-
 View view_of(const Params& params) {
   const carlo::Ray inside{{0, 0, 1}, {0.6f, 0, -0.8f}};
   const auto degrees = static_cast<float>(params["degrees"]);
   const carlo::Ray down{{0.3f, 0, 0.9f}, glm::normalize(Vec3(-0.3f, 0, -0.9f))};
   switch (static_cast<Place>(params.whole("place"))) {
-    case Place::furnace:
+    case in_furnace:
       return {furnace(rgb(params)), inside};
-    case Place::glass_furnace:
+    case with_glass:
       return {furnace_with_glass(rgb(params)), inside};
-    case Place::ball:
+    case on_ball:
       return {ball({carlo::Phong{Rgb(static_cast<float>(params["kd"])),
                                  Rgb(static_cast<float>(params["ks"])),
                                  static_cast<float>(params["exponent"])},
                     false}),
               towards_pole(degrees)};
-    case Place::floor:
+    case on_floor:
       return {lamp_scene(static_cast<Lamp>(params.whole("lamp"))), down};
-    case Place::mirror:
+    case mirror_ball:
       return {ball({carlo::Mirror{rgb(params)}, false}), towards_pole(degrees)};
-    case Place::glass:
+    case glass_ball:
       return {ball({carlo::Dielectric{1.5f, 1}, false}), towards_pole(degrees)};
-    case Place::mirror_furnace: {
+    case in_mirrors: {
       carlo::Scene scene = furnace(Rgb(0));
       scene.materials[0].model = carlo::Mirror{rgb(params)};
       return {scene, inside};
     }
-    case Place::through_glass:
+    case behind_glass:
       return {furnace_with_glass(Rgb(0)), {{0, 0, 1.5f}, glm::normalize(Vec3(0.2f, 0, -1))}};
   }
   return {};
@@ -109,7 +98,8 @@ class NotedDimensions final : public lab08::Dimensions {
 
 }  // namespace
 
-PROBE("Lab 8.4 p_emit") {
+PROBE("Lab 8.4 p_emit", "reflects", "emits", "does both", "both, in other channels", "neither",
+      "emits and is glossy") {
   RowWriter rows;
   const auto ask = [&](carlo::Scene scene, Rgb emitted) {
     scene.shapes[0].radiance = emitted;
@@ -129,7 +119,7 @@ PROBE("Lab 8.4 p_emit") {
 }
 
 // `method`: 0 lecture's, 1 mended (8.4); 2 direct (8.6); 3 specular (8.7).
-PROBE("Lab 8 paths") {
+PROBE("Lab 8 paths", "red", "green", "blue") {
   const View view = view_of(params);
   const lab08::World world(view.scene);
   carlo::Rng rng(params.seed);
@@ -153,14 +143,14 @@ PROBE("Lab 8 paths") {
   return rows.take();
 }
 
-PROBE("Lab 8.7 fresnel") {
+PROBE("Lab 8.7 fresnel", "reflectance") {
   return {1,
           {number(lab08::fresnel(static_cast<float>(params["cos"]),
                                  static_cast<float>(params["eta"])))}};
 }
 
 // The refracted direction of light at this angle in the plane of x and z; 0 if there is none.
-PROBE("Lab 8.7 refract") {
+PROBE("Lab 8.7 refract", "is refracted", "wt.x", "wt.y", "wt.z") {
   const auto degrees = static_cast<float>(params["degrees"]) * 3.14159265f / 180;
   const Vec3 wo(std::sin(degrees), 0, std::cos(degrees));
   const auto wt = lab08::refract({0, 0, 1}, wo, static_cast<float>(params["eta"]));
@@ -169,7 +159,8 @@ PROBE("Lab 8.7 refract") {
 }
 
 // A surface as a ray from above meets it, or from within.
-PROBE("Lab 8.7 specular") {
+PROBE("Lab 8.7 specular", "wi.x", "wi.y", "wi.z", "weight.r", "weight.g", "weight.b", "pdf",
+      "(row 1: the mirror; then glass, for u = 1/128, 3/128, 5/128 and so on)") {
   const carlo::Dielectric glass{1.5f, 1};
   const carlo::Mirror mirror{{0.5f, 0.6f, 0.7f}};
   const float degrees = static_cast<float>(params["degrees"]) * 3.14159265f / 180;
@@ -187,7 +178,7 @@ PROBE("Lab 8.7 specular") {
   return rows.take();
 }
 
-PROBE("Lab 8.8 heuristic") {
+PROBE("Lab 8.8 heuristic", "weight") {
   // No number says infinity in JSON: -1 does.
   const auto q = params["q"] < 0 ? HUGE_VALF : static_cast<float>(params["q"]);
   return {1, {number(lab08::power_heuristic(static_cast<float>(params["p"]), q))}};
@@ -195,7 +186,8 @@ PROBE("Lab 8.8 heuristic") {
 
 // The density at the floor's origin of the points that rays in a few directions meet; and the same
 // from the geometry alone: distance^2, cosine at what was met, its area if it is a light.
-PROBE("Lab 8.8 light pdf") {
+PROBE("Lab 8.8 light pdf", "light_pdf", "distance^2", "cosine there", "area of the light", "lights",
+      "(a row a ray from the floor; area 0: it meets no light)") {
   const lab08::World world(lamp_scene(static_cast<Lamp>(params.whole("lamp"))));
   const auto from = world.intersect({Vec3(0.3f, 0, 0.9f), glm::normalize(Vec3(-0.3f, 0, -0.9f))});
   RowWriter rows;
@@ -217,8 +209,8 @@ PROBE("Lab 8.8 light pdf") {
   return rows.take();
 }
 
-// Rows: the estimate, numbers read twice, numbers read on the film, numbers read.
-PROBE("Lab 8.8 paths") {
+PROBE("Lab 8.8 paths", "red", "green", "blue", "numbers read twice", "read on the film",
+      "numbers read") {
   const View view = view_of(params);
   const lab08::World world(view.scene);
   carlo::Rng rng(params.seed);

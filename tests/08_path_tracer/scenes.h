@@ -33,6 +33,18 @@ enum class Lamp {
   count = 8
 };
 
+inline const char* name_of(Lamp lamp) {
+  constexpr const char* names[] = {"a square lamp",
+                                   "a round lamp, the floor tilted",
+                                   "a ball of light",
+                                   "a shining wall",
+                                   "two lamps",
+                                   "a lamp half hidden",
+                                   "a lamp that faces away, and a sky",
+                                   "a sky"};
+  return names[static_cast<int>(lamp)];
+}
+
 /// What floors emit that glow, and the skies: no estimate of direct light has any of it.
 constexpr float floor_glow = 16, sky_glow = 3;
 

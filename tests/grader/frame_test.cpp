@@ -7,8 +7,11 @@
 
 #include <catch2/catch_test_macros.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 using namespace carlo::grader;
 
@@ -108,9 +111,53 @@ TEST_CASE("values are shown beside their names, and numbered where they have non
   const Rows pairs{2, {0.5, 1, 0.25, 2}};
   CHECK(squeezed(rows_text(pairs, {"lower", "upper"}, 0)) ==
         "2 rows of 2 values came back:\n row lower upper\n 1 0.5 1\n 2 0.25 2\n");
+  CHECK(squeezed(rows_text({2, {0.5, 1, 0.25, 2, 3, 4}}, {}, 2)) ==
+        "3 rows of 2 values came back; the first 2:\n row value 1 value 2\n 1 0.5 1\n 2 0.25 2\n"
+        " ... 1 more: --all\n");
   CHECK(squeezed(rows_text(pairs, {}, 1)) ==
-        "2 rows of 2 values came back; the first 1:\n row value 1 value 2\n 1 0.5 1\n"
+        "2 rows of 2 values came back; the first 1:\n row value 1\n 1 0.5\n"
+        " ... 1 more, and 1 more in each row: --all\n");
+  CHECK(squeezed(rows_text(pairs, {"lower", "upper"}, 1)) ==
+        "2 rows of 2 values came back; the first 1:\n row lower upper\n 1 0.5 1\n"
         " ... 1 more: --all\n");
   CHECK(rows_text({1, {}}, {"hits"}, 10) == "no values came back\n");
   CHECK(rows_text({}, {}, 10) == "no rows came back\n");
+}
+
+TEST_CASE("names that repeat share the columns, and are never guessed", "[rows]") {
+  const std::vector<std::string> corners = {"lower ...", "upper ...", "points"};
+  CHECK(names_fit(corners, 9, 5));
+  CHECK(names_fit(corners, 1, 7));
+  CHECK_FALSE(names_fit(corners, 9, 6));
+  CHECK_FALSE(names_fit(corners, 9, 2));
+  CHECK_FALSE(names_fit({}, 1, 1));
+  CHECK_FALSE(names_fit({}, 1, 2));
+  CHECK_FALSE(names_fit({"x"}, 1, 2));
+  CHECK_FALSE(names_fit({"x", "y"}, 1, 1));
+  CHECK(names_fit({"x", "y"}, 2, 1));
+  CHECK(rows_text({5, {0, 0.5, 1, 1, 3}}, corners, 5).find("upper 2") != std::string::npos);
+  // Named values are all shown; of those that repeat as many as rows are.
+  const std::string cut = rows_text({4, {9, 1, 2, 3}}, {"count", "x ..."}, 3);
+  CHECK(cut.find("x 2") != std::string::npos);
+  CHECK(cut.find("x 3") == std::string::npos);
+  CHECK(cut.find("1 more: --all") != std::string::npos);
+}
+
+TEST_CASE("a table that is wider than the screen goes on below, unless all is asked for",
+          "[rows]") {
+  const std::vector<std::string> names = {"first", "second", "third", "fourth", "fifth"};
+  Rows rows{5, std::vector<double>(15, -2.2250738585072014e-308)};
+  const auto widest = [](const std::string& lines) {
+    std::size_t most = 0, begin = 0;
+    for (std::size_t end = 0; (end = lines.find('\n', begin)) != std::string::npos; begin = end + 1)
+      most = std::max(most, end - begin);
+    return most;
+  };
+  const std::string some = rows_text(rows, names, 2), all = rows_text(rows, names, 0);
+  CHECK(widest(some) <= 80);
+  CHECK(some.find("fifth") != std::string::npos);
+  CHECK(std::count(some.begin(), some.end(), '\n') == 1 + (3 + 1) + (3 + 1) + 3 + 1);
+  CHECK(std::count(all.begin(), all.end(), '\n') == 1 + 1 + 3);
+  rows.values.assign(15, 7);
+  CHECK(rows_text(rows, names, 2).find("fourth  fifth\n") != std::string::npos);
 }

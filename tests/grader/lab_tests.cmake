@@ -1,5 +1,5 @@
 # add_lab_tests(FOLDER NAME): the grader's tests of one lab, through CTest. The solution has full
-# marks, and at many seeds; the stub has none and says "not implemented"; each mistake is caught and
+# marks, and at many seeds; what its probes return has names for replay; the stub has none and says "not implemented"; each mistake is caught and
 # named; lab.json, stub, handout, hints and tests agree.
 
 # Labs whose mistakes are all named alone, and shall stay so.
@@ -48,10 +48,16 @@ function(add_lab_tests folder name)
              COMMAND ${lab}_judge --lab "${here}/lab.json" --stub ${stub}
                      --handout "${here}/README.md")
     add_expectation(${lab}.stub ${lab} ${lab}_worker)
+    set(questions "${CMAKE_CURRENT_BINARY_DIR}/${lab}.questions.json")
     add_test(NAME ${lab}.solution COMMAND ${lab}_judge --lab "${here}/lab.json"
-             --worker $<TARGET_FILE:${lab}_worker_solution>)
+             --worker $<TARGET_FILE:${lab}_worker_solution> --probes "${questions}")
+    add_test(NAME ${lab}.names
+             COMMAND ${CMAKE_COMMAND} -DWORKER=$<TARGET_FILE:${lab}_worker_solution>
+                     "-DQUESTIONS=${questions}" -P ${PROJECT_SOURCE_DIR}/tests/grader/names.cmake)
+    set_tests_properties(${lab}.solution PROPERTIES FIXTURES_SETUP ${lab}_questions)
+    set_tests_properties(${lab}.names PROPERTIES FIXTURES_REQUIRED ${lab}_questions)
     add_expectation(${lab}.seeds ${lab} ${lab}_worker_solution -DSEEDS=20)
-    set_tests_properties(${lab}.consistency ${lab}.stub ${lab}.solution
+    set_tests_properties(${lab}.consistency ${lab}.stub ${lab}.solution ${lab}.names
                          PROPERTIES LABELS fast TIMEOUT 120)
     set_tests_properties(${lab}.seeds PROPERTIES TIMEOUT 600)
   endif()

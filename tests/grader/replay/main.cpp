@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -57,12 +58,19 @@ std::string exact(double value) {
   return value == std::floor(value) ? number_in_report(value) : fmt::format("{}", value);
 }
 
-/// What the probe was given, by name.
-std::string arguments(const Params& params) {
+/// What the probe was given, by name: the first `most` numbers of its own.
+std::string arguments(const Params& params, std::size_t most) {
   std::string text;
   if (params.n != 0) text += fmt::format("n = {}, ", exact(static_cast<double>(params.n)));
-  for (const auto& [name, value] : params.numbers)
+  std::size_t shown = 0;
+  for (const auto& [name, value] : params.numbers) {
+    if (shown == most) break;
     text += fmt::format("{} = {}, ", name, exact(value));
+    ++shown;
+  }
+  if (shown < params.numbers.size()) {
+    text += fmt::format("{} more (--all), ", params.numbers.size() - shown);
+  }
   return text + fmt::format("seed = {}", params.seed);
 }
 
@@ -85,7 +93,7 @@ int ask(const Options& options, const Exercise& exercise, const Questions& quest
   fmt::print("{}", wrapped(fmt::format("{}: {}\nProbe {}, \"{}\"{}{}\narguments: {}\n",
                                        exercise.tag, asked.sentence, number, asked.probe,
                                        asked.question.empty() ? "" : ": ", asked.question,
-                                       arguments(asked.params))));
+                                       arguments(asked.params, options.all ? SIZE_MAX : 12))));
   const auto words =
       command(options.worker, asked, options.all || !options.debugger.empty() ? 0 : 10);
   if (!options.debugger.empty()) {

@@ -3,6 +3,7 @@
 
 #include "cli/error.h"
 #include "cli/main_guard.h"
+#include "cli/wrap.h"
 #include "course/not_implemented.h"
 #include "grader/protocol/rows_text.h"
 #include "grader/worker/probe.h"
@@ -44,7 +45,7 @@ Frame run(Probe probe, const Params& params) {
 }
 
 /// The frame for people: its first `most` rows (all for 0). Nothing but a table is a success.
-int print(const Frame& frame, const std::vector<std::string>& names, std::size_t most) {
+int print(const Frame& frame, const NamedProbe& probe, std::size_t most) {
   if (frame.status != Frame::Status::rows) {
     const std::size_t line =
         frame.status == Frame::Status::not_implemented ? frame.text.find('\n') : std::string::npos;
@@ -52,7 +53,8 @@ int print(const Frame& frame, const std::vector<std::string>& names, std::size_t
                line == std::string::npos ? "" : ", in " + frame.text.substr(line + 1));
     return 1;
   }
-  fmt::print("{}", rows_text(frame.rows, names, most));
+  fmt::print("{}", rows_text(frame.rows, probe.names, most));
+  if (!probe.remark.empty()) fmt::print("{}", wrapped(probe.remark + "\n", 80));
   return 0;
 }
 
@@ -72,12 +74,16 @@ int main(int argc, char** argv) {
   int fd = STDOUT_FILENO;
   bool list = false;
   std::size_t rows = 0;
+  std::vector<std::size_t> shape;
   app.add_option("--probe", name, "the probe to run");
   app.add_option("--params", text, "its parameters, as JSON");
   app.add_option("--fd", fd, "the descriptor that the frame goes to");
   const CLI::Option* as_text =
       app.add_option("--print", rows, "print the first so many rows (0: all) and send nothing");
   app.add_flag("--list", list, "name all probes");
+  app.add_option("--names-fit", shape,
+                 "whether the probe has names for ROWS COLUMNS: the exit code says")
+      ->expected(2);
   CLI11_PARSE(app, argc, argv);
   if (list) {
     for (const auto& [probe, entry] : probes())
@@ -86,8 +92,9 @@ int main(int argc, char** argv) {
   }
   const auto found = probes().find(name);
   if (found == probes().end()) throw Error("no probe \"{}\"", name);
+  if (!shape.empty()) return names_fit(found->second.names, shape[0], shape[1]) ? 0 : 1;
   const Frame frame = run(found->second.run, params_from_json(text));
-  if (as_text->count() > 0) return print(frame, found->second.names, rows);
+  if (as_text->count() > 0) return print(frame, found->second, rows);
   std::fflush(nullptr);
   send(fd, encode(frame));
   // Without the handlers that the student's code may have left behind: the answer is given.

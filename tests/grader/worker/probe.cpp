@@ -13,7 +13,11 @@ std::map<std::string, NamedProbe>& probes() {
 
 Registration::Registration(Probe probe, std::initializer_list<const char*> words) {
   const std::string name = *words.begin();
-  NamedProbe named{probe, {words.begin() + 1, words.end()}};
+  NamedProbe named{probe, {words.begin() + 1, words.end()}, ""};
+  if (!named.names.empty() && named.names.back().front() == '(') {
+    named.remark = named.names.back();
+    named.names.pop_back();
+  }
   if (!probes().emplace(name, std::move(named)).second) {
     throw Error("two probes are named \"{}\"", name);
   }

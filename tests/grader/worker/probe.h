@@ -14,17 +14,18 @@ namespace carlo::grader {
 /// beside the student's code.
 using Probe = Rows (*)(const Params&);
 
-/// A probe and what its values are called, for people who look at them (rows_text.h); where it does
-/// not say, no names.
+/// A probe and what its values are called, for people who look at them (rows_text.h).
 struct NamedProbe {
   Probe run = nullptr;
   std::vector<std::string> names;
+  std::string remark;  ///< which rows hold something else than the names say, if any do
 };
 
 /// All probes of this worker by name.
 std::map<std::string, NamedProbe>& probes();
 
-/// Puts a probe into probes() before main() starts. `words`: its name, then those of its values.
+/// Puts a probe into probes() before main() starts. `words`: its name, then those of its values;
+/// and a remark in parentheses, if there is one.
 struct Registration {
   Registration(Probe probe, std::initializer_list<const char*> words);
 };
@@ -45,7 +46,8 @@ class RowWriter {
 #define CARLO_JOIN(a, b) CARLO_JOIN_(a, b)
 
 /// PROBE("Lab 1.1 estimates", "estimate") { ... params.seed ... return rows; }
-/// The probe's name; then, if it says, what its values are called.
+/// The probe's name; then what its values are called, which a lab's probes all say; then perhaps
+/// "(last row: how many there were)".
 #define PROBE(...) CARLO_PROBE(CARLO_JOIN(carlo_probe_, __LINE__), __VA_ARGS__)
 #define CARLO_PROBE(function, ...)                                                        \
   static ::carlo::grader::Rows function(const ::carlo::grader::Params& params);           \
