@@ -198,10 +198,10 @@ TEST_CASE("Lab 2.5: any range counts, whatever dart it begins and ends with", "[
               measured, "all right", diagnoses));
 }
 
-// By GCC 12 at -O3 the contract written down plainly is 2.8 times as fast, with each word computed
-// once 4.3 to 5, in whole numbers 6 to 8. The least of eight times each: what disturbs a loop makes
-// it slower, never faster. Sanitizers and builds without optimisation change the ratio, and it is
-// not judged there.
+// As measured here (GCC 12, Zen 4) the contract written down plainly is 2.3 times as fast; with
+// each word computed once 2.9 (whole numbers of 64 bits) to 3.7 times, with 32 bits 4.6, the
+// solution 7. The least of eight times each: what disturbs a loop makes it slower, never faster.
+// Sanitizers and builds without optimisation change the ratio, and it is not judged there.
 TEST_CASE("Lab 2.5: a dart takes far less time than one by std::mt19937",
           "[lab02][ex5][efficiency]") {
   constexpr std::size_t repetitions = 8;
@@ -217,10 +217,10 @@ TEST_CASE("Lab 2.5: a dart takes far less time than one by std::mt19937",
   const double ratio =
       *std::min_element(plain.begin(), plain.end()) / *std::min_element(fast.begin(), fast.end());
   const bool judged = optimised && !address_sanitizer();
-  const bool fast_enough = ratio >= 3.5 || !judged;
+  const bool fast_enough = ratio >= 2.5 || !judged;
   judge(holds("darts a second, compared with std::mt19937", fast_enough,
               fmt::format("{:.2g} times as many", ratio),
-              judged ? "at least 3.5 times as many" : "not judged in this build",
+              judged ? "at least 2.5 times as many" : "not judged in this build",
               slow_if(!fast_enough && million_right())));
 }
 
