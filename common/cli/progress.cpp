@@ -22,14 +22,17 @@ void Progress::draw(const std::string& more, int width) {
   last_draw_ = Clock::now();
   drawn_ = true;
   const int filled = static_cast<int>(std::lround(fraction_ * width));
-  fmt::print(stderr, "\r\x1b[K{} [{:=<{}}{: <{}}] {:3.0f} %  {}", label_, "", filled, "",
-             width - filled, 100 * fraction_, more);
+  // Not fmt::print(), which throws where the terminal is gone: the watcher has nobody to catch it.
+  std::fputs(fmt::format("\r\x1b[K{} [{:=<{}}{: <{}}] {:3.0f} %  {}", label_, "", filled, "",
+                         width - filled, 100 * fraction_, more)
+                 .c_str(),
+             stderr);
   std::fflush(stderr);
 }
 
 void Progress::erase() {
   if (!drawn_) return;
-  fmt::print(stderr, "\r\x1b[K");
+  std::fputs("\r\x1b[K", stderr);
   std::fflush(stderr);
   drawn_ = false;
 }

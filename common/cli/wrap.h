@@ -9,7 +9,7 @@ namespace carlo {
 /// Columns that UTF-8 text without colours takes on a terminal; each code point counts as one.
 std::size_t display_width(std::string_view text);
 
-/// `text` in at most `most` columns; where something is left out, "…" stands at its end.
+/// `text` in at most `most` >= 1 columns; where something is left out, "…" stands at its end.
 std::string shortened(const std::string& text, std::size_t most);
 
 /// Without colours and what else a terminal is told (ESC ... m or K).

@@ -135,6 +135,7 @@ void run(const LabApp& lab, const Arguments& arguments, const std::string& comma
   const std::optional<Predictions> predictions = predictions_of(lab, arguments);
   Page page(lab.title, lab.subtitle);
   Notebook notebook(fmt::format("lab {:02}", lab.number), arguments.options, page);
+  if (of_student()) notebook.tell_stalls();
   tell_crashes();
   const auto start = std::chrono::steady_clock::now();
   run_experiments(lab, predictions, notebook);

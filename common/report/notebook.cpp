@@ -12,9 +12,7 @@
 namespace carlo {
 
 Notebook::Notebook(std::string label, const LabOptions& options, Page& page)
-    : options_(options), page_(page), bar_(std::move(label), true) {
-  bar_.tell_stalls();
-}
+    : options_(options), page_(page), bar_(std::move(label), true) {}
 
 void Notebook::begin(std::string_view title) {
   bar_.clear();

@@ -66,6 +66,8 @@ class Notebook {
   /// How far the run is: `done` of `total` steps of the current one of all experiments.
   void progress(double done, double total);
   void set_experiment(int index, int count);
+  /// For code that may never come back: the line of progress says when it stands still.
+  void tell_stalls() { bar_.tell_stalls(); }
   void finish() { bar_.finish(); }
 
   /// What was left out, for the last lines of the run; and everything measured.

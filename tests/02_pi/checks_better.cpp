@@ -115,15 +115,15 @@ void judge_samples(const PlanQuestion& plan, double measured, double tolerance) 
                 {std::round(root * root), rounded_down},
                 {std::ceil(4 * root * root), full_width},
                 {std::ceil(without_z * without_z), z_missing}};
-  Verdict verdict = equals(fmt::format("the samples for a half width of {:g}, deviation {:.4g}, "
-                                       "z = {:g}",
-                                       plan.half_width, plan.deviation, plan.z),
-                           measured, expected, tolerance, suspects);
   constexpr double most = 2147483647;
-  if (!verdict.passed && expected > most && measured <= most) {
-    verdict.diagnoses.push_back(samples_cut);
+  if (expected > most) {
+    for (const double cut : {1.0, most, -most - 1, 0.0, std::fmod(expected, 2 * (most + 1))})
+      suspects.push_back({cut, samples_cut});
   }
-  judge(verdict);
+  judge(equals(fmt::format("the samples for a half width of {:g}, deviation {:.4g}, "
+                           "z = {:g}",
+                           plan.half_width, plan.deviation, plan.z),
+               measured, expected, tolerance, suspects));
 }
 
 void judge_plan(const PlanQuestion& plan, double tolerance) {

@@ -52,7 +52,7 @@ const Diagnosis not_shrunk{"interval-not-divided",
                            "quadratic equation is not 1."};
 
 const Diagnosis swapped{"limits-swapped", "the lower limit stands in the place of the upper one."};
-const Diagnosis center_moved_twice{
+const Diagnosis centre_moved_twice{
     "centre-moved-twice",
     "the centre is moved by z^2/N where the quadratic equation gives z^2/(2N)."};
 const Diagnosis root_short{"root-without-its-second-term",
@@ -121,7 +121,7 @@ std::vector<Diagnosis> interval_diagnoses(Interval measured, Case darts, double 
        {{share.lower, share.upper}, interval_not_scaled},
        {{undivided * share.lower, undivided * share.upper}, not_shrunk},
        {{4 * share.upper, 4 * share.lower}, swapped},
-       {around(hits + shift, right_root), center_moved_twice},
+       {around(hits + shift, right_root), centre_moved_twice},
        {around(hits + shift / 2, root), root_short}}};
   const auto far = [](const Interval& a, const Interval& b, double by) {
     return std::abs(a.lower - b.lower) > by || std::abs(a.upper - b.upper) > by;
@@ -144,7 +144,7 @@ void judge_limits(Interval measured, Case darts, double z) {
     if (!limit->passed) {
       limit->diagnoses = interval_diagnoses(measured, darts, z);
       limit->looked_for = {normal_interval, interval_not_scaled, not_shrunk,
-                           swapped,         center_moved_twice,  root_short};
+                           swapped,         centre_moved_twice,  root_short};
     }
     judge(*limit);
   }

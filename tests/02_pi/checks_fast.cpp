@@ -225,7 +225,7 @@ TEST_CASE("Lab 2.5: a dart takes far less time than one by std::mt19937",
 }
 
 // The times above are taken in the worker, which could forge them. Seen from outside they are
-// coarser, so less than half the ratio is enough here.
+// coarser, so 1.5 is enough here.
 TEST_CASE("Lab 2.5: the time that the program takes as a whole tells the same",
           "[lab02][ex5][efficiency]") {
   const bool judged = optimised && !address_sanitizer();

@@ -132,7 +132,7 @@ PROBE("Lab 2.6 chunks", "times taken", "samples") {
 
 // The first chunk is not done before all others are, which takes a free thread; its sum is so
 // large that the others vanish unless they were added up before it. The others wait until two are
-// inside, that a thread which starts late is not taken for none.
+// inside, so that a thread that starts late is not taken for a missing one.
 PROBE("Lab 2.6 slow chunk", "others were done first", "sum", "most at once") {
   Watch watch;
   std::atomic<bool> others_done = false, alone = false;

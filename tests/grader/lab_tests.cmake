@@ -1,6 +1,6 @@
 # add_lab_tests(FOLDER NAME): the grader's tests of one lab, through CTest. The solution has full
-# marks, and at many seeds; what its probes return has names for replay; the stub has none and says "not implemented"; each mistake is caught and
-# named; lab.json, stub, handout, hints and tests agree.
+# marks, and at many seeds; the stub has no points and says "not implemented"; each mistake is caught
+# and named; what probes return has names for replay; lab.json, stub, handout, hints and tests agree.
 
 # Labs whose mistakes are all named alone, and shall stay so.
 set(labs_with_lone_diagnoses lab01 lab02)

@@ -1,7 +1,5 @@
 #include "grader/judge/crash.h"
 
-#include "grader/judge/crash_line.h"
-
 #include <fmt/core.h>
 
 #include <array>
@@ -71,10 +69,6 @@ std::string cause_of(const Outcome& outcome) {
   if (!memory.empty()) return in_words(memory.substr(0, 100));
   const std::string undefined = after(outcome.output, undefined_report, "\n");
   if (!undefined.empty()) return undefined.substr(0, 200);
-  // What students' code is compiled to do there (-fsanitize=return).
-  if (outcome.code == SIGILL) {
-    return fmt::format("{}: the compiler warns of it, with the line", without_return);
-  }
   return signal_name(outcome.code);
 }
 

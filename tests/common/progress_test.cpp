@@ -1,0 +1,73 @@
+// What a progress line tells a terminal.
+
+#include "cli/progress.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <pty.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <string>
+#include <thread>
+
+using namespace std::chrono_literals;
+
+namespace {
+
+/// What `work` writes to a terminal that is its stderr, in a process of its own.
+template <class Work>
+std::string at_terminal(const Work& work) {
+  int terminal = -1;
+  const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    ::setenv("TERM", "xterm", 1);
+    work();
+    ::_exit(0);
+  }
+  std::string said;
+  std::array<char, 4096> block{};
+  // At the end a terminal has an error, no end of file.
+  for (ssize_t got = 0; (got = ::read(terminal, block.data(), block.size())) > 0;)
+    said.append(block.data(), static_cast<std::size_t>(got));
+  ::close(terminal);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  CHECK(status == 0);
+  return said;
+}
+
+bool has(const std::string& text, const char* part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a line of progress that stands still says so, and for how long", "[progress]") {
+  const std::string said = at_terminal([] {
+    carlo::Progress progress("lab 01", true);
+    progress.tell_stalls();
+    progress.update(0.5);
+    std::this_thread::sleep_for(6s);
+  });
+  CHECK(has(said, "50 %"));
+  CHECK(has(said, "nothing new for 4 s: a loop without end?"));
+}
+
+TEST_CASE("a line of progress that moves, or is finished, tells no stall", "[progress]") {
+  const std::string said = at_terminal([] {
+    carlo::Progress progress("lab 01", true);
+    progress.tell_stalls();
+    for (int i = 0; i < 20; ++i) {
+      progress.update(i / 20.0);
+      std::this_thread::sleep_for(50ms);
+    }
+    progress.finish();
+    std::this_thread::sleep_for(6s);
+  });
+  CHECK(has(said, " left"));
+  CHECK_FALSE(has(said, "nothing new"));
+}
