@@ -121,8 +121,8 @@ constexpr std::int64_t max_darts = 10'000'000;
 
 /// Lab 5.7. A number with density proportional to f on [a, b), a < b, where 0 <= f <= f_max; where
 /// rounding gives b itself that is fine. f need not be normalised. A dart draws x first, then y:
-/// exactly two rng.uniform(). Throws carlo::Error when f(x) is above f_max, negative or no number,
-/// and after max_darts darts in vain.
+/// exactly two rng.uniform(); f is asked once a dart. Throws carlo::Error when f(x) is above f_max,
+/// negative or no number, and after max_darts darts in vain.
 Accepted<double> sample_by_rejection(const Function& f, double a, double b, double f_max,
                                      carlo::Rng& rng);
 /// The share of darts accepted, from the integral of f over [a, b).

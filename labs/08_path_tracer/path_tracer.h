@@ -79,7 +79,7 @@ std::optional<BsdfSample> sample(const carlo::Phong& phong, Vec3 normal, Vec3 wo
                                  Vec2 u);
 
 /// Lab 8.3. The density of the directions that sample() returns, whichever lobe they come from. It
-/// integrates to less than 1: the rest is absorbed, or below the horizon. 0 for wi there.
+/// integrates to 1 at most: the rest is absorbed, or below the horizon. 0 for wi there.
 float pdf(const carlo::Phong& phong, Vec3 normal, Vec3 wo, Vec3 wi);
 
 // Step d: steps/d_trace_path.cpp ------------------------------------------------------------------
@@ -127,12 +127,12 @@ Rgb trace_direct(const World& world, const Ray& ray, bool with_emission, Rng& rn
 // Step g: steps/g_specular.cpp --------------------------------------------------------------------
 
 /// Lab 8.7. Fresnel's reflectance of a smooth boundary for unpolarised light, 1 for total internal
-/// reflection. cos_i in [0, 1]; eta: the index of refraction on the light's side over the one
-/// beyond.
+/// reflection. cos_i in [0, 1]; eta: the index of refraction on the side of cos_i, which is
+/// wo's, over the one beyond.
 float fresnel(float cos_i, float eta);
 
-/// Lab 8.7. The direction in which light from wo goes on beyond the boundary, by Snell's law, of
-/// length 1; nothing for total internal reflection. eta as above, for wo's side.
+/// Lab 8.7. The direction beyond the boundary from which light is refracted towards wo, by Snell's
+/// law, of length 1; nothing for total internal reflection. eta as above, for wo's side.
 std::optional<Vec3> refract(Vec3 normal, Vec3 wo, float eta);
 
 /// Lab 8.7. The one direction of a mirror, or one of glass's two: reflection where u is below
@@ -163,8 +163,8 @@ class Dimensions {
 /// Lossless mirrors can hold a path for ever: it ends after so many segments.
 constexpr int longest_path = 1 << 16;
 
-/// Where path vertex 0, 1, ... reads: light, point on it, lobe, direction, roulette. Places 0 and 1
-/// belong to the film.
+/// Where path vertex 0, 1, ... reads: light, point on it, lobe (or what glass does), direction,
+/// roulette. Places 0 and 1 belong to the film.
 constexpr unsigned film_places = 2, vertex_places = 7;
 constexpr unsigned light_place = 0, point_place = 1, lobe_place = 3, direction_place = 4,
                    roulette_place = 6;
@@ -181,7 +181,8 @@ float light_pdf(const World& world, const Surface& from, const Surface& to);
 /// light by area and by sample()'s directions with their power-heuristic weights, mirrors and
 /// glass, and Russian roulette. A path has at most max_depth segments (1: emission only, 2: direct
 /// light); 0: as many as it takes, longest_path at most. Roulette: after its vertex a path survives
-/// with probability min(1, 4 q), q the largest channel of its throughput.
+/// with probability min(1, 4 m), m the largest channel of its throughput (the product of its
+/// weights so far).
 Rgb path_radiance(const World& world, const Ray& ray, int max_depth, Dimensions& dimensions);
 
 }  // namespace lab08
