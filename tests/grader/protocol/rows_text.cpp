@@ -99,7 +99,7 @@ std::string table_text(const Rows& rows, std::size_t shown, const std::vector<st
   for (std::size_t column = 0; column < names.size(); ++column) {
     widths.push_back(names[column].size());
     for (std::size_t row = 0; row < shown; ++row)
-      widths.back() = std::max(widths.back(), fmt::formatted_size("{}", rows.at(row, column)));
+      widths.back() = std::max(widths.back(), fmt::format("{}", rows.at(row, column)).size());
   }
   constexpr std::size_t margin = 7;  // where the rows' numbers stand
   std::string out;
