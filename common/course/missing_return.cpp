@@ -16,7 +16,8 @@ struct Place {
 
 }  // namespace
 
-// NOLINTNEXTLINE(bugprone-reserved-identifier): the compilers choose the name
+// The compilers choose the name.
+// NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
 extern "C" [[noreturn]] void __ubsan_handle_missing_return(void* place) {
   const Place& at = *static_cast<const Place*>(place);
   std::fprintf(stderr, "%s:%u:%u: runtime error: a function came to its end without a return\n",

@@ -9,7 +9,6 @@
 #include <limits>
 
 using namespace lab03_tests;
-using carlo::grader::Params;
 using carlo::grader::Rows;
 using carlo::grader::RowWriter;
 

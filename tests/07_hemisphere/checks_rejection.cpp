@@ -96,7 +96,7 @@ std::vector<Taken> taken(std::size_t repetitions) {
     all.push_back(
         {rows.at(i, 0), words, {rows.at(i, 1), rows.at(i, 2), rows.at(i, 3)}, first_in_ball(rng)});
     if (words < 0) break;
-    for (double k = 0; k < words; ++k)
+    for (auto left = static_cast<std::int64_t>(words); left > 0; --left)
       rng.next_u32();
   }
   return all;

@@ -96,7 +96,8 @@ std::vector<double> cell_masses(const PhongTheory& theory, const std::vector<dou
   mass.reserve(lobe.size() + 1);
   double none = 1;
   for (std::size_t i = 0; i < lobe.size(); ++i) {
-    const auto ring = static_cast<double>(i / sectors);
+    const std::size_t whole = i / sectors;
+    const auto ring = static_cast<double>(whole);
     const double diffuse = (2 * ring + 1) / (rings * rings) / sectors;
     mass.push_back(theory.kd * diffuse + theory.ks * lobe[i]);
     none -= mass.back();
