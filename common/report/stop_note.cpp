@@ -22,7 +22,7 @@ extern "C" void stopped(int signal) {
   }
   say_in_handler(".\nNo results were written.\n");
   say_in_handler(advice);
-  ::raise(signal);  // the handler is gone: the system ends the program
+  ::raise(signal);  // when this one returns: the handler is gone, the system ends the program
 }
 
 }  // namespace
@@ -31,7 +31,8 @@ StopNote::StopNote(const std::string& what_now) {
   advice = what_now;
   struct sigaction action {};
   action.sa_handler = stopped;
-  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_NODEFER;
+  // Not SA_NODEFER: a second Ctrl-C waits until the note is written.
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
   ::sigaction(SIGINT, nullptr, &before);
   if (before.sa_handler != SIG_IGN) ::sigaction(SIGINT, &action, nullptr);
 }
