@@ -3,6 +3,7 @@
 #include "report/crash_note.h"
 #include "report/say_in_handler.h"
 
+#include <atomic>
 #include <csignal>
 #include <string>
 
@@ -12,7 +13,12 @@ namespace {
 struct sigaction before {};
 std::string advice;  // of the note that lives: it does not change while a handler may read it
 
+std::atomic<bool> stopping;
+static_assert(std::atomic<bool>::is_always_lock_free);  // or no handler may ask it
+
 extern "C" void stopped(int signal) {
+  // Another signal, caught by another thread, must not end the program before the note is written.
+  if (stopping.exchange(true)) return;
   // Behind the ^C, or a progress bar. Only calls that a handler may make.
   say_in_handler("\nStopped");
   if (!noted_experiment().empty()) {
@@ -22,7 +28,8 @@ extern "C" void stopped(int signal) {
   }
   say_in_handler(".\nNo results were written.\n");
   say_in_handler(advice);
-  ::raise(signal);  // when this one returns: the handler is gone, the system ends the program
+  ::signal(signal, SIG_DFL);
+  ::raise(signal);  // when this one returns: the system ends the program
 }
 
 }  // namespace
@@ -31,8 +38,7 @@ StopNote::StopNote(const std::string& what_now) {
   advice = what_now;
   struct sigaction action {};
   action.sa_handler = stopped;
-  // Not SA_NODEFER: a second Ctrl-C waits until the note is written.
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  action.sa_flags = SA_RESTART;
   ::sigaction(SIGINT, nullptr, &before);
   if (before.sa_handler != SIG_IGN) ::sigaction(SIGINT, &action, nullptr);
 }
