@@ -133,14 +133,17 @@ PROBE("Lab 2.6 chunks", "times taken", "samples") {
 // The first chunk is not done before all others are, which takes a free thread; its sum is so
 // large that the others vanish unless they were added up before it. The others wait until two are
 // inside, so that a thread that starts late is not taken for a missing one.
-PROBE("Lab 2.6 slow chunk", "others were done first", "sum", "most at once") {
+PROBE("Lab 2.6 slow chunk", "others were done first", "sum", "most at once", "first chunk taken",
+      "chunks taken") {
   Watch watch;
   std::atomic<bool> others_done = false, alone = false;
+  std::atomic<int> firsts = 0;
   const std::int64_t chunks = chunks_of(params.n);
   const auto sampler = [&](std::int64_t n, carlo::Rng& rng) {
     const Inside inside(watch);
     const bool first = chunk_of(rng, params.seed, 1) == 0;
     if (first) {
+      ++firsts;
       others_done = watch.wait_for_left(chunks - 1);
     } else if (!alone) {
       alone = !watch.wait_for_most(2);
@@ -148,7 +151,7 @@ PROBE("Lab 2.6 slow chunk", "others were done first", "sum", "most at once") {
     return Sums{n, first ? 1e18 : 50, 0};
   };
   const Sums sums = lab02::sum_in_parallel(sampler, params.n, params.seed, 2);
-  return {3, {others_done ? 1.0 : 0.0, sums.sum, watch.most()}};
+  return {5, {others_done ? 1.0 : 0.0, sums.sum, watch.most(), number(firsts), watch.calls()}};
 }
 
 PROBE("Lab 2.6 together", "most at once") {
