@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # student_tree_test.sh SOURCE CMAKE_ARGUMENT...: the archives that students get, after labs 1, 4 and
-# 8. They hold nothing that they must not; the same commit gives the same bytes; each configures; the
-# first and the last build their newest lab's judge and worker, and judge the stub as one that has been
-# begun nowhere.
+# 8. They hold nothing that they must not; the same commit gives the same bytes; each configures, and by
+# itself takes no warning for an error; the first and the last build their newest lab's judge and worker,
+# and judge the stub as one that has been begun nowhere.
 set -euo pipefail
 source=$1
 shift
@@ -10,6 +10,7 @@ cmake_arguments=("$@")
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
+# What a build with a base folder of its own compiled is found again, wherever it stood.
 export CCACHE_BASEDIR=$scratch
 
 fail() {
@@ -47,7 +48,7 @@ expect_error() {
 }
 
 configured() {
-  cmake -G Ninja -S "$1/carlo" -B "$1/carlo/build/release" "${cmake_arguments[@]}" >"$scratch/log" 2>&1 ||
+  cmake -G Ninja -S "$1/carlo" -B "$1/carlo/build/$2" "${@:3}" >"$scratch/log" 2>&1 ||
     { cat "$scratch/log" && fail "a student's tree does not configure"; }
 }
 
@@ -78,8 +79,14 @@ for last in 1 4 8; do
   expect_error "$tree" "a student.s tree" slides --check
   expect_error "$tree" "a student's tree" test --solutions
   expect_error "$tree" "no solution of lab $last" lab "$last" --solutions
-  configured "$scratch/$last"
+  configured "$scratch/$last" release "${cmake_arguments[@]}"
 done
+
+# Their compilers may be newer than any of ours.
+configured "$scratch/4" plain
+commands=$(ninja -C "$scratch/4/carlo/build/plain" -t commands)
+grep -q -e -Wconversion <<<"$commands" && ! grep -q -e -Werror <<<"$commands" ||
+  fail "a student's tree takes warnings for errors"
 
 # A leak must be seen: the last lab's solution in its stub's place.
 cp "$source/solutions/08_path_tracer/steps/h_path_tracer.cpp" "$scratch/8/carlo/labs/08_path_tracer/"
