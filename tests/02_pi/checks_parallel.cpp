@@ -73,13 +73,13 @@ bool judge_sums(double n, double threads, bool alone) {
   const auto repeated = lab02_tests::totals_by_chunks(whole, rows.seed, Streams::the_first);
   const std::string of =
       fmt::format(" of {}, {}", counted(n, "sample"), counted(threads, "thread"));
-  const auto missing = [&](double measured, double expected, const Diagnosis& otherwise) {
+  const auto of_parts = [&](double measured, double expected, const Diagnosis& otherwise) {
     if (measured == 0) return left_out;
     if (!alone) return otherwise;
     return measured > expected ? race : lost_parts;
   };
   judge(holds("the count" + of, rows.at(0, 0) == n, number_in_report(rows.at(0, 0)),
-              number_in_report(n), {missing(rows.at(0, 0), n, wrong_sizes)}));
+              number_in_report(n), {of_parts(rows.at(0, 0), n, wrong_sizes)}));
   if (rows.at(0, 0) != n) return false;
   const auto near = [](double measured, double expected) {
     return std::abs(measured - expected) <= 1e-9 * expected;
@@ -92,7 +92,7 @@ bool judge_sums(double n, double threads, bool alone) {
     judge(holds(
         what + of, same_bits(measured, expected), fmt::format("{:.17g}", measured),
         fmt::format("{:.17g}, to the last bit", expected),
-        {close ? order : (again ? same_stream : missing(measured, expected, wrong_streams))}));
+        {close ? order : (again ? same_stream : of_parts(measured, expected, wrong_streams))}));
   };
   judge_one("the sum", sum, totals.sum);
   judge_one("the sum of squares", squares, totals.squares);
@@ -104,26 +104,26 @@ struct Handed {
   double strays = 0;
   std::size_t right = 0, wrong = 0;
   bool only_first = false;  ///< all chunks got chunk 0's generator
-  bool again = false;       ///< whole chunks were sampled more than once; no part of one
+  bool repeated = false;    ///< some chunks were sampled more than once, but no part of one
 };
 
 Handed handed_out(const Rows& rows, double n) {
   Handed handed;
   const std::size_t chunks = rows.count() - 1;
-  bool whole = true;
+  bool whole = true, again = false;
   for (std::size_t i = 0; i < chunks; ++i) {
     const double size = std::min(chunk, n - chunk * static_cast<double>(i));
     const double times = rows.at(i, 0), samples = rows.at(i, 1);
     ++(times == 1 && samples == size ? handed.right : handed.wrong);
     handed.samples += samples;
-    handed.again = handed.again || times > 1;
+    again = again || times > 1;
     whole = whole && samples == times * size;
   }
   handed.strays = rows.at(chunks, 0);
   handed.samples += rows.at(chunks, 1);
   const bool begun_only = handed.strays == 0;
-  handed.again = handed.again && whole && begun_only;
   handed.only_first = begun_only && chunks > 1 && rows.at(0, 0) == static_cast<double>(chunks);
+  handed.repeated = begun_only && whole && again && !handed.only_first;
   return handed;
 }
 
@@ -134,11 +134,11 @@ void judge_chunks(double n, double threads) {
                           {.rows = chunks + 1, .columns = 2});
   const Handed handed = handed_out(rows, n);
   // The counter may be torn here too, not only where threads are made to meet.
-  const bool torn = threads > 1 && handed.again && !handed.only_first;
+  const Diagnosis& uneven = threads > 1 && handed.repeated ? race : wrong_sizes;
   judge(holds(fmt::format("the samples handed out for n = {}, {}", number_in_report(n),
                           counted(threads, "thread")),
               handed.samples == n, number_in_report(handed.samples), number_in_report(n),
-              {torn ? race : wrong_sizes}));
+              {uneven}));
   judge(
       holds("each chunk's generator, once, with the chunk's samples",
             handed.wrong == 0 && handed.strays == 0,
@@ -146,10 +146,7 @@ void judge_chunks(double n, double threads) {
                         counted(static_cast<double>(handed.right), "chunk"), handed.wrong,
                         counted(handed.strays, "generator")),
             fmt::format("all {} as they should be", counted(static_cast<double>(chunks), "chunk")),
-            {handed.only_first   ? same_stream
-             : handed.strays > 0 ? wrong_streams
-             : torn              ? race
-                                 : wrong_sizes}));
+            {handed.only_first ? same_stream : (handed.strays > 0 ? wrong_streams : uneven)}));
 }
 
 /// `plain`: what is thrown is an int, of no class of exceptions.
@@ -246,8 +243,10 @@ TEST_CASE("Lab 2.6: a slow chunk holds up nobody, and is still added first", "[l
   // The first may wait in vain for chunks that nobody took, or that were taken as the first again.
   const bool each_once = rows.at(0, 3) == 1 && rows.at(0, 4) == chunks;
   std::vector<Diagnosis> diagnoses;
-  if (!together) diagnoses = {too_few};
-  if (together && each_once) diagnoses = {fixed_shares};
+  if (!together)
+    diagnoses = {too_few};
+  else if (each_once)
+    diagnoses = {fixed_shares};
   judge(holds("while the first chunk waits", rows.at(0, 0) == 1,
               rows.at(0, 0) == 1 ? "the other thread does all others" : "other chunks wait too",
               "the other thread does all others", diagnoses));
