@@ -10,8 +10,6 @@ cmake_arguments=("$@")
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-# What a build with a base folder of its own compiled is found again, wherever it stood.
-export CCACHE_BASEDIR=$scratch
 
 fail() {
   printf 'FAILED: %s\n' "$*"

@@ -1,13 +1,84 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-
+#include <initializer_list>
+#include <memory>
 #include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace carlo {
 
-/// Parses a command line. Returns an exit code when the program is done already (after --help);
-/// throws Error, one line that ends in how to get help, for a bad one.
-std::optional<int> parse_arguments(CLI::App& app, int argc, const char* const* argv);
+/// One option of a CommandLine, for what else is to be said of it. A value that is not as required
+/// is told in one line that names the option, the value and what was expected.
+class Argument {
+ public:
+  explicit Argument(CLI::Option* option) : option_(option) {}
+
+  Argument required();
+  /// The variable's value is the default; --help shows it.
+  Argument show_default();
+  /// Another default than the variable's value; --help shows it.
+  Argument default_value(const std::string& text);
+  /// Numbers from `lowest` to `highest`, both among them.
+  template <class Number>
+  Argument range(Number lowest, Number highest);
+  Argument one_of(const std::vector<std::string>& words);
+  Argument existing_file();
+  Argument existing_folder();
+  /// A list in one word, its values apart by `separator`; more words only where `more` says so.
+  Argument list(char separator, bool more = true);
+  /// How many words follow; what --help calls them.
+  Argument words(int least, int most);
+  Argument type_name(const std::string& name);
+  Argument excludes(Argument other);
+  /// Not in --help.
+  Argument hidden();
+
+  /// Whether it stood on the command line.
+  bool given() const;
+
+ private:
+  CLI::Option* option_;
+};
+
+/// A program's options: what they are called, where their values go, and --help. CLI11 does the
+/// work; its header costs seconds of compiling, so that one file alone includes it.
+class CommandLine {
+ public:
+  /// `program` is what a user types to start it.
+  explicit CommandLine(const std::string& about, const std::string& program = "");
+  CommandLine(CommandLine&&) noexcept;
+  CommandLine& operator=(CommandLine&&) noexcept;
+  ~CommandLine();
+
+  /// A name such as "--seed" or "-o,--output"; without dashes its place on the line counts. T:
+  /// text, bool, a number, std::optional of these, or a std::vector for a list.
+  template <class T>
+  Argument option(const std::string& name, T& value, const std::string& about = "");
+  Argument flag(const std::string& name, bool& value, const std::string& about);
+
+  /// One of several verbs, of which one must be named; it has options of its own.
+  CommandLine verb(const std::string& name, const std::string& about);
+  /// Whether this verb was named.
+  bool chosen() const;
+
+  /// The last line of --help.
+  void footer(const std::string& text);
+
+  /// Parses. Returns an exit code when the program is done already (after --help); throws Error,
+  /// one line that ends in how to get help, for a bad command line.
+  std::optional<int> parse(int argc, const char* const* argv);
+
+ private:
+  explicit CommandLine(CLI::App* verb);
+
+  std::unique_ptr<CLI::App> own_;  ///< none for a verb: its program owns it
+  CLI::App* app_;
+};
 
 }  // namespace carlo

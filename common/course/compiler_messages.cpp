@@ -7,11 +7,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <charconv>
 #include <optional>
-#include <regex>
 #include <set>
 #include <sstream>
+#include <string_view>
 
 namespace carlo {
 namespace {
@@ -146,18 +148,45 @@ bool is_excerpt(const std::string& line) {
   return bar != std::string::npos && (line[bar] == '|' || line[bar] == '^' || line[bar] == '~');
 }
 
-/// Of mathematics, which everybody needs and no header of a lab brings along. Quotes are what the
-/// compiler's language has: one byte or several.
+bool is_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// `text` from its first word on. What stands before it are quotes, which the compiler's language
+/// has: one byte or several.
+std::string_view from_word(std::string_view text) {
+  return {std::find_if(text.begin(), text.end(), is_word), text.end()};
+}
+
+std::string_view first_word(std::string_view text) {
+  return {text.begin(), std::find_if_not(text.begin(), text.end(), is_word)};
+}
+
+/// The name that is told to be missing in namespace std, else "": ‘NAME’ is not a member of ‘std’
+/// by GCC, no member named 'NAME' in namespace 'std' by Clang.
+std::string_view missing_in_std(std::string_view text) {
+  constexpr std::string_view clang = "no member named ";
+  const bool by_clang = text.starts_with(clang);
+  text = from_word(by_clang ? text.substr(clang.size()) : text);
+  const std::string_view name = first_word(text);
+  const std::string_view phrase = by_clang ? " in namespace " : " is not a member of ";
+  const std::size_t at = text.find(phrase);
+  if (at == std::string_view::npos || from_word(text.substr(name.size())).data() < text.data() + at)
+    return "";
+  text = from_word(text.substr(at + phrase.size()));
+  if (first_word(text) != "std" || text.size() == 3 || text[3] == ':') return "";
+  return name;
+}
+
+/// Of mathematics, which everybody needs and no header of a lab brings along.
 std::string with_missing_header(const std::string& text) {
-  static const std::string name =
-      "(sqrt|cbrt|exp|expm1|log|log1p|pow|sin|cos|tan|asin|acos|atan2?|fabs|floor|ceil|round|"
-      "lround|hypot|fma|isnan|isfinite|copysign|ldexp|frexp)";
-  static const std::regex gcc("^\\W*" + name + "\\W* is not a member of \\W*std[^\\w:].*");
-  static const std::regex clang("^no member named \\W*" + name +
-                                "\\W* in namespace \\W*std[^\\w:].*");
-  std::smatch found;
-  if (!std::regex_match(text, found, gcc) && !std::regex_match(text, found, clang)) return text;
-  return fmt::format("std::{} is not known here: #include <cmath>", found.str(1));
+  constexpr std::array<std::string_view, 26> of_cmath = {
+      "sqrt",   "cbrt",  "exp",  "expm1", "log",      "log1p",    "pow",   "sin",  "cos",
+      "tan",    "asin",  "acos", "atan",  "atan2",    "fabs",     "floor", "ceil", "round",
+      "lround", "hypot", "fma",  "isnan", "isfinite", "copysign", "ldexp", "frexp"};
+  const std::string_view name = missing_in_std(text);
+  if (std::find(of_cmath.begin(), of_cmath.end(), name) == of_cmath.end()) return text;
+  return fmt::format("std::{} is not known here: #include <cmath>", name);
 }
 
 /// The name that `line` puts between ` or ' and '.

@@ -9,9 +9,7 @@
 #include "course/hints.h"
 #include "course/status.h"
 #include "course/verdicts.h"
-#include "course/watch/watch.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <filesystem>
@@ -31,7 +29,6 @@ struct Options {
   bool all = false, json = false, next = false;
   std::string file;          ///< keep: the judge's verdicts; explain: the build's log
   std::size_t messages = 3;  ///< explain
-  WatchOptions watch;
 
   fs::path labs() const { return root / "labs"; }
   fs::path state(const char* name) const { return root / ".carlo" / name; }
@@ -85,43 +82,33 @@ void explain(const Options& options) {
 int main(int argc, char** argv) {
   return run_main([&] {
     Options options;
-    CLI::App app("The course: hints, how far you are, what the compiler means", "./carlo");
-    app.require_subcommand(1);
+    CommandLine app("The course: hints, how far you are, what the compiler means", "./carlo");
     const auto verb = [&](const char* name, const char* about) {
-      CLI::App* added = app.add_subcommand(name, about);
-      added->add_option("--root", options.root, "the folder of the tree")->capture_default_str();
+      CommandLine added = app.verb(name, about);
+      added.option("--root", options.root, "the folder of the tree").show_default();
       return added;
     };
-    CLI::App* hints = verb("hint", "the next hint for an exercise");
-    hints->add_option("exercise", options.exercise, "which exercise, such as 1.2")->required();
-    CLI::Option* one = hints->add_option("step", options.step, "show this earlier hint again");
-    hints->add_flag("--all", options.all, "show all hints that were seen")->excludes(one);
-    CLI::App* how_far = verb("status", "what is done, what is next");
-    how_far->add_option("lab", options.lab, "this lab alone");
-    how_far->add_flag("--all", options.all, "list the exercises of all labs");
-    how_far->add_flag("--json", options.json, "for programs");
-    how_far->add_flag("--next", options.next, "only the number of the next exercise");
-    CLI::App* keeper = verb("keep", "note what the judge said, for status");
-    keeper->add_option("lab", options.lab, "which lab")->required();
-    keeper->add_option("verdicts", options.file, "the file of its --json")->required();
-    CLI::App* explainer = verb("explain", "what a build's log says, the student's file first");
-    explainer->add_option("log", options.file, "the log")->required();
-    explainer->add_option("--messages", options.messages, "how many")->capture_default_str();
-    CLI::App* watcher = verb("watch", "judge an exercise whenever its file is saved");
-    watcher->add_option("lab", options.watch.lab, "which lab")->required();
-    watcher->add_option("--build", options.watch.build, "where ninja builds")->required();
-    watcher->add_flag("--poll", options.watch.look,
-                      "look at the files, where the system does not tell of changes");
-    if (const auto code = parse_arguments(app, argc, argv)) return *code;
+    CommandLine hints = verb("hint", "the next hint for an exercise");
+    hints.option("exercise", options.exercise, "which exercise, such as 1.2").required();
+    const Argument one = hints.option("step", options.step, "show this earlier hint again");
+    hints.flag("--all", options.all, "show all hints that were seen").excludes(one);
+    CommandLine how_far = verb("status", "what is done, what is next");
+    how_far.option("lab", options.lab, "this lab alone");
+    how_far.flag("--all", options.all, "list the exercises of all labs");
+    how_far.flag("--json", options.json, "for programs");
+    how_far.flag("--next", options.next, "only the number of the next exercise");
+    CommandLine keeper = verb("keep", "note what the judge said, for status");
+    keeper.option("lab", options.lab, "which lab").required();
+    keeper.option("verdicts", options.file, "the file of its --json").required();
+    CommandLine explainer = verb("explain", "what a build's log says, the student's file first");
+    explainer.option("log", options.file, "the log").required();
+    explainer.option("--messages", options.messages, "how many").show_default();
+    if (const auto code = app.parse(argc, argv)) return *code;
 
-    if (hints->parsed()) hint(options, one->count() > 0);
-    if (how_far->parsed()) status(options);
-    if (keeper->parsed()) keep(options);
-    if (explainer->parsed()) explain(options);
-    if (watcher->parsed()) {
-      options.watch.root = options.root;
-      return watch(options.watch);
-    }
+    if (hints.chosen()) hint(options, one.given());
+    if (how_far.chosen()) status(options);
+    if (keeper.chosen()) keep(options);
+    if (explainer.chosen()) explain(options);
     return 0;
   });
 }

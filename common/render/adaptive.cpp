@@ -19,8 +19,8 @@ namespace carlo {
 namespace {
 
 /// Decisions are taken for squares of this many pixels a side; work is handed out in squares of up
-/// to `tile_size`.
-constexpr int unit_size = adaptive_unit_size, tile_size = 16;
+/// to `square_size`.
+constexpr int unit_size = adaptive_unit_size, square_size = 16;
 /// 95 % of normal errors are within this many standard errors.
 constexpr double confidence = 1.96;
 /// The worst pixel of a unit may be this much above the unit's root mean square error.
@@ -54,8 +54,6 @@ class Levels {
   std::uint32_t first_ = 0;
   int count_ = 0;
 };
-
-using Unit = AdaptiveState::Unit;
 
 /// A square of pixels and a half of theirs, for one round.
 struct Work {
@@ -120,7 +118,9 @@ class AdaptiveJob {
   }
 
  private:
-  const Unit& unit_of(int x, int y) const { return state_.units[state_.unit_number(x, y)]; }
+  const AdaptiveState::Unit& unit_of(int x, int y) const {
+    return state_.units[state_.unit_number(x, y)];
+  }
 
   /// Halves that still get samples have those of all rounds before, and with or without this one's.
   void check_samples() const {
@@ -155,9 +155,9 @@ class AdaptiveJob {
 
   std::vector<Work> plan() const {
     std::vector<Work> work;
-    for (int y = 0; y < state_.height; y += tile_size) {
-      for (int x = 0; x < state_.width; x += tile_size)
-        plan_square(x, y, tile_size, work);
+    for (int y = 0; y < state_.height; y += square_size) {
+      for (int x = 0; x < state_.width; x += square_size)
+        plan_square(x, y, square_size, work);
     }
     return work;
   }
@@ -203,7 +203,7 @@ class AdaptiveJob {
               samples,
               work.half};
     std::vector<HalfPixel::Group> groups(static_cast<std::size_t>(work.size * work.size));
-    std::array<std::array<double, 3>, tile_size * tile_size> means;
+    std::array<std::array<double, 3>, square_size * square_size> means;
     Counts counts;
     for (std::uint32_t b = 0; b < blocks; ++b) {
       tile.first_sample = first + b * samples;

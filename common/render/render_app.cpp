@@ -14,7 +14,6 @@
 #include "scene/load_scene.h"
 #include "scene/sampler_kind.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -51,38 +50,35 @@ struct Arguments {
   bool no_sums = false;
 };
 
-void add_common_options(CLI::App& app, Arguments& a) {
-  app.add_option("scene", a.scene, "scene file, Mitsuba 0.6-style XML (default: the Cornell box)");
-  app.add_option("--default-scene", a.default_scene)->group("");  // for the script ./carlo
-  app.add_option("--spp", a.spp, "samples a pixel (default: the scene's)")
-      ->check(CLI::Range(1u, 1u << 28));
-  app.add_option("--seconds", a.seconds, "render for about this long instead")
-      ->check(CLI::Range(0.0, 1e7));
-  app.add_option("--target-error", a.target_error,
-                 "sample each pixel until its relative error is this, such as .01, at 95 % "
-                 "confidence; --spp (default: 65536) and --seconds are limits then");
-  app.add_option("--size", a.size, "film size, WIDTHxHEIGHT (default: the scene's)");
-  app.add_option("--max-depth", a.max_depth, "longest path in segments, 0 for no limit")
-      ->check(CLI::Range(0, 1 << 20));
-  app.add_option("--sampler", a.sampler, "independent, stratified or sobol")
-      ->check(CLI::IsMember(sampler_names()));
-  app.add_option("--seed", a.seed, "another seed gives independent noise (default: 1)");
-  app.add_option("--threads", a.threads, "default: one for each core")->check(CLI::Range(1, 1024));
-  app.add_option("-D,--define", a.definitions, "NAME=VALUE for a $NAME of the scene");
-  app.add_option("-o,--output", a.output,
-                 "base name of .png, .exr, .error.png and .json (default: out/SCENE)");
-  app.add_option("--reference", a.reference, "EXR to measure the error against");
-  app.add_option("--page", a.page, "also a page to look at the image (default: out/SCENE.html)")
-      ->expected(0, 1)
-      ->type_name("[FILE.html]");
-  app.add_option("--resume", a.resume,
-                 "go on with the render in this EXR, with its scene and settings, up to --spp, for "
-                 "--seconds more, or to its --target-error");
-  app.add_option("--checkpoint", a.checkpoint, "seconds after which a long render's EXR is written")
-      ->check(CLI::Range(0.0, 1e7))
-      ->capture_default_str();
-  app.add_flag("--no-sums", a.no_sums, "a smaller EXR, which cannot be resumed");
-  app.add_flag("--quiet", a.quiet, "no progress bar, no report on stdout");
+void add_common_options(CommandLine& app, Arguments& a) {
+  app.option("scene", a.scene, "scene file, Mitsuba 0.6-style XML (default: the Cornell box)");
+  app.option("--default-scene", a.default_scene).hidden();  // for the script ./carlo
+  app.option("--spp", a.spp, "samples a pixel (default: the scene's)").range(1u, 1u << 28);
+  app.option("--seconds", a.seconds, "render for about this long instead").range(0.0, 1e7);
+  app.option("--target-error", a.target_error,
+             "sample each pixel until its relative error is this, such as .01, at 95 % "
+             "confidence; --spp (default: 65536) and --seconds are limits then");
+  app.option("--size", a.size, "film size, WIDTHxHEIGHT (default: the scene's)");
+  app.option("--max-depth", a.max_depth, "longest path in segments, 0 for no limit")
+      .range(0, 1 << 20);
+  app.option("--sampler", a.sampler, "independent, stratified or sobol").one_of(sampler_names());
+  app.option("--seed", a.seed, "another seed gives independent noise (default: 1)");
+  app.option("--threads", a.threads, "default: one for each core").range(1, 1024);
+  app.option("-D,--define", a.definitions, "NAME=VALUE for a $NAME of the scene");
+  app.option("-o,--output", a.output,
+             "base name of .png, .exr, .error.png and .json (default: out/SCENE)");
+  app.option("--reference", a.reference, "EXR to measure the error against");
+  app.option("--page", a.page, "also a page to look at the image (default: out/SCENE.html)")
+      .words(0, 1)
+      .type_name("[FILE.html]");
+  app.option("--resume", a.resume,
+             "go on with the render in this EXR, with its scene and settings, up to --spp, for "
+             "--seconds more, or to its --target-error");
+  app.option("--checkpoint", a.checkpoint, "seconds after which a long render's EXR is written")
+      .range(0.0, 1e7)
+      .show_default();
+  app.flag("--no-sums", a.no_sums, "a smaller EXR, which cannot be resumed");
+  app.flag("--quiet", a.quiet, "no progress bar, no report on stdout");
 }
 
 int parse_whole(std::string_view text, const std::string& all) {
@@ -354,13 +350,13 @@ int run(Arguments a, const IntegratorFactory& factory, const std::string& comman
 }  // namespace
 
 int render_app(int argc, char** argv, const IntegratorFactory& factory,
-               const std::function<void(CLI::App&)>& add_options) {
+               const std::function<void(CommandLine&)>& add_options) {
   Arguments arguments;
-  CLI::App app("Renders a scene by path tracing: PNG, EXR and a report of error against time.",
-               "./carlo render");
+  CommandLine app("Renders a scene by path tracing: PNG, EXR and a report of error against time.",
+                  "./carlo render");
   add_common_options(app, arguments);
   if (add_options) add_options(app);
-  if (const auto code = parse_arguments(app, argc, argv)) return *code;
+  if (const auto code = app.parse(argc, argv)) return *code;
   tell_page_from_scene(arguments);
   if (arguments.scene.empty() && arguments.resume.empty()) {
     arguments.scene = arguments.default_scene;

@@ -8,11 +8,9 @@
 #include <functional>
 #include <memory>
 
-namespace CLI {
-class App;
-}
-
 namespace carlo {
+
+class CommandLine;
 
 /// Makes an integrator for a scene; `spp` is the planned number of samples a pixel.
 using IntegratorFactory = std::function<std::unique_ptr<Integrator>(
@@ -22,6 +20,6 @@ using IntegratorFactory = std::function<std::unique_ptr<Integrator>(
 /// PNG, EXR and JSON and prints the report. `add_options` may add options of the integrator's own;
 /// they are read before the factory is called. Returns the exit code; throws Error.
 int render_app(int argc, char** argv, const IntegratorFactory& factory,
-               const std::function<void(CLI::App&)>& add_options = {});
+               const std::function<void(CommandLine&)>& add_options = {});
 
 }  // namespace carlo

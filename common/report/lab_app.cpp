@@ -168,28 +168,26 @@ int run_lab(const LabApp& lab, int argc, char** argv) {
     Arguments arguments;
     arguments.options.n = lab.n;
     arguments.page = fmt::format("out/lab{:02}.html", lab.number);
-    CLI::App app(lab.title + ". Runs the lab's experiments on the exercises done so far.",
-                 fmt::format("./carlo lab {}", lab.number));
-    auto* n = app.add_option("--n", arguments.options.n, "largest number of points, >= 1024");
-    n->check(CLI::Range(std::int64_t{1024}, std::int64_t{1} << 30))->capture_default_str();
-    app.add_option("--seed", arguments.options.seed, "seed of all random numbers")
-        ->capture_default_str();
-    app.add_flag("--quick", arguments.options.quick, "fewer points and repetitions");
-    app.add_option("--json", arguments.json, "write all tables to this file");
-    auto* page = app.add_option("--page", arguments.page, "where the page goes");
-    page->capture_default_str();
-    app.add_flag("--no-page", arguments.no_page, "write no page");
-    CLI::Option* no_predict =
-        app.add_flag("--no-predict", arguments.no_predict, "ask for no predictions, and show none");
-    app.add_flag("--predict", arguments.predict, "ask for all predictions again")
-        ->excludes(no_predict);
+    CommandLine app(lab.title + ". Runs the lab's experiments on the exercises done so far.",
+                    fmt::format("./carlo lab {}", lab.number));
+    auto n = app.option("--n", arguments.options.n, "largest number of points, >= 1024");
+    n.range(std::int64_t{1024}, std::int64_t{1} << 30).show_default();
+    app.option("--seed", arguments.options.seed, "seed of all random numbers").show_default();
+    app.flag("--quick", arguments.options.quick, "fewer points and repetitions");
+    app.option("--json", arguments.json, "write all tables to this file");
+    auto page = app.option("--page", arguments.page, "where the page goes");
+    page.show_default();
+    app.flag("--no-page", arguments.no_page, "write no page");
+    const Argument no_predict =
+        app.flag("--no-predict", arguments.no_predict, "ask for no predictions, and show none");
+    app.flag("--predict", arguments.predict, "ask for all predictions again").excludes(no_predict);
     if (lab.add_options) lab.add_options(app);
-    if (const auto code = parse_arguments(app, argc, argv)) return *code;
-    if (arguments.options.quick && n->count() == 0) arguments.options.n = lab.quick_n;
+    if (const auto code = app.parse(argc, argv)) return *code;
+    if (arguments.options.quick && !n.given()) arguments.options.n = lab.quick_n;
     if (lab.instead) {
       if (const auto code = lab.instead(arguments.options)) return *code;
     }
-    if (page->count() == 0 && !lab.part.empty()) {
+    if (!page.given() && !lab.part.empty()) {
       arguments.page = fmt::format("out/lab{:02}_{}.html", lab.number, lab.part);
     }
     run(lab, arguments, command_line(lab.number, argc, argv));

@@ -8,11 +8,9 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace carlo {
+
+class CommandLine;
 
 using Experiment = void (*)(Notebook& notebook);
 
@@ -28,7 +26,7 @@ struct LabApp {
   /// The part of the lab that runs alone, if one does: its page is out/labNN_PART.html.
   std::string part = {};
   /// Adds options of this lab alone to the common ones.
-  std::function<void(CLI::App& app)> add_options = nullptr;
+  std::function<void(CommandLine& app)> add_options = nullptr;
   /// Called once the command line has been read; an exit code takes the place of the experiments.
   std::function<std::optional<int>(const LabOptions& options)> instead = nullptr;
 };

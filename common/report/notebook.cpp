@@ -5,6 +5,7 @@
 #include "report/crash_note.h"
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include <cstdio>
 #include <utility>
@@ -12,7 +13,12 @@
 namespace carlo {
 
 Notebook::Notebook(std::string label, const LabOptions& options, Page& page)
-    : options_(options), page_(page), bar_(std::move(label), true) {}
+    : options_(options),
+      page_(page),
+      bar_(std::move(label), true),
+      results_(std::make_unique<nlohmann::json>(nlohmann::json::object())) {}
+
+Notebook::~Notebook() = default;
 
 void Notebook::begin(std::string_view title) {
   bar_.clear();
@@ -45,14 +51,14 @@ void Notebook::data(const std::string& key, const Table& table, std::string_view
   page_.raw_html(fmt::format("<details><summary>{}</summary>", html_escaped(caption)));
   page_.table(table);
   page_.raw_html("</details>");
-  results_[key] = table.json();
+  (*results_)[key] = table.json();
 }
 
 void Notebook::print_table(const std::string& key, const Table& table, std::string_view caption) {
   bar_.clear();
   fmt::print("{}:\n{}\n", wrapped(std::string(caption)), table.text());
   (void)std::fflush(stdout);
-  results_[key] = table.json();
+  (*results_)[key] = table.json();
 }
 
 void Notebook::leave_out(const std::string& reason) {

@@ -6,9 +6,10 @@
 #include "report/page.h"
 #include "report/table.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
@@ -28,6 +29,7 @@ struct LabOptions {
 class Notebook {
  public:
   Notebook(std::string label, const LabOptions& options, Page& page);
+  ~Notebook();
 
   const LabOptions& options() const { return options_; }
 
@@ -72,7 +74,7 @@ class Notebook {
 
   /// What was left out, for the last lines of the run; and everything measured.
   const std::set<std::string>& left_out() const { return left_out_; }
-  const nlohmann::json& results() const { return results_; }
+  const nlohmann::json& results() const { return *results_; }
 
  private:
   void leave_out(const std::string& reason);
@@ -81,7 +83,7 @@ class Notebook {
   LabOptions options_;
   Page& page_;
   Progress bar_;
-  nlohmann::json results_ = nlohmann::json::object();
+  std::unique_ptr<nlohmann::json> results_;
   std::set<std::string> left_out_;
   std::set<std::string> left_out_here_;
   std::uint64_t next_stream_ = 0;

@@ -6,6 +6,7 @@
 #include "report/web_files.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -237,8 +238,8 @@ void Page::charts(const std::vector<Chart>& row) {
     auto series = json::array();
     for (const Series& s : chart.series)
       series.push_back(series_json(s));
-    charts_.push_back(
-        {{"id", id}, {"x", axis_json(chart.x)}, {"y", axis_json(chart.y)}, {"series", series}});
+    charts_.push_back(json_for_html(
+        {{"id", id}, {"x", axis_json(chart.x)}, {"y", axis_json(chart.y)}, {"series", series}}));
   }
   body_ += "</div>\n";
 }
@@ -283,8 +284,8 @@ std::string Page::html() const {
     scripts += fmt::format("<script>\n{}\n</script>\n", script_escaped(code));
   };
   if (!charts_.empty()) {
-    scripts += fmt::format("<script type=\"application/json\" id=\"charts\">{}</script>\n",
-                           json_for_html(charts_));
+    scripts += fmt::format("<script type=\"application/json\" id=\"charts\">[{}]</script>\n",
+                           fmt::join(charts_, ","));
     add_script(web::chart_library_js());
     add_script(web::charts_js());
   }

@@ -3,7 +3,7 @@
 #include "report/table.h"
 #include "stats/fit.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <filesystem>
 #include <functional>
@@ -88,7 +88,7 @@ class Page {
   std::vector<std::string> sections_;
   std::string body_, styles_;
   std::set<std::string, std::less<>> added_;
-  nlohmann::json charts_ = nlohmann::json::array();
+  std::vector<std::string> charts_;  ///< each as JSON
   std::vector<std::string> scripts_;
   std::vector<std::pair<std::string, std::string>> facts_;
 };

@@ -6,6 +6,7 @@
 #include "report/web_files.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace carlo {
 namespace {

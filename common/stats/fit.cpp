@@ -37,14 +37,6 @@ void check_input(std::span<const double> x, std::span<const double> y,
 
 }  // namespace
 
-double PowerFit::at(double x) const {
-  return std::exp(log_scale + slope * std::log(x));
-}
-
-double PowerFit::band_factor(double x) const {
-  return std::exp(std::hypot(mean_half_width, slope_half_width * (std::log(x) - mean_log_x)));
-}
-
 PowerFit fit_power_law(std::span<const double> x, std::span<const double> y,
                        std::span<const double> weights, double confidence) {
   check_input(x, y, weights, confidence);
@@ -92,11 +84,6 @@ PowerFit fit_power_law(std::span<const double> x, std::span<const double> y,
   fit.mean_log_x = mean_x;
   fit.mean_half_width = t * sigma / std::sqrt(total);
   return fit;
-}
-
-double crossing(const PowerFit& a, const PowerFit& b) {
-  if (a.slope == b.slope) return std::numeric_limits<double>::infinity();
-  return std::exp((b.log_scale - a.log_scale) / (a.slope - b.slope));
 }
 
 }  // namespace carlo

@@ -11,11 +11,11 @@
 namespace lab01 {
 namespace {
 
-constexpr std::array<std::size_t, 4> dimensions = {2, 3, 5, 10};
+constexpr std::array<std::size_t, 4> ball_dimensions = {2, 3, 5, 10};
 
 /// [-1, 1)^d around the unit ball.
-struct Cube {
-  explicit Cube(std::size_t d) : lower(d, -1.0), upper(d, 1.0) {}
+struct LargeCube {
+  explicit LargeCube(std::size_t d) : lower(d, -1.0), upper(d, 1.0) {}
   std::vector<double> lower, upper;
 };
 
@@ -23,12 +23,12 @@ double one(std::span<const double>) {
   return 1;
 }
 
-Estimate ball_volume(const Cube& cube, std::int64_t n, carlo::Rng& rng) {
+Estimate ball_volume(const LargeCube& cube, std::int64_t n, carlo::Rng& rng) {
   return integrate_domain(one, inside_unit_ball, {cube.lower, cube.upper}, n, rng);
 }
 
 Curve volume_curve(Notebook& notebook, std::size_t d) {
-  const Cube cube(d);
+  const LargeCube cube(d);
   const double exact = unit_ball_volume(d);
   carlo::Rng rng = notebook.rng();
   Curve curve{fmt::format("ball, d = {}", d), {}};
@@ -41,7 +41,7 @@ Curve volume_curve(Notebook& notebook, std::size_t d) {
 
 /// How many of the intervals value -+ 1.96 standard errors hold the exact volume.
 double coverage(Notebook& notebook, std::size_t d, std::int64_t n, int repetitions) {
-  const Cube cube(d);
+  const LargeCube cube(d);
   const double exact = unit_ball_volume(d);
   carlo::Rng rng = notebook.rng();
   int held = 0;
@@ -57,8 +57,8 @@ carlo::Table volume_table(Notebook& notebook) {
   const int repetitions = notebook.repetitions(400);
   carlo::Table table({"d", "exact", "one estimate", "inside", "covered", "time"},
                      {"dimension", "exact", "estimate", "inside", "covered", "seconds"});
-  for (const std::size_t d : dimensions) {
-    const Cube cube(d);
+  for (const std::size_t d : ball_dimensions) {
+    const LargeCube cube(d);
     const double exact = unit_ball_volume(d);
     carlo::Rng rng = notebook.rng();
     const Estimate estimate = ball_volume(cube, n, rng);
@@ -80,9 +80,9 @@ void domain_experiment(Notebook& notebook) {
   notebook.begin("A domain that is not a box");
   notebook.attempt([&] {
     std::vector<Curve> curves;
-    for (std::size_t i = 0; i < dimensions.size(); ++i) {
-      notebook.progress(static_cast<double>(i), dimensions.size() + 1.0);
-      curves.push_back(volume_curve(notebook, dimensions[i]));
+    for (std::size_t i = 0; i < ball_dimensions.size(); ++i) {
+      notebook.progress(static_cast<double>(i), ball_dimensions.size() + 1.0);
+      curves.push_back(volume_curve(notebook, ball_dimensions[i]));
     }
     const carlo::Table volumes = volume_table(notebook);
     notebook.say(

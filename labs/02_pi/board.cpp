@@ -2,6 +2,8 @@
 
 #include "report/page.h"
 
+#include <nlohmann/json.hpp>
+
 #include <string_view>
 
 namespace lab02 {

@@ -33,11 +33,10 @@ int main(int argc, char** argv) {
           "A good generator costs about a nanosecond a number, no more than a bad one; a tenth of "
           "that "
           "where eight lanes run side by side."}};
-  lab.add_options = [&stream](CLI::App& app) {
-    app.add_option(
-        "--stream", stream,
-        "write this generator's raw 32-bit words to standard output and do nothing else, "
-        "e.g. for `dieharder -a -g 200`");
+  lab.add_options = [&stream](carlo::CommandLine& app) {
+    app.option("--stream", stream,
+               "write this generator's raw 32-bit words to standard output and do nothing else, "
+               "e.g. for `dieharder -a -g 200`");
   };
   lab.instead = [&stream](const carlo::LabOptions& options) -> std::optional<int> {
     if (stream.empty()) return std::nullopt;

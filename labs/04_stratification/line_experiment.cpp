@@ -34,7 +34,7 @@ double plain_average(const Function& f, std::int64_t n, carlo::Rng& rng) {
   return sum / static_cast<double>(n);
 }
 
-using Method = double (*)(const Function&, std::int64_t, carlo::Rng&);
+using LineMethod = double (*)(const Function&, std::int64_t, carlo::Rng&);
 
 /// A fresh integrand for each estimate, and its exact average.
 struct Drawn {
@@ -42,7 +42,7 @@ struct Drawn {
   double average;
 };
 
-Curve curve(Notebook& notebook, const std::string& name, Method method,
+Curve curve(Notebook& notebook, const std::string& name, LineMethod method,
             const std::function<Drawn(carlo::Rng&)>& integrand) {
   Curve result{name, {}};
   carlo::Rng rng = notebook.rng();

@@ -4,6 +4,7 @@
 #include "report/format.h"
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cmath>

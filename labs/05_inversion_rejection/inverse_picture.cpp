@@ -1,6 +1,8 @@
 #include "pictures.h"
 #include "report/page.h"
 
+#include <nlohmann/json.hpp>
+
 #include <string>
 
 // The page's slider for inversion by hand.

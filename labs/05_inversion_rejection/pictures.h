@@ -2,7 +2,7 @@
 
 #include "inversion_rejection.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <span>
 #include <string>

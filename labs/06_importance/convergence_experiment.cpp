@@ -12,14 +12,14 @@
 namespace lab06 {
 namespace {
 
-struct Way {
+struct EstimatorWay {
   std::string name;
   Density p;
   std::string theory;  ///< the slope
   bool exact = false;  ///< nothing but rounding errors: no slope
 };
 
-std::vector<Way> ways() {
+std::vector<EstimatorWay> convergence_ways() {
   return {{"uniform", uniform_density(0, 1), "-1/2"},
           {"x^3, good", power_density(3), "-1/2"},
           {"x^4, proportional", power_density(4), "no error at all", true},
@@ -28,7 +28,7 @@ std::vector<Way> ways() {
           {"uniform on [1/2, 1)", uniform_density(0.5, 1), "0: a bias of 1/32"}};
 }
 
-Curve curve_of(Notebook& notebook, const Way& way) {
+Curve curve_of(Notebook& notebook, const EstimatorWay& way) {
   Curve curve{way.name, {}};
   carlo::Rng rng = notebook.rng();
   for (const std::int64_t n : ladder(64, std::max<std::int64_t>(notebook.options().n / 16, 1024))) {
@@ -50,7 +50,7 @@ void convergence_experiment(Notebook& notebook) {
   carlo::Table slopes({"p", "theory", "against N", "against seconds", "final error", "time"},
                       {"p", "theory", "slope_points", "slope_seconds", "error", "seconds"});
   const bool done = notebook.attempt([&] {
-    for (const Way& way : ways()) {
+    for (const EstimatorWay& way : convergence_ways()) {
       notebook.progress(static_cast<double>(curves.size()), 6);
       const Curve curve = curve_of(notebook, way);
       const Measurement& last = curve.runs.back();

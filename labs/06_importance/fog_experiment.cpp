@@ -43,27 +43,27 @@ double exact(double height) {
 }
 
 /// One way to estimate, from `samples` samples.
-struct Way {
+struct FogWay {
   std::string name;
   double samples;
   std::function<double(const Function& f, double height, carlo::Rng& rng)> draw;
 };
 
-Way alone(const std::string& name, const std::function<Density(double height)>& density) {
+FogWay alone(const std::string& name, const std::function<Density(double height)>& density) {
   return {name, 1, [=](const Function& f, double height, carlo::Rng& rng) {
             const Density p = density(height);
             return contribution(f, p, p.sample(rng.uniform()));
           }};
 }
 
-Way one_of_each(const std::string& name, Heuristic heuristic) {
+FogWay one_of_each(const std::string& name, Heuristic heuristic) {
   return {name, 2, [=](const Function& f, double height, carlo::Rng& rng) {
             return multi_sample(f, {exponential_density(fog, first), 1},
                                 {light_density(height, first, last), 1}, heuristic, rng);
           }};
 }
 
-std::vector<Way> ways() {
+std::vector<FogWay> fog_ways() {
   return {alone("uniform", [](double) { return uniform_density(first, last); }),
           alone("free path", [](double) { return exponential_density(fog, first); }),
           alone("lamp's angle", [](double height) { return light_density(height, first, last); }),
@@ -81,7 +81,7 @@ struct Result {
   double mean = 0, sd = 0, seconds = 0;
 };
 
-Result result_of(const Way& way, double height, std::int64_t n, carlo::Rng rng) {
+Result result_of(const FogWay& way, double height, std::int64_t n, carlo::Rng rng) {
   const Function f = scattered(height);
   const double integral = exact(height);
   double sum = 0, squares = 0;
@@ -112,7 +112,7 @@ void sweep(Notebook& notebook) {
                      {"distance of the lamp from the ray"},
                      {"relative standard deviation of one sample"},
                      {}};
-  for (const Way& way : ways()) {
+  for (const FogWay& way : fog_ways()) {
     carlo::Series series{way.name, {}};
     notebook.attempt([&] {
       for (const double height : heights) {

@@ -17,12 +17,12 @@ namespace lab06 {
 namespace {
 
 /// A pixel's estimate from `samples` in all.
-struct Way {
+struct PlateWay {
   std::string name;
   std::function<double(double m, double scale, std::int64_t samples, carlo::Rng& rng)> pixel;
 };
 
-std::vector<Way> ways() {
+std::vector<PlateWay> plates_ways() {
   const auto one = [](const Density& p, double m, double scale, std::int64_t samples,
                       carlo::Rng& rng) {
     double sum = 0;
@@ -49,7 +49,7 @@ std::vector<Way> ways() {
 }
 
 constexpr std::size_t columns = 240, rows = 14, gap = 3;
-constexpr std::size_t height = plate_scales.size() * (rows + gap) - gap;
+constexpr std::size_t picture_height = plate_scales.size() * (rows + gap) - gap;
 
 double mirror_direction(std::size_t column) {
   return (static_cast<double>(column) + 0.5) / static_cast<double>(columns);
@@ -63,7 +63,7 @@ double tone(double radiance) {
 /// The plates one below the other, the sharpest on top; each row of a plate is a new estimate.
 Grey image(const std::string& title, const std::string& note,
            const std::function<double(double m, double scale)>& pixel) {
-  Grey grey{title, note, columns, height, std::vector<double>(columns * height)};
+  Grey grey{title, note, columns, picture_height, std::vector<double>(columns * picture_height)};
   for (std::size_t plate = 0; plate < plate_scales.size(); ++plate) {
     for (std::size_t row = 0; row < rows; ++row) {
       for (std::size_t column = 0; column < columns; ++column) {
@@ -78,7 +78,7 @@ Grey image(const std::string& title, const std::string& note,
 void images(Notebook& notebook) {
   std::vector<Grey> all;
   const std::string note = "4 samples a pixel";
-  for (const Way& way : ways()) {
+  for (const PlateWay& way : plates_ways()) {
     if (way.name == "both, balance") continue;
     notebook.attempt([&] {
       carlo::Rng rng = notebook.rng();
@@ -92,7 +92,7 @@ void images(Notebook& notebook) {
 }
 
 /// The relative standard deviation of a pixel with four samples.
-double relative_sd(const Way& way, double m, double scale, int repetitions, carlo::Rng rng) {
+double relative_sd(const PlateWay& way, double m, double scale, int repetitions, carlo::Rng rng) {
   const double exact = plate_exact(m, scale);
   double squares = 0;
   for (int i = 0; i < repetitions; ++i) {
@@ -103,7 +103,7 @@ double relative_sd(const Way& way, double m, double scale, int repetitions, carl
 }
 
 void spread_table(Notebook& notebook) {
-  const std::vector<Way> all = ways();
+  const std::vector<PlateWay> all = plates_ways();
   carlo::Table table(
       {"plate's lobe", "lamp's width", "lamps only", "lobe only", "both, balance", "both, power"},
       {"scale", "width", "lamps", "lobe", "balance", "power"});
@@ -112,7 +112,7 @@ void spread_table(Notebook& notebook) {
     for (const std::size_t i : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}}) {
       const Lamp& lamp = plate_lamps.at(i);
       std::vector<carlo::Cell> row = {scale, 2 * lamp.half_width};
-      for (const Way& way : all)
+      for (const PlateWay& way : all)
         row.emplace_back(relative_sd(way, lamp.centre, scale, repetitions, notebook.rng()));
       table.add_row(std::move(row));
     }
@@ -124,7 +124,7 @@ void spread_table(Notebook& notebook) {
 
 void convergence(Notebook& notebook) {
   std::vector<Curve> curves;
-  for (const Way& way : ways()) {
+  for (const PlateWay& way : plates_ways()) {
     notebook.attempt([&] {
       Curve curve{way.name, {}};
       carlo::Rng rng = notebook.rng();

@@ -18,14 +18,14 @@ double square(double x) {
 }
 
 /// The contributions of `n` darts or samples.
-struct Way {
+struct DartWay {
   std::string name;
   double variance;  ///< of one dart or sample, in theory
   std::function<std::vector<double>(std::int64_t n, carlo::Rng& rng)> draw;
 };
 
 /// E[Y^2] of a dart is (b - a) g_max ∫ f^2/g = g_max 25/7; of a sample with density 3 x^2, 25/21.
-std::vector<Way> ways() {
+std::vector<DartWay> rejection_ways() {
   const auto darts = [](double g_max) {
     return [g_max](std::int64_t n, carlo::Rng& rng) {
       return rejection_contributions(power_f, square, 0, 1, g_max, n, rng);
@@ -51,7 +51,7 @@ void way_table(Notebook& notebook) {
       {"way", "N", "estimate", "standard error", "variance", "theory", "time", "efficiency"},
       {"way", "points", "estimate", "standard_error", "variance", "variance_theory", "seconds",
        "efficiency"});
-  for (const Way& way : ways()) {
+  for (const DartWay& way : rejection_ways()) {
     notebook.attempt([&] {
       carlo::Rng rng = notebook.rng();
       const Estimate e = summarize(way.draw(n, rng));
@@ -92,7 +92,7 @@ void rejection_experiment(Notebook& notebook) {
   notebook.attempt([&] { mistakes(notebook); });
   way_table(notebook);
   std::vector<Curve> curves;
-  for (const Way& way : ways()) {
+  for (const DartWay& way : rejection_ways()) {
     notebook.attempt([&] {
       Curve curve{way.name, {}};
       carlo::Rng rng = notebook.rng();

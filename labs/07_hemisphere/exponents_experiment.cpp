@@ -17,15 +17,15 @@ double relative_deviation(double n) {
   return std::sqrt(4 / ((n + 1) * (3 - n)) - 1);
 }
 
-struct Found {
+struct AngleFound {
   double mean = 0, deviation = 0, largest = 0, seconds = 0;
 };
 
 /// One direction a time, so that single contributions can be looked at.
-Found look_at(float n, std::int64_t count, carlo::Rng rng) {
+AngleFound look_at(float n, std::int64_t count, carlo::Rng rng) {
   const Sampling sampling{Technique::lobe, {0, 0, 1}, n};
   const Radiance sky = [](Vec3) { return 1.0f; };
-  Found found;
+  AngleFound found;
   double squares = 0;
   const carlo::Stopwatch watch;
   for (std::int64_t i = 0; i < count; ++i) {
@@ -55,7 +55,7 @@ void exponents_experiment(Notebook& notebook) {
     int done = 0;
     for (const double n : {0.0, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 6.0}) {
       notebook.progress(done++, 11);
-      const Found found = look_at(static_cast<float>(n), count, notebook.rng());
+      const AngleFound found = look_at(static_cast<float>(n), count, notebook.rng());
       const double exact = n < 3 ? relative_deviation(n) : INFINITY;
       table.add_row({n, count, found.mean, found.deviation,
                      n < 3 ? carlo::Cell(exact) : carlo::Cell("infinite"),

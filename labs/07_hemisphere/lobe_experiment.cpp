@@ -20,13 +20,13 @@ Vec3 by_the_recipe(Vec2 u, float n) {
   return {std::sin(alpha) * std::cos(phi), std::sin(alpha) * std::sin(phi), std::cos(alpha)};
 }
 
-struct Found {
+struct LobeFound {
   double mean = 0;  ///< of 1 - cos(alpha), from w.x and w.y in double
   std::size_t angles = 0;
   double seconds = 0;  ///< a direction
 };
 
-Found look_at(const Sample& sample, double n, std::int64_t count, carlo::Rng rng) {
+LobeFound look_at(const Sample& sample, double n, std::int64_t count, carlo::Rng rng) {
   std::vector<Vec3> directions;
   directions.reserve(static_cast<std::size_t>(count));
   const carlo::Stopwatch watch;
@@ -36,7 +36,7 @@ Found look_at(const Sample& sample, double n, std::int64_t count, carlo::Rng rng
     directions.push_back(sample({x, y}, static_cast<float>(n)));
   }
   const double spent = watch.seconds();
-  Found found;
+  LobeFound found;
   // Angles to five digits, for phi rounds as well.
   std::set<double> angles;
   for (const Vec3 w : directions) {
@@ -82,8 +82,8 @@ void lobe_experiment(Notebook& notebook) {
     for (int decade = 0; decade <= 8; ++decade) {
       notebook.progress(decade, 9);
       const double n = std::pow(10.0, decade), exact = 1 / (n + 2);
-      const Found yours = look_at(sample_lobe, n, count, notebook.rng());
-      const Found recipe = look_at(by_the_recipe, n, count, notebook.rng());
+      const LobeFound yours = look_at(sample_lobe, n, count, notebook.rng());
+      const LobeFound recipe = look_at(by_the_recipe, n, count, notebook.rng());
       table.add_row({n, exact, yours.mean / exact, recipe.mean / exact,
                      static_cast<std::int64_t>(yours.angles),
                      static_cast<std::int64_t>(recipe.angles), carlo::seconds_cell(yours.seconds),

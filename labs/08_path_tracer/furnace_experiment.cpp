@@ -17,12 +17,12 @@ namespace {
 
 using Rule = Rgb (*)(const World&, const Ray&, Rng&);
 
-struct Method {
+struct FurnaceMethod {
   std::string name;
   Rule rule;
 };
 
-std::vector<Method> methods() {
+std::vector<FurnaceMethod> furnace_methods() {
   return {{"lecture's rule", trace_path_lecture}, {"mended", trace_path}};
 }
 
@@ -60,7 +60,8 @@ struct Coverage {
   std::vector<double> reported, missed;  ///< for each length: median standard error; share
 };
 
-Coverage coverage(Notebook& notebook, const World& world, const Method& method, double exact) {
+Coverage coverage(Notebook& notebook, const World& world, const FurnaceMethod& method,
+                  double exact) {
   Coverage result{{method.name, {}}, {}, {}};
   const int runs = notebook.options().quick ? 60 : 200;
   for (const std::int64_t n : carlo::ladder(16, notebook.options().n / 64)) {
@@ -86,7 +87,7 @@ Coverage coverage(Notebook& notebook, const World& world, const Method& method, 
 }
 
 /// One long run: its mean and its error bars as it goes.
-carlo::Chart running_chart(Notebook& notebook, const World& world, const Method& method,
+carlo::Chart running_chart(Notebook& notebook, const World& world, const FurnaceMethod& method,
                            double exact) {
   carlo::Chart chart{"One run: " + method.name,
                      "the mean so far and 95 % error bars",
@@ -123,7 +124,7 @@ carlo::Table albedos_table(Notebook& notebook) {
   for (const double rho : {0.05, 0.5, 0.8}) {
     const World world(furnace(static_cast<float>(rho), 16));
     bool lecture = true;
-    for (const Method& method : methods()) {
+    for (const FurnaceMethod& method : furnace_methods()) {
       notebook.attempt([&] {
         Rng rng = notebook.rng();
         Running run;
@@ -145,7 +146,7 @@ std::string room(Notebook& notebook, const World& world, int size) {
   constexpr int samples = 64;
   std::vector<std::string> row = {image_picture(
       "exact", "2 everywhere", render(size, size, 0, [](int, int, Rng&) { return Rgb(2); }), 4)};
-  for (const Method& method : methods()) {
+  for (const FurnaceMethod& method : furnace_methods()) {
     notebook.attempt([&] {
       row.push_back(image_picture(
           method.name, fmt::format("{} samples a pixel", samples),
@@ -195,7 +196,7 @@ void furnace_experiment(Notebook& notebook) {
   std::vector<Coverage> all;
   std::vector<carlo::Chart> charts;
   double done = 0;
-  for (const Method& method : methods()) {
+  for (const FurnaceMethod& method : furnace_methods()) {
     notebook.attempt([&] {
       all.push_back(coverage(notebook, world, method, exact));
       charts.push_back(running_chart(notebook, world, method, exact));

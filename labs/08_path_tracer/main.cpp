@@ -1,7 +1,6 @@
+#include "cli/arguments.h"
 #include "experiments.h"
 #include "report/lab_app.h"
-
-#include <CLI/CLI.hpp>
 
 #include <string>
 #include <vector>
@@ -61,9 +60,9 @@ int main(int argc, char** argv) {
       .experiments = {},
       .what_you_should_see = {}};
   std::string only;
-  lab.add_options = [&](CLI::App& app) {
-    app.add_option("--step", only, "one step alone, a to h")
-        ->check(CLI::IsMember({"a", "b", "c", "d", "e", "f", "g", "h"}));
+  lab.add_options = [&](carlo::CommandLine& app) {
+    app.option("--step", only, "one step alone, a to h")
+        .one_of({"a", "b", "c", "d", "e", "f", "g", "h"});
   };
   lab.instead = [&](const carlo::LabOptions&) -> std::optional<int> {
     char letter = 'a';

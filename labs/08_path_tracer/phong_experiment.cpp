@@ -72,28 +72,29 @@ Rgb sampled_estimate(const World& world, const Surface& surface, Rng& rng) {
 
 using Estimate = Rgb (*)(const World&, const Surface&, Rng&);
 
-struct Ball {
+struct GlossyBall {
   int n;
   Reference reference;
   std::vector<Result> results;
 };
 
-Ball measured_ball(Notebook& notebook, int n) {
+GlossyBall measured_ball(Notebook& notebook, int n) {
   const int size = image_size(notebook, 96);
   const World world(ball(n, size));
   const auto surface_at = [&](int x, int y) {
     return world.intersect(middle_ray(world.scene().camera, size, size, x, y));
   };
-  Ball result{n,
-              {render(size, size, 0,
-                      [&](int x, int y, Rng&) {
-                        const auto surface = surface_at(x, y);
-                        if (!surface) return Rgb(0);
-                        const auto cosine = static_cast<double>(glm::dot(surface->n, surface->wo));
-                        const carlo::Phong phong = material(n);
-                        return phong.kd + phong.ks * static_cast<float>(specular_albedo(n, cosine));
-                      })},
-              {}};
+  GlossyBall result{
+      n,
+      {render(size, size, 0,
+              [&](int x, int y, Rng&) {
+                const auto surface = surface_at(x, y);
+                if (!surface) return Rgb(0);
+                const auto cosine = static_cast<double>(glm::dot(surface->n, surface->wo));
+                const carlo::Phong phong = material(n);
+                return phong.kd + phong.ks * static_cast<float>(specular_albedo(n, cosine));
+              })},
+      {}};
   const auto method = [&](Estimate estimate) {
     return [&, estimate](int x, int y, int samples, Rng& rng) {
       const auto surface = surface_at(x, y);
@@ -144,7 +145,7 @@ carlo::Table albedo_table(Notebook& notebook) {
 void phong_experiment(Notebook& notebook) {
   notebook.begin("Step c: the modified Phong BRDF");
   notebook.attempt([&] {
-    std::vector<Ball> balls;
+    std::vector<GlossyBall> balls;
     for (const int n : {1, 10, 100, 1000}) {
       notebook.progress(static_cast<double>(balls.size()), 4);
       balls.push_back(measured_ball(notebook, n));
@@ -157,7 +158,7 @@ void phong_experiment(Notebook& notebook) {
         "sample()'s directions are made for it.");
     carlo::Table table = results_table();
     std::vector<std::string> pictures;
-    for (const Ball& ball : balls) {
+    for (const GlossyBall& ball : balls) {
       const std::string note = fmt::format("closed form, n = {}", ball.n);
       for (std::string& picture : pictures_of(ball.reference, note, ball.results, 1))
         pictures.push_back(std::move(picture));

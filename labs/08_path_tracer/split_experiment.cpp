@@ -15,7 +15,7 @@
 namespace lab08 {
 namespace {
 
-constexpr double albedo = 0.6;
+constexpr double floor_albedo = 0.6;
 
 /// A ball of light over a floor z = 0 with normal +z, and a sky of radiance 1.
 struct Place {
@@ -45,14 +45,14 @@ struct Exact {
 
 Exact exact(const Place& place, Vec3 p) {
   const double E = ball_irradiance(place, p);
-  return {albedo / carlo::pi * static_cast<double>(place.radiance) * E,
-          albedo / carlo::pi * (carlo::pi - E)};
+  return {floor_albedo / carlo::pi * static_cast<double>(place.radiance) * E,
+          floor_albedo / carlo::pi * (carlo::pi - E)};
 }
 
 constexpr Vec3 up{0, 0, 1};
 
 Rgb lambert(Vec3) {
-  return Rgb(static_cast<float>(albedo / carlo::pi));
+  return Rgb(static_cast<float>(floor_albedo / carlo::pi));
 }
 
 using Split = Rgb (*)(const Cone&, Vec3, const Brdf&, const Incoming&, Rng&);
@@ -72,12 +72,12 @@ Rgb estimate(Split split, const Place& place, Vec3 p, Rng& rng) {
   return split(cone, up, lambert, incoming, rng);
 }
 
-struct Method {
+struct SplitMethod {
   std::string name;
   Split split;
 };
 
-std::vector<Method> methods() {
+std::vector<SplitMethod> split_methods() {
   return {{"uniform", whole}, {"both rays", reflect_split}, {"one ray", reflect_split_one}};
 }
 
@@ -92,7 +92,7 @@ void add_point(Notebook& notebook, carlo::Table& table, const std::string& name,
          carlo::Cell(fmt::format("{} %", carlo::number_text(100 * (mean / e.all() - 1), 3)),
                      mean / e.all() - 1)});
   };
-  for (const Method& method : methods()) {
+  for (const SplitMethod& method : split_methods()) {
     notebook.attempt([&] {
       Rng rng = notebook.rng();
       double sum = 0, squares = 0;
@@ -168,7 +168,7 @@ void split_experiment(Notebook& notebook) {
     return Rgb(static_cast<float>(exact(over, point(x, y)).all()));
   })};
   std::vector<Result> results;
-  for (const Method& method : methods()) {
+  for (const SplitMethod& method : split_methods()) {
     notebook.attempt([&] {
       results.push_back(
           measure(notebook, method.name, reference, 16, [&](int x, int y, int samples, Rng& rng) {

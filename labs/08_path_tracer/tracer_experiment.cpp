@@ -12,12 +12,12 @@ namespace {
 
 using carlo::IndependentSampler, carlo::SobolSampler, carlo::StratifiedSampler;
 
-struct Method {
+struct TracedMethod {
   std::string name;
   SampledPixel pixel;
 };
 
-std::vector<Method> methods(const View& view) {
+std::vector<TracedMethod> methods(const View& view) {
   const World& world = view.world;
   return {
       {"TracePath, 8.4",
@@ -31,9 +31,9 @@ std::vector<Method> methods(const View& view) {
 }
 
 /// Each method with as many samples as it can take in the time of 16 of the last one's.
-std::string equal_time(Notebook& notebook, const View& view, const std::vector<Method>& methods,
-                       const std::vector<Result>& results, const Reference& reference,
-                       double white) {
+std::string equal_time(Notebook& notebook, const View& view,
+                       const std::vector<TracedMethod>& methods, const std::vector<Result>& results,
+                       const Reference& reference, double white) {
   const double seconds = 16 * results.back().seconds_a_sample();
   std::vector<Result> shown;
   for (std::size_t i = 0; i < results.size(); ++i) {
@@ -54,11 +54,11 @@ std::string equal_time(Notebook& notebook, const View& view, const std::vector<M
 
 void show(Notebook& notebook, const std::string& scene, const View& view, double white,
           carlo::Table& table) {
-  const std::vector<Method> all = methods(view);
+  const std::vector<TracedMethod> all = methods(view);
   const Reference reference =
       converged(notebook, view.size, view.size, most_samples(notebook), all.back().pixel);
   std::vector<Result> results;
-  for (const Method& method : all) {
+  for (const TracedMethod& method : all) {
     results.push_back(measure(notebook, method.name, reference, 16, method.pixel));
     notebook.progress(static_cast<double>(results.size()), static_cast<double>(all.size()));
   }

@@ -6,7 +6,6 @@
 #include "report/format.h"
 #include "report/table.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -170,17 +169,17 @@ void run(const Options& options) {
 int main(int argc, char** argv) {
   return carlo::run_main([&] {
     lab04::Options options;
-    CLI::App app("Recursive stratification against MISER and VEGAS of GSL.",
-                 "./carlo bench integrators");
-    app.add_option("--n", options.n, "largest number of evaluations")
-        ->check(CLI::Range(1024, 1 << 24))
-        ->capture_default_str();
-    app.add_option("--repetitions", options.repetitions, "estimates of each kind")
-        ->check(CLI::Range(5, 100'000))
-        ->capture_default_str();
-    app.add_option("--seed", options.seed, "seed")->capture_default_str();
-    app.add_option("--json", options.json, "write the tables to this file");
-    if (const auto code = carlo::parse_arguments(app, argc, argv)) return *code;
+    carlo::CommandLine app("Recursive stratification against MISER and VEGAS of GSL.",
+                           "./carlo bench integrators");
+    app.option("--n", options.n, "largest number of evaluations")
+        .range(1024, 1 << 24)
+        .show_default();
+    app.option("--repetitions", options.repetitions, "estimates of each kind")
+        .range(5, 100'000)
+        .show_default();
+    app.option("--seed", options.seed, "seed").show_default();
+    app.option("--json", options.json, "write the tables to this file");
+    if (const auto code = app.parse(argc, argv)) return *code;
     lab04::run(options);
     return 0;
   });

@@ -11,7 +11,6 @@
 #include "renderer/path_integrator.h"
 #include "scene/load_scene.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -121,23 +120,16 @@ int bench(const Arguments& a) {
 int main(int argc, char** argv) {
   return carlo::run_main([&] {
     Arguments a;
-    CLI::App app(
+    carlo::CommandLine app(
         "Traces paths through every scene, on films of random sizes with ever new seeds and all "
         "samplers, and counts those that bring no radiance. Exit code 1 if there is one.",
         "./carlo bench paths");
-    app.add_option("--paths", a.paths, "paths a scene, such as 1e9")
-        ->check(CLI::Range(1.0, 1e15))
-        ->capture_default_str();
-    app.add_option("--scene", a.scenes, "scene files (default: all in the folder)")
-        ->check(CLI::ExistingFile);
-    app.add_option("--folder", a.folder, "folder of scenes")
-        ->check(CLI::ExistingDirectory)
-        ->capture_default_str();
-    app.add_option("--seed", a.seed, "another seed gives other films and paths")
-        ->capture_default_str();
-    app.add_option("--threads", a.threads, "default: one for each core")
-        ->check(CLI::Range(1, 1024));
-    if (const auto code = carlo::parse_arguments(app, argc, argv)) return *code;
+    app.option("--paths", a.paths, "paths a scene, such as 1e9").range(1.0, 1e15).show_default();
+    app.option("--scene", a.scenes, "scene files (default: all in the folder)").existing_file();
+    app.option("--folder", a.folder, "folder of scenes").existing_folder().show_default();
+    app.option("--seed", a.seed, "another seed gives other films and paths").show_default();
+    app.option("--threads", a.threads, "default: one for each core").range(1, 1024);
+    if (const auto code = app.parse(argc, argv)) return *code;
     return bench(a);
   });
 }

@@ -12,7 +12,6 @@
 #include "report/stopwatch.h"
 #include "scene/load_scene.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <filesystem>
@@ -117,26 +116,21 @@ void measure(const Peer& peer, const Arguments& a) {
 
 int run(int argc, char** argv) {
   Arguments a;
-  CLI::App app("Measures relMSE x seconds of the reference renderer on the peer scenes.",
-               "./carlo bench render");
-  app.add_option("--references", a.references, "folder of the scenes and reference images")
-      ->capture_default_str();
-  app.add_option("--runs", a.runs, "runs with different seeds; medians are printed")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  app.add_option("--spp", a.spp, "samples a pixel")
-      ->check(CLI::Range(8u, 1u << 20))
-      ->capture_default_str();
-  app.add_option("--threads", a.threads, "threads")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  app.add_option(
-         "--kernel", a.kernels,
-         "best, scalar, or instruction sets: AVX3 (AVX-512), AVX2, SSE4; several: AVX3,AVX2")
-      ->delimiter(',')
-      ->capture_default_str();
-  app.add_flag("--ablation", a.ablation, "also with other choices, each by itself");
-  if (const auto code = carlo::parse_arguments(app, argc, argv)) return *code;
+  carlo::CommandLine app("Measures relMSE x seconds of the reference renderer on the peer scenes.",
+                         "./carlo bench render");
+  app.option("--references", a.references, "folder of the scenes and reference images")
+      .show_default();
+  app.option("--runs", a.runs, "runs with different seeds; medians are printed")
+      .range(1, 1000)
+      .show_default();
+  app.option("--spp", a.spp, "samples a pixel").range(8u, 1u << 20).show_default();
+  app.option("--threads", a.threads, "threads").range(1, 1024).show_default();
+  app.option("--kernel", a.kernels,
+             "best, scalar, or instruction sets: AVX3 (AVX-512), AVX2, SSE4; several: AVX3,AVX2")
+      .list(',')
+      .show_default();
+  app.flag("--ablation", a.ablation, "also with other choices, each by itself");
+  if (const auto code = app.parse(argc, argv)) return *code;
   fmt::print("256 x 256, {} samples a pixel, {} thread(s), medians of {} runs; seconds are {}\n",
              a.spp, a.threads, a.runs, a.threads == 1 ? "the processor's" : "of the clock");
   fmt::print("{:<21} {:<19} {:>8} {:>8} {:>9} {:>11} {:>17} {:>8} {:>8}\n", "scene", "kernel",

@@ -11,7 +11,6 @@
 #include "report/stopwatch.h"
 #include "scene/load_scene.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -215,30 +214,20 @@ int run(const Arguments& a) {
 int main(int argc, char** argv) {
   return carlo::run_main([&] {
     Arguments a;
-    CLI::App app(
+    carlo::CommandLine app(
         "Renders scenes with --target-error and many seeds: how many pixels are within the target, "
         "and how long uniform sampling takes to the same error in the worst tile. What is true is "
         "the mean of all renders but the one on trial.",
         "./carlo bench target-error");
-    app.add_option("--scene", a.scenes, "scene files (default: partial occluders and caustics)")
-        ->check(CLI::ExistingFile);
-    app.add_option("--folder", a.folder, "folder of scenes")
-        ->check(CLI::ExistingDirectory)
-        ->capture_default_str();
-    app.add_option("--target", a.target, "relative error of a pixel")
-        ->check(CLI::Range(1e-6, 0.999))
-        ->capture_default_str();
-    app.add_option("--seeds", a.seeds, "adaptive renders of a scene")
-        ->check(CLI::Range(2, 10000))
-        ->capture_default_str();
-    app.add_option("--size", a.size, "side of the film in pixels")
-        ->check(CLI::Range(1, 4096))
-        ->capture_default_str();
-    app.add_option("--spp", a.spp, "samples a pixel at most")
-        ->check(CLI::Range(32u, 1u << 28))
-        ->capture_default_str();
-    app.add_option("--seed", a.seed, "the first seed")->capture_default_str();
-    if (const auto code = carlo::parse_arguments(app, argc, argv)) return *code;
+    app.option("--scene", a.scenes, "scene files (default: partial occluders and caustics)")
+        .existing_file();
+    app.option("--folder", a.folder, "folder of scenes").existing_folder().show_default();
+    app.option("--target", a.target, "relative error of a pixel").range(1e-6, 0.999).show_default();
+    app.option("--seeds", a.seeds, "adaptive renders of a scene").range(2, 10000).show_default();
+    app.option("--size", a.size, "side of the film in pixels").range(1, 4096).show_default();
+    app.option("--spp", a.spp, "samples a pixel at most").range(32u, 1u << 28).show_default();
+    app.option("--seed", a.seed, "the first seed").show_default();
+    if (const auto code = app.parse(argc, argv)) return *code;
     return run(a);
   });
 }

@@ -1,10 +1,9 @@
 // `./carlo render`: the reference renderer.
 
+#include "cli/arguments.h"
 #include "cli/main_guard.h"
 #include "render/render_app.h"
 #include "renderer/path_integrator.h"
-
-#include <CLI/CLI.hpp>
 
 #include <string>
 
@@ -19,11 +18,11 @@ int main(int argc, char** argv) {
           return renderer::make_path_integrator(scene,
                                                 {.seed = seed, .spp = spp, .kernel = choice});
         },
-        [&](CLI::App& app) {
-          app.add_option("--kernel", kernel,
-                         "best: what suits the scene; scalar: the one that renders all scenes")
-              ->check(CLI::IsMember({"best", "scalar"}))
-              ->capture_default_str();
+        [&](carlo::CommandLine& app) {
+          app.option("--kernel", kernel,
+                     "best: what suits the scene; scalar: the one that renders all scenes")
+              .one_of({"best", "scalar"})
+              .show_default();
           app.footer("./carlo render --mine ... renders by your own lab 08.");
         });
   });

@@ -36,7 +36,7 @@ const Diagnosis error_of_one{"standard-error-of-one-number",
                              "the standard deviation of one value is given; that of the mean is "
                              "smaller by sqrt(N)."};
 
-const Diagnosis outside_box{"points-outside-box", "points are taken outside the box."};
+const Diagnosis outside_domain_box{"points-outside-box", "points are taken outside the box."};
 
 constexpr double pi = std::numbers::pi;
 
@@ -151,7 +151,7 @@ TEST_CASE("Lab 1.7: f is never evaluated outside the domain", "[lab01][ex7]") {
     if (record.asked >= n) {
       const double astray = record.points.outside(domain_lower, domain_upper);
       judge(holds("points outside the box", astray == 0, fmt::format("{}", astray), "none",
-                  {outside_box}));
+                  {outside_domain_box}));
       judge_points(record);
     }
     judge(draws(record.drawing.before, record.drawing.next, static_cast<double>(n * of.d)));

@@ -46,8 +46,9 @@ const Diagnosis at_left_ends{"midpoint-at-cell-ends",
 const Diagnosis drift{"step-accumulated",
                       "the points drift from where they should be: adding h again and again adds "
                       "up its rounding; compute each point from its index."};
-const Diagnosis wrong_points{"wrong-points", "f is not evaluated where the rule wants it."};
-const Diagnosis width_missing{"missing-cell-width", "the sum is not multiplied by the width h."};
+const Diagnosis wrong_rule_points{"wrong-points", "f is not evaluated where the rule wants it."};
+const Diagnosis cell_width_missing{"missing-cell-width",
+                                   "the sum is not multiplied by the width h."};
 const Diagnosis one_dimension{"cell-volume-of-one-dimension",
                               "the sum is multiplied by the width of one dimension and not by "
                               "those of all."};
@@ -60,22 +61,23 @@ const Diagnosis by_n_only{
     "divided-by-n-once",
     "the sum over the n^d cells is divided by n once; every dimension has its "
     "own width h."};
-const Diagnosis not_divided{"volume-of-box-for-cell",
-                            "the sum is multiplied by the volume of the box and not by that of a "
-                            "cell."};
+const Diagnosis box_for_cell{"volume-of-box-for-cell",
+                             "the sum is multiplied by the volume of the box and not by that of a "
+                             "cell."};
 const Diagnosis at_corners{"points-at-corners",
                            "f is evaluated at the cells' corners and not in their middle."};
-const Diagnosis outside_box{"points-outside-box",
-                            "f is evaluated outside the box: every dimension has its own lower and "
-                            "upper end."};
+const Diagnosis outside_rule_box{
+    "points-outside-box",
+    "f is evaluated outside the box: every dimension has its own lower and "
+    "upper end."};
 const Diagnosis too_few{"n-points-in-all",
                         "n points are taken in all; n in every dimension are n^d."};
 
-struct Interval {
+struct RuleInterval {
   double a, b;
 };
 
-Params rule_params(Rule rule, int k, Interval on, std::int64_t n) {
+Params rule_params(Rule rule, int k, RuleInterval on, std::int64_t n) {
   return {.n = n, .numbers = {{"rule", rule}, {"k", k}, {"a", on.a}, {"b", on.b}, {"points", 0}}};
 }
 
@@ -86,7 +88,7 @@ double evaluations(Rule rule, double n) {
 }
 
 /// Where they lie, in order.
-std::vector<double> points_of(Rule rule, Interval on, int n) {
+std::vector<double> points_of(Rule rule, RuleInterval on, int n) {
   std::vector<double> points;
   const int steps = rule == trapezoid ? n : 2 * n;
   for (int i = rule == midpoint ? 1 : 0; i <= steps; i += rule == midpoint ? 2 : 1) {
@@ -98,7 +100,7 @@ std::vector<double> points_of(Rule rule, Interval on, int n) {
 /// What the rule gives for f with the weights of its inner points (at joints and at midpoints) and
 /// of its ends, in units of h: {1, 4, 2} / 6 is Simpson's.
 template <class F>
-double weighted(const F& f, Interval on, int n, double end, double middle, double joint) {
+double weighted(const F& f, RuleInterval on, int n, double end, double middle, double joint) {
   const double h = (on.b - on.a) / n;
   double sum = end * (f(on.a) + f(on.b));
   for (int i = 0; i < n; ++i)
@@ -120,8 +122,8 @@ Suspects count_suspects(Rule rule, double n) {
 
 /// What each rule's slips would give for f, where it is evaluated as often as it should be.
 template <class F>
-Suspects suspects(Rule rule, const F& f, Interval on, int n, double right) {
-  Suspects list{{right * n / (on.b - on.a), width_missing}};
+Suspects suspects(Rule rule, const F& f, RuleInterval on, int n, double right) {
+  Suspects list{{right * n / (on.b - on.a), cell_width_missing}};
   if (rule == midpoint) {
     const double h = (on.b - on.a) / n;
     const double ends = weighted(f, on, n, 0, 0, 1);
@@ -140,14 +142,14 @@ Suspects suspects(Rule rule, const F& f, Interval on, int n, double right) {
 
 /// What the rule gives for f.
 template <class F>
-double by_rule(Rule rule, const F& f, Interval on, int n) {
+double by_rule(Rule rule, const F& f, RuleInterval on, int n) {
   if (rule == midpoint) return weighted(f, on, n, 0, 1, 0);
   return rule == trapezoid ? weighted(f, on, n, 0.5, 0, 1)
                            : weighted(f, on, n, 1.0 / 6, 4.0 / 6, 2.0 / 6);
 }
 
 /// The rule's error for x^k, k up to 2 (midpoint, trapezoid) or 4 (Simpson).
-double exact_error(Rule rule, int k, Interval on, int n) {
+double exact_error(Rule rule, int k, RuleInterval on, int n) {
   const double width = on.b - on.a;
   const double h = width / n;
   if (rule == simpson) return k == 4 ? width * std::pow(h, 4) / 120 : 0;
@@ -156,7 +158,7 @@ double exact_error(Rule rule, int k, Interval on, int n) {
 }
 
 void judge_rule(Rule rule) {
-  for (const Interval on : {Interval{1, 3}, Interval{-1.5, 0.5}}) {
+  for (const RuleInterval on : {RuleInterval{1, 3}, RuleInterval{-1.5, 0.5}}) {
     for (const int n : {1, 2, 7}) {
       for (int k = 0; k <= (rule == simpson ? 4 : 2); ++k) {
         const std::string what =
@@ -181,7 +183,7 @@ void judge_drawn(Rule rule) {
     const Answer rows =
         probe("Lab 1.4 drawn wave", {.n = n, .numbers = {{"rule", rule}}}, {.of = what});
     const DrawnWave wave = drawn_wave(rows.seed, 1);
-    const Interval on{wave.lower[0], wave.upper[0]};
+    const RuleInterval on{wave.lower[0], wave.upper[0]};
     const auto f = [&](double x) { return wave(std::span(&x, 1)); };
     const double right = by_rule(rule, f, on, n);
     judge(equals(what, rows.at(0, 0), right, 1e-11, suspects(rule, f, on, n, right)));
@@ -193,7 +195,7 @@ void judge_drawn(Rule rule) {
 bool judge_points(Rule rule, bool middles_at_ends) {
   bool at_ends = false;
   for (const int n : {1, 2, 7}) {
-    const Interval on{-1, 2.5};
+    const RuleInterval on{-1, 2.5};
     Params params = rule_params(rule, 1, on, n);
     const std::vector<double> expected = points_of(rule, on, n);
     params.numbers["points"] = static_cast<double>(expected.size());
@@ -210,7 +212,7 @@ bool judge_points(Rule rule, bool middles_at_ends) {
     const bool ends = rule == midpoint && std::abs(std::abs(off) - half) <= 1e-12;
     at_ends = at_ends || ends;
     judge(all_equal(fmt::format("{}: the points for n = {}", names[rule], n), rows.values, expected,
-                    1e-12, {ends || middles_at_ends ? at_left_ends : wrong_points}));
+                    1e-12, {ends || middles_at_ends ? at_left_ends : wrong_rule_points}));
   }
   return at_ends;
 }
@@ -218,7 +220,7 @@ bool judge_points(Rule rule, bool middles_at_ends) {
 /// The last point of a million cells on [0, 0.1]: to 1e-12 of the width it is where it should be.
 void judge_last_point(Rule rule) {
   const std::int64_t n = 1'000'000;
-  const Interval on{0, 0.1};
+  const RuleInterval on{0, 0.1};
   const Rows rows = probe("Lab 1.4 rule", rule_params(rule, 1, on, n),
                           {.columns = 3, .of = fmt::format("{}, n = 1e6", names[rule])});
   const double last = rule == midpoint ? 0.1 - 0.1 / 2e6 : 0.1;
@@ -281,7 +283,7 @@ Suspects nested_suspects(BoxIntegrand integrand, int d, int n, double right) {
                     {volume(d) * corner_mean(integrand, d, n, 1), at_corners}};
   if (n > 1) {
     suspects.push_back({right / volume(d) * cells, not_scaled});
-    suspects.push_back({right * cells, not_divided});
+    suspects.push_back({right * cells, box_for_cell});
   }
   if (n > 1 && d > 1) suspects.push_back({right * cells / n, by_n_only});
   for (int i = 0; i < d && d > 1; ++i) {
@@ -301,7 +303,7 @@ void judge_nested(BoxIntegrand integrand, int d, int n) {
                                          {static_cast<double>(n) * d, too_few}}
                               : Suspects{}));
   judge(holds("evaluations outside the box in " + dimensions(d), rows.at(0, 2) == 0,
-              fmt::format("{}", rows.at(0, 2)), "none", {outside_box}));
+              fmt::format("{}", rows.at(0, 2)), "none", {outside_rule_box}));
   judge(equals(fmt::format("the integral in {}, n = {}", dimensions(d), n), rows.at(0, 0), right,
                1e-12 * right,
                rows.at(0, 1) == count ? nested_suspects(integrand, d, n, right) : Suspects{}));

@@ -35,13 +35,14 @@ const Diagnosis whole_numbers{"division-of-whole-numbers",
 const Diagnosis error_not_scaled{"standard-error-not-scaled",
                                  "the standard error is that of the share of hits; π is 4 times "
                                  "the share, and so is its error."};
-const Diagnosis error_of_one{"standard-error-of-one-dart",
-                             "the standard deviation of one dart is given; that of the mean is "
-                             "smaller by sqrt(N)."};
-const Diagnosis variance_given{"variance-in-place-of-standard-error",
-                               "the variance is given: its square root is the standard error."};
-const Diagnosis by_n{"variance-divided-by-n",
-                     "the variance is divided by N; the unbiased estimate takes N - 1."};
+const Diagnosis error_of_one_dart{
+    "standard-error-of-one-dart",
+    "the standard deviation of one dart is given; that of the mean is "
+    "smaller by sqrt(N)."};
+const Diagnosis variance_for_error{"variance-in-place-of-standard-error",
+                                   "the variance is given: its square root is the standard error."};
+const Diagnosis darts_by_n{"variance-divided-by-n",
+                           "the variance is divided by N; the unbiased estimate takes N - 1."};
 const Diagnosis normal_interval{"interval-of-the-measured-variance",
                                 "the estimate ± z standard errors is given, whose width comes from "
                                 "the measured share: with no hit, or no miss, it is 0."};
@@ -84,10 +85,10 @@ void judge_estimate(Case darts) {
   if (error > 0) {
     const bool value_too = std::abs(rows.at(0, 0) - share) <= 1e-12;
     suspects = {{error / 4, value_too ? not_scaled : error_not_scaled},
-                {4 * std::sqrt(variance), error_of_one},
-                {4 * std::sqrt(variance * darts.thrown / n1), error_of_one},
-                {error * error, variance_given},
-                {4 * std::sqrt(variance / darts.thrown), by_n}};
+                {4 * std::sqrt(variance), error_of_one_dart},
+                {4 * std::sqrt(variance * darts.thrown / n1), error_of_one_dart},
+                {error * error, variance_for_error},
+                {4 * std::sqrt(variance / darts.thrown), darts_by_n}};
     if (rows.at(0, 0) == 4 * std::floor(share)) suspects.push_back({0, whole_numbers});
   }
   judge(equals("the estimate from " + of, rows.at(0, 0), 4 * share, 1e-12,

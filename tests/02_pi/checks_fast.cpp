@@ -18,8 +18,8 @@ namespace {
 const Diagnosis corner{"corner-of-the-cell",
                        "a dart lies at the centre of its cell, half a step from (x, y): taken at "
                        "the corner, a few darts too many hit."};
-const Diagnosis float_counter{"float-counter",
-                              "the hits stop at 16777216 = 2^24: a float cannot count further."};
+const Diagnosis fast_float_counter{
+    "float-counter", "the hits stop at 16777216 = 2^24: a float cannot count further."};
 const Diagnosis ragged{
     "range-not-in-whole-rounds",
     "ranges that begin with an even dart and have a round length are right, others are not: the "
@@ -71,7 +71,7 @@ void judge_count(std::int64_t first, std::int64_t n) {
   const auto darts = static_cast<double>(n);
   Suspects suspects;
   if (found.expected != found.at_corner) suspects.push_back({found.at_corner, corner});
-  if (n > 20'000'000) suspects.push_back({16777216, float_counter});
+  if (n > 20'000'000) suspects.push_back({16777216, fast_float_counter});
   if (found.number_cut != found.expected) suspects.push_back({found.number_cut, cut_number});
   suspects.push_back({darts, cut_squares});
   judge(equals(fmt::format("the hits among {} from number {}", counted(darts, "dart"),

@@ -11,10 +11,6 @@ using carlo::grader::RowWriter;
 
 namespace {
 
-double number(std::int64_t count) {
-  return static_cast<double>(count);
-}
-
 /// Seconds that this thread has computed: other programs' turns do not count.
 double thread_seconds() {
   timespec now{};

@@ -25,10 +25,6 @@ namespace {
 /// machine; a wrong one waits in vain.
 constexpr std::chrono::seconds patience{2};
 
-double number(std::int64_t count) {
-  return static_cast<double>(count);
-}
-
 std::int64_t chunks_of(std::int64_t n) {
   return (n + chunk_samples - 1) / chunk_samples;
 }

@@ -13,6 +13,11 @@
 
 namespace lab02_tests {
 
+/// A count among the values of a row.
+inline double number(std::int64_t count) {
+  return static_cast<double>(count);
+}
+
 /// The hits among n darts of `rng`: x first, then y.
 inline std::int64_t hits_of(std::int64_t n, carlo::Rng& rng) {
   std::int64_t hits = 0;

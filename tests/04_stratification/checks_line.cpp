@@ -18,7 +18,7 @@ using namespace lab04_tests;
 
 namespace {
 
-const Diagnosis not_stratified{"points-not-stratified",
+const Diagnosis falls_anywhere{"points-not-stratified",
                                "the points fall anywhere: some strata get none, others several."};
 const Diagnosis whole_division{"whole-number-division",
                                "all points lie in the first stratum: i/n of two whole numbers is a "
@@ -73,7 +73,7 @@ void judge_estimates(int k, int n) {
   judge(mean_is("the mean of " + which, rows.values, theory,
                 {{left_ends, no_jitter}, {centres, no_jitter}, {theory.mean * n, not_divided}}));
   Suspects variances{{0, no_jitter}};
-  if (n > 1) variances.push_back({plain_variance(k, n), not_stratified});
+  if (n > 1) variances.push_back({plain_variance(k, n), falls_anywhere});
   // With x^1 a shared number moves the estimate like one point of one stratum.
   if (n > 1 && k == 1) variances.push_back({1.0 / 12 / n / n, one_jitter});
   judge(variance_is("the variance of " + which, rows.values, theory, variances));
@@ -147,7 +147,7 @@ TEST_CASE("Lab 4.1: each stratum holds exactly one point, and the values are ave
     if (outside == 0) {
       judge(holds(fmt::format("strata without a point, n = {}", n), missed == 0,
                   fmt::format("{}", missed), "none",
-                  {n > 1 && held[0] == static_cast<int>(n) ? whole_division : not_stratified}));
+                  {n > 1 && held[0] == static_cast<int>(n) ? whole_division : falls_anywhere}));
       judge(made_of(fmt::format("where the points lie in their strata, n = {}", n),
                     within_strata(of.points), of.before));
     }

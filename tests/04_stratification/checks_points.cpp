@@ -19,19 +19,19 @@ const Diagnosis swapped{"columns-and-rows-swapped",
                         "another order: x belongs to the column, which runs fastest."};
 const Diagnosis not_in_cell{"points-not-in-their-cells",
                             "points lie outside of the cell that is theirs."};
-const Diagnosis whole_division{"whole-number-division",
-                               "all points lie in the first cell: column/columns of two whole "
-                               "numbers is a whole number, 0."};
+const Diagnosis whole_cells{"whole-number-division",
+                            "all points lie in the first cell: column/columns of two whole "
+                            "numbers is a whole number, 0."};
 const Diagnosis axis_by_axis{"coordinates-axis-by-axis",
                              "the coordinates come axis by axis; those of one point stand side by "
                              "side, coordinate k of point j at [j * dimensions + k]."};
-const Diagnosis no_jitter{"no-jitter", "all points lie at the same place of their cells."};
+const Diagnosis no_jitter_in_cells{"no-jitter", "all points lie at the same place of their cells."};
 const Diagnosis same_number{"same-number-for-x-and-y",
                             "x and y come from one random number: the points lie on the diagonals "
                             "of their cells."};
 
-const Diagnosis not_stratified{"axis-not-stratified",
-                               "along an axis, some strata hold no point and others several."};
+const Diagnosis axis_not_stratified{"axis-not-stratified",
+                                    "along an axis, some strata hold no point and others several."};
 const Diagnosis in_order{"axis-in-order",
                          "on an axis the strata are dealt out in order and not shuffled."};
 const Diagnosis same_order{"same-permutation-on-every-axis",
@@ -161,7 +161,7 @@ TEST_CASE("Lab 4.3: each cell holds its point, in reading order", "[lab04][ex3]"
     judge(holds("points outside of their cell, " + which, astray == 0, fmt::format("{}", astray),
                 "none",
                 {exchanged                   ? swapped
-                 : in_first_cell(rows, grid) ? whole_division
+                 : in_first_cell(rows, grid) ? whole_cells
                                              : not_in_cell}));
   }
 }
@@ -174,7 +174,7 @@ TEST_CASE("Lab 4.3: within its cell a point may lie anywhere, equally likely", "
   const auto [least, most] = std::minmax_element(within.x.begin(), within.x.end());
   judge(holds("the places within the cells differ", *most - *least > 0.5,
               fmt::format("x from {:.4g} to {:.4g} of a cell", *least, *most), "from 0 to 1",
-              {no_jitter}));
+              {no_jitter_in_cells}));
   judge(uniform_on("x within the cells", within.x, 0, 1));
   judge(uniform_on("y within the cells", within.y, 0, 1));
   std::vector<double> products;
@@ -195,9 +195,9 @@ TEST_CASE("Lab 4.3: the points of different cells are independent", "[lab04][ex3
   }
   // Products of neighbours are uncorrelated though they share a point.
   judge(mean_is("the mean product of neighbours' offsets in x", along, {0, 1.0 / 12},
-                {{1.0 / 12, no_jitter}}));
+                {{1.0 / 12, no_jitter_in_cells}}));
   judge(mean_is("the mean product of offsets in y of cells one above the other", down,
-                {0, 1.0 / 12}, {{1.0 / 12, no_jitter}}));
+                {0, 1.0 / 12}, {{1.0 / 12, no_jitter_in_cells}}));
 }
 
 TEST_CASE("Lab 4.4: along every axis each stratum holds exactly one point", "[lab04][ex4]") {
@@ -213,7 +213,7 @@ TEST_CASE("Lab 4.4: along every axis each stratum holds exactly one point", "[la
     const bool axes_first =
         strata_missed(points_first(rows.values, size.n, size.d), size.n, size.d) == 0;
     judge(holds("strata without a point, " + which, missed == 0, fmt::format("{}", missed), "none",
-                {axes_first ? axis_by_axis : not_stratified}));
+                {axes_first ? axis_by_axis : axis_not_stratified}));
   }
 }
 
@@ -263,7 +263,7 @@ TEST_CASE("Lab 4.4: within its strata a point may lie anywhere, equally likely",
   const auto [least, most] = std::minmax_element(within[0].begin(), within[0].end());
   judge(holds("the places within the strata differ", *most - *least > 0.5,
               fmt::format("from {:.4g} to {:.4g} of a stratum", *least, *most), "from 0 to 1",
-              {no_jitter}));
+              {no_jitter_in_cells}));
   judge(uniform_on("places within the strata of axis 0", within[0], 0, 1));
   judge(uniform_on("places within the strata of axis 1", within[1], 0, 1));
 }
@@ -286,5 +286,5 @@ TEST_CASE("Lab 4.4: sums of functions of one coordinate are estimated with a str
   const Theory theory{1, std::sqrt(variance), -1.2 / (2 * n)};
   judge(mean_is("the mean of x + y", estimates, theory));
   judge(variance_is("the variance of the estimates of x + y", estimates, theory,
-                    {{2.0 / 12 / n, not_stratified}, {0, no_jitter}}));
+                    {{2.0 / 12 / n, axis_not_stratified}, {0, no_jitter_in_cells}}));
 }

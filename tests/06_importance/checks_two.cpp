@@ -15,9 +15,10 @@ using namespace lab06_tests;
 
 namespace {
 
-const Diagnosis not_divided{"sum-not-divided-by-n",
-                            "each technique's weighted contributions are divided by the number of "
-                            "its own samples."};
+const Diagnosis sum_not_divided{
+    "sum-not-divided-by-n",
+    "each technique's weighted contributions are divided by the number of "
+    "its own samples."};
 const Diagnosis divided_by_all{"divided-by-all-samples",
                                "each technique is divided by its own number of samples, not by the "
                                "number of all."};
@@ -44,7 +45,7 @@ const Diagnosis chances_exchanged{"chances-exchanged",
 const Diagnosis reused{"same-number-for-both-decisions",
                        "u chose the technique and is spent: what is left of it has to be stretched "
                        "to [0, 1) again."};
-const Diagnosis reaches_one{
+const Diagnosis two_reach_one{
     "number-of-one", "a number is rounded to 1: below_one() of densities.h is there for it."};
 const Diagnosis vanishing_pdf{"vanishing-pdf",
                               "a sample whose own pdf is 0 contributes nothing, and no NaN."};
@@ -113,7 +114,7 @@ void judge_record(const Plan& plan) {
   Suspects suspects{{replay(plan, u, raw, true), not_weighted_two},
                     {replay(plan, u, raw, true) / 2, not_weighted_two},
                     {replay(plan, u, by_other, true), others_pdf}};
-  if (n > 2) suspects.push_back({sum, not_divided});
+  if (n > 2) suspects.push_back({sum, sum_not_divided});
   if (plan.n_first > 0 && plan.n_second > 0) {
     suspects.push_back({sum / all, divided_by_all});
     suspects.push_back({value / 2, averaged});
@@ -288,7 +289,7 @@ TEST_CASE("Lab 6.7: the number handed on stays below 1", "[lab06][ex7]") {
       outside += number >= 0 && number < 1 ? 0 : 1;
     }
     judge(holds(fmt::format("numbers outside [0, 1) for share {:g}", shares().at(index)),
-                outside == 0, fmt::format("{:g}", outside), "none", {reaches_one}));
+                outside == 0, fmt::format("{:g}", outside), "none", {two_reach_one}));
   }
 }
 

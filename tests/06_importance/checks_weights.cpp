@@ -23,7 +23,8 @@ const Diagnosis pdf_squared{
 const Diagnosis balance_squared{"balance-with-squares",
                                 "the balance heuristic takes the products as they are."};
 const Diagnosis weight_of_other{"weight-of-the-other", "own's product belongs above the fraction."};
-const Diagnosis zero_by_zero{"zero-by-zero", "where own's product is 0 the weight is 0, not 0/0."};
+const Diagnosis weight_zero_by_zero{"zero-by-zero",
+                                    "where own's product is 0 the weight is 0, not 0/0."};
 const Diagnosis overflow{"overflow",
                          "a square, product or sum leaves the range of double: divide first."};
 
@@ -88,7 +89,7 @@ void judge_weights(const std::string& what, const std::vector<double>& measured,
   for (std::size_t m = 0; m < mistakes.size() && tame_wrong; ++m) {
     if (fits[m]) diagnoses.push_back(mistakes[m].second);
   }
-  if (!tame_wrong && zero_wrong) diagnoses.push_back(zero_by_zero);
+  if (!tame_wrong && zero_wrong) diagnoses.push_back(weight_zero_by_zero);
   if (!tame_wrong && wild_wrong) diagnoses.push_back(overflow);
   const Pair& p = all[first_wrong];
   judge(holds(fmt::format("{} of {:g} x {:g} against {:g} x {:g}", what, p.samples, p.pdf,

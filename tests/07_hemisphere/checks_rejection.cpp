@@ -31,15 +31,15 @@ const Diagnosis thrown_away{
     "thrown-away-not-flipped",
     "twice as many darts as needed: a direction below the horizon is as good "
     "as its opposite."};
-const Diagnosis not_counted{"accepted-dart-not-counted",
-                            "the dart that is accepted counts as well."};
+const Diagnosis accepted_not_counted{"accepted-dart-not-counted",
+                                     "the dart that is accepted counts as well."};
 const Diagnosis disc{"a-disc-not-a-ball", "darts are rejected by two of their coordinates only."};
 const Diagnosis order_of_numbers{
     "order-of-the-numbers",
     "x, y, z are drawn in this order, a statement each: the order in which a function's "
     "arguments are evaluated is the compiler's choice."};
-const Diagnosis reused{"reused-number",
-                       "fewer than three numbers a dart are drawn: coordinates share one."};
+const Diagnosis dart_reused{"reused-number",
+                            "fewer than three numbers a dart are drawn: coordinates share one."};
 
 constexpr std::size_t n = 200'000;
 
@@ -147,8 +147,9 @@ TEST_CASE("Lab 7.2: the mean cosine is 1/2", "[lab07][ex2]") {
 TEST_CASE("Lab 7.2: a direction takes 6/pi darts on average", "[lab07][ex2]") {
   const std::vector<double> darts = column(drawn({0, 0.6f, 0.8f}), 3);
   const double p = pi / 6;
-  judge(mean_is("the mean number of darts", darts, geometric(p),
-                {{1, corners}, {1 / p - 1, not_counted}, {2 / p, thrown_away}, {4 / pi, disc}}));
+  judge(mean_is(
+      "the mean number of darts", darts, geometric(p),
+      {{1, corners}, {1 / p - 1, accepted_not_counted}, {2 / p, thrown_away}, {4 / pi, disc}}));
   judge(variance_is("the variance of the number of darts", darts, geometric(p)));
 }
 
@@ -164,7 +165,7 @@ TEST_CASE("Lab 7.2: a dart is three fresh numbers, x, y and z, and the first in 
     if (!(glm::length(one.w - one.first) <= 1e-5)) ++wrong_direction;
   }
   std::vector<Diagnosis> diagnoses;
-  if (2 * fewer > static_cast<double>(all.size())) diagnoses.push_back(reused);
+  if (2 * fewer > static_cast<double>(all.size())) diagnoses.push_back(dart_reused);
   judge(holds("numbers drawn", wrong_words == 0,
               fmt::format("not three for every dart told, {} times of {}", wrong_words, all.size()),
               "three uniform_float() a dart", diagnoses));

@@ -23,10 +23,10 @@ const Diagnosis whole_sphere{"whole-sphere",
                              "its solid angle."};
 const Diagnosis not_zero_below{"density-below-horizon",
                                "there are no samples below the horizon: the density is 0 there."};
-const Diagnosis missing_pi{"missing-one-over-pi",
-                           "the cosine integrates to pi over the hemisphere: divide by it."};
-const Diagnosis by_two_pi{"one-over-two-pi",
-                          "1/(2 pi) normalises the uniform density; the cosine integrates to pi."};
+const Diagnosis cosine_missing_pi{"missing-one-over-pi",
+                                  "the cosine integrates to pi over the hemisphere: divide by it."};
+const Diagnosis cosine_by_two_pi{
+    "one-over-two-pi", "1/(2 pi) normalises the uniform density; the cosine integrates to pi."};
 const Diagnosis root_missing{
     "square-root-missing",
     "these directions are uniform: the inverse of the CDF has a square root."};
@@ -52,17 +52,17 @@ const Diagnosis few_angles{
     "sine-by-subtraction",
     "only a few different angles occur: 1 - cos^2 of a cosine that has rounded "
     "to 1 has no digits left. expm1 has."};
-const Diagnosis n_plus_2{
+const Diagnosis lobe_n_plus_2{
     "n-plus-two",
     "(n + 2)/(2 pi) normalises the lobe times a cosine, as in the BRDF; per solid "
     "angle it is n + 1."};
 const Diagnosis only_n{"n-for-n-plus-one", "the lobe integrates to 2 pi/(n + 1), not 2 pi/n."};
-const Diagnosis not_normalised{"lobe-not-normalised",
-                               "cos^n alone does not integrate to 1: multiply by (n + 1)/(2 pi)."};
+const Diagnosis lobe_not_normalised{
+    "lobe-not-normalised", "cos^n alone does not integrate to 1: multiply by (n + 1)/(2 pi)."};
 const Diagnosis back_counts{"back-of-the-lobe",
                             "beyond 90 degrees the lobe is 0; there cos^n is a power of a negative "
                             "number."};
-constexpr std::size_t n_directions = 200'000;
+constexpr std::size_t n_sampled = 200'000;
 
 double upper(double value, Double3 w) {
   return w.z > 0 ? value : 0;
@@ -105,7 +105,7 @@ Verdict lobe_angles(const Subject& subject, const std::vector<Double3>& directio
 
 TEST_CASE("Lab 7.3: directions are uniform, of length 1 and above the horizon", "[lab07][ex3]") {
   const Subject subject = uniform_subject();
-  const Drawn drawn = draw(subject, n_directions);
+  const Drawn drawn = draw(subject, n_sampled);
   judge_drawn(subject, drawn);
   judge(samples_follow(subject, drawn.directions,
                        {{uniform_angle, theta_uniform}, {power_law(2), cosine_instead}}));
@@ -127,7 +127,7 @@ TEST_CASE("Lab 7.3: every u gives a direction above the horizon", "[lab07][ex3]"
 TEST_CASE("Lab 7.4: directions are cosine-weighted, of length 1 and above the horizon",
           "[lab07][ex4]") {
   const Subject subject = cosine_subject();
-  const Drawn drawn = draw(subject, n_directions);
+  const Drawn drawn = draw(subject, n_sampled);
   judge_drawn(subject, drawn);
   judge(samples_follow(subject, drawn.directions,
                        {{power_law(1), root_missing},
@@ -137,12 +137,13 @@ TEST_CASE("Lab 7.4: directions are cosine-weighted, of length 1 and above the ho
 
 TEST_CASE("Lab 7.4: the density is the cosine over pi, and 0 below", "[lab07][ex4]") {
   const Subject subject = cosine_subject();
-  judge_density(subject,
-                {{[](Double3 w) { return upper(w.z, w); }, missing_pi},
-                 {[](Double3 w) { return upper(w.z / (2 * pi), w); }, by_two_pi},
-                 {[](Double3 w) { return std::abs(w.z) / pi; }, not_zero_below},
-                 {[](Double3 w) { return w.z / pi; }, not_zero_below}},
-                {{pi, missing_pi}, {0.5, by_two_pi}, {2, not_zero_below}, {0, not_zero_below}});
+  judge_density(
+      subject,
+      {{[](Double3 w) { return upper(w.z, w); }, cosine_missing_pi},
+       {[](Double3 w) { return upper(w.z / (2 * pi), w); }, cosine_by_two_pi},
+       {[](Double3 w) { return std::abs(w.z) / pi; }, not_zero_below},
+       {[](Double3 w) { return w.z / pi; }, not_zero_below}},
+      {{pi, cosine_missing_pi}, {0.5, cosine_by_two_pi}, {2, not_zero_below}, {0, not_zero_below}});
 }
 
 TEST_CASE("Lab 7.4: every u gives a direction with a density above 0", "[lab07][ex4]") {
@@ -152,7 +153,7 @@ TEST_CASE("Lab 7.4: every u gives a direction with a density above 0", "[lab07][
 TEST_CASE("Lab 7.5: directions follow the lobe, in angle and azimuth", "[lab07][ex5]") {
   for (const double n : {0.0, 1.0, 2.5, 20.0, 1000.0, 1e7}) {
     const Subject subject = lobe_subject(n);
-    const Drawn drawn = draw(subject, n_directions);
+    const Drawn drawn = draw(subject, n_sampled);
     judge_drawn(subject, drawn);
     std::vector<OtherLaw> others = {{power_law(n + 2), root_n_plus_2},
                                     {uniform_angle, theta_uniform}};
@@ -164,7 +165,7 @@ TEST_CASE("Lab 7.5: directions follow the lobe, in angle and azimuth", "[lab07][
 TEST_CASE("Lab 7.5: the angle's law holds in double, to n = 1e7", "[lab07][ex5]") {
   for (const double n : {1e6, 1e7}) {
     const Subject subject = lobe_subject(n);
-    judge(lobe_angles(subject, draw(subject, n_directions).directions));
+    judge(lobe_angles(subject, draw(subject, n_sampled).directions));
   }
 }
 
@@ -182,10 +183,10 @@ TEST_CASE("Lab 7.5: the density integrates to 1 and is 0 outside the lobe", "[la
     };
     judge_zero_below(subject, back_counts);
     judge_density(subject,
-                  {{scaled((n + 2) / (2 * pi)), n_plus_2},
+                  {{scaled((n + 2) / (2 * pi)), lobe_n_plus_2},
                    {scaled(n / (2 * pi)), only_n},
-                   {scaled(1), not_normalised}},
-                  {{(n + 2) / (n + 1), n_plus_2}, {n / (n + 1), only_n}});
+                   {scaled(1), lobe_not_normalised}},
+                  {{(n + 2) / (n + 1), lobe_n_plus_2}, {n / (n + 1), only_n}});
   }
 }
 

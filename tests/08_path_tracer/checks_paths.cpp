@@ -64,8 +64,8 @@ const Diagnosis light_choice{"light-choice-not-in-pdf",
                              "one of several lights is chosen: the density is divided among them."};
 const Diagnosis no_cosine{"cosine-missing-in-light-pdf",
                           "distance^2/(cos area): the cosine at the light is missing."};
-const Diagnosis no_distance{"distance-missing-in-light-pdf",
-                            "distance^2/(cos area): the squared distance is missing."};
+const Diagnosis no_distance_in_pdf{"distance-missing-in-light-pdf",
+                                   "distance^2/(cos area): the squared distance is missing."};
 
 constexpr std::size_t paths = 50'000;
 
@@ -324,7 +324,7 @@ TEST_CASE("Lab 8.8: the density of light points", "[lab08][ex8]") {
     std::vector<Diagnosis> diagnoses;
     if (lamp == Lamp::two && uncounted == lit) diagnoses.push_back(light_choice);
     if (flat == lit) diagnoses.push_back(no_cosine);
-    if (near == lit) diagnoses.push_back(no_distance);
+    if (near == lit) diagnoses.push_back(no_distance_in_pdf);
     judge(holds(fmt::format("light_pdf, {}", lamp == Lamp::two      ? "two lamps"
                                              : lamp == Lamp::sphere ? "a ball"
                                                                     : "a square lamp"),

@@ -8,7 +8,7 @@ using namespace lab08_tests;
 
 namespace {
 
-const Diagnosis missing_pi{"one-over-pi-missing", "the diffuse term is kd/pi."};
+const Diagnosis diffuse_missing_pi{"one-over-pi-missing", "the diffuse term is kd/pi."};
 const Diagnosis n_plus_one{"n-plus-one-in-f", "n + 1 normalises the density, n + 2 the BRDF."};
 const Diagnosis n_plus_two{"n-plus-two-in-pdf", "n + 2 normalises the BRDF, n + 1 the density."};
 const Diagnosis with_cosine{"cosine-in-f", "the cosine is not part of the BRDF."};
@@ -38,10 +38,6 @@ const Diagnosis no_chances{"chances-not-in-pdf",
                            "each lobe's density has to be multiplied by the lobe's chance."};
 const Diagnosis not_scaled{"chances-above-one",
                            "chances that add up to more than 1 are divided by their sum."};
-
-std::string name_of(const PhongCase& c) {
-  return fmt::format("kd = {:g}, ks = {:g}, n = {:g}", c.kd, c.ks, c.n);
-}
 
 using ValueOf = std::function<double(const DirectionPair&)>;
 
@@ -202,7 +198,7 @@ TEST_CASE("Lab 8.3: the BRDF's values, to n = 1e7 and at grazing angles", "[lab0
       alternatives.push_back({[&](const DirectionPair& d) {
                                 return no_pi.f(Double3(d.normal), Double3(d.wo), Double3(d.wi));
                               },
-                              missing_pi});
+                              diffuse_missing_pi});
     }
     if (c.ks > 0 && c.n > 0) {
       alternatives.push_back(

@@ -36,10 +36,6 @@ const Diagnosis never_absorbs{"never-absorbs",
                               "a direction is always returned: the rest of the chances is "
                               "absorption."};
 
-std::string name_of(const PhongCase& c) {
-  return fmt::format("kd = {:g}, ks = {:g}, n = {:g}", c.kd, c.ks, c.n);
-}
-
 constexpr std::size_t draws = 100'000;
 
 struct SampleCase {

@@ -45,7 +45,7 @@ double s_only(double cos_i, double eta) {
   return s * s;
 }
 
-constexpr std::size_t paths = 50'000;
+constexpr std::size_t n_paths = 50'000;
 
 Rows trace(std::map<std::string, double> numbers, std::size_t count = 2000) {
   numbers.insert({{"method", 3}, {"emission", 1}, {"degrees", 0}});
@@ -183,8 +183,8 @@ TEST_CASE("Lab 8.7: emission counts behind mirrors and glass", "[lab08][ex7]") {
                       ? std::vector{emission_lost}
                       : std::vector<Diagnosis>{}));
   // The sd is a bound: three halves of what a right solution shows (no closed form).
-  judge(
-      mean_is("radiance in a furnace around a glass ball",
-              column(trace({{"place", with_glass}, {"r", 0.5}, {"g", 0.5}, {"b", 0.5}}, paths), 0),
-              {2, 2}));
+  judge(mean_is(
+      "radiance in a furnace around a glass ball",
+      column(trace({{"place", with_glass}, {"r", 0.5}, {"g", 0.5}, {"b", 0.5}}, n_paths), 0),
+      {2, 2}));
 }

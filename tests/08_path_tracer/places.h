@@ -2,8 +2,11 @@
 
 #include "numeric/vec.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -15,10 +18,19 @@ namespace lab08_tests {
 using carlo::Rgb;
 using carlo::Vec3;
 
+/// One of a probe's values.
+inline double number(float x) {
+  return static_cast<double>(x);
+}
+
 /// Grey Phong materials.
 struct PhongCase {
   float kd, ks, n;
 };
+
+inline std::string name_of(const PhongCase& c) {
+  return fmt::format("kd = {:g}, ks = {:g}, n = {:g}", c.kd, c.ks, c.n);
+}
 
 inline std::vector<PhongCase> phong_cases() {
   return {{0.5f, 0, 0},     {0, 0.8f, 0},    {0, 0.8f, 1},      {0.3f, 0.6f, 2.5f},

@@ -15,10 +15,6 @@ using carlo::grader::RowWriter;
 
 namespace {
 
-double number(float x) {
-  return static_cast<double>(x);
-}
-
 carlo::Phong phong_of(const Params& params) {
   const PhongCase c = phong_cases()[static_cast<std::size_t>(params.whole("case"))];
   return {Rgb(c.kd), Rgb(c.ks), c.n};

@@ -14,10 +14,6 @@ using carlo::grader::RowWriter;
 
 namespace {
 
-double number(float x) {
-  return static_cast<double>(x);
-}
-
 void add(RowWriter& rows, Rgb c) {
   rows.add({number(c.r), number(c.g), number(c.b)});
 }

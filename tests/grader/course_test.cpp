@@ -2,6 +2,7 @@
 #include "cli/error.h"
 #include "course/exercises.h"
 #include "course/hints.h"
+#include "grader/has.h"
 #include "grader/judge/consistency.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -57,10 +58,6 @@ std::string error_of(const Folder& folder, const std::string& text) {
     return error.what();
   }
   return "no error";
-}
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
-# cmake -DJUDGE= -DLAB= -DWORKER= -DJSON= [-DPATCH=] [-DSEEDS=] [-DPOINTS=] -P expect.cmake
+# cmake -DJUDGE= -DLAB= -DWORKER= -DJSON= [-DPATCH=] [-DSEEDS= [-DFIRST=]] [-DPOINTS=] -P expect.cmake
 # Runs the judge and compares its verdicts with what they must be:
 #   without PATCH and SEEDS  the untouched stub: every exercise "not implemented", no points
 #   with PATCH               a typical mistake: the exercise of its header fails with its diagnosis;
 #                            with the diagnosis "crash" its program is ended; with ALONE, no other
 #                            diagnosis is told
-#   with SEEDS               a right solution: full marks at seeds 1 to SEEDS
+#   with SEEDS               a right solution: full marks at seeds FIRST (1) to SEEDS
 #   with POINTS              points of each exercise in their order, as "3,0,1.5"; where some are
 #                            missing it is "failed", which no crash and no cut answer is
 
@@ -68,7 +68,10 @@ function(expect_mistake)
 endfunction()
 
 function(expect_full_marks)
-  foreach(seed RANGE 1 ${SEEDS})
+  if(NOT DEFINED FIRST)
+    set(FIRST 1)
+  endif()
+  foreach(seed RANGE ${FIRST} ${SEEDS})
     run_judge(--seed ${seed})
     if(NOT code EQUAL 0)
       message(FATAL_ERROR "the solution fails at seed ${seed}:\n${output}")

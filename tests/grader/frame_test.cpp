@@ -69,10 +69,11 @@ TEST_CASE("a frame of random bytes is refused or consistent", "[frame]") {
 }
 
 TEST_CASE("parameters survive the way there and back, bit by bit", "[params]") {
-  const Params params{.seed = 0xFFFF'FFFF'FFFF'FFFF,
-                      .n = -3,
-                      .numbers = {{"third", 1.0 / 3}, {"tiny", 0x1p-1070}, {"k", 4}}};
-  const Params back = params_from_json(to_json(params));
+  const Params params{
+      .seed = 0xFFFF'FFFF'FFFF'FFFF,
+      .n = -3,
+      .numbers = {{"third", 1.0 / 3}, {"tiny", 0x1p-1070}, {"k", 4}, {"huge", -HUGE_VAL}}};
+  const Params back = params_from_text(to_text(params));
   CHECK(back.seed == params.seed);
   CHECK(back.n == params.n);
   CHECK(back.numbers == params.numbers);
@@ -83,9 +84,13 @@ TEST_CASE("parameters that are missing or of a wrong kind are errors", "[params]
   const Params params{.numbers = {{"half", 0.5}}};
   CHECK_THROWS_AS(params["a"], carlo::Error);
   CHECK_THROWS_AS(params.whole("half"), carlo::Error);
-  CHECK_THROWS_AS(params_from_json("{"), carlo::Error);
-  CHECK_THROWS_AS(params_from_json("{}"), carlo::Error);
-  CHECK_THROWS_AS(params_from_json(R"({"seed": "x", "n": 1, "numbers": {}})"), carlo::Error);
+  for (const char* text :
+       {"", "seed=1", "n=1 seed=1", "seed=x n=1", "seed=-1 n=1", "seed=1 n=1.5", "seed=1 n=1 k",
+        "seed=1 n=1 =2", "seed=1 n=1 k=", "seed=1 n=1 k=2x", "seed=1 n=1 k=1 k=2", "seed=1  n=1"}) {
+    INFO(text);
+    CHECK_THROWS_AS(params_from_text(text), carlo::Error);
+  }
+  CHECK_THROWS_AS(to_text({.numbers = {{"two words", 1}}}), carlo::Error);
 }
 
 TEST_CASE("values are shown beside their names, and numbered where they have none", "[rows]") {

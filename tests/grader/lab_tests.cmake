@@ -5,12 +5,17 @@
 # Labs whose mistakes are all named alone, and shall stay so.
 set(labs_with_lone_diagnoses lab01 lab02)
 
-# One test that expect.cmake judges.
+# One test that expect.cmake judges. CONFIGURATIONS thorough: only with ctest -C thorough.
 function(add_expectation name lab worker)
-  add_test(NAME ${name}
+  cmake_parse_arguments(ARG "" "CONFIGURATIONS" "" ${ARGN})
+  set(when "")
+  if(ARG_CONFIGURATIONS)
+    set(when CONFIGURATIONS ${ARG_CONFIGURATIONS})
+  endif()
+  add_test(NAME ${name} ${when}
            COMMAND ${CMAKE_COMMAND} -DJUDGE=$<TARGET_FILE:${lab}_judge> -DLAB=${${lab}_json}
                    -DWORKER=$<TARGET_FILE:${worker}>
-                   -DJSON=${CMAKE_CURRENT_BINARY_DIR}/${name}.json ${ARGN}
+                   -DJSON=${CMAKE_CURRENT_BINARY_DIR}/${name}.json ${ARG_UNPARSED_ARGUMENTS}
                    -P ${PROJECT_SOURCE_DIR}/tests/grader/expect.cmake)
 endfunction()
 
@@ -56,10 +61,14 @@ function(add_lab_tests folder name)
                      "-DQUESTIONS=${questions}" -P ${PROJECT_SOURCE_DIR}/tests/grader/names.cmake)
     set_tests_properties(${lab}.solution PROPERTIES FIXTURES_SETUP ${lab}_questions)
     set_tests_properties(${lab}.names PROPERTIES FIXTURES_REQUIRED ${lab}_questions)
-    add_expectation(${lab}.seeds ${lab} ${lab}_worker_solution -DSEEDS=20)
+    # The first seeds at every landing, more of them nightly (tests/nightly.sh).
+    add_expectation(${lab}.seeds ${lab} ${lab}_worker_solution -DSEEDS=3)
+    add_expectation(${lab}.seeds.many ${lab} ${lab}_worker_solution -DFIRST=4 -DSEEDS=40
+                    CONFIGURATIONS thorough)
     set_tests_properties(${lab}.consistency ${lab}.stub ${lab}.solution ${lab}.names
                          PROPERTIES LABELS fast TIMEOUT 120)
     set_tests_properties(${lab}.seeds PROPERTIES TIMEOUT 600)
+    set_tests_properties(${lab}.seeds.many PROPERTIES TIMEOUT 3600)
   endif()
   carlo_lab_patches(patches ${folder})
   foreach(patch IN LISTS patches)

@@ -1,3 +1,4 @@
+#include "grader/has.h"
 #include "grader/judge/compare.h"
 #include "grader/judge/figure_json.h"
 #include "grader/judge/figures.h"
@@ -16,10 +17,6 @@ using namespace carlo::grader;
 using nlohmann::json;
 
 namespace {
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 std::size_t count_of(const std::string& text, const std::string& part) {
   std::size_t count = 0;

@@ -2,6 +2,7 @@
 
 #include "cli/atomic_file.h"
 #include "cli/error.h"
+#include "grader/has.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <fmt/core.h>
@@ -29,21 +30,21 @@ constexpr const char* exercises = R"([
                "experiment": "slopes", "name": "method", "largest": "error"}}])";
 
 /// A tree with one lab of which Lab 1.1 is written.
-class Tree {
+class PredictionTree {
  public:
-  explicit Tree(const std::string& list = exercises)
+  explicit PredictionTree(const std::string& list = exercises)
       : root_(fs::temp_directory_path() / fmt::format("carlo_predict_{}", ::getpid())) {
     fs::create_directories(root_ / "labs/01_demo");
     write_file(root_ / "labs/01_demo/lab.json",
                R"({"lab": 1, "name": "demo", "title": "Demo", "exercises": )" + list + "}");
     write_file(root_ / "labs/01_demo/demo.cpp", "not_implemented(\"Lab 1.2\", \"L\");\n");
   }
-  ~Tree() {
+  ~PredictionTree() {
     std::error_code ec;
     fs::remove_all(root_, ec);
   }
-  Tree(const Tree&) = delete;
-  Tree& operator=(const Tree&) = delete;
+  PredictionTree(const PredictionTree&) = delete;
+  PredictionTree& operator=(const PredictionTree&) = delete;
   const fs::path& root() const { return root_; }
   void finish() const { write_file(root_ / "labs/01_demo/demo.cpp", "done\n"); }
 
@@ -65,10 +66,6 @@ std::string asked(Predictions& predictions, std::vector<std::string> lines, bool
   return said;
 }
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 const json tables{{"slopes",
                    {{{"method", "dice"}, {"slope", -1.0}, {"error", 0.25}},
                     {{"method", "rule"}, {"slope", -2.0}, {"error", 0.5}},
@@ -78,7 +75,7 @@ const json tables{{"slopes",
 
 TEST_CASE("a prediction is asked for once, of what is written, and shown beside the result",
           "[predictions]") {
-  const Tree tree;
+  const PredictionTree tree;
   {
     Predictions predictions(tree.root(), 1);
     const std::string said = asked(predictions, {"steep", "-1/3"});
@@ -102,7 +99,7 @@ TEST_CASE("a prediction is asked for once, of what is written, and shown beside 
 }
 
 TEST_CASE("Enter skips a question for good; the input's end only for now", "[predictions]") {
-  const Tree tree;
+  const PredictionTree tree;
   {
     Predictions predictions(tree.root(), 1);
     CHECK(has(asked(predictions, {}), "Which slope?"));
@@ -114,7 +111,7 @@ TEST_CASE("Enter skips a question for good; the input's end only for now", "[pre
 }
 
 TEST_CASE("experiments that were left out have no result", "[predictions]") {
-  const Tree tree;
+  const PredictionTree tree;
   Predictions predictions(tree.root(), 1);
   (void)asked(predictions, {"-0.5"});
   CHECK(predictions.table(json::object()).rows().empty());
@@ -151,7 +148,7 @@ TEST_CASE("a share is typed with or without its percent sign, and shown with it"
 }
 
 TEST_CASE("asked again, Enter leaves what was predicted before", "[predictions]") {
-  const Tree tree;
+  const PredictionTree tree;
   {
     Predictions predictions(tree.root(), 1);
     (void)asked(predictions, {"-1"});
@@ -169,6 +166,6 @@ TEST_CASE("a question that lab.json asks badly is an error that names the exerci
           "[predictions]") {
   std::string list = exercises;
   list.replace(list.find("\"largest\""), 9, "\"highest\"");
-  const Tree tree(list);
+  const PredictionTree tree(list);
   CHECK_THROWS_AS(Predictions(tree.root(), 1), Error);
 }

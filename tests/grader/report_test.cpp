@@ -1,6 +1,7 @@
 #include "grader/judge/report.h"
 
 #include "cli/error.h"
+#include "grader/has.h"
 #include "grader/judge/compare.h"
 #include "grader/judge/run.h"
 
@@ -33,10 +34,6 @@ TestRecord failed(const std::string& tag) {
           Status::failed,
           "",
           ""};
-}
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace

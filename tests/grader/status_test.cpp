@@ -85,10 +85,6 @@ class Tree {
   std::vector<Lab> list_;
 };
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 }  // namespace
 
 TEST_CASE("an exercise is untouched, begun, judged, and edited since", "[course]") {

@@ -2,6 +2,7 @@
 // every level of the sandbox.
 
 #include "cli/error.h"
+#include "grader/has.h"
 #include "grader/judge/run.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -74,10 +75,6 @@ double value(Level level, const std::string& probe, const Params& params = {}) {
 
 bool no_child_left() {
   return ::waitpid(-1, nullptr, WNOHANG) == -1 && errno == ECHILD;
-}
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace
@@ -242,6 +239,17 @@ TEST_CASE("the probes of an exercise have a time in all", "[run]") {
     if (run.records().back().status == Status::timeout) return;  // a busy machine
   }
   CHECK(started < 30);
+}
+
+// With programs beside it that keep all processors busy: busy_test.sh.
+TEST_CASE("a deadline leaves out the time for which others had the processors", "[.busy]") {
+  Limits limits;
+  limits.deadline = std::chrono::milliseconds(1200);
+  const Worker worker(FIXTURE_WORKER);
+  double charged = 0;
+  CHECK(run_probe(worker, "half a second of work", {}, {}, limits, &charged).seconds > 1.2);
+  CHECK(charged < 1.2);
+  CHECK_THROWS_AS(run_probe(worker, "hang", {}, {}, limits), ProbeFailure);
 }
 
 TEST_CASE("the disk cannot be filled, by files without a name neither", "[worker]") {

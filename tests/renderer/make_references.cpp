@@ -11,7 +11,6 @@
 #include "scene_renderer/lab_integrator.h"
 #include "scene_tools.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -163,18 +162,15 @@ void look_at_peer(const std::string& name, const Arguments& a) {
 
 int run(int argc, char** argv) {
   Arguments a;
-  CLI::App app("Renders the reference images and prints their table.", "tests/references/make.sh");
-  app.add_option("--folder", a.folder, "tests/references")
-      ->required()
-      ->check(CLI::ExistingDirectory);
-  app.add_option("--target", a.target, "mean relative standard error of a pixel")
-      ->check(CLI::Range(1e-4, 1.0))
-      ->capture_default_str();
-  app.add_option("--most", a.most, "samples a pixel at most")
-      ->check(CLI::Range(512u, 1u << 24))
-      ->capture_default_str();
-  app.add_option("scenes", a.scenes, "names in common/scenes, or peer_... (default: all)");
-  if (const auto code = parse_arguments(app, argc, argv)) return *code;
+  CommandLine app("Renders the reference images and prints their table.",
+                  "tests/references/make.sh");
+  app.option("--folder", a.folder, "tests/references").required().existing_folder();
+  app.option("--target", a.target, "mean relative standard error of a pixel")
+      .range(1e-4, 1.0)
+      .show_default();
+  app.option("--most", a.most, "samples a pixel at most").range(512u, 1u << 24).show_default();
+  app.option("scenes", a.scenes, "names in common/scenes, or peer_... (default: all)");
+  if (const auto code = app.parse(argc, argv)) return *code;
   if (a.scenes.empty()) {
     a.scenes = lab_scenes::names();
     a.scenes.insert(a.scenes.end(), {"peer_cornell_lambert", "peer_cornell_phong"});

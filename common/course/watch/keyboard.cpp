@@ -61,7 +61,7 @@ void give_back() {
 }
 
 /// The terminal first; then whoever handled crashes before does, or the system.
-extern "C" void crashed(int signal) {
+extern "C" void watch_crashed(int signal) {
   give_back();
   for (std::size_t i = 0; i < crashes.size(); ++i) {
     if (crashes.at(i) == signal) ::sigaction(signal, &before.handlers.at(i), nullptr);
@@ -82,7 +82,7 @@ Keyboard::Keyboard() {
     throw Error("cannot ask how the terminal is: {}", std::strerror(errno));
   }
   struct sigaction action {};
-  action.sa_handler = crashed;
+  action.sa_handler = watch_crashed;
   for (std::size_t i = 0; i < crashes.size(); ++i)
     ::sigaction(crashes.at(i), &action, &before.handlers.at(i));
   acquire();

@@ -1,10 +1,9 @@
 // `./carlo render` in a student's tree, and `./carlo render --mine`: scenes by lab 08's tracers.
 
+#include "cli/arguments.h"
 #include "cli/main_guard.h"
 #include "render/render_app.h"
 #include "scene_renderer/lab_integrator.h"
-
-#include <CLI/CLI.hpp>
 
 #include <map>
 #include <string>
@@ -26,12 +25,12 @@ int main(int argc, char** argv) {
           return lab08::make_lab_integrator(
               scene, {.method = methods.at(method), .seed = seed, .spp = spp});
         },
-        [&](CLI::App& app) {
-          app.add_option("--method", method,
-                         "iterative (Lab 8.8), recursive (Lab 8.4: no mirrors, no glass) or direct "
-                         "(Lab 8.7)")
-              ->check(CLI::IsMember({"iterative", "recursive", "direct"}))
-              ->capture_default_str();
+        [&](carlo::CommandLine& app) {
+          app.option("--method", method,
+                     "iterative (Lab 8.8), recursive (Lab 8.4: no mirrors, no glass) or direct "
+                     "(Lab 8.7)")
+              .one_of({"iterative", "recursive", "direct"})
+              .show_default();
           app.footer("The image is your own lab 08's.");
         });
   });

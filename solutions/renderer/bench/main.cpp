@@ -8,8 +8,6 @@
 #include "render_cost.h"
 #include "renderer/path_integrator.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -42,31 +40,29 @@ int run(int argc, char** argv) {
   std::vector<std::string> names;
   for (const Part& part : parts)
     names.push_back(part.name);
-  CLI::App app("Error against time of everything: integrators, samplers, estimators, generators.",
-               "./carlo bench");
-  app.add_flag("--full", options.full, "all scenes, larger films, more samples (an hour or two)");
-  app.add_option("--only", options.only, "parts of the page, such as scenes,threads")
-      ->delimiter(',')
-      ->check(CLI::IsMember(names));
-  app.add_option("--seed", options.seed, "another seed gives other noise")->capture_default_str();
-  app.add_option("--page", options.page, "where the page goes; beside it, the numbers as JSON")
-      ->default_val("out/bench.html");
+  carlo::CommandLine app(
+      "Error against time of everything: integrators, samplers, estimators, generators.",
+      "./carlo bench");
+  app.flag("--full", options.full, "all scenes, larger films, more samples (an hour or two)");
+  app.option("--only", options.only, "parts of the page, such as scenes,threads")
+      .list(',')
+      .one_of(names);
+  app.option("--seed", options.seed, "another seed gives other noise").show_default();
+  app.option("--page", options.page, "where the page goes; beside it, the numbers as JSON")
+      .default_value("out/bench.html");
   // From the script ./carlo.
-  app.add_option("--scenes", options.scenes)->default_val("common/scenes")->group("");
-  app.add_option("--references", options.references)
-      ->default_val("tests/references/scenes")
-      ->group("");
-  app.add_option("--scratch", options.scratch)->default_val("build/bench")->group("");
-  app.add_option("--integrators", options.integrators)->group("");
-  app.add_option("--generators", options.generators)->group("");
-  app.add_option("--blender", options.blender, "Blender's program, for the part cycles")
-      ->capture_default_str();
-  app.add_option("--cycles-script", options.cycles_script)
-      ->default_val("solutions/renderer/bench/cycles.py")
-      ->group("");
-  app.add_option("--mesh-costs", mesh)->group("");
-  app.add_option("--render-cost", cost)->group("");
-  if (const auto code = carlo::parse_arguments(app, argc, argv)) return *code;
+  app.option("--scenes", options.scenes).default_value("common/scenes").hidden();
+  app.option("--references", options.references).default_value("tests/references/scenes").hidden();
+  app.option("--scratch", options.scratch).default_value("build/bench").hidden();
+  app.option("--integrators", options.integrators).hidden();
+  app.option("--generators", options.generators).hidden();
+  app.option("--blender", options.blender, "Blender's program, for the part cycles").show_default();
+  app.option("--cycles-script", options.cycles_script)
+      .default_value("solutions/renderer/bench/cycles.py")
+      .hidden();
+  app.option("--mesh-costs", mesh).hidden();
+  app.option("--render-cost", cost).hidden();
+  if (const auto code = app.parse(argc, argv)) return *code;
   if (!cost.empty()) {
     const carlo::Scene scene = bench::load_cost_scene(cost);
     bench::print_render_cost(

@@ -35,7 +35,7 @@ std::string output_of(const std::filesystem::path& program,
   close(ends[1]);
   std::string text;
   std::array<char, 512> piece{};
-  for (ssize_t n = 0; (n = read(ends[0], piece.data(), piece.size())) > 0;)
+  for (ssize_t n = 0; (n = ::read(ends[0], piece.data(), piece.size())) > 0;)
     text.append(piece.data(), static_cast<std::size_t>(n));
   close(ends[0]);
   int status = 0;

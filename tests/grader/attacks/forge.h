@@ -25,7 +25,7 @@ inline Question question() {
   std::ifstream file("/proc/self/cmdline");
   for (std::string word, before; std::getline(file, word, '\0'); before = word) {
     if (before == "--probe") question.probe = word;
-    if (before == "--params") question.params = params_from_json(word);
+    if (before == "--params") question.params = params_from_text(word);
   }
   return question;
 }

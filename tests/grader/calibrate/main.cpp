@@ -9,7 +9,6 @@
 #include "grader/calibrate/runner.h"
 #include "grader/calibrate/store.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <string>
@@ -27,26 +26,23 @@ struct Options {
   bool report_only = false;
 };
 
-void add_options(CLI::App& app, Options& options) {
-  app.add_option("--tree-labs", options.places.labs, "the folder labs/")->required();
-  app.add_option("--tree-tests", options.places.tests, "the folder tests/")->required();
-  app.add_option("--programs", options.places.programs, "the folder of built programs")->required();
-  app.add_option("--labs", options.labs, "only these labs")->delimiter(',');
-  app.add_option("--seeds", options.seeds, "gradings of each lab's solution")
-      ->check(CLI::Range(0, 1'000'000))
-      ->capture_default_str();
-  app.add_option("--mistakes-seeds", options.mistake_seeds, "gradings of each mistake")
-      ->check(CLI::Range(0, 1'000'000))
-      ->capture_default_str();
-  app.add_option("--first-seed", options.first_seed,
-                 "the first of them; 1 to 20 are those that the fast tests run")
-      ->capture_default_str();
-  app.add_option("-j", options.at_once, "judges at once")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  app.add_option("--store", options.store, "every result is kept in this folder")
-      ->capture_default_str();
-  app.add_flag("--report-only", options.report_only, "judge nothing: tables of what is there");
+void add_options(CommandLine& app, Options& options) {
+  app.option("--tree-labs", options.places.labs, "the folder labs/").required();
+  app.option("--tree-tests", options.places.tests, "the folder tests/").required();
+  app.option("--programs", options.places.programs, "the folder of built programs").required();
+  app.option("--labs", options.labs, "only these labs").list(',');
+  app.option("--seeds", options.seeds, "gradings of each lab's solution")
+      .range(0, 1'000'000)
+      .show_default();
+  app.option("--mistakes-seeds", options.mistake_seeds, "gradings of each mistake")
+      .range(0, 1'000'000)
+      .show_default();
+  app.option("--first-seed", options.first_seed,
+             "the first of them; 1 to 20 are those that the fast tests run")
+      .show_default();
+  app.option("-j", options.at_once, "judges at once").range(1, 256).show_default();
+  app.option("--store", options.store, "every result is kept in this folder").show_default();
+  app.flag("--report-only", options.report_only, "judge nothing: tables of what is there");
 }
 
 std::vector<Job> missing(const std::vector<Job>& all, const Store& store) {
@@ -73,11 +69,11 @@ std::vector<Judged> judged(const std::vector<Subject>& subjects, const Store& st
 }
 
 int main(int argc, char** argv) {
-  CLI::App app("Calibrates the grader: judges the solutions and the mistakes with many seeds",
-               "./carlo grade --calibrate");
+  CommandLine app("Calibrates the grader: judges the solutions and the mistakes with many seeds",
+                  "./carlo grade --calibrate");
   Options options;
   add_options(app, options);
-  if (const auto code = parse_arguments(app, argc, argv)) return *code;
+  if (const auto code = app.parse(argc, argv)) return *code;
   const std::vector<Subject> all = subjects(options.places, options.labs);
   Store store(options.store);
   if (store.unreadable() > 0) {

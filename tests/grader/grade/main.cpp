@@ -11,7 +11,6 @@
 #include "grader/grade/outputs.h"
 #include "grader/judge/results.h"
 
-#include <CLI/CLI.hpp>
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <sys/file.h>
@@ -41,28 +40,25 @@ struct Options {
   bool one = false;
 };
 
-void add_options(CLI::App& app, Options& options) {
-  app.add_option(
-         "PATH", options.paths,
-         "submissions: a folder or archive of one student, or of a class with one folder or "
-         "archive a student")
-      ->required();
-  app.add_option("-o,--out", options.out, "where marks and reports go")->capture_default_str();
-  app.add_option("-j,--jobs", options.workers, "submissions at a time (default: one a core)")
-      ->check(CLI::Range(1, 1024));
-  app.add_option("--labs", options.labs, "only these labs, such as 1,2")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  app.add_flag("--one", options.one, "each PATH is one submission, whatever it looks like");
-  app.add_option("--secret-file", options.secret_file,
-                 "what seeds follow from (default: $CARLO_SECRET, else OUT/secret, made once)");
-  app.add_option("--sandbox", options.sandbox, "auto, bubblewrap, landlock, user or limits")
-      ->capture_default_str();
-  app.add_option("--deadline", options.deadline, "seconds that one probe may take")
-      ->check(CLI::Range(0.1, 3600.0))
-      ->capture_default_str();
-  app.add_option("--tree", options.tree, "the repository")->required();
-  app.add_option("--build", options.build, "its build folder, with judges and workers")->required();
+void add_options(CommandLine& app, Options& options) {
+  app.option("PATH", options.paths,
+             "submissions: a folder or archive of one student, or of a class with one folder or "
+             "archive a student")
+      .required();
+  app.option("-o,--out", options.out, "where marks and reports go").show_default();
+  app.option("-j,--jobs", options.workers, "submissions at a time (default: one a core)")
+      .range(1, 1024);
+  app.option("--labs", options.labs, "only these labs, such as 1,2").list(',', false);
+  app.flag("--one", options.one, "each PATH is one submission, whatever it looks like");
+  app.option("--secret-file", options.secret_file,
+             "what seeds follow from (default: $CARLO_SECRET, else OUT/secret, made once)");
+  app.option("--sandbox", options.sandbox, "auto, bubblewrap, landlock, user or limits")
+      .show_default();
+  app.option("--deadline", options.deadline, "seconds that one probe may take")
+      .range(0.1, 3600.0)
+      .show_default();
+  app.option("--tree", options.tree, "the repository").required();
+  app.option("--build", options.build, "its build folder, with judges and workers").required();
 }
 
 std::string random_secret() {
@@ -207,10 +203,10 @@ int main(int argc, char** argv) {
   return carlo::run_main([&] {
     std::setlocale(LC_CTYPE, "C.UTF-8");  // names in archives
     ::umask(022);
-    CLI::App app("Grades submissions: one student's or a class's", "./carlo grade");
+    carlo::CommandLine app("Grades submissions: one student's or a class's", "./carlo grade");
     carlo::grader::Options options;
     carlo::grader::add_options(app, options);
-    if (const auto code = carlo::parse_arguments(app, argc, argv)) return *code;
+    if (const auto code = app.parse(argc, argv)) return *code;
     return carlo::grader::run(options);
   });
 }

@@ -22,7 +22,7 @@ Status status_of(const std::string& text) {
 
 json to_document(const Asked& asked) {
   return {{"tag", asked.tag},           {"test", asked.sentence},
-          {"probe", asked.probe},       {"params", to_json(asked.params)},
+          {"probe", asked.probe},       {"params", to_text(asked.params)},
           {"question", asked.question}, {"rows", asked.rows},
           {"columns", asked.columns},   {"status", to_string(asked.status)},
           {"problem", asked.problem}};
@@ -33,7 +33,7 @@ Asked asked_of(const json& document) {
   document.at("tag").get_to(asked.tag);
   document.at("test").get_to(asked.sentence);
   document.at("probe").get_to(asked.probe);
-  asked.params = params_from_json(document.at("params").get<std::string>());
+  asked.params = params_from_text(document.at("params").get<std::string>());
   document.at("question").get_to(asked.question);
   document.at("rows").get_to(asked.rows);
   document.at("columns").get_to(asked.columns);

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <regex>
 #include <set>
 
 namespace carlo::grader {
@@ -11,10 +10,12 @@ namespace {
 
 /// All tags "Lab N.K" of this lab in a text.
 std::set<std::string> tags_in(const Lab& lab, const std::string& text) {
-  const std::regex tag(fmt::format("Lab {}\\.[0-9]+", lab.number));
+  const std::string tag = fmt::format("Lab {}.", lab.number);
   std::set<std::string> found;
-  for (std::sregex_iterator it(text.begin(), text.end(), tag), end; it != end; ++it) {
-    found.insert(it->str());
+  for (std::size_t at = text.find(tag); at != std::string::npos; at = text.find(tag, at + 1)) {
+    const std::size_t number = at + tag.size();
+    const std::size_t end = std::min(text.find_first_not_of("0123456789", number), text.size());
+    if (end > number) found.insert(text.substr(at, end - at));
   }
   return found;
 }

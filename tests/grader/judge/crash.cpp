@@ -2,9 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <csignal>
-#include <regex>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -72,12 +73,34 @@ std::string cause_of(const Outcome& outcome) {
   return signal_name(outcome.code);
 }
 
+/// Whether `path` is a C++ file's in a lab's folder, such as "labs/07_hemisphere/hemisphere.cpp".
+bool in_a_lab(std::string_view path) {
+  constexpr std::size_t name = 8;  // where it begins, behind "labs/NN_"
+  const std::size_t slash = path.find('/', name);
+  return slash != std::string_view::npos && slash > name && std::isdigit(path[5]) != 0 &&
+         std::isdigit(path[6]) != 0 && path[7] == '_' &&
+         path.find_first_not_of("abcdefghijklmnopqrstuvwxyz_", name) == slash &&
+         slash + 1 < path.rfind('.') && (path.ends_with(".cpp") || path.ends_with(".h"));
+}
+
 }  // namespace
 
 std::string place_in(const std::string& said) {
-  static const std::regex place(R"((labs/[0-9]{2}_[a-z_]+/[A-Za-z0-9_./]+\.(cpp|h):[0-9]+))");
-  std::smatch match;
-  return std::regex_search(said, match, place) ? match[1].str() : "";
+  constexpr std::string_view digits = "0123456789";
+  constexpr std::string_view of_paths =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./";
+  for (std::size_t at = said.find("labs/"); at != std::string::npos;
+       at = said.find("labs/", at + 1)) {
+    const std::string_view rest = std::string_view(said).substr(at);
+    const std::size_t colon = std::min(rest.find_first_not_of(of_paths), rest.size());
+    const std::string_view path = rest.substr(0, colon);
+    const std::size_t end = rest.find_first_not_of(digits, std::min(colon + 1, rest.size()));
+    const std::string_view line = rest.substr(std::min(colon + 1, rest.size()), end - colon - 1);
+    if (in_a_lab(path) && colon < rest.size() && rest[colon] == ':' && !line.empty()) {
+      return std::string(path) + ":" + std::string(line);
+    }
+  }
+  return "";
 }
 
 bool has_report(const std::string& said) {

@@ -92,7 +92,7 @@ bool few_values(std::span<const double> values) {
   return true;
 }
 
-double mean_of(std::span<const double> values) {
+double average_of(std::span<const double> values) {
   long double sum = 0;
   for (const double x : values)
     sum += x;
@@ -103,7 +103,7 @@ double mean_of(std::span<const double> values) {
 /// are left out.
 Figure running_mean(std::span<const double> values, double mean, double sd) {
   PointsFigure p{"number of values", "mean so far", true, false, {}};
-  const double off = std::abs(mean_of(values) - mean);
+  const double off = std::abs(average_of(values) - mean);
   const double from = std::isfinite(off) && off > 0 ? std::pow(sd / off, 2) : 1;
   const double total = number(values.size());
   double next = std::clamp(from, 1.0, std::max(1.0, total / 32));
@@ -181,7 +181,7 @@ std::size_t group_for(std::size_t size, std::size_t most) {
 }  // namespace
 
 Figure mean_figure(std::span<const double> values, double mean, double sd) {
-  const double measured = mean_of(values);
+  const double measured = average_of(values);
   const Range range = central_range(values, {mean, measured});
   const bool seen = std::abs(measured - mean) > 0.03 * range.width();
   if (!seen || few_values(values)) return running_mean(values, mean, sd);

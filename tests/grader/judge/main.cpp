@@ -11,7 +11,6 @@
 #include "grader/judge/report.h"
 #include "random/hash.h"
 
-#include <CLI/CLI.hpp>
 #include <catch2/catch_session.hpp>
 #include <catch2/catch_test_case_info.hpp>
 #include <catch2/interfaces/catch_interfaces_registry_hub.hpp>
@@ -37,29 +36,29 @@ struct Options {
   std::string probes;  ///< where its questions go
 };
 
-void add_options(CLI::App& app, Options& options) {
-  app.add_option("--lab", options.lab, "the lab's lab.json")->required();
-  app.add_option("--worker", options.worker, "the worker program to judge");
-  app.add_option("--exercise", options.exercise, "judge only this exercise, such as 1.2");
-  app.add_option("--json", options.json, "write the verdicts to this file");
-  app.add_option("--page", options.page.always, "write a page with pictures to this file");
-  app.add_option("--failure-page", options.page.on_failure,
-                 "the same, but only when something has failed");
-  app.add_option("--seed", options.seed, "use the numbers of this seed");
-  app.add_option("--secret-file", options.secret_file,
-                 "seeds follow from this file's text and the submission (default: a public one)");
-  app.add_option("--submission", options.submission, "the submission's name")
-      ->capture_default_str();
-  app.add_option("--deadline", options.deadline, "seconds that one probe may take")
-      ->check(CLI::Range(0.1, 3600.0))
-      ->capture_default_str();
-  app.add_option("--sandbox", options.sandbox, "auto, bubblewrap, landlock, user or limits")
-      ->capture_default_str();
-  app.add_flag("--verbose", options.verbose,
-               "show every test and comparison, those that passed too");
-  app.add_option("--stub", options.stub, "check that stub, handout and tests agree with lab.json");
-  app.add_option("--handout", options.handout, "the handout for --stub");
-  app.add_option("--probes", options.probes, "write the questions put to the worker to this file");
+/// Returns the option --seed.
+Argument add_options(CommandLine& app, Options& options) {
+  app.option("--lab", options.lab, "the lab's lab.json").required();
+  app.option("--worker", options.worker, "the worker program to judge");
+  app.option("--exercise", options.exercise, "judge only this exercise, such as 1.2");
+  app.option("--json", options.json, "write the verdicts to this file");
+  app.option("--page", options.page.always, "write a page with pictures to this file");
+  app.option("--failure-page", options.page.on_failure,
+             "the same, but only when something has failed");
+  const Argument seed = app.option("--seed", options.seed, "use the numbers of this seed");
+  app.option("--secret-file", options.secret_file,
+             "seeds follow from this file's text and the submission (default: a public one)");
+  app.option("--submission", options.submission, "the submission's name").show_default();
+  app.option("--deadline", options.deadline, "seconds that one probe may take")
+      .range(0.1, 3600.0)
+      .show_default();
+  app.option("--sandbox", options.sandbox, "auto, bubblewrap, landlock, user or limits")
+      .show_default();
+  app.flag("--verbose", options.verbose, "show every test and comparison, those that passed too");
+  app.option("--stub", options.stub, "check that stub, handout and tests agree with lab.json");
+  app.option("--handout", options.handout, "the handout for --stub");
+  app.option("--probes", options.probes, "write the questions put to the worker to this file");
+  return seed;
 }
 
 Worker make_worker(const Options& options) {
@@ -138,11 +137,11 @@ int check_consistency(const Options& options) {
 
 int main(int argc, char** argv) {
   return carlo::run_main([&] {
-    CLI::App app("The judge of one lab", "./carlo test");
+    carlo::CommandLine app("The judge of one lab", "./carlo test");
     carlo::grader::Options options;
-    carlo::grader::add_options(app, options);
-    if (const auto code = carlo::parse_arguments(app, argc, argv)) return *code;
-    options.seed_given = app.count("--seed") > 0;
+    const carlo::Argument seed = carlo::grader::add_options(app, options);
+    if (const auto code = app.parse(argc, argv)) return *code;
+    options.seed_given = seed.given();
     return options.stub.empty() ? carlo::grader::judge_lab(options)
                                 : carlo::grader::check_consistency(options);
   });

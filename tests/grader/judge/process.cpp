@@ -6,6 +6,7 @@
 #include "grader/judge/watch.h"
 
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,6 +17,7 @@
 #include <cstring>
 #include <optional>
 #include <string_view>
+#include <thread>
 
 namespace carlo::grader {
 namespace {
@@ -89,21 +91,58 @@ std::optional<Outcome::End> broken_together(const Command& command, const Limits
   return {};
 }
 
+/// Seconds since a child was started; without those for which it was kept waiting by others.
+class Charge {
+ public:
+  double taken() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+  /// Looks at all its processes.
+  void look() {
+    const double share = (descendants_seconds(::getpid()) + reaped() - reaped_) / processors_;
+    const double waited = std::min(longest_wait(::getpid()), taken() - share);
+    waited_ = std::max(waited_, waited);
+  }
+
+  double waited() const { return waited_; }
+
+  bool reaches(std::chrono::duration<double> deadline) const {
+    return taken() - waited_ >= deadline.count() || taken() >= patience * deadline.count();
+  }
+
+ private:
+  /// Of children that are gone.
+  static double reaped() {
+    rusage usage{};
+    ::getrusage(RUSAGE_CHILDREN, &usage);
+    const auto seconds = [](const timeval& t) {
+      return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  }
+
+  Clock::time_point start_ = Clock::now();
+  double processors_ = std::max(1U, std::thread::hardware_concurrency());
+  double reaped_ = reaped();
+  double waited_ = 0;
+};
+
 /// Follows the child to its end or to the first limit that it breaks.
 void follow(pid_t pid, Reader& result, Reader& output, const Command& command, const Limits& limits,
             Outcome& outcome) {
-  const Clock::time_point deadline = Clock::now() + limits.deadline;
+  Charge charge;
   Clock::time_point next_look = Clock::now() + std::chrono::milliseconds(100);
   while (true) {
     const bool over = ended(pid, outcome);  // asked first: what it wrote is there by now
     if (!result.drain()) outcome.end = Outcome::End::flooded_result;
     if (!output.drain()) outcome.end = Outcome::End::flooded_output;
     if (over || outcome.end != Outcome::End::not_started) return;
-    if (Clock::now() >= deadline) {
-      outcome.end = Outcome::End::deadline;
-      return;
-    }
     if (Clock::now() >= next_look) {
+      charge.look();
+      outcome.waited = charge.waited();
+      if (charge.reaches(limits.deadline)) {
+        outcome.end = Outcome::End::deadline;
+        return;
+      }
       if (const auto broken = broken_together(command, limits)) {
         outcome.end = *broken;
         return;

@@ -12,8 +12,11 @@ namespace carlo::grader {
 
 /// What a process that we do not trust may use.
 struct Limits {
-  std::chrono::milliseconds deadline{10'000};  ///< wall clock, from start to the last byte
-  std::chrono::seconds cpu{0};                 ///< processor time; 0: a second over the deadline
+  /// From start to the last byte, without the time for which it was ready to run but others had the
+  /// processors; with it at most `patience` times as long. What its own processes take from one
+  /// another counts.
+  std::chrono::milliseconds deadline{10'000};
+  std::chrono::seconds cpu{0};  ///< processor time; 0: a second over the deadline
   std::size_t memory_bytes = std::size_t{2} << 30;     ///< of each process, and of all together
   std::size_t file_bytes = std::size_t{16} << 20;      ///< the largest file
   std::size_t scratch_bytes = std::size_t{256} << 20;  ///< all files in the scratch folder
@@ -23,6 +26,9 @@ struct Limits {
   std::size_t output_bytes = std::size_t{4} << 20;  ///< printed; of it `output_kept` is kept
   std::size_t output_kept = std::size_t{8} << 10;
 };
+
+/// How many deadlines of wall clock a program may take on a busy machine.
+constexpr int patience = 8;
 
 /// The value of a limit that is none.
 constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
@@ -45,6 +51,7 @@ struct Outcome {
   std::string output;          ///< the start of what it printed on stdout and stderr
   std::size_t lost_lines = 0;  ///< that it printed beyond `output`, or began to
   double seconds = 0;          ///< wall clock
+  double waited = 0;  ///< of these: ready to run, but others had the processors; not charged
   std::size_t peak_bytes = 0;  ///< resident memory of the largest process, as far as it was reaped
 
   bool succeeded() const { return end == End::exited && code == 0; }

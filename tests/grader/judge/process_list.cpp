@@ -15,9 +15,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// From /proc/PID/stat. The name in the second field may hold anything, so the fields are counted
-/// from its last parenthesis: the parent's id is the 4th, the resident pages are the 24th.
+/// from its last parenthesis: the parent's id is the 4th, the ticks of processor time are the 14th
+/// to 17th, the resident pages are the 24th.
 ProcessEntry entry_of(pid_t id, const fs::path& folder) {
-  ProcessEntry entry{id, 0, 0};
+  ProcessEntry entry{id, 0, 0, 0};
   std::ifstream file(folder / "stat");
   std::string line;
   std::getline(file, line);
@@ -29,6 +30,9 @@ ProcessEntry entry_of(pid_t id, const fs::path& folder) {
     long value = 0;
     std::from_chars(field.data(), field.data() + field.size(), value);
     if (number == 4) entry.parent = static_cast<pid_t>(value);
+    if (number >= 14 && number <= 17) {
+      entry.seconds += static_cast<double>(value) / static_cast<double>(::sysconf(_SC_CLK_TCK));
+    }
     if (number == 24 && value > 0) {
       entry.resident_bytes =
           static_cast<std::size_t>(value) * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));

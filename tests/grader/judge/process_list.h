@@ -11,6 +11,7 @@ namespace carlo::grader {
 struct ProcessEntry {
   pid_t id = 0, parent = 0;
   std::size_t resident_bytes = 0;
+  double seconds = 0;  ///< of processor time, and of the children that it has waited for
 };
 
 /// All processes that are there now, as /proc tells; those that end meanwhile may be missing.

@@ -40,7 +40,7 @@ json aspects_json(const ExerciseResult& result) {
 /// The longest text for a student: a program can make what is said of it long.
 constexpr std::size_t most_text = 20'000;
 
-std::string cut(std::string text) {
+std::string shortened(std::string text) {
   if (text.size() > most_text) text = text.substr(0, most_text) + " ...\n";
   return text;
 }
@@ -77,7 +77,7 @@ json exercise_json(const ExerciseResult& result, const LabResult& lab) {
           {"aspects", aspects_json(result)},
           {"diagnoses", ids},
           {"message", message(result)},
-          {"text", cut(plain(shortfall(result, lab)))},
+          {"text", shortened(plain(shortfall(result, lab)))},
           {"p_values", p_values},
           {"tests", tests}};
 }

@@ -121,23 +121,6 @@ std::string tag_in(const std::string& message) {
   return message.rfind("Lab ", 0) == 0 && end < 20 ? message.substr(0, end) : "";
 }
 
-/// Adds its own lifetime to two sums, in seconds.
-class Stopwatch {
- public:
-  Stopwatch(double& first, double& second) : first_(first), second_(second) {}
-  ~Stopwatch() {
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start_;
-    first_ += taken.count();
-    second_ += taken.count();
-  }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  double &first_, &second_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 /// Why the tests after one that ended so are not run.
 std::string why_hopeless(Status status) {
   return status == Status::not_implemented ? "your code came upon what is not implemented yet"
@@ -168,9 +151,10 @@ std::uint64_t local_seed() {
 }
 
 Answer run_probe(const Worker& worker, const std::string& name, const Params& params,
-                 const Shape& shape, const Limits& limits) {
+                 const Shape& shape, const Limits& limits, double* charged) {
   const Outcome outcome =
-      worker.run({"--probe", name, "--params", to_json(params), "--fd", "3"}, limits);
+      worker.run({"--probe", name, "--params", to_text(params), "--fd", "3"}, limits);
+  if (charged != nullptr) *charged = outcome.seconds - outcome.waited;
   check_end(outcome, limits);
   std::optional<Frame> frame = decode(outcome.result);
   if (!frame) throw ProbeFailure(Status::crashed, "its answer was cut short or no answer at all");
@@ -243,6 +227,7 @@ Answer Run::probe(const std::string& name, Params params, const Shape& shape) {
   const std::string asked = question(params, shape);
   asked_.push_back(
       {test.tag, test.sentence, name, params, asked, shape.rows, shape.columns, Status::passed});
+  double charged = 0;
   try {
     if (const TestRecord* earlier = hopeless(test.tag)) {
       test.skipped = true;
@@ -251,14 +236,21 @@ Answer Run::probe(const std::string& name, Params params, const Shape& shape) {
           fmt::format("not run: {} in \"{}\"", why_hopeless(earlier->status), earlier->sentence));
     }
     check_time(test);
-    const Stopwatch stopwatch(seconds_, seconds_of_[test.tag]);
-    return run_probe(worker_, name, params, shape, limits_);
+    const Answer answer = run_probe(worker_, name, params, shape, limits_, &charged);
+    charge(charged);
+    return answer;
   } catch (const ProbeFailure& failure) {
+    charge(charged);
     asked_.back().status = failure.status;
     asked_.back().problem = failure.what();
     note(failure, asked);
     throw;
   }
+}
+
+void Run::charge(double seconds) {
+  seconds_ += seconds;
+  seconds_of_[current().tag] += seconds;
 }
 
 void Run::note(const ProbeFailure& failure, const std::string& question) {

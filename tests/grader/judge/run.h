@@ -43,8 +43,10 @@ struct Answer : Rows {
 
 /// Runs one probe in a fresh worker. Throws ProbeFailure unless exactly the table of `shape` comes
 /// back, in time, from a worker that then ends well.
+/// `charged`, where it is given, gets the seconds that count against deadlines, also when it
+/// throws.
 Answer run_probe(const Worker& worker, const std::string& name, const Params& params,
-                 const Shape& shape, const Limits& limits);
+                 const Shape& shape, const Limits& limits, double* charged = nullptr);
 
 /// How many deadlines' worth of time the probes of one exercise may take together, and those of the
 /// lab: what answers a moment before each deadline must not hold up the grader for hours.
@@ -86,6 +88,7 @@ class Run {
  private:
   TestRecord& current();
   void check_time(TestRecord& test) const;
+  void charge(double seconds);
   void note(const ProbeFailure& failure, const std::string& question);
   const TestRecord* hopeless(const std::string& tag) const;
 
@@ -97,8 +100,8 @@ class Run {
   std::set<std::string> in_parts_;
   std::uint64_t probes_in_test_ = 0;
   int statistical_ = 0;
-  std::map<std::string, double> seconds_of_;  ///< that the probes of an exercise took, by tag
-  double seconds_ = 0;                        ///< that all took
+  std::map<std::string, double> seconds_of_;  ///< charged to the probes of an exercise, by tag
+  double seconds_ = 0;                        ///< charged to all
 };
 
 /// What seeds follow from where nobody says otherwise: a secret that is none, and the submission.

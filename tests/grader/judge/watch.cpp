@@ -4,6 +4,8 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <fstream>
 #include <set>
 #include <string>
 #include <system_error>
@@ -66,6 +68,21 @@ bool fuller_than(const fs::path& folder, pid_t ancestor, std::size_t most) {
   return false;
 }
 
+double longest_wait(pid_t ancestor) {
+  double longest = 0;
+  std::error_code ec;
+  for (const pid_t id : family_of(ancestor, list_processes())) {
+    const fs::path threads = fs::path("/proc") / std::to_string(id) / "task";
+    for (fs::directory_iterator it(threads, ec), end; it != end && !ec; it.increment(ec)) {
+      // Nanoseconds on a processor, and nanoseconds of waiting for one.
+      std::ifstream file(it->path() / "schedstat");
+      double ran = 0, waited = 0;
+      if (file >> ran >> waited) longest = std::max(longest, waited * 1e-9);
+    }
+  }
+  return longest;
+}
+
 std::size_t descendants_bytes(pid_t ancestor) {
   const std::vector<ProcessEntry> all = list_processes();
   const std::set<pid_t> family = family_of(ancestor, all);
@@ -74,6 +91,16 @@ std::size_t descendants_bytes(pid_t ancestor) {
     if (family.count(entry.id) != 0) bytes += entry.resident_bytes;
   }
   return bytes;
+}
+
+double descendants_seconds(pid_t ancestor) {
+  const std::vector<ProcessEntry> all = list_processes();
+  const std::set<pid_t> family = family_of(ancestor, all);
+  double seconds = 0;
+  for (const ProcessEntry& entry : all) {
+    if (family.count(entry.id) != 0) seconds += entry.seconds;
+  }
+  return seconds;
 }
 
 }  // namespace carlo::grader

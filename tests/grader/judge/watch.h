@@ -17,4 +17,13 @@ bool fuller_than(const std::filesystem::path& folder, pid_t ancestor, std::size_
 /// count for each of them.
 std::size_t descendants_bytes(pid_t ancestor);
 
+/// For how many seconds, of all threads of `ancestor`'s descendants that are there now, the one
+/// that waited longest was ready to run while others had the processors (Linux, proc(5):
+/// schedstat). 0 where the system does not tell.
+double longest_wait(pid_t ancestor);
+
+/// Processor seconds of `ancestor`'s descendants that are there now and of those they have waited
+/// for.
+double descendants_seconds(pid_t ancestor);
+
 }  // namespace carlo::grader

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 
 namespace carlo::grader {
 
@@ -18,9 +19,10 @@ struct Params {
   std::int64_t whole(const std::string& name) const;
 };
 
-/// JSON, as it goes over the worker's command line; every double survives unchanged.
-std::string to_json(const Params& params);
-/// Throws Error when the text is not what to_json() writes.
-Params params_from_json(const std::string& text);
+/// As they go over the worker's command line: "seed=7 n=100 k=2.5", numbers in the order of their
+/// names; every double survives unchanged. Throws Error where a name holds a blank or '='.
+std::string to_text(const Params& params);
+/// Throws Error when the text is not what to_text() writes.
+Params params_from_text(std::string_view text);
 
 }  // namespace carlo::grader

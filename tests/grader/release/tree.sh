@@ -31,7 +31,7 @@ student_patterns() {
 ^common/
 ^labs/(CMakeLists\.txt|README\.md)$
 ^tests/CMakeLists\.txt$
-^tests/grader/(CMakeLists\.txt|README\.md|[a-z_]+\.cmake|[a-z_]+_test\.cpp)$
+^tests/grader/(CMakeLists\.txt|README\.md|[a-z_]+\.cmake|[a-z_]+_test\.cpp|has\.h)$
 ^tests/grader/(fixtures|judge|page|protocol|replay|worker)/
 END
   while read -r lab; do

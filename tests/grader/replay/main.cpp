@@ -12,7 +12,6 @@
 #include "grader/replay/pick.h"
 #include "grader/replay/rerun.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -30,15 +29,14 @@ struct Options {
   bool all = false;
 };
 
-void add_options(CLI::App& app, Options& options) {
-  app.add_option("exercise", options.exercise, "which exercise, such as 1.2")->required();
-  app.add_option("--lab", options.lab, "the lab's lab.json")->required();
-  app.add_option("--questions", options.questions, "what the judge wrote with --probes")
-      ->required();
-  app.add_option("--worker", options.worker, "the worker program to ask");
-  app.add_option("--probe", options.probe, "ask this probe: its number in the list or its name");
-  app.add_option("--debugger", options.debugger, "run it under this debugger");
-  app.add_flag("--all", options.all, "print all rows");
+void add_options(CommandLine& app, Options& options) {
+  app.option("exercise", options.exercise, "which exercise, such as 1.2").required();
+  app.option("--lab", options.lab, "the lab's lab.json").required();
+  app.option("--questions", options.questions, "what the judge wrote with --probes").required();
+  app.option("--worker", options.worker, "the worker program to ask");
+  app.option("--probe", options.probe, "ask this probe: its number in the list or its name");
+  app.option("--debugger", options.debugger, "run it under this debugger");
+  app.flag("--all", options.all, "print all rows");
 }
 
 const Exercise& exercise_of(const Lab& lab, const std::string& number) {
@@ -120,10 +118,10 @@ int ask(const Options& options, const Exercise& exercise, const Questions& quest
 int main(int argc, char** argv) {
   return carlo::run_main([&] {
     using namespace carlo::grader;
-    CLI::App app("What the judge asked an exercise", "./carlo replay");
+    carlo::CommandLine app("What the judge asked an exercise", "./carlo replay");
     Options options;
     add_options(app, options);
-    if (const auto code = carlo::parse_arguments(app, argc, argv)) return *code;
+    if (const auto code = app.parse(argc, argv)) return *code;
     const carlo::Lab lab = carlo::load_lab(options.lab);
     const carlo::Exercise& exercise = exercise_of(lab, options.exercise);
     const Questions questions = questions_from_json(carlo::read_file(options.questions));

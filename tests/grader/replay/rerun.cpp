@@ -61,7 +61,7 @@ int wait_for(pid_t pid) {
 }  // namespace
 
 std::vector<std::string> command(const std::string& worker, const Asked& asked, std::size_t rows) {
-  return {worker,    "--probe",           asked.probe, "--params", to_json(asked.params),
+  return {worker,    "--probe",           asked.probe, "--params", to_text(asked.params),
           "--print", std::to_string(rows)};
 }
 

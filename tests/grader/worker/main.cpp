@@ -1,6 +1,7 @@
 // The worker: one lab's probes linked with one implementation. Runs one probe and sends what it
 // returned as one frame. It judges nothing and writes no file.
 
+#include "cli/arguments.h"
 #include "cli/error.h"
 #include "cli/main_guard.h"
 #include "cli/wrap.h"
@@ -8,7 +9,6 @@
 #include "grader/protocol/rows_text.h"
 #include "grader/worker/probe.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -68,23 +68,23 @@ void send(int fd, std::string_view bytes) {
 }
 
 int main(int argc, char** argv) {
-  CLI::App app("A lab's worker");
+  CommandLine app("A lab's worker");
   std::string name;
-  std::string text = to_json({});
+  std::string text = to_text({});
   int fd = STDOUT_FILENO;
   bool list = false;
   std::size_t rows = 0;
   std::vector<std::size_t> shape;
-  app.add_option("--probe", name, "the probe to run");
-  app.add_option("--params", text, "its parameters, as JSON");
-  app.add_option("--fd", fd, "the descriptor that the frame goes to");
-  const CLI::Option* as_text =
-      app.add_option("--print", rows, "print the first so many rows (0: all) and send nothing");
-  app.add_flag("--list", list, "name all probes");
-  app.add_option("--names-fit", shape,
-                 "whether the probe has names for ROWS COLUMNS: the exit code says")
-      ->expected(2);
-  CLI11_PARSE(app, argc, argv);
+  app.option("--probe", name, "the probe to run");
+  app.option("--params", text, "its parameters, such as \"seed=7 n=100 k=2\"");
+  app.option("--fd", fd, "the descriptor that the frame goes to");
+  const Argument as_text =
+      app.option("--print", rows, "print the first so many rows (0: all) and send nothing");
+  app.flag("--list", list, "name all probes");
+  app.option("--names-fit", shape,
+             "whether the probe has names for ROWS COLUMNS: the exit code says")
+      .words(2, 2);
+  if (const auto code = app.parse(argc, argv)) return *code;
   if (list) {
     for (const auto& [probe, entry] : probes())
       fmt::print("{}\n", probe);
@@ -93,8 +93,8 @@ int main(int argc, char** argv) {
   const auto found = probes().find(name);
   if (found == probes().end()) throw Error("no probe \"{}\"", name);
   if (!shape.empty()) return names_fit(found->second.names, shape[0], shape[1]) ? 0 : 1;
-  const Frame frame = run(found->second.run, params_from_json(text));
-  if (as_text->count() > 0) return print(frame, found->second, rows);
+  const Frame frame = run(found->second.run, params_from_text(text));
+  if (as_text.given()) return print(frame, found->second, rows);
   std::fflush(nullptr);
   send(fd, encode(frame));
   // Without the handlers that the student's code may have left behind: the answer is given.

@@ -48,7 +48,7 @@ class RowWriter {
 /// PROBE("Lab 1.1 estimates", "estimate") { ... params.seed ... return rows; }
 /// The probe's name; then what its values are called, which a lab's probes all say; then perhaps
 /// "(last row: how many there were)".
-#define PROBE(...) CARLO_PROBE(CARLO_JOIN(carlo_probe_, __LINE__), __VA_ARGS__)
+#define PROBE(...) CARLO_PROBE(CARLO_JOIN(carlo_probe_, __COUNTER__), __VA_ARGS__)
 #define CARLO_PROBE(function, ...)                                                        \
   static ::carlo::grader::Rows function(const ::carlo::grader::Params& params);           \
   static const ::carlo::grader::Registration CARLO_JOIN(function, _entry)(function,       \

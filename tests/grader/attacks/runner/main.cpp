@@ -11,7 +11,6 @@
 #include "grader/judge/results.h"
 #include "grader/judge/sandbox.h"
 
-#include <CLI/CLI.hpp>
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <sys/wait.h>
@@ -35,18 +34,18 @@ struct Options {
   bool prepare = false;
 };
 
-void add_options(CLI::App& app, Options& options) {
-  app.add_option("--attacks", options.attacks, "the corpus")->required();
-  app.add_option("--tree", options.tree, "the repository")->required();
-  app.add_option("--build", options.build, "its build folder")->required();
-  app.add_option("--work", options.work, "a folder that is emptied and used")->required();
-  app.add_option("--level", options.level, "of the sandbox")->capture_default_str();
-  app.add_option("--only", options.only, "these attacks alone")->delimiter(',');
-  app.add_option("--except", options.except, "all but these")->delimiter(',');
-  app.add_option("-j,--jobs", options.jobs, "submissions at a time")->capture_default_str();
-  app.add_option("--deadline", options.deadline, "seconds a probe may take")->capture_default_str();
-  app.add_flag("--prepare", options.prepare,
-               "grade nothing: hand in to WORK/class and print the points deserved");
+void add_options(carlo::CommandLine& app, Options& options) {
+  app.option("--attacks", options.attacks, "the corpus").required();
+  app.option("--tree", options.tree, "the repository").required();
+  app.option("--build", options.build, "its build folder").required();
+  app.option("--work", options.work, "a folder that is emptied and used").required();
+  app.option("--level", options.level, "of the sandbox").show_default();
+  app.option("--only", options.only, "these attacks alone").list(',');
+  app.option("--except", options.except, "all but these").list(',');
+  app.option("-j,--jobs", options.jobs, "submissions at a time").show_default();
+  app.option("--deadline", options.deadline, "seconds a probe may take").show_default();
+  app.flag("--prepare", options.prepare,
+           "grade nothing: hand in to WORK/class and print the points deserved");
 }
 
 bool contains(const std::vector<std::string>& list, const std::string& text) {
@@ -260,10 +259,10 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   return carlo::run_main([&] {
-    CLI::App app("Grades the corpus of attacks and compares");
+    carlo::CommandLine app("Grades the corpus of attacks and compares");
     carlo::grader::Options options;
     carlo::grader::add_options(app, options);
-    if (const auto code = carlo::parse_arguments(app, argc, argv)) return *code;
+    if (const auto code = app.parse(argc, argv)) return *code;
     return carlo::grader::run(options);
   });
 }

@@ -1,0 +1,19 @@
+// carlo_watch: ./carlo watch. A program of its own, so that nobody waits for it who does not watch.
+
+#include "cli/arguments.h"
+#include "cli/main_guard.h"
+#include "course/watch/watch.h"
+
+int main(int argc, char** argv) {
+  return carlo::run_main([&] {
+    carlo::WatchOptions options;
+    carlo::CommandLine app("Judges an exercise whenever its file is saved", "./carlo watch");
+    app.option("lab", options.lab, "which lab").required();
+    app.option("--root", options.root, "the folder of the tree").show_default();
+    app.option("--build", options.build, "where ninja builds").required();
+    app.flag("--poll", options.look,
+             "look at the files, where the system does not tell of changes");
+    if (const auto code = app.parse(argc, argv)) return *code;
+    return carlo::watch(options);
+  });
+}

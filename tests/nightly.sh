@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# nightly.sh [--list] [STEP ...]: what takes too long for every landing (.ci/run). Runs the steps that are
+# named, or all; each says when it began and how long it took, a failure ends none of the others, and
+# the last lines say what passed and what failed. Exit code 0: all passed. --list prints the steps.
+#
+#   thorough     every test of ctest -C thorough: 40 seeds of each lab's solution, the whole corpus of
+#                attacks at every level of the sandbox, a class of 100, every broken scene by the program
+#   sanitizers   every fast test under clang's address and undefined-behaviour sanitizers
+#   apart        each file compiled by itself: does it include all that it uses?
+#   calibration  the grader's errors: 25 seeds of the solutions, 5 of every mistake
+#   paths        1e9 paths through every scene: is one of them not finite, or negative?
+#   chroot       the README's commands in a bare Debian (as root; needs debootstrap)
+set -uo pipefail
+root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/..")
+cd "$root" || exit 1
+
+all=(thorough sanitizers apart calibration paths chroot)
+
+thorough() {
+  ./carlo test --solutions -C thorough
+}
+
+sanitizers() {
+  cmake --preset ci >/dev/null && ninja -C build/ci --quiet all && ctest --test-dir build/ci -L fast -j 2 --output-on-failure
+}
+
+apart() {
+  cmake --preset release -B build/apart -DCARLO_UNITY=OFF -DCARLO_MISTAKES=OFF >/dev/null && ninja -C build/apart --quiet all
+}
+
+calibration() {
+  ./carlo grade --calibrate
+}
+
+paths() {
+  ./carlo bench paths --paths 1e9
+}
+
+chroot() {
+  "$root/tests/machines/chroot.sh"
+}
+
+case ${1:-} in
+  --help | -h | --list)
+    sed -n '2,/^set/{s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}"
+    exit ;;
+esac
+steps=("$@")
+[ ${#steps[@]} != 0 ] || steps=("${all[@]}")
+for step in "${steps[@]}"; do
+  [[ " ${all[*]} " = *" $step "* ]] || { printf 'nightly: there is no step %s; there are: %s\n' "$step" "${all[*]}" >&2 && exit 1; }
+done
+
+summary='' failed=0
+for step in "${steps[@]}"; do
+  printf '\n=== %s, %s\n' "$step" "$(date +%H:%M:%S)"
+  begun=$SECONDS
+  if "$step"; then word=passed; else word=FAILED && failed=1; fi
+  summary+=$(printf '%-12s %s in %d s' "$step" "$word" "$((SECONDS - begun))")$'\n'
+done
+printf '\n%s' "$summary"
+exit "$failed"
