@@ -18,6 +18,7 @@
 using carlo::grader::RowWriter;
 using lab02::chunk_samples;
 using lab02::Sums;
+using lab02_tests::number;
 
 namespace {
 
