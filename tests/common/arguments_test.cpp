@@ -89,5 +89,5 @@ TEST_CASE("a bad command line is one line with the option, the value and what wa
     CHECK(complaint({seed}).starts_with("Could not convert: --seed"));
   }
   CHECK(complaint({"--frobnicate"}).find("--frobnicate") != std::string::npos);
-  CHECK(complaint({"a", "b"}).find("b") != std::string::npos);
+  CHECK(complaint({"a", "b"}).find('b') != std::string::npos);
 }

@@ -84,11 +84,11 @@ TEST_CASE("parameters that are missing or of a wrong kind are errors", "[params]
   const Params params{.numbers = {{"half", 0.5}}};
   CHECK_THROWS_AS(params["a"], carlo::Error);
   CHECK_THROWS_AS(params.whole("half"), carlo::Error);
-  for (const char* text :
+  for (const char* bad :
        {"", "seed=1", "n=1 seed=1", "seed=x n=1", "seed=-1 n=1", "seed=1 n=1.5", "seed=1 n=1 k",
         "seed=1 n=1 =2", "seed=1 n=1 k=", "seed=1 n=1 k=2x", "seed=1 n=1 k=1 k=2", "seed=1  n=1"}) {
-    INFO(text);
-    CHECK_THROWS_AS(params_from_text(text), carlo::Error);
+    INFO(bad);
+    CHECK_THROWS_AS(params_from_text(bad), carlo::Error);
   }
   CHECK_THROWS_AS(to_text({.numbers = {{"two words", 1}}}), carlo::Error);
 }

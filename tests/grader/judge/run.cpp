@@ -236,7 +236,7 @@ Answer Run::probe(const std::string& name, Params params, const Shape& shape) {
           fmt::format("not run: {} in \"{}\"", why_hopeless(earlier->status), earlier->sentence));
     }
     check_time(test);
-    const Answer answer = run_probe(worker_, name, params, shape, limits_, &charged);
+    Answer answer = run_probe(worker_, name, params, shape, limits_, &charged);
     charge(charged);
     return answer;
   } catch (const ProbeFailure& failure) {
