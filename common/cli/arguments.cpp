@@ -51,6 +51,13 @@ std::string shown(const T& value) {
   return fmt::format("{}", value);
 }
 
+/// An end of a range, in short: 1e+15.
+template <class Number>
+std::string shown_end(Number value) {
+  if constexpr (std::is_floating_point_v<Number>) return fmt::format("{:g}", value);
+  return fmt::format("{}", value);
+}
+
 std::string shown(const std::filesystem::path& value) {
   return value.string();
 }
@@ -120,9 +127,11 @@ Argument Argument::range(Number lowest, Number highest) {
         Number value{};
         return read(text, value) && lowest <= value && value <= highest
                    ? std::string()
-                   : fmt::format("Value {} not in range {} to {}", text, lowest, highest);
+                   : fmt::format("Value {} not in range {} to {}", text, shown_end(lowest),
+                                 shown_end(highest));
       },
-      fmt::format("{} in [{} - {}]", type_name_of<Number>(), lowest, highest), "range"));
+      fmt::format("{} in [{} - {}]", type_name_of<Number>(), shown_end(lowest), shown_end(highest)),
+      "range"));
   return *this;
 }
 
