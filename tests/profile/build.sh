@@ -30,7 +30,7 @@ awk -v wall="$((SECONDS - begun))" '
     return path
   }
   function line(name, n) {
-    printf "%-28s %5d %8.1f %8.1f %8.1f %8.1f\n", name, n, all[name], parsing[name], templates[name], code[name]
+    return sprintf("%-28s %5d %8.1f %8.1f %8.1f %8.1f\n", name, n, all[name], parsing[name], templates[name], code[name])
   }
   {
     f = folder($5)
@@ -42,9 +42,9 @@ awk -v wall="$((SECONDS - begun))" '
   }
   END {
     printf "processor seconds              files      all    front templates     code\n"
-    for (f in count) if (f != "all") line(f, count[f]) | "sort -k1,1"
+    for (f in count) if (f != "all") printf "%s", line(f, count[f]) | "sort -k1,1"
     close("sort -k1,1")
-    line("all", count["all"])
+    printf "%s", line("all", count["all"])
     printf "wall clock: %d s\n\nthe dearest files:\n", wall
   }' "$log"
 # Not by a pipe into head: sort would end by a signal.

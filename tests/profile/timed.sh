@@ -14,9 +14,9 @@ for word in "$@"; do
   before=$word
 done
 awk -v taken="$taken" -v output="$output" '
-  /^ phase parsing/ { parsing = $4 + $7 }
-  /^ phase lang. deferred/ { templates = $5 + $8 }
-  /^ phase opt and generate/ { code = $6 + $9 }
+  /^ phase parsing/ { parsing = $3 + $5 }
+  /^ phase lang. deferred/ { templates = $4 + $6 }
+  /^ phase opt and generate/ { code = $5 + $7 }
   END { split(taken, t, " "); printf "%.2f %.2f %.2f %.2f %s\n", t[1] + t[2], parsing, templates, code, output }
 ' <(tr -s '(:)' ' ' <"$said") >>"$log"
 [ "$code" = 0 ] || cat "$said" >&2
