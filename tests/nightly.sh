@@ -7,6 +7,7 @@
 #                attacks at every level of the sandbox, a class of 100, every broken scene by the program
 #   sanitizers   every fast test under clang's address and undefined-behaviour sanitizers
 #   apart        each file compiled by itself: does it include all that it uses?
+#   tidy         clang-tidy of everything, its analyser included
 #   calibration  the grader's errors: 25 seeds of the solutions, 5 of every mistake
 #   paths        1e9 paths through every scene: is one of them not finite, or negative?
 #   chroot       the README's commands in a bare Debian (as root; needs debootstrap)
@@ -14,7 +15,7 @@ set -uo pipefail
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/..")
 cd "$root" || exit 1
 
-all=(thorough sanitizers apart calibration paths chroot)
+all=(thorough sanitizers apart tidy calibration paths chroot)
 
 thorough() {
   ./carlo test --solutions -C thorough
@@ -26,6 +27,10 @@ sanitizers() {
 
 apart() {
   cmake --preset release -B build/apart -DCARLO_UNITY=OFF -DCARLO_MISTAKES=OFF >/dev/null && ninja -C build/apart --quiet all
+}
+
+tidy() {
+  tests/tidy.sh --all
 }
 
 calibration() {

@@ -57,8 +57,9 @@ Goodness fit(const Tabulated2d& table, std::int64_t n, carlo::Rng rng) {
   }
   std::vector<double> probabilities;
   for (std::size_t k = 0; k < counts.size(); ++k) {
-    const Point centre{(static_cast<double>(k % width) + 0.5) / width,
-                       (static_cast<double>(k / width) + 0.5) / height};
+    const std::size_t column = k % width, row = k / width;
+    const Point centre{(static_cast<double>(column) + 0.5) / width,
+                       (static_cast<double>(row) + 0.5) / height};
     probabilities.push_back(table.pdf(centre) / (width * height));
   }
   return goodness(counts, probabilities, n);

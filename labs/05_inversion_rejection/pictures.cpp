@@ -133,16 +133,17 @@ std::string image_picture(std::string_view title, std::string_view note,
                           std::span<const Point> points) {
   constexpr double shown_width = 640;
   const double cell = shown_width / static_cast<double>(width);
-  const double height = cell * static_cast<double>(weights.size() / width);
+  const std::size_t rows = weights.size() / width;
+  const double height = cell * static_cast<double>(rows);
   const double brightest = *std::max_element(weights.begin(), weights.end());
   std::string drawing;
   for (std::size_t k = 0; k < weights.size(); ++k) {
     // The cube root lets the dim parts be seen beside the brightest.
     const auto grey = static_cast<int>(std::lround(255 * std::cbrt(weights[k] / brightest)));
+    const std::size_t column = k % width, row = k / width;
     drawing += fmt::format(
         "<path fill=\"#{0:02x}{0:02x}{0:02x}\" d=\"M{1:.1f} {2:.1f}h{3:.2f}v{3:.2f}h-{3:.2f}z\"/>",
-        grey, static_cast<double>(k % width) * cell, static_cast<double>(k / width) * cell,
-        cell + 0.15);
+        grey, static_cast<double>(column) * cell, static_cast<double>(row) * cell, cell + 0.15);
   }
   std::vector<std::pair<double, double>> places;
   places.reserve(points.size());

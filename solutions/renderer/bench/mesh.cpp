@@ -77,7 +77,7 @@ std::filesystem::path write_ball_scene(const std::filesystem::path& folder, int 
   const Ball ball{rings, std::max(3, triangles / (2 * rings))};
   const std::string name = fmt::format("ball_{}", ball.triangles());
   carlo::write_file(folder / (name + ".ply"), ply(ball));
-  const std::filesystem::path scene = folder / (name + ".xml");
+  std::filesystem::path scene = folder / (name + ".xml");
   carlo::write_file(scene, fmt::format(R"(<scene version="0.6.0">
 <integrator type="path"><integer name="maxDepth" value="4"/></integrator>
 <sensor type="perspective"><float name="fov" value="40"/>

@@ -78,8 +78,9 @@ Scene with_light_cut(Scene scene, int n) {
   const carlo::Vec3 u = quad.u / static_cast<float>(n), v = quad.v / static_cast<float>(n);
   for (int i = 0; i < n * n; ++i) {
     carlo::Shape part = whole;
+    const int column = i % n, row = i / n;
     part.geometry = carlo::Parallelogram{
-        quad.origin + static_cast<float>(i % n) * u + static_cast<float>(i / n) * v, u, v};
+        quad.origin + static_cast<float>(column) * u + static_cast<float>(row) * v, u, v};
     scene.shapes.push_back(part);
   }
   return scene;

@@ -148,6 +148,20 @@ bool dark(const Scene& scene, const FoundBox& box) {
                       [&](const auto& i) { return i && scene.shapes[*i].emits(); });
 }
 
+/// Whether some side is black from outside, so that it matters what else lies in its plane.
+bool black_outside(const Scene& scene, const FoundBox& box) {
+  for (unsigned f = 0; f < 6; ++f) {
+    if (!box.shape[f]) continue;
+    const carlo::Shape& shape = scene.shapes[*box.shape[f]];
+    const Parallelogram& quad = std::get<Parallelogram>(shape.geometry);
+    const auto& axis = box.box.axis[f / 2];
+    const double outwards =
+        glm::dot(glm::cross(Vec3d(quad.u), Vec3d(quad.v)), Vec3d(axis[0], axis[1], axis[2]));
+    if (!scene.materials[shape.material].two_sided && (outwards > 0) != ((f & 1) != 0)) return true;
+  }
+  return false;
+}
+
 void remove_sides(std::vector<std::size_t>& quads, const FoundBox& box) {
   for (const auto& i : box.shape)
     if (i) std::erase(quads, *i);
@@ -182,7 +196,7 @@ FlatBoxes find_boxes(const Scene& scene) {
     if (!result.enclosure && sides >= least_sides && holds(box.box, scene)) {
       result.enclosure = box;
       result.camera_inside = depth_inside(box.box, camera) > tolerance * size;
-    } else if (sides == 6 && dark(scene, box) &&
+    } else if (sides == 6 && dark(scene, box) && !black_outside(scene, box) &&
                depth_inside(box.box, camera) < -tolerance * size) {
       result.solids.push_back(box);
     } else {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace renderer {
 namespace {
@@ -85,6 +86,30 @@ void add_light(FlatScene& flat, std::size_t i, const Parallelogram& quad, double
   flat.light_density[i] = f(chance / area(quad));
 }
 
+/// Whether `points` lie in the plane through `origin` with unit normal n, but for what rounding to
+/// float does to their coordinates and the plane's.
+bool in_plane(const std::array<Vec3d, 4>& points, const Vec3d& origin, const Vec3d& n) {
+  const auto sum = [](const Vec3d& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
+  return std::all_of(points.begin(), points.end(), [&](const Vec3d& p) {
+    const double blur =
+        static_cast<double>(carlo::rounding_bound(4)) * (sum(p) + std::abs(glm::dot(n, origin)));
+    return std::abs(glm::dot(n, p - origin)) <= blur;
+  });
+}
+
+struct Plane {
+  std::array<Vec3d, 4> corners;
+  Vec3d n;
+};
+Plane plane_of(const Parallelogram& quad) {
+  const Vec3d o(quad.origin), u(quad.u), v(quad.v);
+  return {{o, o + u, o + v, o + u + v}, glm::normalize(glm::cross(u, v))};
+}
+
+bool coplanar(const Plane& a, const Plane& b) {
+  return in_plane(a.corners, b.corners[0], b.n) && in_plane(b.corners, a.corners[0], a.n);
+}
+
 /// Writes the shapes' columns one by one.
 class Writer {
  public:
@@ -97,6 +122,7 @@ class Writer {
     const carlo::Shape& shape = scene_.shapes[shape_index];
     const auto& quad = std::get<Parallelogram>(shape.geometry);
     add_plane(flat_, number, quad);
+    share_plane(number, plane_of(quad));
     look(number, shape);
     if (!shape.emits()) return;
     const double chance = power(shape) / power_;
@@ -113,10 +139,30 @@ class Writer {
     const std::size_t i = flat_.surfaces++;
     flat_.cx[i] = sphere.center.x, flat_.cy[i] = sphere.center.y, flat_.cz[i] = sphere.center.z;
     flat_.radius[i] = sphere.flipped ? -sphere.radius : sphere.radius;
+    flat_.width[i] = 2 * sphere.radius;
+    const Vec3 c = glm::abs(sphere.center);
+    flat_.coordinates[i] = c.x + c.y + c.z + sphere.radius;
+    flat_.plane[i] = static_cast<std::uint32_t>(i);
     look(i, shape);
   }
 
  private:
+  /// Gives the surface the number and the numbers of a plane that another one lies in, if there is.
+  void share_plane(std::size_t i, const Plane& plane) {
+    flat_.plane[i] = static_cast<std::uint32_t>(i);
+    flat_.coordinates[i] = std::abs(flat_.d[i]);
+    for (const auto& [j, earlier] : planes_) {
+      if (!coplanar(plane, earlier)) continue;
+      const float sign = glm::dot(plane.n, earlier.n) < 0 ? -1.0f : 1.0f;
+      flat_.plane[i] = static_cast<std::uint32_t>(j);
+      flat_.nx[i] = sign * flat_.nx[j], flat_.ny[i] = sign * flat_.ny[j];
+      flat_.nz[i] = sign * flat_.nz[j], flat_.d[i] = sign * flat_.d[j];
+      flat_.coplanar = true;
+      return;
+    }
+    planes_.emplace_back(i, plane);
+  }
+
   void look(std::size_t i, const carlo::Shape& shape) {
     const carlo::Material& material = scene_.materials[shape.material];
     flat_.material[i] = shape.material;
@@ -129,23 +175,8 @@ class Writer {
   FlatScene& flat_;
   const carlo::Scene& scene_;
   double power_ = 0, running_ = 0;
+  std::vector<std::pair<std::size_t, Plane>> planes_;  ///< the first surface of each, its number
 };
-
-/// The largest coordinate of the scene, which its rounding errors are relative to.
-float extent(const carlo::Scene& scene) {
-  float most = 0;
-  for (const carlo::Shape& shape : scene.shapes) {
-    Vec3 far(0);
-    if (const auto* sphere = std::get_if<carlo::Sphere>(&shape.geometry)) {
-      far = glm::abs(sphere->center) + Vec3(sphere->radius);
-    } else {
-      const auto& quad = std::get<Parallelogram>(shape.geometry);
-      far = glm::abs(quad.origin) + glm::abs(quad.u) + glm::abs(quad.v);
-    }
-    most = std::max({most, far.x, far.y, far.z});
-  }
-  return most;
-}
 
 /// How many numbers the scene's surfaces take.
 std::size_t numbers(const carlo::Scene& scene) {
@@ -166,7 +197,6 @@ bool FlatScene::suits(const carlo::Needs& needs, const carlo::Scene& scene) {
 }
 
 FlatScene::FlatScene(const carlo::Scene& scene) {
-  slack = carlo::rounding_bound(8) * extent(scene);
   environment[0] = scene.environment.r;
   environment[1] = scene.environment.g;
   environment[2] = scene.environment.b;

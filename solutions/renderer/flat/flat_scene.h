@@ -21,8 +21,9 @@ struct FlatBox {
 /// what belongs to a surface is found by its number in columns, a property a column.
 ///
 /// Three kinds of parallelograms are told apart, since boxes are cheaper than their sides:
-/// - solids: parallelepipeds of six sides without emission, the camera outside. No path is ever
-///   inside of one, so that it is met from outside only, and never by a ray that leaves it;
+/// - solids: parallelepipeds of six sides without emission, none of them black from outside, the
+///   camera outside. No path is ever inside of one, so that it is met from outside only, and never
+///   by a ray that leaves it;
 /// - the enclosure: a parallelepiped that holds the whole scene, of which some sides are there, and
 ///   the camera on the inner side of each. Rays from surfaces start inside of it, and rays of the
 ///   camera meet it where they leave it. Nothing lies behind its sides: it casts no shadow;
@@ -55,6 +56,14 @@ struct FlatScene {
   Column<float> ax{}, ay{}, az{}, a0{}, bx{}, by{}, bz{}, b0{};
   /// Of a sphere; its normal is (p - center) / radius, where radius < 0 if it is flipped.
   Column<float> cx{}, cy{}, cz{}, radius{};
+  Column<float> width{};  ///< twice |radius|
+  /// Of either, what its rounding is relative to: |d|, and a sphere's |center|_1 + |radius|.
+  Column<float> coordinates{};
+  /// Parallelograms of one plane have the same number here, and the same n and d but for a sign;
+  /// spheres their own. A ray never meets the plane that it starts on. Where no plane is shared
+  /// (`coplanar`) these are the numbers of the surfaces.
+  Column<std::uint32_t> plane{};
+  bool coplanar = false;
   Column<std::uint32_t> material{};
   Column<float> le_r{}, le_g{}, le_b{};
   /// Per area, of the points that light sampling draws there; 0: no light.
@@ -74,9 +83,6 @@ struct FlatScene {
   Column<float> light_cdf{};
 
   float environment[3] = {0, 0, 0};
-  /// A ray may meet a surface this far behind its origin: the origin lies on another surface that
-  /// touches it, and is rounded.
-  float slack = 0;
   bool phong = false, one_sided = false;
 
   bool spheres() const { return surfaces > first_sphere; }

@@ -7,6 +7,7 @@
 #define CARLO_INTERSECT_INL
 #endif
 
+#include "numeric/robust.h"
 #include "renderer/flat/flat_scene.h"
 #include "renderer/flat/vector_math-inl.h"
 
@@ -28,6 +29,14 @@ HWY_INLINE M other(U a, U b) {
   return hn::RebindMask(d_, hn::Ne(a, b));
 }
 
+/// Where rays start: on surfaces, or at the camera.
+struct Origins {
+  V3 o;
+  V3 came;  ///< the direction in which the path came there; 0 for the camera
+  U last;   ///< the surface; `nothing` for the camera
+  U plane;  ///< its plane (FlatScene::plane)
+};
+
 /// A surface's number, and how far away it is.
 struct Hits {
   V t;
@@ -44,16 +53,37 @@ constexpr float reach = 1 + 4e-7f;
 
 /// Where a ray meets the plane of parallelogram i, and whether that is inside of it.
 struct PlaneHit {
+  V3 n;
+  V below;  ///< how far the origin lies from the plane, against n
+  V along;  ///< the direction's component along n
   V t;
   M inside;
 };
 HWY_INLINE PlaneHit meet_quad(const FlatScene& s, std::size_t i, V3 o, V3 d) {
   const V3 n = set(s.nx[i], s.ny[i], s.nz[i]);
-  const V t = hn::Div(hn::Sub(set(s.d[i]), dot(n, o)), dot(n, d));
+  const V below = hn::Sub(set(s.d[i]), dot(n, o)), along = dot(n, d);
+  const V t = hn::Div(below, along);
   const V3 p = add_scaled(o, t, d);
   const V a = hn::Sub(dot(set(s.ax[i], s.ay[i], s.az[i]), p), set(s.a0[i]));
   const V b = hn::Sub(dot(set(s.bx[i], s.by[i], s.bz[i]), p), set(s.b0[i]));
-  return {t, hn::Le(hn::Max(hn::Abs(a), hn::Abs(b)), set(reach))};
+  return {n, below, along, t, hn::Le(hn::Max(hn::Abs(a), hn::Abs(b)), set(reach))};
+}
+
+/// What rounding may hide of an origin's distance from a surface: `rounding` times this sum of
+/// coordinates, and those of the surface (FlatScene::coordinates). It is local: what lies far away
+/// blurs nothing here.
+HWY_INLINE V coordinates(V3 o) {
+  return hn::Add(hn::Abs(o.x), hn::Add(hn::Abs(o.y), hn::Abs(o.z)));
+}
+constexpr float rounding = carlo::rounding_bound(8);
+HWY_INLINE M within_rounding(V distance, V of_origin, float of_surface) {
+  return hn::Le(hn::Abs(distance), hn::Mul(set(rounding), hn::Add(of_origin, set(of_surface))));
+}
+
+/// Whether rays go through the plane that their origins touch, n its normal. On which side of it an
+/// origin lies its coordinates cannot say, but the path came to it on that side.
+HWY_INLINE M goes_through(V3 n, V along, V3 came) {
+  return hn::Gt(hn::Mul(along, dot(n, came)), set(0));
 }
 
 /// Where the line of a ray enters and leaves one slab of a box.
@@ -120,6 +150,8 @@ HWY_INLINE U box_of(U surface) {
   return hn::ShiftRight<3>(surface);
 }
 
+/// From outside, where every path is, a solid lies ahead if the middle of the chord does: that does
+/// not depend on the rounding of an origin that touches it.
 HWY_INLINE void meet_solid(const FlatScene& s, std::uint32_t i, V3 o, V3 d, U last_box,
                            Hits& hits) {
   const SlabHit x = meet_slab(s.solids[i], 0, o, d), y = meet_slab(s.solids[i], 1, o, d),
@@ -133,14 +165,15 @@ HWY_INLINE void meet_solid(const FlatScene& s, std::uint32_t i, V3 o, V3 d, U la
   choose(y.enters, entered(1, y.along));
   choose(z.enters, entered(2, z.along));
   const V leaves = hn::Min(x.leaves, hn::Min(y.leaves, z.leaves));
+  const M ahead = hn::Gt(hn::Add(enters, leaves), set(0));
   const M nearer = hn::And(hn::And(hn::Le(enters, leaves), hn::Lt(enters, hits.t)),
-                           hn::And(hn::Gt(enters, set(-s.slack)), other(last_box, set_word(i))));
+                           hn::And(ahead, other(last_box, set_word(i))));
   take(hits, nearer, enters, hn::Add(side, set_word(i * FlatScene::sides)));
 }
 
-/// Where a line meets a sphere: t of the middle of the chord, and half its length.
+/// Where a line meets a sphere: t of the middle of the chord, and of its ends.
 struct Chord {
-  V middle, half;
+  V middle, enters, leaves;
   M met;
 };
 /// Source: Haines et al., "Precision improvements for ray/sphere intersection", Ray Tracing Gems,
@@ -154,83 +187,134 @@ HWY_INLINE Chord meet_sphere(const FlatScene& s, std::size_t i, V3 o, V3 d) {
       hn::NegMulAdd(closest.y, closest.y,
                     hn::NegMulAdd(closest.z, closest.z, set(s.radius[i] * s.radius[i]))));
   const M met = hn::Ge(half2, set(0));
-  return {middle, hn::Sqrt(hn::Max(half2, set(0))), met};
+  const V half = hn::Sqrt(hn::Max(half2, set(0)));
+  return {middle, hn::Sub(middle, half), hn::Add(middle, half), met};
 }
 
-HWY_INLINE void meet_sphere(const FlatScene& s, std::uint32_t i, V3 o, V3 d, U last, Hits& hits) {
+/// From outside a sphere is met where the ray enters, from inside where it leaves. From the sphere
+/// itself a ray meets it once more if it goes inside.
+HWY_INLINE void meet_sphere(const FlatScene& s, std::uint32_t i, const Origins& from, V3 d,
+                            V of_origin, Hits& hits) {
   const U number = set_word(i);
-  const Chord chord = meet_sphere(s, std::size_t{i}, o, d);
-  const V enters = hn::Sub(chord.middle, chord.half), leaves = hn::Add(chord.middle, chord.half);
-  // A ray that starts on the sphere meets it once more if it goes inside: where it leaves.
-  const M starts = same(last, number);
-  const M outside = hn::AndNot(starts, hn::Gt(enters, set(-s.slack)));
-  const V t = select(outside, enters, leaves);
-  const M ahead = hn::Gt(t, select(starts, set(s.slack), set(-s.slack)));
+  const Chord chord = meet_sphere(s, std::size_t{i}, from.o, d);
+  const M starts = same(from.last, number), inwards = hn::Gt(chord.middle, set(0));
+  const M outside = hn::AndNot(starts, hn::Gt(chord.enters, set(0)));
+  V t = select(outside, chord.enters, chord.leaves);
+  M ahead = select_mask(starts, inwards, hn::Gt(t, set(0)));
+  // The product is the origin's distance from the sphere times that from its far side.
+  const M touches =
+      hn::AndNot(starts, hn::And(chord.met, within_rounding(hn::Mul(chord.enters, chord.leaves),
+                                                            hn::Mul(of_origin, set(s.width[i])),
+                                                            s.coordinates[i] * s.width[i])));
+  if (HWY_UNLIKELY(!hn::AllFalse(d_, touches))) {
+    const V3 from_center = from.o - set(s.cx[i], s.cy[i], s.cz[i]);
+    const M was_outside = hn::Lt(dot(from.came, from_center), set(0));
+    t = select(touches, hn::Max(select(was_outside, chord.enters, chord.leaves), set(0)), t);
+    ahead = select_mask(touches, hn::Or(inwards, hn::Not(was_outside)), ahead);
+  }
   take(hits, hn::And(hn::And(chord.met, ahead), hn::Lt(t, hits.t)), t, number);
 }
 
-/// The first surface along rays that left the surface `last`; d has length 1.
-template <bool spheres>
-HWY_INLINE Hits closest(const FlatScene& s, V3 o, V3 d, U last) {
-  Hits hits{set(longest), set_word(nothing)};
-  if (s.enclosed) hits = leave_enclosure(s, o, d, last);
-  const V first = set(-s.slack);
-  for (std::uint32_t i = s.first_quad; i < s.first_sphere; ++i) {
-    const PlaneHit hit = meet_quad(s, i, o, d);
-    const M nearer = hn::And(hn::And(hn::Lt(hit.t, hits.t), hn::Gt(hit.t, first)),
-                             hn::And(hit.inside, other(set_word(i), last)));
-    take(hits, nearer, hit.t, set_word(i));
+HWY_INLINE void meet_quad(const FlatScene& s, std::uint32_t i, const Origins& from, V3 d,
+                          V of_origin, Hits& hits) {
+  const PlaneHit hit = meet_quad(s, i, from.o, d);
+  const M there = hn::And(hit.inside, other(set_word(s.plane[i]), from.plane));
+  V t = hit.t;
+  M ahead = hn::Gt(t, set(0));
+  const M touches = hn::And(there, within_rounding(hit.below, of_origin, s.coordinates[i]));
+  if (HWY_UNLIKELY(!hn::AllFalse(d_, touches))) {
+    ahead = select_mask(touches, goes_through(hit.n, hit.along, from.came), ahead);
+    t = select(touches, hn::Max(t, set(0)), t);
   }
+  M nearer = hn::Lt(t, hits.t);
+  // Of surfaces in one plane, whose distances are the same number, the one that faces the ray.
+  if (s.coplanar) nearer = hn::Or(nearer, hn::And(hn::Eq(t, hits.t), hn::Lt(hit.along, set(0))));
+  take(hits, hn::And(hn::And(nearer, ahead), there), t, set_word(i));
+}
+
+/// The first surface along rays; d has length 1.
+template <bool spheres>
+HWY_INLINE Hits closest(const FlatScene& s, const Origins& from, V3 d) {
+  Hits hits{set(longest), set_word(nothing)};
+  if (s.enclosed) hits = leave_enclosure(s, from.o, d, from.last);
+  const V of_origin = coordinates(from.o);
+  for (std::uint32_t i = s.first_quad; i < s.first_sphere; ++i)
+    meet_quad(s, i, from, d, of_origin, hits);
   if constexpr (spheres) {
     for (std::uint32_t i = s.first_sphere; i < s.surfaces; ++i)
-      meet_sphere(s, i, o, d, last, hits);
+      meet_sphere(s, i, from, d, of_origin, hits);
   }
-  const U last_box = box_of(last);
+  const U last_box = box_of(from.last);
   for (std::uint32_t i = 0; i < s.solids.size(); ++i)
-    meet_solid(s, i, o, d, last_box, hits);
+    meet_solid(s, i, from.o, d, last_box, hits);
   return hits;
 }
 
-HWY_INLINE M solid_blocks(const FlatBox& box, V3 o, V3 d, V end) {
-  const SlabHit x = meet_slab(box, 0, o, d), y = meet_slab(box, 1, o, d),
-                z = meet_slab(box, 2, o, d);
+/// A segment between two surfaces: o + distance d, |d| = 1, is the point `to` of a light.
+struct Segments {
+  Origins from;
+  V3 d, to;
+  V distance;
+  U to_plane;
+};
+
+/// Both ends lie outside: the middle of the chord, between them, tells whether the solid does.
+HWY_INLINE M solid_blocks(const FlatBox& box, const Segments& way) {
+  const SlabHit x = meet_slab(box, 0, way.from.o, way.d), y = meet_slab(box, 1, way.from.o, way.d),
+                z = meet_slab(box, 2, way.from.o, way.d);
   const V enters = hn::Max(x.enters, hn::Max(y.enters, z.enters)),
           leaves = hn::Min(x.leaves, hn::Min(y.leaves, z.leaves));
-  return hn::And(hn::Le(enters, hn::Min(leaves, end)), hn::Gt(leaves, set(0)));
+  const V twice_middle = hn::Add(enters, leaves);
+  return hn::And(hn::Le(enters, leaves),
+                 hn::And(hn::Gt(twice_middle, set(0)),
+                         hn::Lt(twice_middle, hn::Add(way.distance, way.distance))));
 }
 
-HWY_INLINE M sphere_blocks(const FlatScene& s, std::uint32_t i, V3 o, V3 d, V end, U from) {
-  const Chord chord = meet_sphere(s, std::size_t{i}, o, d);
-  const V enters = hn::Sub(chord.middle, chord.half), leaves = hn::Add(chord.middle, chord.half);
-  const M starts = same(from, set_word(i));
-  const M by_near = hn::AndNot(starts, hn::And(hn::Gt(enters, set(0)), hn::Lt(enters, end)));
-  const M inside = hn::Or(starts, hn::Lt(enters, set(0)));
-  const M by_far = hn::And(hn::And(inside, hn::Lt(leaves, end)),
-                           hn::Gt(leaves, select(starts, set(s.slack), set(0))));
+/// Parallelogram i lies between if the ends are on different sides of its plane: by the ends
+/// themselves, for how far away a light is would blur what is close to it.
+HWY_INLINE M quad_blocks(const FlatScene& s, std::uint32_t i, const Segments& way, V of_origin) {
+  const PlaneHit hit = meet_quad(s, i, way.from.o, way.d);
+  const U plane = set_word(s.plane[i]);
+  const M there =
+      hn::And(hit.inside, hn::And(other(plane, way.from.plane), other(plane, way.to_plane)));
+  const V below_end = hn::Sub(set(s.d[i]), dot(hit.n, way.to));
+  M between = hn::Lt(hn::Mul(hit.below, below_end), set(0));
+  const M touches = hn::And(there, within_rounding(hit.below, of_origin, s.coordinates[i]));
+  if (HWY_UNLIKELY(!hn::AllFalse(d_, touches)))
+    between = select_mask(touches, goes_through(hit.n, hit.along, way.from.came), between);
+  return hn::And(there, between);
+}
+
+/// An end that touches a sphere is rarer than rounding could show.
+HWY_INLINE M sphere_blocks(const FlatScene& s, std::uint32_t i, const Segments& way) {
+  const Chord chord = meet_sphere(s, std::size_t{i}, way.from.o, way.d);
+  const V nearly = hn::Mul(way.distance, set(1 - 1e-6f));  // for a light inside of the sphere
+  const M starts = same(way.from.last, set_word(i));
+  const M outside = hn::AndNot(starts, hn::Gt(chord.enters, set(0)));
+  const M by_near =
+      hn::And(outside, hn::Or(hn::Lt(chord.middle, way.distance), hn::Lt(chord.enters, nearly)));
+  const M ahead = hn::Gt(select(starts, chord.middle, chord.leaves), set(0));
+  const M by_far = hn::And(hn::AndNot(outside, ahead), hn::Lt(chord.leaves, nearly));
   return hn::And(chord.met, hn::Or(by_near, by_far));
 }
 
-/// Which of `asked` reach o + distance d, |d| = 1, without meeting anything but the surfaces
-/// `from`, where they start, and `to`, where they end: both lie on the scene's surfaces.
+/// Which of `asked` reach their end without meeting anything between.
 template <bool spheres>
-HWY_INLINE M unoccluded(const FlatScene& s, V3 o, V3 d, V distance, U from, U to, M asked) {
-  const V end = hn::Mul(distance, set(1 - 1e-6f));
+HWY_INLINE M unoccluded(const FlatScene& s, const Segments& way, M asked) {
   M clear = asked;
-  const U from_box = box_of(from);
+  const U from_box = box_of(way.from.last);
   for (std::uint32_t i = 0; i < s.solids.size(); ++i) {
-    const M blocks = hn::And(solid_blocks(s.solids[i], o, d, end), other(from_box, set_word(i)));
+    const M blocks = hn::And(solid_blocks(s.solids[i], way), other(from_box, set_word(i)));
     clear = hn::AndNot(blocks, clear);
   }
+  const V of_origin = coordinates(way.from.o);
   for (std::uint32_t i = s.first_quad; i < s.first_sphere; ++i) {
     if (s.lights == 1 && i == s.light_surface[0]) continue;
-    const PlaneHit hit = meet_quad(s, i, o, d);
-    const M meets = hn::And(hn::And(hn::Gt(hit.t, set(0)), hn::Lt(hit.t, end)), hit.inside);
-    const U number = set_word(i);
-    clear = hn::AndNot(hn::And(meets, hn::And(other(number, from), other(number, to))), clear);
+    clear = hn::AndNot(quad_blocks(s, i, way, of_origin), clear);
   }
   if constexpr (spheres) {
     for (std::uint32_t i = s.first_sphere; i < s.surfaces; ++i)
-      clear = hn::AndNot(sphere_blocks(s, i, o, d, end, from), clear);
+      clear = hn::AndNot(sphere_blocks(s, i, way), clear);
   }
   return clear;
 }

@@ -23,7 +23,7 @@ namespace HWY_NAMESPACE {
 struct LightPoints {
   V3 p, n, Le;
   V area;  ///< one over the density per area, the light's choice included
-  U surface;
+  U plane;
 };
 
 HWY_INLINE V3 across(V3 corner, V2 u, V3 edge_u, V3 edge_v) {
@@ -35,7 +35,7 @@ HWY_INLINE LightPoints sample_only_light(const FlatScene& s, V2 u) {
   return {across(set(s.lx[0], s.ly[0], s.lz[0]), u, set(s.lux[0], s.luy[0], s.luz[0]),
                  set(s.lvx[0], s.lvy[0], s.lvz[0])),
           set(s.nx[i], s.ny[i], s.nz[i]), set(s.le_r[i], s.le_g[i], s.le_b[i]),
-          set(1 / s.light_density[i]), set_word(i)};
+          set(1 / s.light_density[i]), set_word(s.plane[i])};
 }
 
 HWY_INLINE LightPoints sample_light(const FlatScene& s, V2 u) {
@@ -56,7 +56,7 @@ HWY_INLINE LightPoints sample_light(const FlatScene& s, V2 u) {
   return {
       across(light(s.lx, s.ly, s.lz), u, light(s.lux, s.luy, s.luz), light(s.lvx, s.lvy, s.lvz)),
       of(s.nx, s.ny, s.nz), of(s.le_r, s.le_g, s.le_b), hn::Div(set(1), of(s.light_density.data())),
-      surface};
+      s.coplanar ? of(s.plane.data()) : surface};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -37,9 +37,9 @@ struct Features {
 };
 
 struct Paths {
-  V3 o, d, beta, L;
+  Origins from;
+  V3 d, beta, L;
   V pdf;             ///< of d; below 0: emission counts whole
-  U last;            ///< the surface that the ray left
   U depth;           ///< segments so far
   U key;             ///< of the next dimension pair
   U reversed_index;  ///< of the sample
@@ -68,7 +68,7 @@ class Walk {
     const V2 u_light = points(job_, paths.reversed_index, paths.key);
     const U second = hn::Add(paths.key, set_word(pair_step));
     const V2 u_lobe = points(job_, paths.reversed_index, second);
-    const Hits hits = closest<Needs::spheres>(s_, paths.o, paths.d, paths.last);
+    const Hits hits = closest<Needs::spheres>(s_, paths.from, paths.d);
     paths.depth = hn::Add(paths.depth, set_word(1));
     const M met = other(hits.surface, set_word(nothing));
     add_sky(paths, hn::AndNot(met, paths.alive));
@@ -90,7 +90,8 @@ class Walk {
     end_long_paths(paths);
     if (hn::AllFalse(d_, paths.alive)) return;
     const V side = hn::CopySign(set(1), cosine);
-    scatter(paths, surface_at(paths.d, p, side * shape_normal, material), number, u_light, u_lobe);
+    arrive(paths, p, number, of);
+    scatter(paths, surface_at(paths.d, p, side * shape_normal, material), u_light, u_lobe);
   }
 
  private:
@@ -117,7 +118,7 @@ class Walk {
   /// shape's normal there.
   HWY_INLINE void place(const Paths& paths, V t, U number, const Numbers& of, V3& p,
                         V3& normal) const {
-    const V3 far = add_scaled(paths.o, t, paths.d);
+    const V3 far = add_scaled(paths.from.o, t, paths.d);
     normal = of(s_.nx, s_.ny, s_.nz);
     p = add_scaled(far, hn::Sub(of(s_.d.data()), dot(normal, far)), normal);
     if constexpr (Needs::spheres) {
@@ -150,6 +151,11 @@ class Walk {
     paths.L = select(bright, paths.L + weight * (paths.beta * Le), paths.L);
   }
 
+  /// The next rays start here.
+  HWY_INLINE void arrive(Paths& paths, V3 p, U number, const Numbers& of) const {
+    paths.from = {p, paths.d, number, s_.coplanar ? of(s_.plane.data()) : number};
+  }
+
   HWY_INLINE Surfaces surface_at(V3 d, V3 p, V3 n, const Numbers& material) const {
     Surfaces surface;
     surface.p = p;
@@ -164,9 +170,8 @@ class Walk {
     return surface;
   }
 
-  HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, U number, V2 u_light,
-                          V2 u_lobe) const {
-    if (s_.lights > 0) add_direct(paths, surface, number, u_light);
+  HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, V2 u_light, V2 u_lobe) const {
+    if (s_.lights > 0) add_direct(paths, surface, u_light);
     const V3 wi = sample_direction<Needs::phong>(surface, u_lobe);
     paths.key =
         hn::Add(paths.key, set_word(static_cast<std::uint32_t>(2 * std::uint64_t{pair_step})));
@@ -177,14 +182,12 @@ class Walk {
     const V weight = Needs::phong ? hn::Div(cosine, bsdf.pdf) : set(pi);
     paths.beta = paths.beta * (weight * bsdf.f);
     paths.pdf = s_.lights > 0 ? bsdf.pdf : set(-1);
-    paths.o = surface.p;
     paths.d = wi;
-    paths.last = number;
     roulette(paths);
   }
 
   /// Light that arrives straight from points drawn on the lights.
-  HWY_INLINE void add_direct(Paths& paths, const Surfaces& surface, U number, V2 u) const {
+  HWY_INLINE void add_direct(Paths& paths, const Surfaces& surface, V2 u) const {
     const LightPoints light = sample_light(s_, u);
     const V3 to_light = light.p - surface.p;
     const V distance2 = dot(to_light, to_light), inverse = hn::Div(set(1), hn::Sqrt(distance2));
@@ -192,11 +195,11 @@ class Walk {
     const V cosine = dot(surface.n, wi);
     const V light_cosine = hn::Neg(dot(light.n, wi));
     const M faces = hn::And(hn::And(hn::Gt(cosine, set(0)), hn::Gt(light_cosine, set(0))),
-                            hn::And(paths.alive, other(light.surface, number)));
+                            hn::And(paths.alive, other(light.plane, paths.from.plane)));
     if (hn::AllFalse(d_, faces)) return;
     counts_.rays += hn::CountTrue(d_, faces);
-    const M clear = unoccluded<Needs::spheres>(s_, surface.p, wi, hn::Mul(distance2, inverse),
-                                               number, light.surface, faces);
+    const Segments way{paths.from, wi, light.p, hn::Mul(distance2, inverse), light.plane};
+    const M clear = unoccluded<Needs::spheres>(s_, way, faces);
     const Bsdfs bsdf = evaluate<Needs::phong>(surface, wi, cosine);
     // Solid angle: one over the density of wi by light sampling.
     const V solid_angle = hn::Mul(hn::Mul(light.area, light_cosine), hn::Mul(inverse, inverse));

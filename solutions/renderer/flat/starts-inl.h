@@ -69,12 +69,14 @@ class Starts {
       return hn::BitCast(du_, floats(reinterpret_cast<const float*>(queue)));
     };
     const carlo::Vec3 o = job_.camera.origin;
-    paths.o = select(starts, set(o.x, o.y, o.z), paths.o);
+    paths.from.o = select(starts, set(o.x, o.y, o.z), paths.from.o);
+    paths.from.came = select(starts, set(0, 0, 0), paths.from.came);
     paths.d = select(starts, {floats(dx_.data()), floats(dy_.data()), floats(dz_.data())}, paths.d);
     paths.beta = select(starts, set(1, 1, 1), paths.beta);
     paths.L = select(starts, set(0, 0, 0), paths.L);
     paths.pdf = select(starts, set(-1), paths.pdf);
-    paths.last = hn::IfThenElse(starts_u, set_word(nothing), paths.last);
+    paths.from.last = hn::IfThenElse(starts_u, set_word(nothing), paths.from.last);
+    paths.from.plane = hn::IfThenElse(starts_u, set_word(nothing), paths.from.plane);
     paths.depth = hn::IfThenElse(starts_u, set_word(0), paths.depth);
     paths.key = hn::IfThenElse(starts_u, words(key_.data()), paths.key);
     paths.reversed_index = hn::IfThenElse(starts_u, words(index_.data()), paths.reversed_index);

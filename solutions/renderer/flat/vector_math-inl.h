@@ -41,6 +41,9 @@ HWY_INLINE U set_word(std::uint32_t x) {
 HWY_INLINE V select(M m, V yes, V no) {
   return hn::IfThenElse(m, yes, no);
 }
+HWY_INLINE M select_mask(M m, M yes, M no) {
+  return hn::Or(hn::And(m, yes), hn::AndNot(m, no));
+}
 
 /// Bit i: lane i's.
 HWY_INLINE std::uint32_t bits(M mask) {

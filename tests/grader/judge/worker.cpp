@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 fs::path checked(const fs::path& program) {
   std::error_code ec;
-  const fs::path path = fs::canonical(program, ec);
+  fs::path path = fs::canonical(program, ec);
   if (ec || ::access(path.c_str(), X_OK) != 0 || !fs::is_regular_file(path)) {
     throw Error("{}: not a program that can be run", program.string());
   }
