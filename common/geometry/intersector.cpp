@@ -3,6 +3,7 @@
 #include "cli/error.h"
 #include "geometry/analytic.h"
 #include "geometry/embree.h"
+#include "geometry/planes.h"
 #include "geometry/sphere_tracer.h"
 #include "numeric/robust.h"
 
@@ -24,6 +25,7 @@ struct Flat {
   Parallelogram surface;
   Vec3 n, p_error;
   std::uint32_t shape;
+  std::vector<std::uint32_t> coplanar;  ///< all parallelograms of its plane, if there are others
 
   Flat(const Parallelogram& s, std::uint32_t index)
       : surface(s),
@@ -96,6 +98,16 @@ void bounds(const RTCBoundsFunctionArguments* args) {
   const auto& primitives = *static_cast<const std::vector<Primitive<S>>*>(args->geometryUserPtr);
   const auto [lower, upper] = bounds_of(*primitives[args->primID].surface);
   *args->bounds_o = {lower.x, lower.y, lower.z, 0, upper.x, upper.y, upper.z, 0};
+}
+
+/// Whether a point of its plane lies on a parallelogram.
+bool holds(const Parallelogram& s, Vec3 p) {
+  using Vec3d = glm::dvec3;
+  const Vec3d u(s.u), v(s.v), n = glm::cross(u, v), from_origin = Vec3d(p) - Vec3d(s.origin);
+  const double a = glm::dot(glm::cross(from_origin, v), n),
+               b = glm::dot(glm::cross(u, from_origin), n);
+  const double whole = glm::dot(n, n);
+  return a >= 0 && a <= whole && b >= 0 && b <= whole;
 }
 
 RTCRay embree_ray(const Ray& ray, float tmax) {
@@ -174,6 +186,41 @@ struct Intersector::Impl {
     }
     for (std::size_t i = 0; i < tracers.size(); ++i)
       sdfs.push_back({&tracers[i], sdf_shapes[i]});
+    tell_planes();
+  }
+
+  /// Of parallelograms in one plane a ray that leaves one meets none: their rounding errors are
+  /// those of the least exact.
+  void tell_planes() {
+    std::vector<Parallelogram> surfaces;
+    for (const Flat& flat : parallelograms)
+      surfaces.push_back(flat.surface);
+    const Planes planes = find_planes(surfaces);
+    std::vector<std::vector<std::uint32_t>> members(surfaces.size());
+    std::vector<Vec3> errors(surfaces.size(), Vec3(0));
+    for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
+      const auto [first, gap] = planes.of[i];
+      members[first].push_back(i);
+      const Vec3 apart = 2 * static_cast<float>(gap) * glm::abs(parallelograms[i].n);
+      errors[first] = glm::max(errors[first], parallelograms[i].p_error + apart);
+    }
+    for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
+      const std::uint32_t first = planes.of[i].first;
+      if (members[first].size() == 1) continue;
+      parallelograms[i].coplanar = members[first];
+      parallelograms[i].p_error = errors[first];
+    }
+  }
+
+  /// Of the parallelograms in one plane that lie at p, one whose front the ray meets, if there is:
+  /// which of them Embree names is chance.
+  const Flat& facing(const Flat& met, Vec3 p, Vec3 d) const {
+    if (glm::dot(met.n, d) < 0) return met;
+    for (const std::uint32_t i : met.coplanar) {
+      const Flat& flat = parallelograms[i];
+      if (glm::dot(flat.n, d) < 0 && holds(flat.surface, p)) return flat;
+    }
+    return met;
   }
 
   void attach(RTCGeometry geometry, unsigned id) {
@@ -233,13 +280,14 @@ struct Intersector::Impl {
   }
 
   void fill(const RTCRayHit& query, const Ray& ray, Hit& hit) const;
+  void fill_quad(const Flat& met, const RTCRayHit& query, Vec3 d, Hit& hit) const;
 };
 
 namespace {
 
-void fill_parallelogram(const Flat& flat, float u, float v, Hit& hit) {
+void fill_parallelogram(const Flat& flat, Vec3 p, Hit& hit) {
   hit.shape = flat.shape;
-  hit.p = flat.surface.origin + u * flat.surface.u + v * flat.surface.v;
+  hit.p = p;
   hit.p_error = flat.p_error;
   hit.n = flat.n;
 }
@@ -270,13 +318,18 @@ void fill_sdf(const SphereTracer::Point& point, Hit& hit) {
 
 }  // namespace
 
+void Intersector::Impl::fill_quad(const Flat& met, const RTCRayHit& query, Vec3 d, Hit& hit) const {
+  const Vec3 p = met.surface.origin + query.hit.u * met.surface.u + query.hit.v * met.surface.v;
+  fill_parallelogram(met.coplanar.empty() ? met : facing(met, p, d), p, hit);
+}
+
 void Intersector::Impl::fill(const RTCRayHit& query, const Ray& ray, Hit& hit) const {
   const unsigned id = query.hit.geomID, primitive = query.hit.primID;
   hit.t = query.ray.tfar;
   hit.primitive = 0;
   switch (id) {
     case quad_geometry:
-      fill_parallelogram(parallelograms[primitive], query.hit.u, query.hit.v, hit);
+      fill_quad(parallelograms[primitive], query, ray.d, hit);
       return;
     case sphere_geometry:
       hit.shape = spheres[primitive].shape;

@@ -11,26 +11,22 @@ namespace {
 
 constexpr std::int64_t max_pixels = std::int64_t{1} << 25;
 
+void add(PixelSums& pixel, const std::array<double, 3>& mean) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    pixel.sum[c].add(mean[c]);
+    pixel.squares[c].add(mean[c] * mean[c]);
+  }
+  pixel.blocks += 1;
+}
+
 }  // namespace
 
-Film::Film(int width, int height, std::uint32_t block, double scale)
+Film::Film(int width, int height, std::uint32_t block)
     : width_(width), height_(height), block_(block) {
   if (width < 1 || height < 1 || std::int64_t{width} * height > max_pixels) {
     throw Error("a film has 1 to {} pixels, got {} x {}", max_pixels, width, height);
   }
-  if (!(scale > 0) || !std::isfinite(scale)) scale = 1;
-  const int exponent = std::ilogb(scale) + 1;
-  sum_grid_ = std::ldexp(1.0, exponent - 90);
-  square_grid_ = std::ldexp(1.0, 2 * exponent - 84);
   pixels_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-}
-
-void Film::add(PixelSums& pixel, const std::array<double, 3>& mean) const {
-  for (std::size_t c = 0; c < 3; ++c) {
-    pixel.sum[c].add(mean[c], sum_grid_);
-    pixel.squares[c].add(mean[c] * mean[c], square_grid_);
-  }
-  pixel.blocks += 1;
 }
 
 void Film::add_block(int x, int y, const std::array<double, 3>& mean) {
@@ -53,9 +49,8 @@ void Film::set_estimate(int x, int y, const std::array<double, 3>& mean,
 }
 
 void Film::merge(const Film& other) {
-  if (other.width_ != width_ || other.height_ != height_ || other.block_ != block_ ||
-      other.sum_grid_ != sum_grid_) {
-    throw Error("films of different size, block or scale cannot be merged");
+  if (other.width_ != width_ || other.height_ != height_ || other.block_ != block_) {
+    throw Error("films of different size or block cannot be merged");
   }
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -69,15 +64,15 @@ void Film::merge(const Film& other) {
 
 double Film::mean(int x, int y, std::size_t channel) const {
   const PixelSums& pixel = pixels_[index(x, y)];
-  return pixel.blocks == 0 ? 0 : pixel.sum[channel].value(sum_grid_) / pixel.blocks;
+  return pixel.blocks == 0 ? 0 : pixel.sum[channel].value() / pixel.blocks;
 }
 
 double Film::variance(int x, int y, std::size_t channel) const {
   const PixelSums& pixel = pixels_[index(x, y)];
   if (pixel.blocks < 2) return std::numeric_limits<double>::infinity();
   const double n = pixel.blocks;
-  const double m = pixel.sum[channel].value(sum_grid_) / n;
-  const double mean_square = pixel.squares[channel].value(square_grid_) / n;
+  const double m = pixel.sum[channel].value() / n;
+  const double mean_square = pixel.squares[channel].value() / n;
   return std::fmax(0.0, mean_square - m * m) / (n - 1);
 }
 

@@ -22,13 +22,13 @@ struct PixelSums {
 /// The samples of a pixel come in blocks of equal size (a power of two); the spread of the block
 /// means gives the standard error. For independent samples that estimate is unbiased; for
 /// stratified and scrambled Sobol' points it is an upper bound, since their blocks are negatively
-/// correlated. Films that share size, block and scale may be merged in any order.
+/// correlated. Films that share size and block may be merged in any order. Radiances may be any
+/// finite floats: what is far below a pixel's largest sample is lost in its sums, as exact_sum.h
+/// says.
 class Film {
  public:
-  /// `scale` is a radiance of the order of the brightest light: means are kept to 2^-90 of it,
-  /// standard errors to 2^-42, and block means may reach 2^14 times it.
   /// Throws Error if the film is empty or over 2^25 pixels.
-  Film(int width, int height, std::uint32_t block, double scale);
+  Film(int width, int height, std::uint32_t block);
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -44,12 +44,12 @@ class Film {
   void set_estimate(int x, int y, const std::array<double, 3>& mean,
                     const std::array<double, 3>& standard_error, std::uint64_t samples);
 
-  /// All that is known of a pixel, exactly; another film of the same size, block and scale may go
-  /// on from there.
+  /// All that is known of a pixel, exactly; another film of the same size and block may go on
+  /// from there.
   const PixelSums& sums(int x, int y) const { return pixels_[index(x, y)]; }
   void set_sums(int x, int y, const PixelSums& sums) { pixels_[index(x, y)] = sums; }
 
-  /// Adds another film of the same size, block and scale.
+  /// Adds another film of the same size and block.
   void merge(const Film& other);
 
   std::uint32_t blocks(int x, int y) const { return pixels_[index(x, y)].blocks; }
@@ -67,8 +67,6 @@ class Film {
   std::uint64_t samples(int x, int y) const { return pixels_[index(x, y)].samples; }
 
  private:
-  void add(PixelSums& pixel, const std::array<double, 3>& mean) const;
-
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
            static_cast<std::size_t>(x);
@@ -76,7 +74,6 @@ class Film {
 
   int width_, height_;
   std::uint32_t block_;
-  double sum_grid_, square_grid_;
   std::vector<PixelSums> pixels_;
 };
 

@@ -1,60 +1,108 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace carlo {
 
-/// A sum in fixed point: terms are rounded to a grid once, and additions are exact, so the sum does
-/// not depend on their order nor on how they were split up among threads or machines.
+/// A sum of doubles that does not depend on their order nor on how they were split up among threads
+/// or machines, whatever their range. Terms are cut at fixed places, every 32 bits, into digits,
+/// and digits of the same place are added as integers, without carries. The three highest places
+/// that any term has reached are kept, so that the sum is right to 2^-64 of its largest term; what
+/// lies below is cut off, always the same. Up to 2^31 terms.
+/// Idea: Demmel and Nguyen, "Parallel reproducible summation", IEEE Transactions on Computers
+/// 64(7), 2015.
 class ExactSum {
  public:
-  /// Adds `x` rounded to a multiple of `grid`, a power of two. |x| up to 2^112 grids; larger terms
-  /// are cut off there.
-  void add(double x, double grid) {
-    constexpr double limit = 0x1p112;
-    const double rounded = std::nearbyint(x / grid);
-    const double above = rounded >= -limit ? rounded : -limit;
-    units_ += integer(above <= limit ? above : limit);
+  /// Adds a finite x.
+  void add(double x) {
+    if (x == 0) return;
+    const auto word = std::bit_cast<std::uint64_t>(std::abs(x));
+    const auto field = static_cast<int>(word >> 52);
+    constexpr std::uint64_t leading = std::uint64_t{1} << 52;
+    // |x| = mantissa 2^exponent, also below the least normal number.
+    const std::uint64_t mantissa = (word & (leading - 1)) | (field > 0 ? leading : 0);
+    const int exponent = std::max(field, 1) - 1075;
+    const int top = place_of(exponent + 52);
+    raise(top - (places - 1));
+    for (int place = std::max(place_of(exponent), lowest_); place <= top; ++place) {
+      const std::uint64_t digit = digit_of(mantissa, exponent, place);
+      digits_[static_cast<std::size_t>(place - lowest_)] += x < 0 ? 0 - digit : digit;
+    }
   }
-  void add(const ExactSum& other) { units_ += other.units_; }
 
-  /// The sum in units of the grid, as two's complement: the low 32 bits first.
-  std::array<std::uint32_t, 4> words() const {
-    std::array<std::uint32_t, 4> words;
-    for (unsigned i = 0; i < 4; ++i)
-      words[i] = static_cast<std::uint32_t>(units_ >> (32 * i));
-    return words;
+  void add(const ExactSum& other) {
+    if (other.lowest_ == none) return;
+    raise(other.lowest_);
+    for (int i = std::max(0, lowest_ - other.lowest_); i < places; ++i) {
+      digits_[static_cast<std::size_t>(other.lowest_ + i - lowest_)] +=
+          other.digits_[static_cast<std::size_t>(i)];
+    }
   }
-  static ExactSum from_words(const std::array<std::uint32_t, 4>& words) {
-    ExactSum sum;
-    for (unsigned i = 4; i-- > 0;)
-      sum.units_ = static_cast<Int128>(static_cast<Word128>(sum.units_) << 32 | words[i]);
+
+  double value() const {
+    double sum = 0;
+    for (int i = 0; i < places; ++i)
+      sum += std::ldexp(
+          static_cast<double>(static_cast<std::int64_t>(digits_[static_cast<std::size_t>(i)])),
+          bits * (std::max(lowest_, least) + i));
     return sum;
   }
 
-  double value(double grid) const { return static_cast<double>(units_) * grid; }
+  /// All that it holds: the place of the lowest digit, then the digits as two's complement, each
+  /// with its low half first.
+  static constexpr std::size_t words_count = 7;
+  std::array<std::uint32_t, words_count> words() const {
+    std::array<std::uint32_t, words_count> words{static_cast<std::uint32_t>(lowest_)};
+    for (std::size_t i = 0; i < digits_.size(); ++i) {
+      words[1 + 2 * i] = static_cast<std::uint32_t>(digits_[i]);
+      words[2 + 2 * i] = static_cast<std::uint32_t>(digits_[i] >> bits);
+    }
+    return words;
+  }
+  /// Any words give a sum.
+  static ExactSum from_words(const std::array<std::uint32_t, words_count>& words) {
+    ExactSum sum;
+    sum.lowest_ = std::clamp(static_cast<std::int32_t>(words[0]), none, greatest);
+    for (std::size_t i = 0; i < sum.digits_.size(); ++i) {
+      sum.digits_[i] = std::uint64_t{words[2 + 2 * i]} << bits | words[1 + 2 * i];
+    }
+    return sum;
+  }
 
   friend bool operator==(const ExactSum&, const ExactSum&) = default;
 
  private:
-  __extension__ using Int128 = __int128;
-  __extension__ using Word128 = unsigned __int128;
+  static constexpr int bits = 32, places = 3;
+  /// Places of the lowest digit: doubles lie between 2^-1074 and 2^1024. `none` before the first.
+  static constexpr std::int32_t least = -36, greatest = 32, none = least - 1;
 
-  /// An integer given as a double, below 2^113. What the compiler's library does for a cast takes
-  /// longer than all else here.
-  static Int128 integer(double x) {
-    if (std::abs(x) < 0x1p53) return static_cast<std::int64_t>(x);
-    const auto word = std::bit_cast<std::uint64_t>(x);
-    const auto shift = static_cast<int>(word >> 52 & 0x7FF) - 1075;
-    constexpr std::uint64_t leading = std::uint64_t{1} << 52;
-    const Int128 size = static_cast<Int128>((word & (leading - 1)) | leading) << shift;
-    return x < 0 ? -size : size;
+  /// The place that the bit of this value, a power of two, belongs to: the next multiple below.
+  static constexpr int place_of(int exponent) { return exponent >> 5; }
+
+  /// The bits of mantissa 2^exponent that belong to a place, in units of that place.
+  static std::uint64_t digit_of(std::uint64_t mantissa, int exponent, int place) {
+    const int up = exponent - bits * place;
+    const std::uint64_t word = up >= 0 ? mantissa << up : mantissa >> -up;
+    return word & 0xFFFFFFFF;
   }
 
-  Int128 units_ = 0;
+  /// Moves the places up, so that the lowest is at least this one.
+  void raise(int lowest) {
+    if (lowest <= lowest_) return;
+    const int up = lowest_ == none ? places : std::min(lowest - lowest_, places);
+    for (int i = 0; i < places; ++i)
+      digits_[static_cast<std::size_t>(i)] =
+          i + up < places ? digits_[static_cast<std::size_t>(i + up)] : 0;
+    lowest_ = lowest;
+  }
+
+  std::array<std::uint64_t, places> digits_{};  ///< as two's complement
+  std::int32_t lowest_ = none;
 };
 
 }  // namespace carlo

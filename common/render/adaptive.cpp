@@ -63,11 +63,10 @@ struct Work {
 
 class AdaptiveJob {
  public:
-  AdaptiveJob(const Integrator& integrator, AdaptiveState state, double radiance_scale,
-              const AdaptiveGoal& goal, const AdaptiveOptions& options)
+  AdaptiveJob(const Integrator& integrator, AdaptiveState state, const AdaptiveGoal& goal,
+              const AdaptiveOptions& options)
       : integrator_(integrator),
         state_(std::move(state)),
-        radiance_scale_(radiance_scale),
         goal_(goal),
         options_(options),
         levels_(goal.spp),
@@ -97,7 +96,7 @@ class AdaptiveJob {
 
   AdaptiveResult result() const {
     AdaptiveResult result{
-        state_.film(radiance_scale_), counts_, {}, std::make_shared<const AdaptiveState>(state_)};
+        state_.film(), counts_, {}, std::make_shared<const AdaptiveState>(state_)};
     std::vector<std::uint64_t> samples;
     for (int y = 0; y < state_.height; ++y) {
       for (int x = 0; x < state_.width; ++x)
@@ -349,7 +348,6 @@ class AdaptiveJob {
 
   const Integrator& integrator_;
   AdaptiveState state_;
-  double radiance_scale_;
   const AdaptiveGoal& goal_;
   const AdaptiveOptions& options_;
   Levels levels_;
@@ -362,14 +360,13 @@ class AdaptiveJob {
 }  // namespace
 
 AdaptiveResult render_adaptively(const Integrator& integrator, int width, int height,
-                                 double radiance_scale, const AdaptiveGoal& goal,
-                                 const AdaptiveOptions& options) {
+                                 const AdaptiveGoal& goal, const AdaptiveOptions& options) {
   AdaptiveState state = options.earlier ? *options.earlier : AdaptiveState(width, height);
   if (state.width != width || state.height != height) {
     throw Error("an adaptive render of {} x {} pixels cannot go on with {} x {}", state.width,
                 state.height, width, height);
   }
-  AdaptiveJob job(integrator, std::move(state), radiance_scale, goal, options);
+  AdaptiveJob job(integrator, std::move(state), goal, options);
   job.run();
   return job.result();
 }

@@ -72,8 +72,7 @@ struct AdaptiveOptions {
 /// if the target is not a finite number above 0, spp is below 32, or the earlier render does not
 /// fit the film, or its samples the rounds.
 AdaptiveResult render_adaptively(const Integrator& integrator, int width, int height,
-                                 double radiance_scale, const AdaptiveGoal& goal,
-                                 const AdaptiveOptions& options = {});
+                                 const AdaptiveGoal& goal, const AdaptiveOptions& options = {});
 
 /// The planned number of samples that suits the stratified sampler in an adaptive render.
 constexpr std::uint32_t adaptive_strata = 32;

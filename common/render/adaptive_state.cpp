@@ -23,8 +23,8 @@ AdaptiveEstimate adaptive_estimate(const HalfPixel& a, const HalfPixel& b, std::
   return {(p.mean() + q.mean()) / 2, (p.variance() + q.variance()) / 4};
 }
 
-Film AdaptiveState::film(double radiance_scale) const {
-  Film film(width, height, 1, radiance_scale);
+Film AdaptiveState::film() const {
+  Film film(width, height, 1);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const HalfPixel& a = halves[0][pixel(x, y)];

@@ -34,7 +34,7 @@ struct AdaptiveState {
   }
 
   /// The image, its standard errors and numbers of samples.
-  Film film(double radiance_scale) const;
+  Film film() const;
 
   int width, height;
   int columns;  ///< of units

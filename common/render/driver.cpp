@@ -120,18 +120,17 @@ class Job {
 };
 
 RenderResult run_uniform(tbb::task_arena& arena, const Integrator& integrator, int width,
-                         int height, double radiance_scale, const RenderOptions& options) {
+                         int height, const RenderOptions& options) {
   const std::uint32_t block = options.seconds ? 8 : block_size(options.spp);
-  RenderResult result = options.earlier
-                            ? *options.earlier
-                            : RenderResult{.film = Film(width, height, block, radiance_scale)};
+  RenderResult result =
+      options.earlier ? *options.earlier : RenderResult{.film = Film(width, height, block)};
   Job job(integrator, result, options);
   arena.execute([&] { job.run(); });
   return result;
 }
 
 RenderResult run_adaptive(tbb::task_arena& arena, const Integrator& integrator, int width,
-                          int height, double radiance_scale, const RenderOptions& options) {
+                          int height, const RenderOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const double earlier_seconds = options.earlier ? options.earlier->seconds : 0;
   const auto as_render = [&](const AdaptiveResult& r) {
@@ -156,9 +155,8 @@ RenderResult run_adaptive(tbb::task_arena& arena, const Integrator& integrator, 
   if (options.checkpoint) {
     adaptive.checkpoint = [&](const AdaptiveResult& r) { options.checkpoint(as_render(r)); };
   }
-  return as_render(arena.execute([&] {
-    return render_adaptively(integrator, width, height, radiance_scale, goal, adaptive);
-  }));
+  return as_render(
+      arena.execute([&] { return render_adaptively(integrator, width, height, goal, adaptive); }));
 }
 
 }  // namespace
@@ -172,7 +170,7 @@ std::uint32_t block_size(std::uint32_t spp) {
   return std::clamp(std::bit_floor(spp / 8), 1u, std::min(divisor, 64u));
 }
 
-RenderResult render(const Integrator& integrator, int width, int height, double radiance_scale,
+RenderResult render(const Integrator& integrator, int width, int height,
                     const RenderOptions& options) {
   const int threads =
       options.threads > 0 ? options.threads : static_cast<int>(tbb::info::default_concurrency());
@@ -181,9 +179,9 @@ RenderResult render(const Integrator& integrator, int width, int height, double 
   static const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, max_threads);
   tbb::task_arena arena(threads);
   const InterruptGuard guard;
-  RenderResult result =
-      options.target_error ? run_adaptive(arena, integrator, width, height, radiance_scale, options)
-                           : run_uniform(arena, integrator, width, height, radiance_scale, options);
+  RenderResult result = options.target_error
+                            ? run_adaptive(arena, integrator, width, height, options)
+                            : run_uniform(arena, integrator, width, height, options);
   result.threads = threads;
   result.interrupted = interrupt_noted();
   return result;

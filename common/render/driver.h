@@ -49,8 +49,7 @@ std::uint32_t block_size(std::uint32_t spp);
 
 /// Renders `width` x `height` pixels with any integrator, in tiles, on `threads` threads. The film
 /// has the same bits for any number of threads. Exceptions from the integrator reach the caller.
-/// `radiance_scale` is of the order of the brightest light (film.h).
-RenderResult render(const Integrator& integrator, int width, int height, double radiance_scale,
+RenderResult render(const Integrator& integrator, int width, int height,
                     const RenderOptions& options);
 
 }  // namespace carlo

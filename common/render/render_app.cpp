@@ -255,14 +255,13 @@ void take_over(Arguments& a, const EarlierRender& earlier) {
 /// The result that a render goes on from.
 RenderResult result_of(const EarlierRender& earlier, const Arguments& a, const Scene& scene) {
   if (a.target_error) {
-    auto state =
-        std::make_shared<const AdaptiveState>(earlier.adaptive_state(radiance_scale(scene)));
-    RenderResult result{.film = state->film(radiance_scale(scene)), .counts = earlier.counts()};
+    auto state = std::make_shared<const AdaptiveState>(earlier.adaptive_state());
+    RenderResult result{.film = state->film(), .counts = earlier.counts()};
     result.seconds = earlier.seconds(result.film);
     result.adaptive_state = std::move(state);
     return result;
   }
-  RenderResult result{.film = earlier.film(radiance_scale(scene)), .counts = earlier.counts()};
+  RenderResult result{.film = earlier.film(), .counts = earlier.counts()};
   result.seconds = earlier.seconds(result.film);
   const std::uint32_t block = result.film.block();
   const auto pixels =
@@ -326,8 +325,7 @@ int run(Arguments a, const IntegratorFactory& factory, const std::string& comman
       .earlier = start ? &*start : nullptr,
       .checkpoint = [&](const RenderResult& r) { outputs.checkpoint(r, report_on(r)); },
       .checkpoint_seconds = a.checkpoint};
-  const RenderResult result =
-      render(*integrator, scene.width, scene.height, radiance_scale(scene), options);
+  const RenderResult result = render(*integrator, scene.width, scene.height, options);
   const RenderReport report = report_on(result);
   outputs.write(result, report);
   if (page) write_render_page(*page, command, report, result.film, reference);

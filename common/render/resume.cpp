@@ -25,7 +25,7 @@ constexpr std::array<const char*, 7> setting_names = {
 
 constexpr const char* blocks_channel = "sums.blocks";
 
-/// The channel of 32 of the 128 bits of a sum, or of a sum of squares.
+/// The channel of 32 of the bits of a sum, or of a sum of squares.
 std::string channel_name(bool squares, std::size_t colour, std::size_t word) {
   return fmt::format("sums.{}{}{}", squares ? "squares." : "", "RGB"[colour], word);
 }
@@ -34,7 +34,7 @@ std::vector<std::string> all_channels() {
   std::vector<std::string> names{blocks_channel};
   for (const bool squares : {false, true}) {
     for (std::size_t c = 0; c < 3; ++c) {
-      for (std::size_t word = 0; word < 4; ++word)
+      for (std::size_t word = 0; word < ExactSum::words_count; ++word)
         names.push_back(channel_name(squares, c, word));
     }
   }
@@ -95,14 +95,14 @@ void add_sums(ExrFile& file, const RenderSettings& settings, const Film& film,
   }
   for (const bool squares : {false, true}) {
     for (std::size_t c = 0; c < 3; ++c) {
-      std::array<std::vector<std::uint32_t>*, 4> channels;
-      for (std::size_t word = 0; word < 4; ++word)
+      std::array<std::vector<std::uint32_t>*, ExactSum::words_count> channels;
+      for (std::size_t word = 0; word < ExactSum::words_count; ++word)
         channels[word] = &file.counts[channel_name(squares, c, word)];
       for (int y = 0; y < film.height(); ++y) {
         for (int x = 0; x < film.width(); ++x) {
           const PixelSums& sums = film.sums(x, y);
           const auto words = (squares ? sums.squares : sums.sum)[c].words();
-          for (std::size_t word = 0; word < 4; ++word)
+          for (std::size_t word = 0; word < ExactSum::words_count; ++word)
             (*channels[word])[file.image.index(x, y)] = words[word];
         }
       }
@@ -185,15 +185,15 @@ void EarlierRender::require_same(const RenderSettings& settings) const {
   }
 }
 
-Film EarlierRender::film(double radiance_scale) const {
+Film EarlierRender::film() const {
   const std::uint64_t block = number("block");
   if (block < 1 || block > 64) {
     throw Error("cannot resume {}: its block is {}, expected 1 to 64", path_.string(), block);
   }
-  Film film(width(), height(), static_cast<std::uint32_t>(block), radiance_scale);
+  Film film(width(), height(), static_cast<std::uint32_t>(block));
   const auto words = [this](bool squares, std::size_t c, std::size_t pixel) {
-    std::array<std::uint32_t, 4> result;
-    for (std::size_t word = 0; word < 4; ++word)
+    std::array<std::uint32_t, ExactSum::words_count> result;
+    for (std::size_t word = 0; word < ExactSum::words_count; ++word)
       result[word] = file_.counts.at(channel_name(squares, c, word))[pixel];
     return ExactSum::from_words(result);
   };
@@ -216,10 +216,10 @@ Film EarlierRender::film(double radiance_scale) const {
   return film;
 }
 
-AdaptiveState EarlierRender::adaptive_state(double radiance_scale) const {
+AdaptiveState EarlierRender::adaptive_state() const {
   try {
     AdaptiveState state = adaptive_state_of(file_);
-    if (state.film(radiance_scale).mean().pixels == file_.image.pixels) return state;
+    if (state.film().mean().pixels == file_.image.pixels) return state;
   } catch (const Error& e) {
     throw Error("cannot resume {}: {}", path_.string(), e.what());
   }

@@ -51,9 +51,9 @@ class EarlierRender {
   void require_same(const RenderSettings& settings) const;
 
   /// Throws Error if the sums do not belong to the image.
-  Film film(double radiance_scale) const;
+  Film film() const;
   /// The same of an adaptive render.
-  AdaptiveState adaptive_state(double radiance_scale) const;
+  AdaptiveState adaptive_state() const;
   Counts counts() const;
   /// The seconds that the report beside the image tells; 0 if there is none of the same render.
   double seconds(const Film& film) const;

@@ -57,7 +57,7 @@ void add_render(carlo::Scene& scene, double paths, carlo::Rng& rng, int threads,
   carlo::resize(scene, width, height);
   const auto integrator = renderer::make_path_integrator(scene, {.seed = seed, .spp = spp});
   const carlo::RenderResult result =
-      carlo::render(*integrator, width, height, carlo::radiance_scale(scene),
+      carlo::render(*integrator, width, height,
                     {.spp = spp, .seconds = {}, .threads = threads, .progress = false});
   row.counts += result.counts;
   row.seconds += result.seconds;

@@ -128,9 +128,19 @@ float cone_of(const Sphere& s, Vec3 from) {
   return static_cast<float>(sin2 / (1 + std::sqrt(std::max(0.0, 1 - sin2))));
 }
 
-bool outside(const Sphere& s, Vec3 from) {
-  const Vec3d d = Vec3d(s.center) - Vec3d(from);
-  return glm::dot(d, d) > static_cast<double>(s.radius) * static_cast<double>(s.radius);
+/// Whether `from` lies in front of the plane through `point` with normal n, without a doubt.
+bool in_front(const Place& from, const Place& point, Vec3 n) {
+  const double blur = glm::dot(Vec3d(glm::abs(n)), Vec3d(from.error) + Vec3d(point.error));
+  return glm::dot(Vec3d(n), Vec3d(from.p) - Vec3d(point.p)) > blur;
+}
+
+/// Whether `from` lies outside of the sphere, without a doubt.
+bool outside(const Sphere& s, const Place& from) {
+  const Vec3d d = Vec3d(s.center) - Vec3d(from.p);
+  const double r = s.radius;
+  const Vec3 center_error = carlo::rounding_bound(3) * (glm::abs(s.center) + Vec3(s.radius));
+  const double blur = glm::length(Vec3d(from.error) + Vec3d(center_error));
+  return glm::length(d) > r + blur;
 }
 
 /// The near point of the sphere in a direction of its cone.
@@ -189,11 +199,11 @@ const Lights::Entry& Lights::choose(float u) const {
   return entries_.size() == 1 ? entries_[0] : entries_[pick(cdf_, u)];
 }
 
-std::optional<LightSample> Lights::sample(Vec3 from, float u_light, Vec2 u) const {
+std::optional<LightSample> Lights::sample(const Place& from, float u_light, Vec2 u) const {
   const Entry& entry = choose(u_light);
   if (!entry.point) return sample_shape(entry, from, u);
   const carlo::PointLight& light = scene_.points[entry.shape];
-  const Vec3 d = light.position - from;
+  const Vec3 d = light.position - from.p;
   const float distance2 = glm::dot(d, d);
   if (!(distance2 > 0)) return std::nullopt;
   const auto probability = static_cast<float>(entry.probability);
@@ -201,7 +211,8 @@ std::optional<LightSample> Lights::sample(Vec3 from, float u_light, Vec2 u) cons
                      0};
 }
 
-std::optional<LightSample> Lights::sample_shape(const Entry& entry, Vec3 from, Vec2 u) const {
+std::optional<LightSample> Lights::sample_shape(const Entry& entry, const Place& from,
+                                                Vec2 u) const {
   const Shape& shape = scene_.shapes[entry.shape];
   const auto result = [&](const AreaPoint& point, float density) -> std::optional<LightSample> {
     if (!(density > 0) || !std::isfinite(density)) return std::nullopt;
@@ -209,12 +220,12 @@ std::optional<LightSample> Lights::sample_shape(const Entry& entry, Vec3 from, V
     return LightSample{point.p, point.error, point.n, shape.radiance, probability * density};
   };
   if (entry.rectangle) {
-    if (!(glm::dot(entry.rectangle->z, from - entry.rectangle->origin) > 0)) return std::nullopt;
-    const SphericalRectangle seen(*entry.rectangle, from);
+    const auto& quad = std::get<Parallelogram>(shape.geometry);
+    const Vec3 n(entry.rectangle->z), error = flat_error(quad);
+    if (!in_front(from, {quad.origin, error}, n)) return std::nullopt;
+    const SphericalRectangle seen(*entry.rectangle, from.p);
     if (seen.solid_angle() >= least_solid_angle) {
-      const auto& quad = std::get<Parallelogram>(shape.geometry);
-      return result({seen.sample(u), entry.rectangle->z, flat_error(quad)},
-                    static_cast<float>(1 / seen.solid_angle()));
+      return result({seen.sample(u), n, error}, static_cast<float>(1 / seen.solid_angle()));
     }
   }
   // A sphere that emits outwards does not light its inside. One that emits inwards is sampled by
@@ -222,30 +233,33 @@ std::optional<LightSample> Lights::sample_shape(const Entry& entry, Vec3 from, V
   const auto* sphere = std::get_if<Sphere>(&shape.geometry);
   if (sphere != nullptr && !sphere->flipped) {
     if (!outside(*sphere, from)) return std::nullopt;
-    return result(sample_sphere_cone(*sphere, from, u), cone_pdf(cone_of(*sphere, from)));
+    return result(sample_sphere_cone(*sphere, from.p, u), cone_pdf(cone_of(*sphere, from.p)));
   }
   const AreaPoint point = sample_area(shape, mesh_cdf_[entry.shape], u);
-  if (!(glm::dot(point.n, from - point.p) > 0)) return std::nullopt;
-  return result(point, area_pdf(from, point.p, point.n, entry.area));
+  if (!in_front(from, {point.p, point.error}, point.n)) return std::nullopt;
+  return result(point, area_pdf(from.p, point.p, point.n, entry.area));
 }
 
-float Lights::pdf(Vec3 from, const carlo::Hit& hit) const {
+float Lights::pdf(const Place& from, const carlo::Hit& hit) const {
   const Entry& entry = entries_[entry_of_shape_[hit.shape]];
-  return static_cast<float>(entry.probability) * shape_pdf(entry, from, hit.p, hit.n);
+  return static_cast<float>(entry.probability) *
+         shape_pdf(entry, from, {hit.p, hit.p_error}, hit.n);
 }
 
-float Lights::shape_pdf(const Entry& entry, Vec3 from, Vec3 p, Vec3 n) const {
+float Lights::shape_pdf(const Entry& entry, const Place& from, const Place& point, Vec3 n) const {
   const Shape& shape = scene_.shapes[entry.shape];
   if (entry.rectangle) {
-    const SphericalRectangle seen(*entry.rectangle, from);
+    const auto& quad = std::get<Parallelogram>(shape.geometry);
+    if (!in_front(from, {quad.origin, flat_error(quad)}, Vec3(entry.rectangle->z))) return 0;
+    const SphericalRectangle seen(*entry.rectangle, from.p);
     if (seen.solid_angle() >= least_solid_angle) {
       return static_cast<float>(1 / seen.solid_angle());
     }
   }
-  if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
-    if (!sphere->flipped) return cone_pdf(cone_of(*sphere, from));
+  if (const auto* sphere = std::get_if<Sphere>(&shape.geometry); sphere && !sphere->flipped) {
+    return outside(*sphere, from) ? cone_pdf(cone_of(*sphere, from.p)) : 0;
   }
-  return area_pdf(from, p, n, entry.area);
+  return in_front(from, point, n) ? area_pdf(from.p, point.p, n, entry.area) : 0;
 }
 
 }  // namespace renderer

@@ -15,6 +15,11 @@ using carlo::Rgb;
 using carlo::Vec2;
 using carlo::Vec3;
 
+/// A point of a surface with a bound on the rounding error of each of its coordinates.
+struct Place {
+  Vec3 p{0}, error{0};
+};
+
 /// A point of a light as seen from a surface point.
 struct LightSample {
   Vec3 p;        ///< on the light
@@ -34,12 +39,13 @@ class Lights {
 
   bool empty() const { return entries_.empty(); }
 
-  /// Nothing when the light sends no radiance to `from`.
-  std::optional<LightSample> sample(Vec3 from, float u_light, Vec2 u) const;
+  /// Nothing when the light sends no radiance to `from`, or when rounding hides whether it does: a
+  /// flat light does not light itself. What comes from there is left to rays that meet the light.
+  std::optional<LightSample> sample(const Place& from, float u_light, Vec2 u) const;
 
   /// The density, per solid angle at `from`, with which sample() gives the point of `hit`; the hit
-  /// shape must emit.
-  float pdf(Vec3 from, const carlo::Hit& hit) const;
+  /// shape must emit. 0 where sample() gives nothing.
+  float pdf(const Place& from, const carlo::Hit& hit) const;
 
  private:
   struct Entry {
@@ -51,9 +57,9 @@ class Lights {
   };
 
   const Entry& choose(float u) const;
-  std::optional<LightSample> sample_shape(const Entry& entry, Vec3 from, Vec2 u) const;
-  /// Density at `from` of a point p with normal n of a shape.
-  float shape_pdf(const Entry& entry, Vec3 from, Vec3 p, Vec3 n) const;
+  std::optional<LightSample> sample_shape(const Entry& entry, const Place& from, Vec2 u) const;
+  /// Density at `from` of a point with normal n of a shape.
+  float shape_pdf(const Entry& entry, const Place& from, const Place& point, Vec3 n) const;
 
   const carlo::Scene& scene_;
   std::vector<Entry> entries_;

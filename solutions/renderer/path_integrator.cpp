@@ -101,7 +101,7 @@ class PathIntegrator final : public carlo::Integrator {
     float eta_scale = 1;    ///< radiance compression so far; undone when the path leaves the glass
     bool competes = false;  ///< was next-event estimation done for the ray's direction?
     float pdf = 0;          ///< if so: of the ray's direction,
-    Vec3 vertex{0};         ///< and where
+    Place vertex;           ///< and where
     std::uint32_t dimension = film_dimensions;  ///< the current vertex's first
   };
 
@@ -175,7 +175,7 @@ class PathIntegrator final : public carlo::Integrator {
     if (!next) return false;
     path.beta *= next->weight;
     path.pdf = next->pdf;
-    path.vertex = hit.p;
+    path.vertex = {hit.p, hit.p_error};
     path.competes = !lights_.empty();
     spawn(path, hit, next->wi);
     return survive(path, sampler);
@@ -184,7 +184,7 @@ class PathIntegrator final : public carlo::Integrator {
   /// Light that reaches the surface straight from a light, by sampling lights.
   Rgb direct(const Hit& hit, Vec3 normal, Vec3 wo, const ModifiedPhong& bsdf, float u_light,
              Vec2 u_point, Counts& counts) const {
-    const auto light = lights_.sample(hit.p, u_light, u_point);
+    const auto light = lights_.sample({hit.p, hit.p_error}, u_light, u_point);
     if (!light) return Rgb(0);
     const Vec3 wi = glm::normalize(light->p - hit.p);
     const ModifiedPhong::Value value = bsdf.evaluate(normal, wo, wi);

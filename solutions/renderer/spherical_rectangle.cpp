@@ -16,34 +16,32 @@ double square(double x) {
 
 RectangleFrame::RectangleFrame(const carlo::Parallelogram& rectangle)
     : origin(rectangle.origin),
-      x(glm::normalize(rectangle.u)),
-      y(glm::normalize(rectangle.v)),
-      z(glm::cross(x, y)),
-      width(static_cast<double>(glm::length(rectangle.u))),
-      height(static_cast<double>(glm::length(rectangle.v))) {}
+      x(glm::normalize(glm::dvec3(rectangle.u))),
+      y(glm::normalize(glm::dvec3(rectangle.v))),
+      z(glm::normalize(glm::cross(x, y))),
+      width(glm::length(glm::dvec3(rectangle.u))),
+      height(glm::length(glm::dvec3(rectangle.v))) {}
 
 SphericalRectangle::SphericalRectangle(const RectangleFrame& rectangle, Vec3 from)
     : origin_(rectangle.origin), x_(rectangle.x), y_(rectangle.y) {
-  const Vec3 d = rectangle.origin - from;
+  const glm::dvec3 d = rectangle.origin - glm::dvec3(from);
   x0_ = glm::dot(d, x_);
   y0_ = glm::dot(d, y_);
-  z0_ = glm::dot(d, rectangle.z);
   // The local z axis points away from the rectangle.
-  z0_ = -std::abs(z0_);
+  z0_ = -std::abs(glm::dot(d, rectangle.z));
   x1_ = x0_ + rectangle.width;
   y1_ = y0_ + rectangle.height;
-  // The z components of the normals of the four planes through `from` and an edge. The solid angle
-  // is the sum of the angles between neighbouring planes, less 2 pi: in float that difference
-  // would lose a distant rectangle, hence double throughout.
-  const double z2 = square(z0_);
-  const double n0 = -y0_ / std::sqrt(z2 + square(y0_)), n1 = x1_ / std::sqrt(z2 + square(x1_)),
-               n2 = y1_ / std::sqrt(z2 + square(y1_)), n3 = -x0_ / std::sqrt(z2 + square(x0_));
-  const double g0 = std::acos(std::clamp(-n0 * n1, -1.0, 1.0)),
-               g1 = std::acos(std::clamp(-n1 * n2, -1.0, 1.0)),
-               g2 = std::acos(std::clamp(-n2 * n3, -1.0, 1.0)),
-               g3 = std::acos(std::clamp(-n3 * n0, -1.0, 1.0));
-  b0_ = n0;
-  b1_ = n2;
+  // The solid angle is the sum of the angles between neighbouring planes through `from` and an
+  // edge, less 2 pi. Angles from their sine and cosine: an arc cosine near 0 or pi, which are the
+  // angles of a rectangle seen at a grazing angle, would keep half of the digits.
+  const double z2 = square(z0_), height = -z0_;
+  const auto angle = [&](double x, double y, double sign) {
+    return std::atan2(height * std::sqrt(square(x) + square(y) + z2), sign * x * y);
+  };
+  const double g0 = angle(x1_, y0_, 1), g1 = angle(x1_, y1_, -1), g2 = angle(x0_, y1_, 1),
+               g3 = angle(x0_, y0_, -1);
+  b0_ = -y0_ / std::sqrt(z2 + square(y0_));
+  b1_ = y1_ / std::sqrt(z2 + square(y1_));
   k_ = 2 * carlo::pi - g2 - g3;
   solid_angle_ = z0_ < 0 ? std::max(0.0, g0 + g1 - k_) : 0;
 }
@@ -63,8 +61,7 @@ Vec3 SphericalRectangle::sample(Vec2 u) const {
   const double yv = h2 < 1 - 1e-12 ? h * d / std::sqrt(1 - h2) : y1_;
   // From the rectangle's own corner: the point keeps the accuracy of its plane, however far `from`
   // is.
-  return origin_ + static_cast<float>(xu - x0_) * x_ +
-         static_cast<float>(std::clamp(yv, y0_, y1_) - y0_) * y_;
+  return Vec3(origin_ + (xu - x0_) * x_ + (std::clamp(yv, y0_, y1_) - y0_) * y_);
 }
 
 }  // namespace renderer

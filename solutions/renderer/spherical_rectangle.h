@@ -10,7 +10,7 @@ using carlo::Vec3;
 
 /// A rectangle in its own frame, computed once.
 struct RectangleFrame {
-  Vec3 origin, x, y, z;  ///< x along u, y along v
+  glm::dvec3 origin, x, y, z;  ///< x along u, y along v
   double width, height;
 
   /// Needs u perpendicular to v and both longer than 0.
@@ -32,7 +32,7 @@ class SphericalRectangle {
   Vec3 sample(Vec2 u) const;
 
  private:
-  Vec3 origin_, x_, y_;            ///< the rectangle's corner and sides
+  glm::dvec3 origin_, x_, y_;      ///< the rectangle's corner and sides
   double x0_, x1_, y0_, y1_, z0_;  ///< in a frame with its origin at the point; z0 < 0
   double b0_, b1_, k_, solid_angle_;
 };

@@ -37,7 +37,7 @@ class Spikes final : public common_test::NoiseIntegrator {
 RenderResult run(const Spikes& spikes, double target, std::uint32_t spp = 1u << 16,
                  int threads = 1) {
   return render(
-      spikes, Spikes::width, Spikes::height, 1,
+      spikes, Spikes::width, Spikes::height,
       {.spp = spp, .seconds = {}, .threads = threads, .progress = false, .target_error = target});
 }
 
@@ -144,7 +144,7 @@ TEST_CASE("No pixel gets more samples than spp, whatever the target") {
 
 TEST_CASE("A time limit leaves every pixel an estimate, and Ctrl-C what is finished") {
   const RenderResult limited = render(
-      Spikes(1), 16, 8, 1,
+      Spikes(1), 16, 8,
       {.spp = 1u << 16, .seconds = 0.0, .threads = 2, .progress = false, .target_error = 0.001});
   CHECK(limited.adaptive->least == 64);
   CHECK(std::isfinite(limited.film.variance(15, 7, 0)));
@@ -165,7 +165,7 @@ TEST_CASE("Targets that make no sense are refused") {
 }
 
 TEST_CASE("The map of samples runs from the darkest colour to the brightest") {
-  Film film(3, 1, 1, 1);
+  Film film(3, 1, 1);
   const std::array<double, 3> one = {1, 1, 1}, none = {0, 0, 0};
   film.set_estimate(0, 0, one, none, 64);
   film.set_estimate(1, 0, one, none, 512);
@@ -177,7 +177,7 @@ TEST_CASE("The map of samples runs from the darkest colour to the brightest") {
 }
 
 TEST_CASE("A film keeps an estimate that was made elsewhere") {
-  Film film(2, 1, 8, 50);
+  Film film(2, 1, 8);
   film.set_estimate(1, 0, {0.25, 3, 0}, {0.125, 1e-3, 0}, 1000);
   CHECK(film.mean(1, 0, 0) == 0.25);
   CHECK(std::abs(std::sqrt(film.variance(1, 0, 0)) - 0.125) <= 1e-9);

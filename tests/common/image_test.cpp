@@ -4,6 +4,7 @@
 #include "image/film.h"
 #include "image/metrics.h"
 #include "image/png.h"
+#include "numeric/exact_sum.h"
 #include "random/rng.h"
 #include "temporary_folder.h"
 
@@ -28,7 +29,7 @@ TEST_CASE("A film's bits do not depend on the order of blocks nor on how films a
     for (double& x : b)
       x = std::exp(20 * rng.uniform() - 15);  // 1e-7 ... 1e2
   }
-  Film forward(1, 1, 4, 17), backward(1, 1, 4, 17), left(1, 1, 4, 17), right(1, 1, 4, 17);
+  Film forward(1, 1, 4), backward(1, 1, 4), left(1, 1, 4), right(1, 1, 4);
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     forward.add_block(0, 0, blocks[i]);
     backward.add_block(0, 0, blocks[blocks.size() - 1 - i]);
@@ -45,7 +46,7 @@ TEST_CASE("A film's bits do not depend on the order of blocks nor on how films a
 
 TEST_CASE("A film keeps values far below the brightest light") {
   // A tiny light of radiance 1e8 may light a room to 1.
-  Film film(1, 1, 1, 1e8);
+  Film film(1, 1, 1);
   for (int i = 0; i < 100; ++i)
     film.add_block(0, 0, {1e-3 * (1 + i % 2), 1, 1e8});
   CHECK(std::abs(film.mean(0, 0, 0) - 1.5e-3) <= 1e-9);
@@ -54,7 +55,7 @@ TEST_CASE("A film keeps values far below the brightest light") {
 }
 
 TEST_CASE("A film's standard error is the textbook's, and infinite for one block") {
-  Film film(2, 1, 8, 1);
+  Film film(2, 1, 8);
   CHECK(std::isinf(film.variance(1, 0, 0)));
   const std::vector<double> x = {1, 2, 4, 5};
   for (const double v : x)
@@ -71,7 +72,7 @@ TEST_CASE("A film's standard error is honest: z-scores of known means have unit 
   Rng rng(3);
   double sum = 0;
   for (int pixel = 0; pixel < 2000; ++pixel) {
-    Film film(1, 1, 1, 1);
+    Film film(1, 1, 1);
     for (int i = 0; i < 64; ++i) {
       const double u = rng.uniform();
       film.add_block(0, 0, {u, u, u});
@@ -82,12 +83,55 @@ TEST_CASE("A film's standard error is honest: z-scores of known means have unit 
   CHECK(std::abs(sum / 2000 - 63.0 / 61) <= 5 * 0.033);
 }
 
+TEST_CASE("An exact sum is the same in any order and any parts, over the range of doubles") {
+  // Terms of 1e-300 to 1e300, some of which cancel: the kept digits are those of the largest, so
+  // the sum is right to 2^-64 of it, and the same bits however it was made.
+  Rng rng(11);
+  for (const double range : {1.0, 20.0, 150.0, 300.0}) {
+    std::vector<double> terms;
+    long double reference = 0;
+    double largest = 0;
+    for (int i = 0; i < 1000; ++i) {
+      const double x = (rng.uniform() - 0.5) * std::pow(10.0, range * (2 * rng.uniform() - 1));
+      terms.push_back(x);
+      largest = std::max(largest, std::abs(x));
+    }
+    ExactSum forward;
+    for (const double x : terms)
+      forward.add(x), reference += static_cast<long double>(x);
+    CHECK(std::abs(forward.value() - static_cast<double>(reference)) <= 1e-15 * 1000 * largest);
+    ExactSum backward, left, right, parts;
+    for (std::size_t i = terms.size(); i-- > 0;)
+      backward.add(terms[i]);
+    for (std::size_t i = 0; i < terms.size(); ++i)
+      (i % 3 == 0 ? left : right).add(terms[i]);
+    parts.add(left), parts.add(right);
+    ExactSum turned = right;
+    turned.add(left);
+    CHECK(backward == forward);
+    CHECK(parts == forward);
+    CHECK(turned == forward);
+  }
+}
+
+TEST_CASE("A film holds every finite radiance, with its standard error") {
+  for (const double scale : {1e-40, 1e-20, 1.0, 1e15, 1e38}) {
+    Film film(1, 1, 1);
+    for (const double v : {1.0, 2.0, 4.0, 5.0})
+      film.add_block(0, 0, {v * scale, 1, 0});
+    CHECK(std::abs(film.mean(0, 0, 0) / scale - 3) <= 1e-14);
+    CHECK(std::abs(film.variance(0, 0, 0) / (scale * scale) - 10.0 / 12) <= 1e-12);
+    CHECK(film.mean(0, 0, 1) == 1);
+    CHECK(film.mean(0, 0, 2) == 0);
+  }
+}
+
 TEST_CASE("Impossible films are refused") {
-  CHECK_THROWS_AS(Film(0, 4, 1, 1), Error);
-  CHECK_THROWS_AS(Film(4, -1, 1, 1), Error);
-  CHECK_THROWS_AS(Film(100000, 100000, 1, 1), Error);
-  CHECK_THROWS_AS(Film(2, 2, 1, 1).merge(Film(2, 3, 1, 1)), Error);
-  CHECK_THROWS_AS(Film(2, 2, 1, 1).merge(Film(2, 2, 2, 1)), Error);
+  CHECK_THROWS_AS(Film(0, 4, 1), Error);
+  CHECK_THROWS_AS(Film(4, -1, 1), Error);
+  CHECK_THROWS_AS(Film(100000, 100000, 1), Error);
+  CHECK_THROWS_AS(Film(2, 2, 1).merge(Film(2, 3, 1)), Error);
+  CHECK_THROWS_AS(Film(2, 2, 1).merge(Film(2, 2, 2)), Error);
 }
 
 Image random_image(int width, int height, std::uint64_t seed) {

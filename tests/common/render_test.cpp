@@ -31,8 +31,7 @@ class Noise final : public common_test::NoiseIntegrator {
 };
 
 RenderResult run(const Noise& noise, std::uint32_t spp, int threads) {
-  return render(noise, 37, 21, 1,
-                {.spp = spp, .seconds = {}, .threads = threads, .progress = false});
+  return render(noise, 37, 21, {.spp = spp, .seconds = {}, .threads = threads, .progress = false});
 }
 
 TEST_CASE("The image has the same bits for 1, 2 and 7 threads") {
@@ -91,7 +90,7 @@ TEST_CASE("Ctrl-C ends the render and keeps what is finished") {
 TEST_CASE("A time limit gives every pixel at least two blocks") {
   const Noise noise;
   const RenderResult result =
-      render(noise, 20, 20, 1, {.spp = 1, .seconds = 0.0, .threads = 2, .progress = false});
+      render(noise, 20, 20, {.spp = 1, .seconds = 0.0, .threads = 2, .progress = false});
   CHECK(result.film.blocks(0, 0) == 2);
   CHECK(std::isfinite(result.film.variance(19, 19, 0)));
 }

@@ -48,7 +48,7 @@ RenderOptions options(std::uint32_t spp, const RenderResult* earlier = nullptr) 
 
 RenderResult run(const Flicker& flicker, std::uint32_t spp = most,
                  const RenderResult* earlier = nullptr) {
-  return render(flicker, width, height, 30, options(spp, earlier));
+  return render(flicker, width, height, options(spp, earlier));
 }
 
 RenderSettings settings() {
@@ -70,8 +70,8 @@ RenderResult read(const fs::path& path) {
   const EarlierRender earlier(path);
   earlier.require_same(settings());
   CHECK(earlier.target_error() == target);
-  const auto state = std::make_shared<const AdaptiveState>(earlier.adaptive_state(30));
-  return {.film = state->film(30), .counts = earlier.counts(), .adaptive_state = state};
+  const auto state = std::make_shared<const AdaptiveState>(earlier.adaptive_state());
+  return {.film = state->film(), .counts = earlier.counts(), .adaptive_state = state};
 }
 
 /// The result as it comes back from a file.
@@ -171,7 +171,7 @@ TEST_CASE("Checkpoints of an adaptive render are renders to go on from") {
   RenderOptions often = options(most);
   often.checkpoint = [&](const RenderResult& r) { kept.push_back(r); };
   often.checkpoint_seconds = 0;
-  check_same(render(Flicker(), width, height, 30, often), whole);
+  check_same(render(Flicker(), width, height, often), whole);
   REQUIRE(kept.size() >= 6);
   for (const RenderResult& checkpoint : kept) {
     const RenderResult start = written_and_read(checkpoint);
@@ -203,23 +203,23 @@ TEST_CASE("An adaptive render does not go on from another one") {
   const RenderResult few = run(Flicker(), 32);
   CHECK_THROWS_AS(run(Flicker(), most, &few), Error);
   CHECK_THROWS_AS(run(Flicker(), 32, &result), Error);
-  CHECK_THROWS_AS(render(Flicker(), width, height + 1, 30, options(most, &result)), Error);
+  CHECK_THROWS_AS(render(Flicker(), width, height + 1, options(most, &result)), Error);
   // Nor from a uniform one.
   RenderOptions uniform = options(64);
   uniform.target_error.reset();
-  const RenderResult other = render(Flicker(), width, height, 30, uniform);
+  const RenderResult other = render(Flicker(), width, height, uniform);
   CHECK_THROWS_AS(run(Flicker(), most, &other), Error);
 
   ExrFile retouched = file_of(result);
   retouched.image.at(5, 5).r += 1;
   write_exr(path, retouched);
-  CHECK_THROWS_AS(EarlierRender(path).adaptive_state(30), Error);
+  CHECK_THROWS_AS(EarlierRender(path).adaptive_state(), Error);
 
   const auto refused = [&](const char* name, const char* text) {
     ExrFile file = file_of(result);
     file.attributes[name] = text;
     write_exr(path, file);
-    CHECK_THROWS_AS(EarlierRender(path).adaptive_state(30), Error);
+    CHECK_THROWS_AS(EarlierRender(path).adaptive_state(), Error);
   };
   for (const char* text : {"", "-1", "nan", "3x"}) {
     refused("adaptive_round", text);

@@ -26,7 +26,7 @@ Scene furnace(float albedo) {
 
 carlo::RenderResult render(const Scene& scene, std::uint32_t spp, int threads) {
   const auto integrator = renderer::make_path_integrator(scene, {.seed = 29, .spp = spp});
-  return carlo::render(*integrator, scene.width, scene.height, carlo::radiance_scale(scene),
+  return carlo::render(*integrator, scene.width, scene.height,
                        {.spp = spp, .seconds = {}, .threads = threads, .progress = false});
 }
 

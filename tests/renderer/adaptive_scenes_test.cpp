@@ -17,7 +17,7 @@ RenderResult render_adaptive(const Scene& scene, renderer::Kernel kernel, double
   const auto integrator = renderer::make_path_integrator(
       scene, {.seed = seed, .spp = adaptive_strata, .kernel = kernel});
   return render(
-      *integrator, scene.width, scene.height, radiance_scale(scene),
+      *integrator, scene.width, scene.height,
       {.spp = 4096, .seconds = {}, .threads = threads, .progress = false, .target_error = target});
 }
 

@@ -28,7 +28,7 @@ Scene small_box(SamplerKind sampler) {
 
 RenderResult render_lab(const Scene& scene, Method method, std::uint64_t seed, int threads = 0) {
   const auto integrator = lab08::make_lab_integrator(scene, {method, seed, spp});
-  return render(*integrator, scene.width, scene.height, radiance_scale(scene),
+  return render(*integrator, scene.width, scene.height,
                 {.spp = spp, .seconds = {}, .threads = threads, .progress = false});
 }
 

@@ -48,8 +48,8 @@ double processor_seconds() {
 
 Rendered render_with(const Integrator& integrator, const Scene& scene, std::uint32_t spp) {
   const double start = processor_seconds();
-  const RenderResult result = render(integrator, scene.width, scene.height, radiance_scale(scene),
-                                     RenderOptions{spp, {}, 0, true});
+  const RenderResult result =
+      render(integrator, scene.width, scene.height, RenderOptions{spp, {}, 0, true});
   if (result.interrupted) throw Error("interrupted");
   if (result.counts.bad > 0) throw Error("{} samples are no radiance", result.counts.bad);
   return {result.film.mean(), result.film.standard_error(), mean_radiance(result.film), spp,

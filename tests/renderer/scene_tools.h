@@ -27,7 +27,7 @@ inline Camera look_at(Vec3 from, Vec3 at, Vec3 up, double fov) {
 inline RenderResult render_scene(const Scene& scene, std::uint32_t spp, std::uint64_t seed = 1,
                                  int threads = 0) {
   const auto integrator = renderer::make_path_integrator(scene, {.seed = seed, .spp = spp});
-  return render(*integrator, scene.width, scene.height, radiance_scale(scene),
+  return render(*integrator, scene.width, scene.height,
                 {.spp = spp, .seconds = {}, .threads = threads, .progress = false});
 }
 

@@ -105,7 +105,7 @@ Rendered render_timed(const carlo::Integrator& integrator, const carlo::Scene& s
                       std::uint32_t spp) {
   const carlo::Stopwatch stopwatch;
   carlo::RenderResult result =
-      carlo::render(integrator, scene.width, scene.height, carlo::radiance_scale(scene),
+      carlo::render(integrator, scene.width, scene.height,
                     {.spp = spp, .seconds = {}, .threads = 1, .progress = false});
   return {std::move(result.film), stopwatch.seconds(), static_cast<double>(result.counts.paths)};
 }

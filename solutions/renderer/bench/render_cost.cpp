@@ -17,7 +17,7 @@ namespace {
 
 carlo::RenderResult render_once(const carlo::Integrator& integrator, const carlo::Scene& scene,
                                 std::uint32_t samples) {
-  return carlo::render(integrator, scene.width, scene.height, carlo::radiance_scale(scene),
+  return carlo::render(integrator, scene.width, scene.height,
                        {.spp = samples, .seconds = {}, .threads = 1, .progress = false});
 }
 

@@ -108,7 +108,7 @@ void bench_threads(Context& context) {
     for (std::size_t i = 0; i < threads.size(); ++i) {
       const carlo::Stopwatch stopwatch;
       const carlo::RenderResult result =
-          carlo::render(*integrator, scene.width, scene.height, carlo::radiance_scale(scene),
+          carlo::render(*integrator, scene.width, scene.height,
                         {.spp = samples, .seconds = {}, .threads = threads[i], .progress = false});
       processor[i].push_back(stopwatch.seconds() / static_cast<double>(result.counts.paths));
       wall[i].push_back(result.seconds);

@@ -1,11 +1,12 @@
 #include "renderer/flat/flat_scene.h"
 
+#include "geometry/planes.h"
 #include "numeric/robust.h"
 #include "renderer/flat/flat_boxes.h"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <vector>
 
 namespace renderer {
 namespace {
@@ -86,30 +87,6 @@ void add_light(FlatScene& flat, std::size_t i, const Parallelogram& quad, double
   flat.light_density[i] = f(chance / area(quad));
 }
 
-/// Whether `points` lie in the plane through `origin` with unit normal n, but for what rounding to
-/// float does to their coordinates and the plane's.
-bool in_plane(const std::array<Vec3d, 4>& points, const Vec3d& origin, const Vec3d& n) {
-  const auto sum = [](const Vec3d& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
-  return std::all_of(points.begin(), points.end(), [&](const Vec3d& p) {
-    const double blur =
-        static_cast<double>(carlo::rounding_bound(4)) * (sum(p) + std::abs(glm::dot(n, origin)));
-    return std::abs(glm::dot(n, p - origin)) <= blur;
-  });
-}
-
-struct Plane {
-  std::array<Vec3d, 4> corners;
-  Vec3d n;
-};
-Plane plane_of(const Parallelogram& quad) {
-  const Vec3d o(quad.origin), u(quad.u), v(quad.v);
-  return {{o, o + u, o + v, o + u + v}, glm::normalize(glm::cross(u, v))};
-}
-
-bool coplanar(const Plane& a, const Plane& b) {
-  return in_plane(a.corners, b.corners[0], b.n) && in_plane(b.corners, a.corners[0], a.n);
-}
-
 /// Writes the shapes' columns one by one.
 class Writer {
  public:
@@ -122,7 +99,10 @@ class Writer {
     const carlo::Shape& shape = scene_.shapes[shape_index];
     const auto& quad = std::get<Parallelogram>(shape.geometry);
     add_plane(flat_, number, quad);
-    share_plane(number, plane_of(quad));
+    flat_.plane[number] = static_cast<std::uint32_t>(number);
+    flat_.coordinates[number] = std::abs(flat_.d[number]);
+    quads_.push_back(quad);
+    numbers_.push_back(number);
     look(number, shape);
     if (!shape.emits()) return;
     const double chance = power(shape) / power_;
@@ -146,23 +126,23 @@ class Writer {
     look(i, shape);
   }
 
- private:
-  /// Gives the surface the number and the numbers of a plane that another one lies in, if there is.
-  void share_plane(std::size_t i, const Plane& plane) {
-    flat_.plane[i] = static_cast<std::uint32_t>(i);
-    flat_.coordinates[i] = std::abs(flat_.d[i]);
-    for (const auto& [j, earlier] : planes_) {
-      if (!coplanar(plane, earlier)) continue;
-      const float sign = glm::dot(plane.n, earlier.n) < 0 ? -1.0f : 1.0f;
-      flat_.plane[i] = static_cast<std::uint32_t>(j);
-      flat_.nx[i] = sign * flat_.nx[j], flat_.ny[i] = sign * flat_.ny[j];
-      flat_.nz[i] = sign * flat_.nz[j], flat_.d[i] = sign * flat_.d[j];
+  /// Surfaces of one plane get the number and the numbers of the first.
+  void share_planes() {
+    const carlo::Planes planes = carlo::find_planes(quads_);
+    for (std::size_t k = 0; k < quads_.size(); ++k) {
+      const std::size_t i = numbers_[k], first = numbers_[planes.of[k].first];
+      if (first == i) continue;
+      const float along = flat_.nx[i] * flat_.nx[first] + flat_.ny[i] * flat_.ny[first] +
+                          flat_.nz[i] * flat_.nz[first];
+      const float sign = along < 0 ? -1.0f : 1.0f;
+      flat_.plane[i] = static_cast<std::uint32_t>(first);
+      flat_.nx[i] = sign * flat_.nx[first], flat_.ny[i] = sign * flat_.ny[first];
+      flat_.nz[i] = sign * flat_.nz[first], flat_.d[i] = sign * flat_.d[first];
       flat_.coplanar = true;
-      return;
     }
-    planes_.emplace_back(i, plane);
   }
 
+ private:
   void look(std::size_t i, const carlo::Shape& shape) {
     const carlo::Material& material = scene_.materials[shape.material];
     flat_.material[i] = shape.material;
@@ -175,7 +155,8 @@ class Writer {
   FlatScene& flat_;
   const carlo::Scene& scene_;
   double power_ = 0, running_ = 0;
-  std::vector<std::pair<std::size_t, Plane>> planes_;  ///< the first surface of each, its number
+  std::vector<Parallelogram> quads_;
+  std::vector<std::size_t> numbers_;  ///< theirs
 };
 
 /// How many numbers the scene's surfaces take.
@@ -223,6 +204,7 @@ FlatScene::FlatScene(const carlo::Scene& scene) {
       write.sphere(shape, *sphere);
     }
   }
+  write.share_planes();
 }
 
 }  // namespace renderer
