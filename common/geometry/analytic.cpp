@@ -1,5 +1,7 @@
 #include "geometry/analytic.h"
 
+#include "numeric/robust.h"
+
 #include <cmath>
 
 namespace carlo {
@@ -8,6 +10,31 @@ namespace {
 using Vec3d = glm::dvec3;
 
 }  // namespace
+
+Quad::Quad(const Parallelogram& s) : origin(s.origin) {
+  const Vec3d u(s.u), v(s.v);
+  n = glm::normalize(glm::cross(u, v));
+  const Vec3d across = glm::cross(v, n), along = glm::cross(n, u);
+  a = across / glm::dot(across, u);
+  b = along / glm::dot(along, v);
+  // Half a unit in the last place of each corner, of this one and a neighbour.
+  const Vec3d blur =
+      static_cast<double>(rounding_bound(2)) * (glm::abs(origin) + glm::abs(u) + glm::abs(v));
+  reach_a = glm::dot(glm::abs(a), blur);
+  reach_b = glm::dot(glm::abs(b), blur);
+}
+
+bool Quad::holds(const glm::dvec3& p) const {
+  const double x = glm::dot(a, p - origin), y = glm::dot(b, p - origin);
+  return x >= -reach_a && x <= 1 + reach_a && y >= -reach_b && y <= 1 + reach_b;
+}
+
+double intersect_quad(const Quad& quad, Vec3 o, Vec3 d, float tnear, float tfar) {
+  const Vec3d from(o), direction(d);
+  const double t = glm::dot(quad.n, quad.origin - from) / glm::dot(quad.n, direction);
+  if (!(t > tnear && t < tfar)) return -1;
+  return quad.holds(from + t * direction) ? t : -1;
+}
 
 double intersect_sphere(const Sphere& sphere, Vec3 o, Vec3 d, float tnear, float tfar) {
   // The discriminant from the distance of the centre to the line, the far root without
@@ -37,6 +64,12 @@ double intersect_disk(const Disk& disk, Vec3 o, Vec3 d, float tnear, float tfar)
   const Vec3d from_center = t * Vec3d(d) - to_center;
   const double r = disk.radius;
   return glm::dot(from_center, from_center) <= r * r ? t : -1;
+}
+
+SurfacePoint quad_point(const Quad& quad, Vec3 o, Vec3 d, double t) {
+  // t may have been rounded to float on its way: put the point back into the plane.
+  const Vec3d p = Vec3d(o) + t * Vec3d(d);
+  return {Vec3(p - glm::dot(p - quad.origin, quad.n) * quad.n), Vec3(quad.n)};
 }
 
 SurfacePoint sphere_point(const Sphere& sphere, Vec3 o, Vec3 d, double t) {

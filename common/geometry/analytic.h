@@ -4,9 +4,25 @@
 
 namespace carlo {
 
+/// A parallelogram ready for rays. In double, and planes and edges taken where the ray is: float
+/// products of the corners of a large one would blur what lies close to it.
+struct Quad {
+  glm::dvec3 origin, n;  ///< n of length 1
+  glm::dvec3 a, b;       ///< dual to the edges: a u = 1, a v = 0, b u = 0, b v = 1
+  double reach_a,
+      reach_b;  ///< what its coordinates may have lost by rounding, in units of the edges
+
+  explicit Quad(const Parallelogram& s);
+
+  /// Whether a point of its plane lies on it. Of two that share an edge one does, however their
+  /// corners were rounded.
+  bool holds(const glm::dvec3& p) const;
+};
+
 /// The nearest t in (tnear, tfar) at which the ray o + t d, |d| = 1, meets the surface; a negative
 /// value if there is none. In double: with float discriminants a sphere of radius 1 at distance 1e4
 /// loses a quarter of its hits.
+double intersect_quad(const Quad& quad, Vec3 o, Vec3 d, float tnear, float tfar);
 double intersect_sphere(const Sphere& sphere, Vec3 o, Vec3 d, float tnear, float tfar);
 double intersect_disk(const Disk& disk, Vec3 o, Vec3 d, float tnear, float tfar);
 
@@ -14,6 +30,7 @@ double intersect_disk(const Disk& disk, Vec3 o, Vec3 d, float tnear, float tfar)
 struct SurfacePoint {
   Vec3 p, n;
 };
+SurfacePoint quad_point(const Quad& quad, Vec3 o, Vec3 d, double t);
 SurfacePoint sphere_point(const Sphere& sphere, Vec3 o, Vec3 d, double t);
 SurfacePoint disk_point(const Disk& disk, Vec3 o, Vec3 d, double t);
 

@@ -7,6 +7,7 @@
 #include "geometry/sphere_tracer.h"
 #include "numeric/robust.h"
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 #include <vector>
@@ -20,18 +21,24 @@ struct Primitive {
   std::uint32_t shape;
 };
 
-/// A parallelogram with all that a hit needs to know of it.
+/// A parallelogram among those of its plane.
 struct Flat {
-  Parallelogram surface;
-  Vec3 n, p_error;
+  Quad quad;
   std::uint32_t shape;
-  std::vector<std::uint32_t> coplanar;  ///< all parallelograms of its plane, if there are others
+  Vec3 lower, upper;  ///< its bounds
+  /// All parallelograms of its plane, if there are others, and how far apart they may be.
+  std::vector<std::uint32_t> coplanar;
+  Vec3 gap{0};
 
-  Flat(const Parallelogram& s, std::uint32_t index)
-      : surface(s),
-        n(glm::normalize(glm::cross(s.u, s.v))),
-        p_error(rounding_bound(12) * (glm::abs(s.origin) + glm::abs(s.u) + glm::abs(s.v))),
-        shape(index) {}
+  Flat(const Parallelogram& s, std::uint32_t index) : quad(s), shape(index) {
+    lower = glm::min(glm::min(s.origin, s.origin + s.u),
+                     glm::min(s.origin + s.v, s.origin + s.u + s.v));
+    upper = glm::max(glm::max(s.origin, s.origin + s.u),
+                     glm::max(s.origin + s.v, s.origin + s.u + s.v));
+    const Vec3 margin = rounding_bound(8) * (glm::abs(s.origin) + glm::abs(s.u) + glm::abs(s.v));
+    lower -= margin;
+    upper += margin;
+  }
 };
 
 /// Callbacks for surfaces that Embree does not know. It calls them for single rays only, since we
@@ -68,6 +75,10 @@ struct UserGeometry {
   }
 };
 
+double intersect_flat(const Flat& flat, Vec3 o, Vec3 d, float tnear, float tfar) {
+  return intersect_quad(flat.quad, o, d, tnear, tfar);
+}
+
 double intersect_sdf(const SphereTracer& tracer, Vec3 o, Vec3 d, float tnear, float tfar) {
   return tracer.intersect(o, d, tnear, tfar);
 }
@@ -93,21 +104,15 @@ Bounds bounds_of(const SphereTracer& tracer) {
   return {tracer.lower(), tracer.upper()};
 }
 
+Bounds bounds_of(const Flat& flat) {
+  return {flat.lower, flat.upper};
+}
+
 template <class S>
 void bounds(const RTCBoundsFunctionArguments* args) {
   const auto& primitives = *static_cast<const std::vector<Primitive<S>>*>(args->geometryUserPtr);
   const auto [lower, upper] = bounds_of(*primitives[args->primID].surface);
   *args->bounds_o = {lower.x, lower.y, lower.z, 0, upper.x, upper.y, upper.z, 0};
-}
-
-/// Whether a point of its plane lies on a parallelogram.
-bool holds(const Parallelogram& s, Vec3 p) {
-  using Vec3d = glm::dvec3;
-  const Vec3d u(s.u), v(s.v), n = glm::cross(u, v), from_origin = Vec3d(p) - Vec3d(s.origin);
-  const double a = glm::dot(glm::cross(from_origin, v), n),
-               b = glm::dot(glm::cross(u, from_origin), n);
-  const double whole = glm::dot(n, n);
-  return a >= 0 && a <= whole && b >= 0 && b <= whole;
 }
 
 RTCRay embree_ray(const Ray& ray, float tmax) {
@@ -132,7 +137,8 @@ struct Intersector::Impl {
   const Scene& scene;
   RTCDevice device = nullptr;
   RTCScene embree = nullptr;
-  std::vector<Flat> parallelograms;
+  std::vector<Flat> flats;
+  std::vector<Primitive<Flat>> parallelograms;
   std::vector<Primitive<Sphere>> spheres;
   std::vector<Primitive<Disk>> disks;
   std::vector<SphereTracer> tracers;
@@ -147,7 +153,8 @@ struct Intersector::Impl {
     rtcSetSceneFlags(embree, RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(embree, RTC_BUILD_QUALITY_HIGH);
     sort_shapes();
-    add_parallelograms();
+    using QuadCallbacks = UserGeometry<Flat, intersect_flat>;
+    add_user<QuadCallbacks>(parallelograms, quad_geometry);
     using SphereCallbacks = UserGeometry<Sphere, intersect_sphere>;
     using DiskCallbacks = UserGeometry<Disk, intersect_disk>;
     add_user<SphereCallbacks>(spheres, sphere_geometry);
@@ -173,9 +180,13 @@ struct Intersector::Impl {
 
   void sort_shapes() {
     std::vector<std::uint32_t> sdf_shapes;
+    std::vector<Parallelogram> surfaces;
     for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
       const auto& g = scene.shapes[i].geometry;
-      if (const auto* quad = std::get_if<Parallelogram>(&g)) parallelograms.emplace_back(*quad, i);
+      if (const auto* quad = std::get_if<Parallelogram>(&g)) {
+        flats.emplace_back(*quad, i);
+        surfaces.push_back(*quad);
+      }
       if (const auto* sphere = std::get_if<Sphere>(&g)) spheres.push_back({sphere, i});
       if (const auto* disk = std::get_if<Disk>(&g)) disks.push_back({disk, i});
       if (const auto* mesh = std::get_if<Mesh>(&g)) meshes.push_back({mesh, i});
@@ -186,39 +197,35 @@ struct Intersector::Impl {
     }
     for (std::size_t i = 0; i < tracers.size(); ++i)
       sdfs.push_back({&tracers[i], sdf_shapes[i]});
-    tell_planes();
+    tell_planes(find_planes(surfaces));
+    for (const Flat& flat : flats)
+      parallelograms.push_back({&flat, flat.shape});
   }
 
-  /// Of parallelograms in one plane a ray that leaves one meets none: their rounding errors are
-  /// those of the least exact.
-  void tell_planes() {
-    std::vector<Parallelogram> surfaces;
-    for (const Flat& flat : parallelograms)
-      surfaces.push_back(flat.surface);
-    const Planes planes = find_planes(surfaces);
-    std::vector<std::vector<std::uint32_t>> members(surfaces.size());
-    std::vector<Vec3> errors(surfaces.size(), Vec3(0));
-    for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
-      const auto [first, gap] = planes.of[i];
-      members[first].push_back(i);
-      const Vec3 apart = 2 * static_cast<float>(gap) * glm::abs(parallelograms[i].n);
-      errors[first] = glm::max(errors[first], parallelograms[i].p_error + apart);
-    }
-    for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
-      const std::uint32_t first = planes.of[i].first;
-      if (members[first].size() == 1) continue;
-      parallelograms[i].coplanar = members[first];
-      parallelograms[i].p_error = errors[first];
+  /// A ray that leaves one of the parallelograms in a plane starts beyond all of them.
+  void tell_planes(const Planes& planes) {
+    std::vector<std::vector<std::uint32_t>> members(flats.size());
+    for (std::uint32_t i = 0; i < flats.size(); ++i)
+      members[planes.of[i].first].push_back(i);
+    for (const auto& together : members) {
+      if (together.size() < 2) continue;
+      float gap = 0;
+      for (const std::uint32_t i : together)
+        gap = std::max(gap, static_cast<float>(2 * planes.of[i].gap));
+      for (const std::uint32_t i : together) {
+        flats[i].coplanar = together;
+        flats[i].gap = gap * glm::abs(Vec3(flats[i].quad.n));
+      }
     }
   }
 
   /// Of the parallelograms in one plane that lie at p, one whose front the ray meets, if there is:
   /// which of them Embree names is chance.
   const Flat& facing(const Flat& met, Vec3 p, Vec3 d) const {
-    if (glm::dot(met.n, d) < 0) return met;
+    const auto fronts = [d](const Flat& flat) { return glm::dot(Vec3(flat.quad.n), d) < 0; };
+    if (fronts(met)) return met;
     for (const std::uint32_t i : met.coplanar) {
-      const Flat& flat = parallelograms[i];
-      if (glm::dot(flat.n, d) < 0 && holds(flat.surface, p)) return flat;
+      if (fronts(flats[i]) && flats[i].quad.holds(glm::dvec3(p))) return flats[i];
     }
     return met;
   }
@@ -235,24 +242,6 @@ struct Intersector::Impl {
         static_cast<T*>(rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), count));
     if (data == nullptr) throw Error("Embree is out of memory");
     return data;
-  }
-
-  void add_parallelograms() {
-    if (parallelograms.empty()) return;
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_QUAD);
-    const std::size_t count = parallelograms.size();
-    auto* v = new_buffer<Vec3>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, 4 * count);
-    auto* index = new_buffer<glm::uvec4>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT4, count);
-    for (std::size_t i = 0; i < count; ++i) {
-      const Parallelogram& p = parallelograms[i].surface;
-      v[4 * i] = p.origin;
-      v[4 * i + 1] = p.origin + p.u;
-      v[4 * i + 2] = p.origin + p.u + p.v;
-      v[4 * i + 3] = p.origin + p.v;
-      const auto first = static_cast<std::uint32_t>(4 * i);
-      index[i] = {first, first + 1, first + 2, first + 3};
-    }
-    attach(geometry, quad_geometry);
   }
 
   template <class Callbacks, class S>
@@ -280,17 +269,10 @@ struct Intersector::Impl {
   }
 
   void fill(const RTCRayHit& query, const Ray& ray, Hit& hit) const;
-  void fill_quad(const Flat& met, const RTCRayHit& query, Vec3 d, Hit& hit) const;
+  void fill_quad(const Flat& met, const Ray& ray, double t, Hit& hit) const;
 };
 
 namespace {
-
-void fill_parallelogram(const Flat& flat, Vec3 p, Hit& hit) {
-  hit.shape = flat.shape;
-  hit.p = p;
-  hit.p_error = flat.p_error;
-  hit.n = flat.n;
-}
 
 void fill_triangle(const Mesh& mesh, float u, float v, Hit& hit) {
   const glm::uvec3 corner = mesh.triangles[hit.primitive];
@@ -318,18 +300,23 @@ void fill_sdf(const SphereTracer::Point& point, Hit& hit) {
 
 }  // namespace
 
-void Intersector::Impl::fill_quad(const Flat& met, const RTCRayHit& query, Vec3 d, Hit& hit) const {
-  const Vec3 p = met.surface.origin + query.hit.u * met.surface.u + query.hit.v * met.surface.v;
-  fill_parallelogram(met.coplanar.empty() ? met : facing(met, p, d), p, hit);
+void Intersector::Impl::fill_quad(const Flat& met, const Ray& ray, double t, Hit& hit) const {
+  const Vec3 p = quad_point(met.quad, ray.o, ray.d, t).p;
+  const Flat& flat = met.coplanar.empty() ? met : facing(met, p, ray.d);
+  hit.shape = flat.shape;
+  fill_analytic({p, Vec3(flat.quad.n)}, hit);
+  hit.p_error += flat.gap;
 }
 
 void Intersector::Impl::fill(const RTCRayHit& query, const Ray& ray, Hit& hit) const {
   const unsigned id = query.hit.geomID, primitive = query.hit.primID;
   hit.t = query.ray.tfar;
   hit.primitive = 0;
+  // What tfar lost by rounding (UserGeometry).
+  const double exact_t = static_cast<double>(hit.t) + static_cast<double>(query.hit.u);
   switch (id) {
     case quad_geometry:
-      fill_quad(parallelograms[primitive], query, ray.d, hit);
+      fill_quad(flats[primitive], ray, exact_t, hit);
       return;
     case sphere_geometry:
       hit.shape = spheres[primitive].shape;
@@ -341,8 +328,7 @@ void Intersector::Impl::fill(const RTCRayHit& query, const Ray& ray, Hit& hit) c
       return;
     case sdf_geometry: {
       hit.shape = sdfs[primitive].shape;
-      const double t = static_cast<double>(hit.t) + static_cast<double>(query.hit.u);
-      fill_sdf(sdfs[primitive].surface->point(ray.o, ray.d, t), hit);
+      fill_sdf(sdfs[primitive].surface->point(ray.o, ray.d, exact_t), hit);
       return;
     }
     default:

@@ -18,8 +18,9 @@ struct Hit {
   std::uint32_t primitive = 0;  ///< triangle of a mesh
 };
 
-/// Answers ray queries against a scene's shapes, through Embree in its robust (watertight) mode;
-/// spheres, disks and sdfs are intersected in double precision. Queries may come from any thread.
+/// Answers ray queries against a scene's shapes, through Embree, triangles in its robust
+/// (watertight) mode; parallelograms, spheres, disks and sdfs are intersected in double precision.
+/// Queries may come from any thread.
 class Intersector {
  public:
   /// Keeps a reference to `scene`, which must outlive it. Throws Error if Embree fails.

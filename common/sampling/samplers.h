@@ -89,7 +89,7 @@ class StratifiedSampler {
   }
 
  private:
-  std::uint32_t order() const { return static_cast<std::uint32_t>(hash(base_, dimension_) >> 32); }
+  std::uint64_t order() const { return hash(base_, dimension_); }
 
   /// (stratum + u) / n, in double and kept below 1: in float the last stratum would round up to 1.
   static float place(std::uint32_t stratum, std::uint32_t n, float u) {

@@ -28,10 +28,6 @@ struct AreaPoint {
 /// difference of angles, which keeps only 1e-15 absolute.
 constexpr double least_solid_angle = 1e-7;
 
-Vec3 flat_error(const Parallelogram& s) {
-  return carlo::rounding_bound(12) * (glm::abs(s.origin) + glm::abs(s.u) + glm::abs(s.v));
-}
-
 bool is_rectangle(const Parallelogram& s) {
   return std::abs(glm::dot(s.u, s.v)) <= 1e-5f * glm::length(s.u) * glm::length(s.v);
 }
@@ -85,7 +81,11 @@ std::size_t pick(std::span<const double> sums, float& u) {
 }
 
 AreaPoint sample_area(const Parallelogram& s, Vec2 u) {
-  return {s.origin + u.x * s.u + u.y * s.v, glm::normalize(glm::cross(s.u, s.v)), flat_error(s)};
+  const Vec3d edge_u(s.u), edge_v(s.v);
+  const Vec3 p(Vec3d(s.origin) + static_cast<double>(u.x) * edge_u +
+               static_cast<double>(u.y) * edge_v);
+  return {p, Vec3(glm::normalize(glm::cross(edge_u, edge_v))),
+          carlo::rounding_bound(3) * glm::abs(p)};
 }
 
 AreaPoint sample_area(const Sphere& s, Vec2 u) {
@@ -129,9 +129,13 @@ float cone_of(const Sphere& s, Vec3 from) {
 }
 
 /// Whether `from` lies in front of the plane through `point` with normal n, without a doubt.
-bool in_front(const Place& from, const Place& point, Vec3 n) {
-  const double blur = glm::dot(Vec3d(glm::abs(n)), Vec3d(from.error) + Vec3d(point.error));
-  return glm::dot(Vec3d(n), Vec3d(from.p) - Vec3d(point.p)) > blur;
+bool in_front(const Place& from, Vec3d point, Vec3 error, Vec3d n) {
+  const double blur = glm::dot(glm::abs(n), Vec3d(from.error) + Vec3d(error));
+  return glm::dot(n, Vec3d(from.p) - point) > blur;
+}
+
+bool in_front(const Place& from, const RectangleFrame& rectangle) {
+  return in_front(from, rectangle.origin, Vec3(0), rectangle.z);
 }
 
 /// Whether `from` lies outside of the sphere, without a doubt.
@@ -220,12 +224,12 @@ std::optional<LightSample> Lights::sample_shape(const Entry& entry, const Place&
     return LightSample{point.p, point.error, point.n, shape.radiance, probability * density};
   };
   if (entry.rectangle) {
-    const auto& quad = std::get<Parallelogram>(shape.geometry);
-    const Vec3 n(entry.rectangle->z), error = flat_error(quad);
-    if (!in_front(from, {quad.origin, error}, n)) return std::nullopt;
+    if (!in_front(from, *entry.rectangle)) return std::nullopt;
     const SphericalRectangle seen(*entry.rectangle, from.p);
     if (seen.solid_angle() >= least_solid_angle) {
-      return result({seen.sample(u), n, error}, static_cast<float>(1 / seen.solid_angle()));
+      const Vec3 p = seen.sample(u);
+      return result({p, Vec3(entry.rectangle->z), carlo::rounding_bound(3) * glm::abs(p)},
+                    static_cast<float>(1 / seen.solid_angle()));
     }
   }
   // A sphere that emits outwards does not light its inside. One that emits inwards is sampled by
@@ -236,7 +240,7 @@ std::optional<LightSample> Lights::sample_shape(const Entry& entry, const Place&
     return result(sample_sphere_cone(*sphere, from.p, u), cone_pdf(cone_of(*sphere, from.p)));
   }
   const AreaPoint point = sample_area(shape, mesh_cdf_[entry.shape], u);
-  if (!in_front(from, {point.p, point.error}, point.n)) return std::nullopt;
+  if (!in_front(from, Vec3d(point.p), point.error, Vec3d(point.n))) return std::nullopt;
   return result(point, area_pdf(from.p, point.p, point.n, entry.area));
 }
 
@@ -249,8 +253,7 @@ float Lights::pdf(const Place& from, const carlo::Hit& hit) const {
 float Lights::shape_pdf(const Entry& entry, const Place& from, const Place& point, Vec3 n) const {
   const Shape& shape = scene_.shapes[entry.shape];
   if (entry.rectangle) {
-    const auto& quad = std::get<Parallelogram>(shape.geometry);
-    if (!in_front(from, {quad.origin, flat_error(quad)}, Vec3(entry.rectangle->z))) return 0;
+    if (!in_front(from, *entry.rectangle)) return 0;
     const SphericalRectangle seen(*entry.rectangle, from.p);
     if (seen.solid_angle() >= least_solid_angle) {
       return static_cast<float>(1 / seen.solid_angle());
@@ -259,7 +262,9 @@ float Lights::shape_pdf(const Entry& entry, const Place& from, const Place& poin
   if (const auto* sphere = std::get_if<Sphere>(&shape.geometry); sphere && !sphere->flipped) {
     return outside(*sphere, from) ? cone_pdf(cone_of(*sphere, from.p)) : 0;
   }
-  return in_front(from, point, n) ? area_pdf(from.p, point.p, n, entry.area) : 0;
+  return in_front(from, Vec3d(point.p), point.error, Vec3d(n))
+             ? area_pdf(from.p, point.p, n, entry.area)
+             : 0;
 }
 
 }  // namespace renderer
