@@ -71,14 +71,17 @@ carlo::Table views_table(const Cloud& cloud) {
 struct Constants {
   const char* name;
   std::uint64_t a, b, c;
+  /// c, unless the states are a coarser lattice. RANDU's are odd: x = 2 y + 1, and y runs modulo
+  /// c/2.
+  std::uint64_t lattice;
 };
 
 constexpr std::array<Constants, 5> known = {
-    {{"LCG (lecture)", Lcg::a, Lcg::b, std::uint64_t{1} << 32},
-     {"RANDU", 65539, 0, std::uint64_t{1} << 31},
-     {"MINSTD, 16807", 16807, 0, 2147483647},
-     {"MINSTD, 48271", 48271, 0, 2147483647},
-     {"a = 69069", 69069, 1, std::uint64_t{1} << 32}}};
+    {{"LCG (lecture)", Lcg::a, Lcg::b, std::uint64_t{1} << 32, std::uint64_t{1} << 32},
+     {"RANDU", 65539, 0, std::uint64_t{1} << 31, std::uint64_t{1} << 30},
+     {"MINSTD, 16807", 16807, 0, 2147483647, 2147483647},
+     {"MINSTD, 48271", 48271, 0, 2147483647, 2147483647},
+     {"a = 69069", 69069, 1, std::uint64_t{1} << 32, std::uint64_t{1} << 32}}};
 
 void spectral_table(Notebook& notebook) {
   carlo::Table table({"generator", "ν₂ (yours)", "ν₂²", "ν₃", "planes, at most", "ν₄", "time"},
@@ -87,7 +90,7 @@ void spectral_table(Notebook& notebook) {
     const auto start = std::chrono::steady_clock::now();
     carlo::Cell length = carlo::empty_cell(), squared = carlo::empty_cell();
     notebook.attempt([&] {
-      const std::uint64_t yours = spectral_2d(g.a, g.c);
+      const std::uint64_t yours = spectral_2d(g.a, g.lattice);
       length = carlo::Cell(std::round(std::sqrt(static_cast<double>(yours))));
       squared = carlo::Cell(static_cast<std::int64_t>(yours));
     });
@@ -95,7 +98,7 @@ void spectral_table(Notebook& notebook) {
     const auto quick = notebook.options().quick;
     const carlo::Cell four =
         quick ? carlo::empty_cell()
-              : carlo::Cell(std::round(shortest_dual_vector(g.a, g.c, 4).length()));
+              : carlo::Cell(std::round(shortest_dual_vector(g.a, g.lattice, 4).length()));
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
     table.add_row({g.name, length, squared, carlo::Cell(three.length()), three.planes(g.b != 0),
                    four, carlo::seconds_cell(spent.count())});

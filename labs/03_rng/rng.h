@@ -145,7 +145,9 @@ inline Wide dot(const Vector& x, const Vector& y) {
 
 /// Lab 3.8. The spectral test in two dimensions for x -> (a x + b) mod c, exact: the squared length
 /// nu_2^2 of the shortest (s, t), not both 0, of whole numbers with s + a t = 0 mod c. The pairs
-/// (x_n, x_{n+1}) / c lie on parallel lines at most 1 / nu_2 apart. 0 < a < c <= 2^32.
+/// (x_n, x_{n+1}) / c of a generator that visits every x lie on parallel lines at most 1 / nu_2
+/// apart. One that visits odd x alone, as RANDU does, is measured by a mod c/2: x = 2 y + 1, and y
+/// is an LCG of its own. 0 < a < c <= 2^32.
 std::uint64_t spectral_2d(std::uint64_t a, std::uint64_t c);
 
 }  // namespace lab03

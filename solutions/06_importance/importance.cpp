@@ -29,18 +29,20 @@ std::vector<double> contributions(const Function& f, const Density& p, std::int6
 
 // Lab 6.2 -----------------------------------------------------------------------------------------
 
+// Counted from the first of them, numbers that agree in many digits keep the others.
 Estimate summarize(std::span<const double> values) {
   const auto n = static_cast<double>(values.size());
+  const double origin = values[0];
   double sum = 0;
   for (const double value : values)
-    sum += value;
+    sum += value - origin;
   const double mean = sum / n;
-  if (values.size() < 2) return {mean, 0, 0};
+  if (values.size() < 2) return {origin, 0, 0};
   double squares = 0;
   for (const double value : values)
-    squares += (value - mean) * (value - mean);
+    squares += (value - origin - mean) * (value - origin - mean);
   const double variance = squares / (n - 1);
-  return {mean, variance, std::sqrt(variance / n)};
+  return {origin + mean, variance, std::sqrt(variance / n)};
 }
 
 double efficiency(double variance, double seconds) {
@@ -49,12 +51,15 @@ double efficiency(double variance, double seconds) {
 
 // Lab 6.3 -----------------------------------------------------------------------------------------
 
-// Seen from the lamp, equal angles receive equal light: the angle is what is uniform.
+// Seen from the lamp, equal angles receive equal light: the angle is what is uniform. The angle
+// between a and b, and the point at an angle from a, by the rules for tangents of sums: both of
+// a / height and b / height may be so large that their angles are the same number.
 Density light_density(double height, double a, double b) {
-  const double first = std::atan(a / height);
-  const double angle = std::atan(b / height) - first;
+  const double angle = std::atan2(height * (b - a), height * height + a * b);
   const auto sample = [=](double u) {
-    return std::clamp(height * std::tan(first + angle * u), a, b);
+    const double s = std::sin(angle * u), c = std::cos(angle * u);
+    const double ahead = height * c - a * s;
+    return ahead > 0 ? std::clamp(height * ((a * c + height * s) / ahead), a, b) : b;
   };
   const auto pdf = [=](double t) {
     return t >= a && t <= b ? height / (angle * (height * height + t * t)) : 0;
@@ -134,12 +139,29 @@ std::vector<double> rejection_contributions(const Function& f, const Function& g
 
 namespace {
 
+/// The product of an effort as mantissa and exponent: it may be too large or small for a double.
+struct Product {
+  double mantissa;
+  int exponent;
+};
+
+Product product_of(Effort effort) {
+  Product product{};
+  int exponent = 0;
+  product.mantissa =
+      std::frexp(effort.samples, &product.exponent) * std::frexp(effort.pdf, &exponent);
+  product.exponent += exponent;
+  return product;
+}
+
 /// The other's product over own's, to the given power, added to 1 and turned upside down: no sum
 /// and no square can overflow where the weight would not be 0 anyway.
 double share_of(Effort own, Effort other, int power) {
   if (!(own.samples > 0 && own.pdf > 0)) return 0;
-  if (!(other.samples > 0 && other.pdf > 0)) return 1;
-  const double ratio = other.pdf / own.pdf * (other.samples / own.samples);
+  if (!(other.samples > 0 && other.pdf > 0) || std::isinf(own.pdf)) return 1;
+  if (std::isinf(other.pdf)) return 0;
+  const Product ours = product_of(own), theirs = product_of(other);
+  const double ratio = std::ldexp(theirs.mantissa / ours.mantissa, theirs.exponent - ours.exponent);
   return 1 / (1 + (power == 1 ? ratio : ratio * ratio));
 }
 

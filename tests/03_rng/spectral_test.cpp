@@ -46,6 +46,19 @@ TEST_CASE("the lecture's LCG, RANDU and MINSTD have their known spectral figures
   CHECK(shortest_dual_vector(1664525, most, 3).planes(true) == 2280);
 }
 
+TEST_CASE("the lines of RANDU's pairs are 1/23171.9 apart, counted from its own numbers") {
+  // Its states are odd, so that 16387 x + 16383 x' is the same modulo 2^31 for every pair, and its
+  // lines stand as far apart as 2^30, not 2^31, says.
+  constexpr std::uint64_t c = std::uint64_t{1} << 31;
+  CHECK(spectral_2d(65539, c / 2) == 16387u * 16387u + 16383u * 16383u);
+  std::uint64_t x = 12345;
+  for (int i = 0; i < 10000; ++i) {
+    const std::uint64_t next = 65539 * x % c;
+    REQUIRE((16387 * x + 16383 * next) % c == c / 2);
+    x = next;
+  }
+}
+
 TEST_CASE("in two dimensions trying all vectors and Gauss's reduction agree") {
   std::uint64_t x = 99;
   for (int i = 0; i < 50; ++i) {
