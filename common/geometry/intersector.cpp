@@ -49,6 +49,10 @@ struct UserGeometry {
     return *(*static_cast<const std::vector<Primitive<S>>*>(user))[primitive].surface;
   }
 
+  static std::uint32_t shape(const void* user, unsigned primitive) {
+    return (*static_cast<const std::vector<Primitive<S>>*>(user))[primitive].shape;
+  }
+
   static double find(const RTCRay& ray, const S& s) {
     return meet(s, {ray.org_x, ray.org_y, ray.org_z}, {ray.dir_x, ray.dir_y, ray.dir_z}, ray.tnear,
                 ray.tfar);
@@ -69,6 +73,7 @@ struct UserGeometry {
   static void occluded(const RTCOccludedFunctionNArguments* args) {
     if (args->valid[0] == 0) return;
     auto* ray = reinterpret_cast<RTCRay*>(args->ray);
+    if (ray->id == shape(args->geometryUserPtr, args->primID)) return;
     if (find(*ray, surface(args->geometryUserPtr, args->primID)) >= 0) {
       ray->tfar = -std::numeric_limits<float>::infinity();
     }
@@ -351,8 +356,9 @@ bool Intersector::intersect(const Ray& ray, Hit& hit) const {
   return true;
 }
 
-bool Intersector::occluded(const Ray& ray, float tmax) const {
+bool Intersector::occluded(const Ray& ray, float tmax, std::uint32_t but_for) const {
   RTCRay query = embree_ray(ray, tmax);
+  query.id = but_for;
   embree_occluded(impl_->embree, &query);
   return query.tfar < 0;
 }

@@ -32,8 +32,12 @@ class Intersector {
   /// The nearest hit at t > 0; false if there is none.
   bool intersect(const Ray& ray, Hit& hit) const;
 
-  /// Whether anything lies at 0 < t < tmax.
-  bool occluded(const Ray& ray, float tmax) const;
+  static constexpr std::uint32_t nothing = 0xFFFFFFFF;
+
+  /// Whether anything lies at 0 < t < tmax, but for one shape, which must be a parallelogram, a
+  /// sphere or a disk: the lamp that the ray is to reach. A sphere is in its own way, by rounding,
+  /// where the ray grazes it.
+  bool occluded(const Ray& ray, float tmax, std::uint32_t but_for = nothing) const;
 
  private:
   struct Impl;

@@ -14,10 +14,12 @@ struct ShadowRay {
 };
 
 /// From `o`, free of its own surface, to the point p of a surface with unit normal n and rounding
-/// error `p_error` (absolute, per coordinate); n = 0 for a point that lies on no surface.
-inline ShadowRay shadow_ray(Vec3 o, Vec3 p, Vec3 p_error, Vec3 n) {
+/// error `p_error` (absolute, per coordinate); n = 0 for a point that lies on no surface. Where the
+/// surface cannot be in the ray's way, because occluded() leaves it out, `shades_itself` is false,
+/// and the ray goes all the way.
+inline ShadowRay shadow_ray(Vec3 o, Vec3 p, Vec3 p_error, Vec3 n, bool shades_itself = true) {
   // Embree's distances are good to a few float roundings.
-  constexpr float end = 1 - 1e-6f;
+  const float end = shades_itself ? 1 - 1e-6f : 1;
   const Vec3 target = n == Vec3(0) ? p : offset_origin(p, p_error, n, o - p);
   const Vec3 d = target - o;
   const float length = glm::length(d);

@@ -53,4 +53,13 @@ inline Vec3 offset_origin(Vec3 p, Vec3 error, Vec3 n, Vec3 d) {
   return o;
 }
 
+/// The same for a path that came to `p` from direction wo, |wo| = 1. If the ray goes on from the
+/// side that the path came to, it starts a little before p on the path's way: of other surfaces
+/// that meet there it is then on the side that the path came from, too, where rounding may have put
+/// p beyond them. Rooms have corners.
+inline Vec3 offset_origin(Vec3 p, Vec3 error, Vec3 n, Vec3 wo, Vec3 d) {
+  const bool stays = (glm::dot(n, wo) > 0) == (glm::dot(n, d) > 0);
+  return offset_origin(stays ? p + 2 * glm::length(error) * wo : p, error, n, d);
+}
+
 }  // namespace carlo

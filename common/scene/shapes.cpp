@@ -96,9 +96,10 @@ std::vector<Geometry> parse_geometry(Properties& shape, std::vector<std::string>
 }
 
 bool is_degenerate(Vec3 edge1, Vec3 edge2) {
-  const Vec3 normal = glm::normalize(glm::cross(edge1, edge2));
+  // In double: the square of a float product of edges leaves its range from 1e-10 and 1e10 on.
+  const glm::dvec3 normal = glm::normalize(glm::cross(glm::dvec3(edge1), glm::dvec3(edge2)));
   // Written so that NaN, from 0/0 or from overflow, fails.
-  return !(std::abs(glm::dot(normal, normal) - 1) < 1e-3f);
+  return !(std::abs(glm::dot(normal, normal) - 1) < 1e-3);
 }
 
 }  // namespace carlo

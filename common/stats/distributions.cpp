@@ -35,10 +35,29 @@ double chi_square_two_sided(double x, double dof) {
   return std::isnan(lower) ? lower : std::min(1.0, 2 * std::min(lower, upper));
 }
 
+double one_sided_kolmogorov_smirnov(double d, std::size_t n) {
+  if (std::isnan(d)) return d;
+  if (!(d > 0)) return 1;
+  if (d >= 1) return 0;
+  const auto count = static_cast<double>(n);
+  if (n > 20000) return std::exp(-(6 * count * d + 1) * (6 * count * d + 1) / (18 * count));
+  double sum = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto j = static_cast<double>(i);
+    if (!(d + j / count < 1)) break;
+    const double log_choose =
+        std::lgamma(count + 1) - std::lgamma(j + 1) - std::lgamma(count - j + 1);
+    sum += std::exp(log_choose + (j - 1) * std::log(d + j / count) +
+                    (count - j) * std::log1p(-d - j / count));
+  }
+  return std::min(1.0, d * sum);
+}
+
 double kolmogorov_smirnov(double d, std::size_t n) {
   if (std::isnan(d)) return d;
   const double root = std::sqrt(static_cast<double>(n));
   const double t = (root + 0.12 + 0.11 / root) * d;
+  if (t > 1) return std::min(1.0, 2 * one_sided_kolmogorov_smirnov(d, n));
   if (t < 0.2) return 1;  // the series needs many terms there and is 1 to 12 digits
   double sum = 0;
   double sign = 1;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <vector>
 
 namespace lab01 {
 
@@ -21,6 +22,13 @@ using Inside = std::function<bool(std::span<const double>)>;
 /// A box: lower[i] <= x[i] < upper[i]. Both spans have the same length, the dimension d >= 1.
 struct Box {
   std::span<const double> lower, upper;
+
+  Box(std::span<const double> lower_, std::span<const double> upper_)
+      : lower(lower_), upper(upper_) {}
+  // A box only looks at numbers that others own. Of these nothing would be left to look at.
+  Box(std::vector<double>&&, std::vector<double>&&) = delete;
+  Box(std::vector<double>&&, std::span<const double>) = delete;
+  Box(std::span<const double>, std::vector<double>&&) = delete;
 };
 
 /// Lab 1.1. The average of f over [0, 1), estimated by the mean of f at n uniform points; n >= 1.

@@ -56,7 +56,7 @@ std::vector<double> mesh_areas(const Mesh& mesh) {
 double area_of(const Shape& shape) {
   struct Visitor {
     double operator()(const Parallelogram& s) const {
-      return static_cast<double>(glm::length(glm::cross(s.u, s.v)));
+      return glm::length(glm::cross(Vec3d(s.u), Vec3d(s.v)));
     }
     double operator()(const Sphere& s) const {
       return 4 * carlo::pi * static_cast<double>(s.radius) * static_cast<double>(s.radius);
@@ -160,6 +160,14 @@ AreaPoint sample_sphere_cone(const Sphere& s, Vec3 from, Vec2 u) {
   return {p, Vec3(n), carlo::rounding_bound(3) * glm::abs(p)};
 }
 
+/// Whether nothing of the shape can lie between its front and what that lights.
+bool never_shades_itself(const Shape& shape) {
+  const auto* sphere = std::get_if<Sphere>(&shape.geometry);
+  return sphere != nullptr ? !sphere->flipped
+                           : std::holds_alternative<Parallelogram>(shape.geometry) ||
+                                 std::holds_alternative<Disk>(shape.geometry);
+}
+
 /// Density per solid angle at `from` of a point of density 1/area.
 float area_pdf(Vec3 from, Vec3 p, Vec3 n, double area) {
   const Vec3 d = p - from;
@@ -211,8 +219,13 @@ std::optional<LightSample> Lights::sample(const Place& from, float u_light, Vec2
   const float distance2 = glm::dot(d, d);
   if (!(distance2 > 0)) return std::nullopt;
   const auto probability = static_cast<float>(entry.probability);
-  return LightSample{light.position, Vec3(0), Vec3(0), light.intensity / (distance2 * probability),
-                     0};
+  return LightSample{light.position,
+                     Vec3(0),
+                     Vec3(0),
+                     light.intensity / (distance2 * probability),
+                     0,
+                     carlo::Intersector::nothing,
+                     false};
 }
 
 std::optional<LightSample> Lights::sample_shape(const Entry& entry, const Place& from,
@@ -221,7 +234,9 @@ std::optional<LightSample> Lights::sample_shape(const Entry& entry, const Place&
   const auto result = [&](const AreaPoint& point, float density) -> std::optional<LightSample> {
     if (!(density > 0) || !std::isfinite(density)) return std::nullopt;
     const auto probability = static_cast<float>(entry.probability);
-    return LightSample{point.p, point.error, point.n, shape.radiance, probability * density};
+    LightSample sample{point.p, point.error, point.n, shape.radiance, probability * density};
+    if (never_shades_itself(shape)) sample.shape = entry.shape, sample.shades_itself = false;
+    return sample;
   };
   if (entry.rectangle) {
     if (!in_front(from, *entry.rectangle)) return std::nullopt;

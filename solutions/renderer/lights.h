@@ -28,6 +28,8 @@ struct LightSample {
   Rgb radiance;  ///< towards the surface point; for a point light intensity / distance^2
   float pdf;     ///< per solid angle at the surface point, light choice included; 0 for a point
                  ///< light, whose radiance is already divided by the probability of its choice
+  std::uint32_t shape = carlo::Intersector::nothing;  ///< if it cannot be in its own way
+  bool shades_itself = true;                          ///< otherwise
 };
 
 /// Chooses among a scene's lights in proportion to their power, and samples the chosen one:

@@ -167,7 +167,7 @@ class PathIntegrator final : public carlo::Integrator {
     const float u_light = sampler.next_1d();
     const Vec2 u_point = sampler.next_2d();
     if (!lights_.empty()) {
-      path.L += path.beta * direct(path, hit, normal, wo, bsdf, u_light, u_point, counts);
+      path.L += path.beta * direct(hit, normal, wo, bsdf, u_light, u_point, counts);
     }
     sampler.seek(path.dimension + lobe_dimension);
     const float u_lobe = sampler.next_1d();
@@ -182,17 +182,18 @@ class PathIntegrator final : public carlo::Integrator {
   }
 
   /// Light that reaches the surface straight from a light, by sampling lights.
-  Rgb direct(const Path& path, const Hit& hit, Vec3 normal, Vec3 wo, const ModifiedPhong& bsdf,
-             float u_light, Vec2 u_point, Counts& counts) const {
+  Rgb direct(const Hit& hit, Vec3 normal, Vec3 wo, const ModifiedPhong& bsdf, float u_light,
+             Vec2 u_point, Counts& counts) const {
     const auto light = lights_.sample({hit.p, hit.p_error}, u_light, u_point);
     if (!light) return Rgb(0);
     const Vec3 wi = glm::normalize(light->p - hit.p);
     const ModifiedPhong::Value value = bsdf.evaluate(normal, wo, wi);
     if (!(value.pdf > 0)) return Rgb(0);
     const carlo::ShadowRay shadow =
-        carlo::shadow_ray(origin(path, hit, wi), light->p, light->p_error, light->n);
+        carlo::shadow_ray(carlo::offset_origin(hit.p, hit.p_error, hit.n, wo, wi), light->p,
+                          light->p_error, light->n, light->shades_itself);
     ++counts.rays;
-    if (intersector_.occluded(shadow.ray, shadow.length)) return Rgb(0);
+    if (intersector_.occluded(shadow.ray, shadow.length, light->shape)) return Rgb(0);
     const Rgb reflected = value.f * light->radiance * glm::dot(normal, wi);
     if (light->pdf == 0) return reflected;  // a point light: nothing to compete with
     return reflected * (power_heuristic(light->pdf, value.pdf) / light->pdf);
@@ -218,15 +219,8 @@ class PathIntegrator final : public carlo::Integrator {
   }
 
   /// Sets the path's ray to leave the surface in direction d.
-  static void spawn(Path& path, const Hit& hit, Vec3 d) { path.ray = {origin(path, hit, d), d}; }
-
-  /// Where a ray starts that leaves the surface in direction d. If it stays on its side, by what
-  /// rounding may have done it starts a little before the surface, so that it is on the side that
-  /// the path came from of all others, too, that meet there: rooms have corners.
-  static Vec3 origin(const Path& path, const Hit& hit, Vec3 d) {
-    const bool stays = (glm::dot(hit.n, path.ray.d) < 0) == (glm::dot(hit.n, d) > 0);
-    const Vec3 p = stays ? hit.p - 2 * glm::length(hit.p_error) * path.ray.d : hit.p;
-    return carlo::offset_origin(p, hit.p_error, hit.n, d);
+  static void spawn(Path& path, const Hit& hit, Vec3 d) {
+    path.ray = {carlo::offset_origin(hit.p, hit.p_error, hit.n, -path.ray.d, d), d};
   }
 
   /// Russian roulette: a path whose throughput has fallen below roulette_threshold ends as often as

@@ -7,6 +7,7 @@
 #include "grader/worker/probe.h"
 #include "integration.h"
 
+#include <type_traits>
 #include <vector>
 
 using namespace lab01_tests;
@@ -14,6 +15,10 @@ using carlo::grader::next_words;
 using carlo::grader::Params;
 using carlo::grader::Rows;
 using carlo::grader::RowWriter;
+
+// A box of vectors that die at the end of the line would look at nothing.
+static_assert(!std::is_constructible_v<lab01::Box, std::vector<double>, std::vector<double>>);
+static_assert(std::is_constructible_v<lab01::Box, std::vector<double>&, std::vector<double>&>);
 
 namespace {
 

@@ -64,12 +64,12 @@ std::optional<Surface> World::intersect(const Ray& ray) const {
 }
 
 Ray World::leave(const Surface& surface, Vec3 wi) const {
-  return {carlo::offset_origin(surface.p, surface.hit.p_error, surface.hit.n, wi), wi};
+  return {carlo::offset_origin(surface.p, surface.hit.p_error, surface.hit.n, surface.wo, wi), wi};
 }
 
 bool World::sees(const Surface& surface, const LightPoint& light) const {
-  const Vec3 o =
-      carlo::offset_origin(surface.p, surface.hit.p_error, surface.hit.n, light.p - surface.p);
+  const Vec3 o = carlo::offset_origin(surface.p, surface.hit.p_error, surface.hit.n, surface.wo,
+                                      light.p - surface.p);
   const carlo::ShadowRay shadow = carlo::shadow_ray(o, light.p, light.p_error, light.n);
   return !intersector_.occluded(shadow.ray, shadow.length);
 }

@@ -17,23 +17,6 @@ double rate_upper_bound(std::size_t failures, std::size_t trials, double confide
   return boost::math::ibeta_inv(k + 1, n - k, confidence);
 }
 
-double one_sided_kolmogorov_smirnov(double d, std::size_t n) {
-  if (std::isnan(d)) return d;
-  if (!(d > 0)) return 1;
-  if (d >= 1) return 0;
-  const auto count = static_cast<double>(n);
-  double sum = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto j = static_cast<double>(i);
-    if (!(d + j / count < 1)) break;
-    const double log_choose =
-        std::lgamma(count + 1) - std::lgamma(j + 1) - std::lgamma(count - j + 1);
-    sum += std::exp(log_choose + (j - 1) * std::log(d + j / count) +
-                    (count - j) * std::log1p(-d - j / count));
-  }
-  return std::min(1.0, d * sum);
-}
-
 std::string to_string(Behaviour behaviour) {
   switch (behaviour) {
     case Behaviour::uniform:

@@ -11,11 +11,6 @@ namespace carlo::grader {
 /// binomial", 1934). 1 without trials. Throws Error for more failures than trials.
 double rate_upper_bound(std::size_t failures, std::size_t trials, double confidence = .95);
 
-/// P(D+ >= d) for the largest excess D+ of the distribution of n independent uniform values over
-/// the uniform one, exactly (Birnbaum and Tingey, "One-sided confidence contours for probability
-/// distribution functions", 1951).
-double one_sided_kolmogorov_smirnov(double d, std::size_t n);
-
 /// Whether p-values behave as p-values of right solutions must. `uniform`: as far as these tell.
 /// `cautious`: not uniform, but not too small either, as those of exact tests, counts and bounds:
 /// they fail a right solution less often than they claim. `too_small`: they fail it more often.

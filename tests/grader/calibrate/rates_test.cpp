@@ -61,15 +61,15 @@ TEST_CASE("Clopper and Pearson's bound puts 5 % below its count", "[calibrate]")
 
 TEST_CASE("the one-sided Kolmogorov-Smirnov tail agrees with closed forms", "[calibrate]") {
   // One value u: D+ = 1 - u. Two: P(D+ >= d) = (1 - d)^2 + 2 d (1/2 - d), d < 1/2.
-  CHECK(close(one_sided_kolmogorov_smirnov(.3, 1), .7, 1e-12));
-  CHECK(close(one_sided_kolmogorov_smirnov(.2, 2), .8 * .8 + 2 * .2 * (.5 - .2), 1e-12));
+  CHECK(close(carlo::one_sided_kolmogorov_smirnov(.3, 1), .7, 1e-12));
+  CHECK(close(carlo::one_sided_kolmogorov_smirnov(.2, 2), .8 * .8 + 2 * .2 * (.5 - .2), 1e-12));
   // Many: exp(-2 n d^2), and half of the two-sided tail far out.
   const double d = 3 / std::sqrt(20'000.0);
-  CHECK(close(one_sided_kolmogorov_smirnov(d, 20'000), std::exp(-18.0), .05));
-  CHECK(close(2 * one_sided_kolmogorov_smirnov(.2, 200), carlo::kolmogorov_smirnov(.2, 200), .05));
-  CHECK(one_sided_kolmogorov_smirnov(0, 10) == 1);
-  CHECK(one_sided_kolmogorov_smirnov(1, 10) == 0);
-  CHECK(std::isnan(one_sided_kolmogorov_smirnov(std::nan(""), 10)));
+  CHECK(close(carlo::one_sided_kolmogorov_smirnov(d, 20'000), std::exp(-18.0), .05));
+  CHECK(close(2 * carlo::one_sided_kolmogorov_smirnov(.2, 200), carlo::kolmogorov_smirnov(.2, 200), .05));
+  CHECK(carlo::one_sided_kolmogorov_smirnov(0, 10) == 1);
+  CHECK(carlo::one_sided_kolmogorov_smirnov(1, 10) == 0);
+  CHECK(std::isnan(carlo::one_sided_kolmogorov_smirnov(std::nan(""), 10)));
 }
 
 // 4000 trials of 30 values: a tail that is off by a tenth at 1 % would show at 6 standard errors
@@ -105,6 +105,24 @@ TEST_CASE("the p-values of a fair coin's exact test are cautious and tied", "[ca
   CHECK(found.ties);
   CHECK(found.smallest == 1 / 16.0);
   CHECK(found.behaviour(1e-6) == Behaviour::cautious);
+}
+
+TEST_CASE("Kolmogorov-Smirnov p-values, down to 1e-15") {
+  // By Marsaglia, Tsang and Wang's matrix, with 60 decimal digits.
+  struct Known {
+    std::size_t n;
+    double d, p;
+  };
+  for (const auto& [n, d, p] : {Known{100, .12, 1.033037490e-1}, Known{100, .2, 5.551927328e-4},
+                                Known{100, .3, 1.771986989e-8}, Known{100, .4, 5.947617e-15},
+                                Known{1000, .05, 1.301207e-2}, Known{1000, .13, 3.401754e-15}}) {
+    INFO("n = " << n << ", d = " << d);
+    CHECK(std::abs(carlo::kolmogorov_smirnov(d, n) / p - 1) <= .002);
+  }
+  // Where the exact sum ends and the approximation begins.
+  CHECK(std::abs(carlo::one_sided_kolmogorov_smirnov(.04, 20000) /
+                     carlo::one_sided_kolmogorov_smirnov(.04, 20001) -
+                 1) <= .06);
 }
 
 TEST_CASE("NaN counts as the smallest p-value, and no p-values as uniform", "[calibrate]") {
