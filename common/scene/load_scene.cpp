@@ -1,5 +1,6 @@
 #include "scene/load_scene.h"
 
+#include "scene/center.h"
 #include "scene/ids.h"
 #include "scene/materials.h"
 #include "scene/parameters.h"
@@ -9,6 +10,8 @@
 #include "scene/text.h"
 #include "scene/transforms.h"
 #include "scene/xml_source.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <limits>
@@ -24,7 +27,9 @@ constexpr std::size_t most_files = 1000;  // includes of includes multiply
 
 class Loader {
  public:
-  explicit Loader(const std::map<std::string, std::string>& parameters) : parameters_(parameters) {}
+  /// `center`: the point of the file's world that is the scene's origin.
+  Loader(const std::map<std::string, std::string>& parameters, glm::dvec3 center)
+      : center_(center), parameters_(parameters) {}
 
   Scene load(const fs::path& path) {
     load_file(path, {});
@@ -74,7 +79,7 @@ class Loader {
     if (element.name == "emitter") return add_emitter(element);
     if (element.name == "sensor") {
       once(sensor_, element);
-      return parse_sensor(element, scene_);
+      return parse_sensor(element, scene_, center_);
     }
     if (element.name == "integrator") {
       once(integrator_, element);
@@ -103,7 +108,7 @@ class Loader {
   }
 
   void add_shape(const XmlElement& element) {
-    Properties shape(element, objects_inside(element.get("type").value));
+    Properties shape(element, objects_inside(element.get("type").value), center_);
     std::vector<Geometry> geometry = parse_geometry(shape, scene_.notes);
     shape.finish();
     const XmlElement* emitter = shape.object("emitter");
@@ -123,7 +128,7 @@ class Loader {
   }
 
   void add_emitter(const XmlElement& element) {
-    Properties emitter(element);
+    Properties emitter(element, {}, center_);
     if (emitter.type() == "point") return add_point_light(emitter);
     if (emitter.type() != "constant") {
       fail(emitter.type_at(), "emitter {} is not supported outside a <shape>{}",
@@ -137,7 +142,7 @@ class Loader {
     const bool both = emitter.has("position") && emitter.has("toWorld");
     if (both) fail(emitter.at("toWorld"), "a point light has a position or a toWorld, got both");
     const glm::dvec3 position = emitter.point("position").value_or(glm::dvec3(0));
-    const glm::dmat4 to_world = emitter.transform("toWorld").value_or(glm::dmat4(1));
+    const glm::dmat4 to_world = emitter.to_world();
     PointLight light;
     light.position = transform_point(to_world, position, emitter.at("toWorld"));
     light.intensity = required_colour(emitter, "intensity");
@@ -161,6 +166,7 @@ class Loader {
   }
 
   Scene scene_;
+  glm::dvec3 center_;
   Parameters parameters_;
   Ids ids_;
   Materials materials_{ids_};
@@ -174,7 +180,16 @@ class Loader {
 }  // namespace
 
 Scene load_scene(const fs::path& path, const std::map<std::string, std::string>& parameters) {
-  return Loader(parameters).load(path);
+  Scene scene = Loader(parameters, glm::dvec3(0)).load(path);
+  const auto center = far_center(scene);
+  if (!center) return scene;
+  // Once more, since what rounding took from the coordinates is lost.
+  Scene moved = Loader(parameters, *center).load(path);
+  moved.notes.push_back(fmt::format(
+      "the scene lies around ({:g}, {:g}, {:g}), far from the origin for its size: it is rendered "
+      "around (0, 0, 0), where coordinates have more digits",
+      center->x, center->y, center->z));
+  return moved;
 }
 
 }  // namespace carlo

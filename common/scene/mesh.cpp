@@ -43,7 +43,7 @@ void check_normals(Properties& shape, const MeshFile& file) {
 Mesh parse_mesh(Properties& shape, std::vector<std::string>& notes) {
   const auto filename = shape.string("filename");
   if (!filename) shape.missing("filename", "string");
-  const glm::dmat4 to_world = shape.transform("toWorld").value_or(glm::dmat4(1));
+  const glm::dmat4 to_world = shape.to_world();
   const bool turned = mirrors(to_world) != shape.boolean("flipNormals").value_or(false);
   const MeshFile file = read_mesh_file(shape, *filename);
   check_normals(shape, file);

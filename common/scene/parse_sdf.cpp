@@ -80,7 +80,7 @@ sdf::Solid parse_solid(Properties& shape) {
 }
 
 Similarity parse_place(Properties& shape) {
-  const auto place = similarity(shape.transform("toWorld").value_or(glm::dmat4(1)));
+  const auto place = similarity(shape.to_world());
   if (!place) fail(shape.at("toWorld"), "non-uniform scale of an sdf is not supported");
   return *place;
 }

@@ -3,6 +3,8 @@
 #include "scene/text.h"
 #include "scene/transforms.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -60,8 +62,9 @@ double number_of(const XmlAttribute& attribute) {
   return *number;
 }
 
-Properties::Properties(const XmlElement& object, const std::vector<std::string>& objects)
-    : object_(object) {
+Properties::Properties(const XmlElement& object, const std::vector<std::string>& objects,
+                       glm::dvec3 center)
+    : object_(object), center_(center) {
   object.allow_only({"type", "id"});
   object.get("type");
   for (const XmlElement& child : object.children) {
@@ -131,6 +134,10 @@ std::optional<glm::dmat4> Properties::transform(const std::string& name) {
   const XmlElement* element = take(name, {"transform"});
   if (element == nullptr) return {};
   return parse_transform(*element);
+}
+
+glm::dmat4 Properties::to_world() {
+  return glm::translate(glm::dmat4(1), -center_) * transform("toWorld").value_or(glm::dmat4(1));
 }
 
 std::optional<Rgb> Properties::colour(const std::string& name, float largest) {

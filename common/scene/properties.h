@@ -19,8 +19,9 @@ double number_of(const XmlAttribute& attribute);
 class Properties {
  public:
   /// `objects`: the elements besides properties that may stand inside, such as "bsdf". `object`
-  /// must outlive this.
-  Properties(const XmlElement& object, const std::vector<std::string>& objects = {});
+  /// must outlive this. `center`: the point of the file's world that is the scene's origin.
+  Properties(const XmlElement& object, const std::vector<std::string>& objects = {},
+             glm::dvec3 center = glm::dvec3(0));
 
   /// The plugin's name, its attribute `type`.
   const std::string& type() const { return object_.get("type").value; }
@@ -38,6 +39,8 @@ class Properties {
   std::optional<std::string> string(const std::string& name);
   std::optional<glm::dvec3> point(const std::string& name);
   std::optional<glm::dmat4> transform(const std::string& name);
+  /// The transform `toWorld`, the identity when it is not given, to the scene's origin.
+  glm::dmat4 to_world();
   /// <rgb value="r, g, b"/> or, for a grey, <spectrum value="x"/>; each channel in [0, `largest`].
   std::optional<Rgb> colour(const std::string& name, float largest);
   /// <float> or <string>: a number or a name to look up.
@@ -61,6 +64,7 @@ class Properties {
   const XmlElement* take(const std::string& name, const std::vector<std::string_view>& kinds);
 
   const XmlElement& object_;
+  glm::dvec3 center_;
   std::vector<const XmlElement*> properties_;
   std::vector<const XmlElement*> objects_;
   std::vector<std::string> asked_;

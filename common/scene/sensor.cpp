@@ -78,7 +78,7 @@ void set_field_of_view(Properties& sensor, Scene& scene) {
 
 // Mitsuba's camera looks along +z; its +x points to the left of the image.
 void set_frame(Properties& sensor, Camera& camera) {
-  const glm::dmat4 to_world = sensor.transform("toWorld").value_or(glm::dmat4(1));
+  const glm::dmat4 to_world = sensor.to_world();
   const Position at = sensor.at("toWorld");
   const glm::dvec3 x(to_world[0]), y(to_world[1]), z(to_world[2]);
   if (!equal_and_orthogonal(x, y) || !equal_and_orthogonal(y, z) || !equal_and_orthogonal(z, x) ||
@@ -97,8 +97,8 @@ void set_frame(Properties& sensor, Camera& camera) {
 
 }  // namespace
 
-void parse_sensor(const XmlElement& element, Scene& scene) {
-  Properties sensor(element, {"film", "sampler"});
+void parse_sensor(const XmlElement& element, Scene& scene, glm::dvec3 center) {
+  Properties sensor(element, {"film", "sampler"}, center);
   require_type(sensor, "sensor", {"perspective"});
   scene.width = 768;
   scene.height = 576;

@@ -7,7 +7,7 @@ namespace carlo {
 
 /// <sensor type="perspective"> with its film and sampler: fills in the camera, the film's size, the
 /// sampler and the samples a pixel.
-void parse_sensor(const XmlElement& element, Scene& scene);
+void parse_sensor(const XmlElement& element, Scene& scene, glm::dvec3 center);
 
 /// <integrator type="path">: fills in the longest path.
 void parse_integrator(const XmlElement& element, Scene& scene);

@@ -9,11 +9,9 @@
 namespace carlo {
 namespace {
 
-constexpr glm::dmat4 identity(1);
-
 // The square with corner `origin` and edges u, v, with its normal along u x v in local coordinates.
 Parallelogram parallelogram(Properties& shape, glm::dvec3 origin, glm::dvec3 u, glm::dvec3 v) {
-  const glm::dmat4 to_world = shape.transform("toWorld").value_or(identity);
+  const glm::dmat4 to_world = shape.to_world();
   const bool flipped = shape.boolean("flipNormals").value_or(false);
   const Position at = shape.at("toWorld");
   Parallelogram out{transform_point(to_world, origin, at), transform_vector(to_world, u, at),
@@ -43,7 +41,7 @@ std::vector<Geometry> parse_cube(Properties& shape) {
 Sphere parse_sphere(Properties& shape) {
   const glm::dvec3 center = shape.point("center").value_or(glm::dvec3(0));
   const float radius = shape.number("radius").value_or(1.0f);
-  const glm::dmat4 to_world = shape.transform("toWorld").value_or(identity);
+  const glm::dmat4 to_world = shape.to_world();
   const bool flipped = shape.boolean("flipNormals").value_or(false);
   if (!(radius > 0)) fail(shape.at("radius"), "radius must be > 0, got {}", radius);
   const glm::dmat3 linear(to_world);
@@ -62,7 +60,7 @@ Sphere parse_sphere(Properties& shape) {
 
 // The disk of radius 1 about the origin in the plane z = 0, normal +z.
 Disk parse_disk(Properties& shape) {
-  const glm::dmat4 to_world = shape.transform("toWorld").value_or(identity);
+  const glm::dmat4 to_world = shape.to_world();
   const bool flipped = shape.boolean("flipNormals").value_or(false);
   const Position at = shape.at("toWorld");
   const glm::dvec3 x(to_world[0]), y(to_world[1]);

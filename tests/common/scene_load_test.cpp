@@ -45,6 +45,36 @@ const std::string fov90 = "<float name=\"fov\" value=\"90\"/>";
 
 }  // namespace
 
+TEST_CASE("a scene far from the origin is moved there with all that it has", "[scene]") {
+  // Coordinates with more digits than a float has at 1e6, .03 there.
+  const std::string there = "<translate x=\"1e6\" y=\"-2e6\" z=\"3e6\"/>";
+  const auto text = [](const std::string& move) {
+    return "<scene version=\"0.6.0\"><shape type=\"sphere\"><point name=\"center\" x=\".125\" "
+           "y=\"0\" "
+           "z=\"0\"/><transform name=\"toWorld\">" +
+           move + "</transform></shape><shape type=\"rectangle\"><transform name=\"toWorld\">" +
+           "<translate x=\".25\"/>" + move +
+           "</transform></shape><emitter type=\"point\"><transform name=\"toWorld\"><translate "
+           "y=\"2\"/>" +
+           move + "</transform><rgb name=\"intensity\" value=\"1\"/></emitter>" +
+           "<sensor type=\"perspective\">" + fov90 +
+           "<transform name=\"toWorld\"><translate z=\"-4\"/>" + move +
+           "</transform></sensor></scene>";
+  };
+  const Scene near = load_text(text("")), far = load_text(text(there));
+  CHECK(near.notes.empty());
+  REQUIRE(far.notes.size() == 1);
+  CHECK(far.notes[0].find("far from the origin") != std::string::npos);
+  const auto& ball = std::get<Sphere>(far.shapes[0].geometry);
+  const Vec3 moved = ball.center - std::get<Sphere>(near.shapes[0].geometry).center;
+  CHECK(glm::length(ball.center) < 8);
+  const auto same = [&](Vec3 a, Vec3 b) { return glm::length(b - a - moved) <= 1e-6f; };
+  CHECK(same(std::get<Parallelogram>(near.shapes[1].geometry).origin,
+             std::get<Parallelogram>(far.shapes[1].geometry).origin));
+  CHECK(same(near.points[0].position, far.points[0].position));
+  CHECK(same(near.camera.origin, far.camera.origin));
+}
+
 TEST_CASE("a diffuse material has a reflectance, 0.5 if none is given", "[scene]") {
   CHECK(model<Diffuse>("<bsdf type=\"diffuse\"/>").reflectance == Rgb(0.5f));
   const auto red = model<Diffuse>(

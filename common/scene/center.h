@@ -1,0 +1,13 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <optional>
+
+namespace carlo {
+
+/// The middle of all shapes, lamps and the camera of a scene whose coordinates lose digits by where
+/// it lies: if that is more than eight times their extent away from the origin. Nothing otherwise.
+std::optional<glm::dvec3> far_center(const Scene& scene);
+
+}  // namespace carlo
