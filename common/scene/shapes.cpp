@@ -4,6 +4,7 @@
 #include "scene/transforms.h"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace carlo {
@@ -94,10 +95,12 @@ std::vector<Geometry> parse_geometry(Properties& shape, std::vector<std::string>
 }
 
 bool is_degenerate(Vec3 edge1, Vec3 edge2) {
-  // In double: the square of a float product of edges leaves its range from 1e-10 and 1e10 on.
-  const glm::dvec3 normal = glm::normalize(glm::cross(glm::dvec3(edge1), glm::dvec3(edge2)));
-  // Written so that NaN, from 0/0 or from overflow, fails.
-  return !(std::abs(glm::dot(normal, normal) - 1) < 1e-3);
+  // In double: the square of a float product of edges leaves its range from 1e-10 and 1e10 on. The
+  // area itself must be a float. Written so that NaN, from 0/0 or from overflow, fails.
+  const double area = glm::length(glm::cross(glm::dvec3(edge1), glm::dvec3(edge2)));
+  constexpr double least = std::numeric_limits<float>::min(),
+                   most = std::numeric_limits<float>::max();
+  return !(area >= least && area <= most);
 }
 
 }  // namespace carlo

@@ -107,7 +107,8 @@ AreaPoint sample_area(const Mesh& mesh, std::span<const double> areas, Vec2 u) {
   const Vec3 a = mesh.positions[corner.x], ab = mesh.positions[corner.y] - a,
              ac = mesh.positions[corner.z] - a;
   const float root = std::sqrt(u.x);
-  return {a + root * (1 - u.y) * ab + root * u.y * ac, glm::normalize(glm::cross(ab, ac)),
+  return {a + root * (1 - u.y) * ab + root * u.y * ac,
+          Vec3(glm::normalize(glm::cross(Vec3d(ab), Vec3d(ac)))),
           carlo::rounding_bound(12) * (glm::abs(a) + glm::abs(ab) + glm::abs(ac))};
 }
 

@@ -13,13 +13,23 @@ using carlo::Mesh;
 using carlo::Parallelogram;
 using carlo::Sphere;
 
+using Vec3d = glm::dvec3;
+
+/// Of edges u and v, in double: squares of their product may be beyond float.
+float area_between(Vec3 u, Vec3 v) {
+  return static_cast<float>(glm::length(glm::cross(Vec3d(u), Vec3d(v))));
+}
+Vec3 normal_of(Vec3 u, Vec3 v) {
+  return Vec3(glm::normalize(glm::cross(Vec3d(u), Vec3d(v))));
+}
+
 float triangle_area(const Mesh& mesh, glm::uvec3 corner) {
   const Vec3 a = mesh.positions[corner.x];
-  return 0.5f * glm::length(glm::cross(mesh.positions[corner.y] - a, mesh.positions[corner.z] - a));
+  return 0.5f * area_between(mesh.positions[corner.y] - a, mesh.positions[corner.z] - a);
 }
 
 LightPoint point_on(const Parallelogram& s, Vec2 u) {
-  return {s.origin + u.x * s.u + u.y * s.v, glm::normalize(glm::cross(s.u, s.v)), Rgb(0),
+  return {s.origin + u.x * s.u + u.y * s.v, normal_of(s.u, s.v), Rgb(0),
           carlo::rounding_bound(12) * (glm::abs(s.origin) + glm::abs(s.u) + glm::abs(s.v))};
 }
 
@@ -47,7 +57,7 @@ LightPoint point_on(const Mesh& mesh, std::span<const double> areas, Vec2 u) {
   const Vec3 ab = mesh.positions[mesh.triangles[i].y] - a;
   const Vec3 ac = mesh.positions[mesh.triangles[i].z] - a;
   const float root = std::sqrt(std::clamp(rest, 0.0f, 1.0f));
-  return {a + root * (1 - u.y) * ab + root * u.y * ac, glm::normalize(glm::cross(ab, ac)), Rgb(0),
+  return {a + root * (1 - u.y) * ab + root * u.y * ac, normal_of(ab, ac), Rgb(0),
           carlo::rounding_bound(12) * (glm::abs(a) + glm::abs(ab) + glm::abs(ac))};
 }
 
@@ -67,7 +77,7 @@ Light::Light(const carlo::Shape& shape) : shape_(&shape) {
     area_ = carlo::pi_f * carlo::sqr(disk->radius);
   } else {
     const auto& quad = std::get<Parallelogram>(shape.geometry);
-    area_ = glm::length(glm::cross(quad.u, quad.v));
+    area_ = area_between(quad.u, quad.v);
   }
 }
 
