@@ -18,15 +18,13 @@ double coordinates_of(const Vec3d& v) {
 struct Plane {
   std::array<Vec3d, 4> corners;
   Vec3d n;
-  double coordinates;  ///< |n| . |corner| for the corner where that is least
+  double offset;  ///< from the origin
 
   explicit Plane(const Parallelogram& s) {
     const Vec3d o(s.origin), u(s.u), v(s.v);
     corners = {o, o + u, o + v, o + u + v};
     n = glm::normalize(glm::cross(u, v));
-    coordinates = coordinates_of(n * o);
-    for (const Vec3d& p : corners)
-      coordinates = std::min(coordinates, coordinates_of(n * p));
+    offset = std::abs(glm::dot(n, o));
   }
 };
 
@@ -36,7 +34,7 @@ double gap_to(const std::array<Vec3d, 4>& points, const Plane& plane) {
   double gap = 0;
   for (const Vec3d& p : points) {
     const double distance = std::abs(glm::dot(plane.n, p - plane.corners[0]));
-    if (!(distance <= unit * (coordinates_of(p) + plane.coordinates))) return -1;
+    if (!(distance <= unit * (coordinates_of(p) + plane.offset))) return -1;
     gap = std::max(gap, distance);
   }
   return gap;

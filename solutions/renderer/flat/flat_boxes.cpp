@@ -1,9 +1,12 @@
 #include "renderer/flat/flat_boxes.h"
 
+#include "geometry/planes.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace renderer {
 namespace {
@@ -148,16 +151,53 @@ bool dark(const Scene& scene, const FoundBox& box) {
                       [&](const auto& i) { return i && scene.shapes[*i].emits(); });
 }
 
-/// Whether some side is black from outside, so that it matters what else lies in its plane.
-bool black_outside(const Scene& scene, const FoundBox& box) {
+/// Whether two parallelograms of one plane have more than edges in common: no line along an edge of
+/// either parts them.
+bool overlap(const Parallelogram& a, const Parallelogram& b) {
+  const Vec3d n = glm::cross(Vec3d(a.u), Vec3d(a.v));
+  const auto p = corners(a), q = corners(b);
+  for (const Vec3d& edge : {Vec3d(a.u), Vec3d(a.v), Vec3d(b.u), Vec3d(b.v)}) {
+    const Vec3d across = glm::cross(n, edge);
+    const auto extent = [&](const auto& points) {
+      std::pair<double, double> range{std::numeric_limits<double>::infinity(),
+                                      -std::numeric_limits<double>::infinity()};
+      for (const Vec3d& point : points) {
+        range.first = std::min(range.first, glm::dot(across, point));
+        range.second = std::max(range.second, glm::dot(across, point));
+      }
+      return range;
+    };
+    const auto [low_a, high_a] = extent(p);
+    const auto [low_b, high_b] = extent(q);
+    const double margin = tolerance * std::min(high_a - low_a, high_b - low_b);
+    if (low_b >= high_a - margin || low_a >= high_b - margin) return false;
+  }
+  return true;
+}
+
+/// Whether a front in the plane of some side looks out of the box: one of another shape that covers
+/// the side, so that it matters which of them is met; or the side itself is black from outside.
+bool covered(const Scene& scene, const FoundBox& box, const std::vector<std::size_t>& quads) {
+  const auto looks_out = [](const Parallelogram& quad, const FlatBox& slabs, unsigned f) {
+    const auto& axis = slabs.axis[f / 2];
+    const double along =
+        glm::dot(glm::cross(Vec3d(quad.u), Vec3d(quad.v)), Vec3d(axis[0], axis[1], axis[2]));
+    return (along > 0) == ((f & 1) != 0);
+  };
   for (unsigned f = 0; f < 6; ++f) {
     if (!box.shape[f]) continue;
-    const carlo::Shape& shape = scene.shapes[*box.shape[f]];
-    const Parallelogram& quad = std::get<Parallelogram>(shape.geometry);
-    const auto& axis = box.box.axis[f / 2];
-    const double outwards =
-        glm::dot(glm::cross(Vec3d(quad.u), Vec3d(quad.v)), Vec3d(axis[0], axis[1], axis[2]));
-    if (!scene.materials[shape.material].two_sided && (outwards > 0) != ((f & 1) != 0)) return true;
+    const carlo::Shape& side = scene.shapes[*box.shape[f]];
+    const auto& face = std::get<Parallelogram>(side.geometry);
+    if (!scene.materials[side.material].two_sided && !looks_out(face, box.box, f)) return true;
+    for (const std::size_t i : quads) {
+      if (std::find(box.shape.begin(), box.shape.end(), i) != box.shape.end()) continue;
+      const Parallelogram& quad = *parallelogram(scene, i);
+      const std::array<Parallelogram, 2> both{face, quad};
+      if (looks_out(quad, box.box, f) && carlo::find_planes(both).of[1].first == 0 &&
+          overlap(face, quad)) {
+        return true;
+      }
+    }
   }
   return false;
 }
@@ -186,6 +226,7 @@ FlatBoxes find_boxes(const Scene& scene) {
   std::vector<std::size_t> quads;
   for (std::size_t i = 0; i < scene.shapes.size(); ++i)
     if (parallelogram(scene, i) != nullptr) quads.push_back(i);
+  const std::vector<std::size_t> all = quads;
   FlatBoxes result;
   const Vec3d camera(scene.camera.origin);
   for (std::vector<std::size_t> left = quads; !left.empty();) {
@@ -196,7 +237,7 @@ FlatBoxes find_boxes(const Scene& scene) {
     if (!result.enclosure && sides >= least_sides && holds(box.box, scene)) {
       result.enclosure = box;
       result.camera_inside = depth_inside(box.box, camera) > tolerance * size;
-    } else if (sides == 6 && dark(scene, box) && !black_outside(scene, box) &&
+    } else if (sides == 6 && dark(scene, box) && !covered(scene, box, all) &&
                depth_inside(box.box, camera) < -tolerance * size) {
       result.solids.push_back(box);
     } else {

@@ -159,6 +159,43 @@ class Writer {
   std::vector<std::size_t> numbers_;  ///< theirs
 };
 
+struct Extent {
+  Vec3d lower, upper;
+};
+
+Extent extent_of(const carlo::Shape& shape) {
+  if (const auto* sphere = std::get_if<carlo::Sphere>(&shape.geometry)) {
+    const Vec3d c(sphere->center), r(static_cast<double>(sphere->radius));
+    return {c - r, c + r};
+  }
+  const auto& quad = std::get<Parallelogram>(shape.geometry);
+  const Vec3d o(quad.origin), u(quad.u), v(quad.v);
+  return {o + glm::min(u, Vec3d(0)) + glm::min(v, Vec3d(0)),
+          o + glm::max(u, Vec3d(0)) + glm::max(v, Vec3d(0))};
+}
+
+/// Whether two extents are no further apart than some roundings of their coordinates.
+bool touch(const Extent& a, const Extent& b) {
+  const Vec3d blur = 1e-5 * (glm::max(glm::abs(a.lower), glm::abs(a.upper)) +
+                             glm::max(glm::abs(b.lower), glm::abs(b.upper)));
+  const double margin = blur.x + blur.y + blur.z;
+  return glm::all(glm::lessThanEqual(a.lower, b.upper + margin)) &&
+         glm::all(glm::lessThanEqual(b.lower, a.upper + margin));
+}
+
+/// FlatScene::touching, `quads` the parallelograms outside of boxes.
+bool any_touches(const carlo::Scene& scene, const std::vector<std::size_t>& quads) {
+  std::vector<std::size_t> loose = quads;
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+    if (std::holds_alternative<carlo::Sphere>(scene.shapes[i].geometry)) loose.push_back(i);
+  }
+  for (const std::size_t i : loose) {
+    for (std::size_t j = 0; j < scene.shapes.size(); ++j)
+      if (i != j && touch(extent_of(scene.shapes[i]), extent_of(scene.shapes[j]))) return true;
+  }
+  return false;
+}
+
 /// How many numbers the scene's surfaces take.
 std::size_t numbers(const carlo::Scene& scene) {
   const FlatBoxes boxes = find_boxes(scene);
@@ -205,6 +242,7 @@ FlatScene::FlatScene(const carlo::Scene& scene) {
     }
   }
   write.share_planes();
+  touching = any_touches(scene, boxes.others);
 }
 
 }  // namespace renderer

@@ -21,9 +21,9 @@ struct FlatBox {
 /// what belongs to a surface is found by its number in columns, a property a column.
 ///
 /// Three kinds of parallelograms are told apart, since boxes are cheaper than their sides:
-/// - solids: parallelepipeds of six sides without emission, none of them black from outside, the
-///   camera outside. No path is ever inside of one, so that it is met from outside only, and never
-///   by a ray that leaves it;
+/// - solids: parallelepipeds of six sides without emission, none of them black from outside
+///   or covered by another, the camera outside. No path is ever inside of one, so that it is met
+///   from outside only, and never by a ray that leaves it;
 /// - the enclosure: a parallelepiped that holds the whole scene, of which some sides are there, and
 ///   the camera on the inner side of each. Rays from surfaces start inside of it, and rays of the
 ///   camera meet it where they leave it. Nothing lies behind its sides: it casts no shadow;
@@ -64,6 +64,9 @@ struct FlatScene {
   /// (`coplanar`) these are the numbers of the surfaces.
   Column<std::uint32_t> plane{};
   bool coplanar = false;
+  /// Whether a parallelogram or a sphere outside of boxes comes so close to another surface that an
+  /// origin on one may be rounded beyond the other.
+  bool touching = false;
   Column<std::uint32_t> material{};
   Column<float> le_r{}, le_g{}, le_b{};
   /// Per area, of the points that light sampling draws there; 0: no light.

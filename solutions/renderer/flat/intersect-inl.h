@@ -191,26 +191,32 @@ HWY_INLINE Chord meet_sphere(const FlatScene& s, std::size_t i, V3 o, V3 d) {
   return {middle, hn::Sub(middle, half), hn::Add(middle, half), met};
 }
 
+/// -1 where `came` (Origins) is the opposite.
+HWY_INLINE V turned(V3 came) {
+  return select(hn::Gt(dot(came, came), set(2)), set(-1), set(1));
+}
+
 /// From outside a sphere is met where the ray enters, from inside where it leaves. From the sphere
-/// itself a ray meets it once more if it goes inside.
+/// itself a ray meets it once more if it is inside, as the path was that came there.
 HWY_INLINE void meet_sphere(const FlatScene& s, std::uint32_t i, const Origins& from, V3 d,
                             V of_origin, Hits& hits) {
   const U number = set_word(i);
   const Chord chord = meet_sphere(s, std::size_t{i}, from.o, d);
-  const M starts = same(from.last, number), inwards = hn::Gt(chord.middle, set(0));
+  const M starts = same(from.last, number);
+  const V outwards = dot(from.came, from.o - set(s.cx[i], s.cy[i], s.cz[i]));
+  const V from_inside = hn::Mul(turned(from.came), outwards);
   const M outside = hn::AndNot(starts, hn::Gt(chord.enters, set(0)));
-  V t = select(outside, chord.enters, chord.leaves);
-  M ahead = select_mask(starts, inwards, hn::Gt(t, set(0)));
+  V t = select(outside, chord.enters, hn::Max(chord.leaves, set(0)));
+  M ahead = hn::Gt(select(starts, from_inside, t), set(0));
   // The product is the origin's distance from the sphere times that from its far side.
   const M touches =
       hn::AndNot(starts, hn::And(chord.met, within_rounding(hn::Mul(chord.enters, chord.leaves),
                                                             hn::Mul(of_origin, set(s.width[i])),
                                                             s.coordinates[i] * s.width[i])));
   if (HWY_UNLIKELY(!hn::AllFalse(d_, touches))) {
-    const V3 from_center = from.o - set(s.cx[i], s.cy[i], s.cz[i]);
-    const M was_outside = hn::Lt(dot(from.came, from_center), set(0));
+    const M was_outside = hn::Lt(outwards, set(0));
     t = select(touches, hn::Max(select(was_outside, chord.enters, chord.leaves), set(0)), t);
-    ahead = select_mask(touches, hn::Or(inwards, hn::Not(was_outside)), ahead);
+    ahead = select_mask(touches, hn::Or(hn::Gt(chord.middle, set(0)), hn::Not(was_outside)), ahead);
   }
   take(hits, hn::And(hn::And(chord.met, ahead), hn::Lt(t, hits.t)), t, number);
 }
@@ -221,10 +227,11 @@ HWY_INLINE void meet_quad(const FlatScene& s, std::uint32_t i, const Origins& fr
   const M there = hn::And(hit.inside, other(set_word(s.plane[i]), from.plane));
   V t = hit.t;
   M ahead = hn::Gt(t, set(0));
-  const M touches = hn::And(there, within_rounding(hit.below, of_origin, s.coordinates[i]));
+  M touches = hn::FirstN(d_, 0);
+  if (s.touching) touches = hn::And(there, within_rounding(hit.below, of_origin, s.coordinates[i]));
   if (HWY_UNLIKELY(!hn::AllFalse(d_, touches))) {
     ahead = select_mask(touches, goes_through(hit.n, hit.along, from.came), ahead);
-    t = select(touches, hn::Max(t, set(0)), t);
+    t = hn::IfThenZeroElse(touches, t);
   }
   M nearer = hn::Lt(t, hits.t);
   // Of surfaces in one plane, whose distances are the same number, the one that faces the ray.
@@ -279,7 +286,8 @@ HWY_INLINE M quad_blocks(const FlatScene& s, std::uint32_t i, const Segments& wa
       hn::And(hit.inside, hn::And(other(plane, way.from.plane), other(plane, way.to_plane)));
   const V below_end = hn::Sub(set(s.d[i]), dot(hit.n, way.to));
   M between = hn::Lt(hn::Mul(hit.below, below_end), set(0));
-  const M touches = hn::And(there, within_rounding(hit.below, of_origin, s.coordinates[i]));
+  M touches = hn::FirstN(d_, 0);
+  if (s.touching) touches = hn::And(there, within_rounding(hit.below, of_origin, s.coordinates[i]));
   if (HWY_UNLIKELY(!hn::AllFalse(d_, touches)))
     between = select_mask(touches, goes_through(hit.n, hit.along, way.from.came), between);
   return hn::And(there, between);
@@ -293,7 +301,9 @@ HWY_INLINE M sphere_blocks(const FlatScene& s, std::uint32_t i, const Segments& 
   const M outside = hn::AndNot(starts, hn::Gt(chord.enters, set(0)));
   const M by_near =
       hn::And(outside, hn::Or(hn::Lt(chord.middle, way.distance), hn::Lt(chord.enters, nearly)));
-  const M ahead = hn::Gt(select(starts, chord.middle, chord.leaves), set(0));
+  const V outwards = dot(way.from.came, way.from.o - set(s.cx[i], s.cy[i], s.cz[i]));
+  const V from_inside = hn::Mul(turned(way.from.came), outwards);
+  const M ahead = hn::Gt(select(starts, from_inside, chord.leaves), set(0));
   const M by_far = hn::And(hn::AndNot(outside, ahead), hn::Lt(chord.leaves, nearly));
   return hn::And(chord.met, hn::Or(by_near, by_far));
 }

@@ -90,7 +90,7 @@ class Walk {
     end_long_paths(paths);
     if (hn::AllFalse(d_, paths.alive)) return;
     const V side = hn::CopySign(set(1), cosine);
-    arrive(paths, p, number, of);
+    arrive(paths, hits.t, p, number, of);
     scatter(paths, surface_at(paths.d, p, side * shape_normal, material), u_light, u_lobe);
   }
 
@@ -152,8 +152,14 @@ class Walk {
   }
 
   /// The next rays start here.
-  HWY_INLINE void arrive(Paths& paths, V3 p, U number, const Numbers& of) const {
-    paths.from = {p, paths.d, number, s_.coplanar ? of(s_.plane.data()) : number};
+  HWY_INLINE void arrive(Paths& paths, V t, V3 p, U number, const Numbers& of) const {
+    const U plane = s_.coplanar ? of(s_.plane.data()) : number;
+    V3 came = paths.d;
+    if (Needs::spheres || s_.touching) {
+      const M hidden = hn::Lt(t, hn::Mul(set(64 * rounding), coordinates(p)));
+      came = select(hidden, set(-2) * came, came);
+    }
+    paths.from = {p, came, number, plane};
   }
 
   HWY_INLINE Surfaces surface_at(V3 d, V3 p, V3 n, const Numbers& material) const {

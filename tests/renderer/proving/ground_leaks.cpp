@@ -1,0 +1,127 @@
+// Nothing emits inside of a closed room: it is black, whatever shines outside. A path of 50
+// segments has 50 chances to see through a wall. In a lit room beside a dark one, E / (1 - rho) as
+// in any.
+
+#include "proving/ground.h"
+#include "proving/parts.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace proving {
+namespace {
+
+using carlo::Rgb, carlo::Scene;
+using glm::dvec3;
+
+Scene leak_scene(float albedo, bool two_sided) {
+  Scene scene = empty(4);
+  scene.max_depth = 50;
+  scene.materials = {diffuse(Rgb(albedo), two_sided)};
+  scene.camera = camera_at({.1, .2, .3}, {1, .9, 1.1}, 100);
+  return scene;
+}
+
+Proof leak_proof(std::string name, Scene scene, const Placement& placement) {
+  return {"leak/" + std::move(name), placed(std::move(scene), placement), exact_of(0), 128, 0};
+}
+
+/// A share of bounces: those so near to an edge that rounding their point, by up to 2^-24 of its
+/// coordinates, may take it past the other wall. The 12 edges of length 2 have 24 x 2 that of the
+/// area 24 on both sides.
+double lost_at_edges(double shift) {
+  return 2 * 0x1p-24 * std::max(1.0, shift);
+}
+
+void boxes_under_sky(std::vector<Proof>& proofs, double shift, int turn, float albedo,
+                     double margin) {
+  Scene scene = leak_scene(albedo, turn % 2 == 0);
+  scene.environment = Rgb(1);
+  add_box(scene, {dvec3(0), dvec3(1), glm::dmat3(1), margin}, {}, Facing::inwards);
+  proofs.push_back(leak_proof(fmt::format("box/shift={:g}/turn={}/albedo={:g}/{}", shift, turn,
+                                          albedo, margin == 0 ? "edge to edge" : "crossing"),
+                              std::move(scene),
+                              {rotation(turn), 1, shift * dvec3(1, turn == 0 ? 0 : -.6, .5)}));
+  // Paths have 50 segments; those of albedo .5 two or so.
+  proofs.back().rounding = (albedo == 1 ? 50 : 2) * lost_at_edges(shift);
+  // At 1e5 a coordinate is rounded by 4e-3. Turned and moved, corners that were one are rounded
+  // apart: the walls have gaps.
+  proofs.back().limit = shift >= 1e5 || (margin == 0 && turn != 0 && shift > 0);
+}
+
+/// Exact: 0, but for what falls on edges. Walls that cross are closed when rounded; walls that meet
+/// edge to edge are if they lie along the axes, and nearly (1e-8 of a wall) when turned about the
+/// origin.
+void sealed_boxes(std::vector<Proof>& proofs) {
+  for (const double shift : {0.0, 100.0, 1e3, 1e4, 1e5}) {
+    for (int turn = 0; turn < 6; ++turn) {
+      for (const float albedo : {1.0f, .5f})
+        boxes_under_sky(proofs, shift, turn, albedo, .05);
+    }
+    boxes_under_sky(proofs, shift, 0, 1, 0);
+  }
+  for (int turn = 1; turn < 9; ++turn)
+    boxes_under_sky(proofs, 0, turn, 1, 0);
+  boxes_under_sky(proofs, 100, 3, 1, 0);
+}
+
+/// Exact: 0.
+void sealed_spheres(std::vector<Proof>& proofs) {
+  for (const double shift : {0.0, 2.7, 100.0, 1e4, 1e5}) {
+    for (const bool two_sided : {true, false}) {
+      Scene scene = leak_scene(1, two_sided);
+      scene.environment = Rgb(1);
+      scene.shapes = {ball({0, 0, 0}, 2, {}, Facing::inwards)};
+      proofs.push_back(leak_proof(
+          fmt::format("sphere/shift={:g}/{}", shift, two_sided ? "two-sided" : "one-sided"),
+          std::move(scene), {rotation(0), 1, shift * dvec3(1, .9, -1.7)}));
+      // In the lanes, whose positions are floats. From a file it would be moved to the origin.
+      proofs.back().limit = shift >= 1e4;
+    }
+  }
+}
+
+/// Two rooms of half side 1, side by side along x, `gap` apart: the one on the right is lit.
+Scene two_rooms(bool two_sided, double gap, bool in_the_light) {
+  Scene scene = leak_scene(.5f, two_sided);
+  if (in_the_light) scene.max_depth = 0;
+  add_box(scene, {{0, 0, 0}}, {}, Facing::inwards);
+  add_box(scene, {{2 + gap, 0, 0}}, {0, Rgb(1)}, Facing::inwards);
+  if (in_the_light) scene.camera.origin.x += static_cast<float>(2 + gap);
+  return scene;
+}
+
+/// Exact: 0 in the dark room, even where the two walls between the rooms are one plane: whichever
+/// is hit, the dark room sees a wall that does not shine on this side. 1 / (1 - .5) in the lit
+/// room: of two walls in one plane a ray meets one that faces it (common/scene/README.md, limits).
+void neighbours(std::vector<Proof>& proofs) {
+  for (const double gap : {0.0, 1e-4, 1e-3, 1e-1}) {
+    for (const bool two_sided : {false, true}) {
+      for (const int turn : {0, 11, 12}) {
+        for (const bool in_the_light : {false, true}) {
+          Proof proof = leak_proof(fmt::format("rooms/gap={:g}/{}/turn={}/{}", gap,
+                                               two_sided ? "two-sided" : "one-sided", turn,
+                                               in_the_light ? "lit" : "dark"),
+                                   two_rooms(two_sided, gap, in_the_light), {rotation(turn)});
+          if (in_the_light) proof.exact = exact_of(2), proof.rounding = 1e-5, proof.spp = 1024;
+          proofs.push_back(std::move(proof));
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Proof> leak_proofs() {
+  std::vector<Proof> proofs;
+  sealed_boxes(proofs);
+  sealed_spheres(proofs);
+  neighbours(proofs);
+  return proofs;
+}
+
+}  // namespace proving
