@@ -66,7 +66,8 @@ TEST_CASE("the one-sided Kolmogorov-Smirnov tail agrees with closed forms", "[ca
   // Many: exp(-2 n d^2), and half of the two-sided tail far out.
   const double d = 3 / std::sqrt(20'000.0);
   CHECK(close(carlo::one_sided_kolmogorov_smirnov(d, 20'000), std::exp(-18.0), .05));
-  CHECK(close(2 * carlo::one_sided_kolmogorov_smirnov(.2, 200), carlo::kolmogorov_smirnov(.2, 200), .05));
+  CHECK(close(2 * carlo::one_sided_kolmogorov_smirnov(.2, 200), carlo::kolmogorov_smirnov(.2, 200),
+              .05));
   CHECK(carlo::one_sided_kolmogorov_smirnov(0, 10) == 1);
   CHECK(carlo::one_sided_kolmogorov_smirnov(1, 10) == 0);
   CHECK(std::isnan(carlo::one_sided_kolmogorov_smirnov(std::nan(""), 10)));
