@@ -80,7 +80,8 @@ void speed_experiment(Notebook& notebook) {
   measure("std::mt19937_64", [] { return loop(std::mt19937_64(1)); });
   measure("std::ranlux24", [] { return loop(std::ranlux24(1)); });
   // NOLINTNEXTLINE(concurrency-mt-unsafe)
-  measure("rand()", [] { return loop([] { return std::rand(); }); });
+  measure("rand()",
+          [] { return loop([] { return std::rand(); }); });  // NOLINT(cert-msc30-c,cert-msc50-cpp)
   measure("std::random_device", [] {
     return [](std::span<std::uint32_t> out) {
       static std::random_device device;
