@@ -79,9 +79,8 @@ void speed_experiment(Notebook& notebook) {
   measure("std::mt19937", [] { return loop(std::mt19937(1)); });
   measure("std::mt19937_64", [] { return loop(std::mt19937_64(1)); });
   measure("std::ranlux24", [] { return loop(std::ranlux24(1)); });
-  // NOLINTNEXTLINE(concurrency-mt-unsafe)
-  measure("rand()",
-          [] { return loop([] { return std::rand(); }); });  // NOLINT(cert-msc30-c,cert-msc50-cpp)
+  // NOLINTNEXTLINE(concurrency-mt-unsafe,cert-msc30-c,cert-msc50-cpp)
+  measure("rand()", [] { return loop([] { return std::rand(); }); });
   measure("std::random_device", [] {
     return [](std::span<std::uint32_t> out) {
       static std::random_device device;
