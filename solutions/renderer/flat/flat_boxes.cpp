@@ -226,7 +226,6 @@ FlatBoxes find_boxes(const Scene& scene) {
   std::vector<std::size_t> quads;
   for (std::size_t i = 0; i < scene.shapes.size(); ++i)
     if (parallelogram(scene, i) != nullptr) quads.push_back(i);
-  const std::vector<std::size_t> all = quads;
   FlatBoxes result;
   const Vec3d camera(scene.camera.origin);
   for (std::vector<std::size_t> left = quads; !left.empty();) {
@@ -237,7 +236,7 @@ FlatBoxes find_boxes(const Scene& scene) {
     if (!result.enclosure && sides >= least_sides && holds(box.box, scene)) {
       result.enclosure = box;
       result.camera_inside = depth_inside(box.box, camera) > tolerance * size;
-    } else if (sides == 6 && dark(scene, box) && !covered(scene, box, all) &&
+    } else if (sides == 6 && dark(scene, box) &&
                depth_inside(box.box, camera) < -tolerance * size) {
       result.solids.push_back(box);
     } else {
@@ -247,6 +246,16 @@ FlatBoxes find_boxes(const Scene& scene) {
     }
     remove_sides(left, box);
     remove_sides(quads, box);
+  }
+  std::vector<FoundBox> solids;
+  std::swap(solids, result.solids);
+  for (const FoundBox& box : solids) {
+    if (!covered(scene, box, result.others)) {
+      result.solids.push_back(box);
+      continue;
+    }
+    for (const auto& i : box.shape)
+      result.others.push_back(*i);
   }
   return result;
 }
