@@ -151,8 +151,8 @@ TEST_CASE("The vector kernel finds boxes") {
   CHECK_FALSE(cornell.camera_inside);
   CHECK(cornell.others.size() == 1);
 
-  // From outside, the walls are no enclosure; from inside of a block, it is not solid, and its floor
-  // covers a part of the other's.
+  // From outside, the walls are no enclosure; from inside of a block, it is not solid, and its
+  // floor covers a part of the other's.
   Scene scene = boxes();
   scene.camera.origin = {0, -2.1f, 1};
   CHECK_FALSE(renderer::find_boxes(scene).enclosure);
