@@ -20,11 +20,11 @@ struct PixelSums {
 /// Accumulates the samples of an image, with an honest error estimate.
 ///
 /// The samples of a pixel come in blocks of equal size (a power of two); the spread of the block
-/// means gives the standard error. For independent samples that estimate is unbiased; for
-/// stratified and scrambled Sobol' points it is an upper bound, since their blocks are negatively
-/// correlated. Films that share size and block may be merged in any order. Radiances may be any
-/// finite floats: what is far below a pixel's largest sample is lost in its sums, as exact_sum.h
-/// says.
+/// means gives the standard error. For independent samples that estimate is unbiased. Blocks of
+/// stratified and of scrambled Sobol' points are negatively correlated, which makes it an upper
+/// bound, but for few Sobol' points (below 32: tests/renderer/error_bars_test.cpp). Films that
+/// share size and block may be merged in any order. Radiances may be any finite floats: what is far
+/// below a pixel's largest sample is lost in its sums, as exact_sum.h says.
 class Film {
  public:
   /// Throws Error if the film is empty or over 2^25 pixels.

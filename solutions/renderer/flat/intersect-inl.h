@@ -197,7 +197,8 @@ HWY_INLINE V turned(V3 came) {
 }
 
 /// From outside a sphere is met where the ray enters, from inside where it leaves. From the sphere
-/// itself a ray meets it once more if it is inside, as the path was that came there.
+/// itself a ray meets it once more if it is inside, as the path was that came there: always, though
+/// rounding may have put a grazing ray's origin outside, so that the line misses the sphere.
 HWY_INLINE void meet_sphere(const FlatScene& s, std::uint32_t i, const Origins& from, V3 d,
                             V of_origin, Hits& hits) {
   const U number = set_word(i);
@@ -218,7 +219,8 @@ HWY_INLINE void meet_sphere(const FlatScene& s, std::uint32_t i, const Origins& 
     t = select(touches, hn::Max(select(was_outside, chord.enters, chord.leaves), set(0)), t);
     ahead = select_mask(touches, hn::Or(hn::Gt(chord.middle, set(0)), hn::Not(was_outside)), ahead);
   }
-  take(hits, hn::And(hn::And(chord.met, ahead), hn::Lt(t, hits.t)), t, number);
+  const M met = hn::Or(chord.met, hn::And(starts, hn::Gt(from_inside, set(0))));
+  take(hits, hn::And(hn::And(met, ahead), hn::Lt(t, hits.t)), t, number);
 }
 
 HWY_INLINE void meet_quad(const FlatScene& s, std::uint32_t i, const Origins& from, V3 d,
@@ -305,7 +307,8 @@ HWY_INLINE M sphere_blocks(const FlatScene& s, std::uint32_t i, const Segments& 
   const V from_inside = hn::Mul(turned(way.from.came), outwards);
   const M ahead = hn::Gt(select(starts, from_inside, chord.leaves), set(0));
   const M by_far = hn::And(hn::AndNot(outside, ahead), hn::Lt(chord.leaves, nearly));
-  return hn::And(chord.met, hn::Or(by_near, by_far));
+  const M met = hn::Or(chord.met, hn::And(starts, hn::Gt(from_inside, set(0))));
+  return hn::And(met, hn::Or(by_near, by_far));
 }
 
 /// Which of `asked` reach their end without meeting anything between.

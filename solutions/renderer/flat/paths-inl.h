@@ -26,9 +26,9 @@ namespace HWY_NAMESPACE {
 
 constexpr std::uint32_t longest_path = 1 << 16;
 
-/// The dimension pairs of a path: one for the film, then two for each vertex. Pair p of a pixel has
-/// the key pixel + p * pair_step.
-constexpr std::uint32_t pair_step = 0x9E3779B1;
+/// The random numbers of a path: a dimension pair for the film, then two for each vertex. The film
+/// has the pixel's key, vertex v the key pixel + v * key_step.
+constexpr std::uint32_t key_step = 0x9E3779B1;
 
 /// What a scene needs, for which the code is compiled.
 template <bool phong_, bool spheres_>
@@ -41,14 +41,15 @@ struct Paths {
   V3 d, beta, L;
   V pdf;             ///< of d; below 0: emission counts whole
   U depth;           ///< segments so far
-  U key;             ///< of the next dimension pair
+  U key;             ///< of the next vertex
   U reversed_index;  ///< of the sample
   U pixel;           ///< of the tile
   M alive;
 };
 
-HWY_INLINE V2 points(const FlatJob& job, U reversed_index, U key) {
-  return job.sobol ? sobol_2d(reversed_index, key) : random_2d(reversed_index, key);
+/// The points of a dimension pair whose random word is k.
+HWY_INLINE V2 points(const FlatJob& job, U reversed_index, U k) {
+  return job.sobol ? sobol_2d(reversed_index, k) : random_2d(reversed_index, k);
 }
 
 /// What happens to paths at their vertices.
@@ -65,9 +66,9 @@ class Walk {
   HWY_INLINE void extend(Paths& paths) const {
     counts_.rays += hn::CountTrue(d_, paths.alive);
     // Ahead of what they serve: the processor works on them while it waits for the intersection.
-    const V2 u_light = points(job_, paths.reversed_index, paths.key);
-    const U second = hn::Add(paths.key, set_word(pair_step));
-    const V2 u_lobe = points(job_, paths.reversed_index, second);
+    const U k = mix(paths.key);
+    const V2 u_light = points(job_, paths.reversed_index, k);
+    const V2 u_lobe = points(job_, paths.reversed_index, second_word(k));
     const Hits hits = closest<Needs::spheres>(s_, paths.from, paths.d);
     paths.depth = hn::Add(paths.depth, set_word(1));
     const M met = other(hits.surface, set_word(nothing));
@@ -179,8 +180,7 @@ class Walk {
   HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, V2 u_light, V2 u_lobe) const {
     if (s_.lights > 0) add_direct(paths, surface, u_light);
     const V3 wi = sample_direction<Needs::phong>(surface, u_lobe);
-    paths.key =
-        hn::Add(paths.key, set_word(static_cast<std::uint32_t>(2 * std::uint64_t{pair_step})));
+    paths.key = hn::Add(paths.key, set_word(key_step));
     const V cosine = dot(surface.n, wi);
     const Bsdfs bsdf = evaluate<Needs::phong>(surface, wi, cosine);
     const M above = hn::And(hn::Gt(cosine, set(0)), hn::Gt(bsdf.pdf, set(0)));

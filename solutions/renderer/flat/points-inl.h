@@ -66,22 +66,37 @@ HWY_INLINE V to_unit(U x) {
   return hn::Mul(hn::ConvertTo(d_, hn::BitCast(di_, hn::ShiftRight<8>(x))), set(0x1p-24f));
 }
 
-/// The points of one dimension pair: Sobol' points in shuffled order, under a random digital shift.
-/// `index` is the sample's within its pixel, its bits reversed; `key` stands for pixel and pair.
-/// Shuffled keeps 2^m points together (nested_hash), so that they remain a (0, m, 2)-net; full Owen
-/// scrambling of both coordinates costs twice as much and is no better in paths.
-HWY_INLINE V2 sobol_2d(U index, U key) {
-  const U k = mix(key);
+/// Adds to each binary digit of a fraction the one before it and the one before that, or not, as
+/// the bits of `which` have it.
+HWY_INLINE U add_digits(U fraction, U which) {
+  const U one = hn::And(hn::ShiftRight<1>(fraction), which);
+  const U two = hn::And(hn::ShiftRight<2>(fraction), hn::ShiftLeft<11>(which));
+  return hn::Xor(fraction, hn::Xor(one, two));
+}
+
+/// The points of one dimension pair: Sobol' points in shuffled order, scrambled and shifted by the
+/// random word k. `index` is the sample's within its pixel, its bits reversed. Shuffling keeps 2^m
+/// points together (nested_hash), so that they remain a (0, m, 2)-net, and so does scrambling
+/// digits by those before them (the cheapest part of Matousek's random linear scrambling). Without,
+/// all pairs were one net but for a shift, and what is constant on that net, as the product of the
+/// second digits is on 4 points, had the variance of one point.
+HWY_INLINE V2 sobol_2d(U index, U k) {
   // The bit-reversed index is the first coordinate.
   const U x = nested_hash(index, k);
   const U y = second_coordinate(x);
-  return {to_unit(x), to_unit(hn::Xor(y, hn::Mul(k, set_word(0xB5297A4D))))};
+  const U shift = hn::Mul(k, set_word(0xB5297A4D));
+  return {to_unit(add_digits(x, shift)), to_unit(hn::Xor(add_digits(y, k), shift))};
 }
 
 /// Independent points instead.
-HWY_INLINE V2 random_2d(U reversed_index, U key) {
-  const U k = mix(hn::Xor(mix(key), mix(hn::Add(reversed_index, set_word(0x85EBCA6B)))));
-  return {to_unit(k), to_unit(mix(hn::Add(k, set_word(0x9E3779B9))))};
+HWY_INLINE V2 random_2d(U reversed_index, U k) {
+  const U point = mix(hn::Xor(k, mix(hn::Add(reversed_index, set_word(0x85EBCA6B)))));
+  return {to_unit(point), to_unit(mix(hn::Add(point, set_word(0x9E3779B9))))};
+}
+
+/// The random word of a vertex's second dimension pair, from that of its first.
+HWY_INLINE U second_word(U k) {
+  return hn::Mul(hn::Xor(k, hn::ShiftRight<15>(k)), set_word(0x2C1B3C6D));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -104,14 +104,14 @@ class Starts {
     }
     const U keys = hn::Load(du_, key.data());
     const U reversed = reverse_bits(hn::Load(du_, index.data()));
-    const V2 jitter = points(job_, reversed, keys);
+    const V2 jitter = points(job_, reversed, mix(keys));
     const V3 d =
         camera_direction(job_, hn::Add(hn::ConvertTo(d_, hn::Load(di_, x.data())), jitter.x),
                          hn::Add(hn::ConvertTo(d_, hn::Load(di_, y.data())), jitter.y));
     hn::StoreU(d.x, d_, dx_.data() + waiting_);
     hn::StoreU(d.y, d_, dy_.data() + waiting_);
     hn::StoreU(d.z, d_, dz_.data() + waiting_);
-    hn::StoreU(hn::Add(keys, set_word(pair_step)), du_, key_.data() + waiting_);
+    hn::StoreU(hn::Add(keys, set_word(key_step)), du_, key_.data() + waiting_);
     hn::StoreU(reversed, du_, index_.data() + waiting_);
     waiting_ += made;
   }
