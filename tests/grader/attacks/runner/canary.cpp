@@ -1,8 +1,6 @@
 #include "canary.h"
 
-#include "cli/atomic_file.h"
 #include "cli/error.h"
-#include "grader/grade/sha256.h"
 
 #include <fmt/core.h>
 #include <sys/prctl.h>
@@ -25,14 +23,14 @@ namespace fs = std::filesystem;
 /// The ids that the sandbox gives to programs begin here.
 constexpr uid_t first_sandbox_user = 61200;
 
+/// Kind, rights, owner, size, and when any of them or the content changed last: the kernel sets
+/// that time, and no call sets it back. Reading gigabytes to compare contents takes a minute
+/// instead.
 std::string picture_of(const fs::path& path) {
   struct stat status {};
   if (::lstat(path.c_str(), &status) != 0) return "unreadable";
-  std::string content;
-  const bool readable = S_ISREG(status.st_mode) && status.st_size < 64 << 20;
-  if (readable) content = sha256(read_file(path));
-  if (S_ISLNK(status.st_mode)) content = fs::read_symlink(path).string();
-  return fmt::format("{:o} {} {} {}", status.st_mode, status.st_uid, status.st_size, content);
+  return fmt::format("{:o} {} {} {} {}.{}", status.st_mode, status.st_uid, status.st_size,
+                     status.st_ino, status.st_ctim.tv_sec, status.st_ctim.tv_nsec);
 }
 
 /// The parent's id and the name of a process, from /proc/PID/stat.

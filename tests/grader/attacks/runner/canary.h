@@ -7,7 +7,8 @@
 
 namespace carlo::grader {
 
-/// What stands below some folders: for each path its kind, rights, owner and content.
+/// What stands below some folders: for each path its kind, rights, owner, size, and
+/// when it was changed last.
 class Canary {
  public:
   /// `listed`: folders that others use too, of which only the entries of unknown owners count.
