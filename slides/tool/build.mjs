@@ -1,12 +1,11 @@
 // Makes out/slides: HTML by Marp, PDF by Marp and Chromium, and the page that lists the decks.
 
-import { spawnSync } from "node:child_process";
+import { spawn } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
 
 import { escaped } from "./plot.mjs";
 import { UserError } from "./problems.mjs";
-import { writeTheme } from "./theme.mjs";
 import { marpMarkdown } from "./transform.mjs";
 
 /** Writes `decks` as Markdown for Marp; returns the folder. */
@@ -24,9 +23,9 @@ function writeIfChanged(file, text) {
   if (!fs.existsSync(file) || fs.readFileSync(file, "utf8") !== text) fs.writeFileSync(file, text);
 }
 
-function marp(book, folder, out, options) {
+async function marp(book, folder, out, options) {
   const program = path.join(book.root, "build/slides/node_modules/@marp-team/marp-cli/marp-cli.js");
-  const { status, stdout, stderr } = spawnSync(
+  const child = spawn(
     process.execPath,
     [
       program,
@@ -38,18 +37,21 @@ function marp(book, folder, out, options) {
       out,
       ...options,
     ],
-    { cwd: book.root, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] },
+    { cwd: book.root, stdio: ["ignore", "pipe", "pipe"] },
   );
-  if (status !== 0 || /\[ +ERROR/.test(stderr)) throw new UserError(`Marp failed:\n${stdout}${stderr}`);
+  let words = "";
+  for (const stream of [child.stdout, child.stderr]) {
+    stream.setEncoding("utf8");
+    stream.on("data", (text) => (words += text));
+  }
+  const status = await new Promise((resolve, reject) => child.on("error", reject).on("close", resolve));
+  if (status !== 0 || /\[ +ERROR/.test(words)) throw new UserError(`Marp failed:\n${words}`);
 }
 
 /** HTML of `decks` in out/slides. Wrong mathematics is an error. */
-export function buildHtml(decks, book, out) {
-  fs.mkdirSync(out, { recursive: true });
-  writeTheme(book.root);
-  marp(book, writeMarkdown(decks, book, false), out, []);
+export async function buildHtml(decks, book, out) {
+  await marp(book, writeMarkdown(decks, book, false), out, []);
   for (const deck of decks) checkHtml(deck, path.join(out, `${deck.name}.html`));
-  writeIndex(book, out);
 }
 
 /** What MathJax could not read it writes in red, or as an error. */
@@ -64,9 +66,9 @@ function checkHtml(deck, file) {
     throw new UserError(`${deck.file}: ${missing} of ${deck.slides.length} slides are missing in ${file}`);
 }
 
-export function buildPdf(decks, book, out) {
+export async function buildPdf(decks, book, out) {
   const browser = path.join(book.root, "slides/tool/chromium.sh");
-  marp(book, writeMarkdown(decks, book, true), out, [
+  await marp(book, writeMarkdown(decks, book, true), out, [
     "--pdf",
     "--allow-local-files",
     "--browser",
@@ -87,7 +89,8 @@ function labelList(book) {
   return `<details><summary>The labels that hints and handouts cite</summary><ul>${items.join("")}</ul></details>`;
 }
 
-function writeIndex(book, out) {
+/** The page that lists the decks, with links to what is there. */
+export function writeIndex(book, out) {
   const rows = book.decks.map((deck) => {
     const link = (extension) =>
       fs.existsSync(path.join(out, `${deck.name}.${extension}`))

@@ -1,9 +1,10 @@
 // The program behind ./carlo slides.
 
+import fs from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 
-import { buildHtml, buildPdf, writeMarkdown } from "./build.mjs";
+import { buildHtml, buildPdf, writeIndex, writeMarkdown } from "./build.mjs";
 import { checkBook, checkSlides, readExercises } from "./checks.mjs";
 import { allLabels, readDecks } from "./deck.mjs";
 import { commandsOf, readData, readDefinitions, remake } from "./figures.mjs";
@@ -12,6 +13,7 @@ import { checkOverflow } from "./overflow.mjs";
 import { Problems, UserError } from "./problems.mjs";
 import { runCommands } from "./quick.mjs";
 import { Runs, programOf } from "./runs.mjs";
+import { writeTheme } from "./theme.mjs";
 import { watch } from "./watch.mjs";
 
 const root = path.resolve(fileURLToPath(new URL("../..", import.meta.url)));
@@ -73,6 +75,12 @@ function refuseToBuild(book, decks) {
   refuse(book.problems.of([...decks.map((deck) => deck.file), ...files]));
 }
 
+/** Before slides are made: their folder, and the theme. */
+function prepare() {
+  fs.mkdirSync(out, { recursive: true });
+  writeTheme(root);
+}
+
 const modes = {
   /** Prints the programs that a mode starts, for ./carlo to build. */
   programs(book, decks, mode) {
@@ -130,18 +138,26 @@ const modes = {
     }
   },
 
-  html(book, decks) {
+  async html(book, decks) {
     refuseToBuild(book, decks);
-    buildHtml(decks, book, out);
+    prepare();
+    await buildHtml(decks, book, out);
+    writeIndex(book, out);
     say(`wrote ${path.relative(process.cwd(), path.join(out, "index.html"))}`);
   },
 
   async pdf(book, decks) {
     refuseToBuild(book, decks);
-    buildHtml(decks, book, out);
-    buildPdf(decks, book, out);
+    prepare();
     const problems = new Problems();
-    await checkOverflow(decks, book, out, problems);
+    const pages = async () => {
+      await buildHtml(decks, book, out);
+      await checkOverflow(decks, book, out, problems);
+    };
+    // Side by side, each to its end: one that is left behind would write on.
+    const ends = await Promise.allSettled([pages(), buildPdf(decks, book, out)]);
+    for (const end of ends) if (end.status === "rejected") throw end.reason;
+    writeIndex(book, out);
     refuse(problems);
     say(
       `wrote ${path.relative(process.cwd(), path.join(out, "index.html"))} and the decks beside it, HTML and PDF`,
