@@ -1,6 +1,7 @@
 #include "scene/load_scene.h"
 
 #include "scene/center.h"
+#include "scene/digits.h"
 #include "scene/ids.h"
 #include "scene/materials.h"
 #include "scene/parameters.h"
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <optional>
 
 namespace carlo {
 namespace {
@@ -177,18 +179,26 @@ class Loader {
   const XmlSource* environment_ = nullptr;
 };
 
+void add_note(Scene& scene, const std::optional<std::string>& note) {
+  if (note) scene.notes.push_back(*note);
+}
+
 }  // namespace
 
 Scene load_scene(const fs::path& path, const std::map<std::string, std::string>& parameters) {
   Scene scene = Loader(parameters, glm::dvec3(0)).load(path);
   const auto center = far_center(scene);
-  if (!center) return scene;
+  if (!center) {
+    add_note(scene, too_few_digits(scene));
+    return scene;
+  }
   // Once more, since what rounding took from the coordinates is lost.
   Scene moved = Loader(parameters, *center).load(path);
   moved.notes.push_back(fmt::format(
       "the scene lies around ({:g}, {:g}, {:g}), far from the origin for its size: it is rendered "
       "around (0, 0, 0), where coordinates have more digits",
       center->x, center->y, center->z));
+  add_note(moved, too_few_digits(moved));
   return moved;
 }
 

@@ -45,6 +45,31 @@ const std::string fov90 = "<float name=\"fov\" value=\"90\"/>";
 
 }  // namespace
 
+TEST_CASE("what floats cannot tell from a turned plane is told of", "[scene]") {
+  // A card of half side `card` above a floor of half side `floor`, both turned about an axis.
+  const auto notes = [](double floor, double card, double gap, double turn) {
+    const auto square = [&](double half, double height) {
+      return "<shape type=\"rectangle\"><transform name=\"toWorld\"><scale value=\"" +
+             std::to_string(half) + "\"/><translate z=\"" + std::to_string(height) +
+             "\"/><rotate x=\"1\" y=\".3\" angle=\"" + std::to_string(turn) +
+             "\"/></transform></shape>";
+    };
+    return load_text("<scene version=\"0.6.0\"><sensor type=\"perspective\">" + fov90 +
+                     "</sensor><emitter type=\"constant\"><rgb name=\"radiance\" "
+                     "value=\"1\"/></emitter>" +
+                     square(floor, 0) + square(card, gap) + "</scene>")
+        .notes;
+  };
+  CHECK(notes(1, 1, 1e-3, 40).empty());
+  CHECK(notes(1e3, 1, 1, 40).empty());
+  CHECK(notes(1e5, 1, 1e-3, 0).empty());
+  CHECK(notes(1e3, 1, 0, 40).empty());
+  CHECK(notes(1, 1, 2e-5, 40).size() == 1);
+  CHECK(notes(1e5, 1, 1e-3, 40).size() == 1);
+  REQUIRE(notes(1e5, 1, 0, 40).size() == 1);
+  CHECK(notes(1e5, 1, 0, 40)[0].find("floats place a parallelogram") != std::string::npos);
+}
+
 TEST_CASE("a scene far from the origin is moved there with all that it has", "[scene]") {
   // Coordinates with more digits than a float has at 1e6, .03 there.
   const std::string there = "<translate x=\"1e6\" y=\"-2e6\" z=\"3e6\"/>";
