@@ -4,7 +4,8 @@
 # the last lines say what passed and what failed. Exit code 0: all passed. --list prints the steps.
 #
 #   thorough     every test of ctest -C thorough: 40 seeds of each lab's solution, the whole corpus of
-#                attacks at every level of the sandbox, a class of 100, every broken scene by the program
+#                attacks at every level of the sandbox, a class of 100, every broken scene by the program,
+#                the whole proving ground, standard errors of all scenes against variances (an hour)
 #   sanitizers   every fast test under clang's address and undefined-behaviour sanitizers
 #   apart        each file compiled by itself: does it include all that it uses?
 #   tidy         clang-tidy of everything, its analyser included
