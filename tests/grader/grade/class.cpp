@@ -99,6 +99,7 @@ std::vector<Record> grade_class(const Course& course, const std::vector<Source>&
     const auto job = running.find(ended);
     if (job == running.end()) continue;
     Finished finished = result_of(course, sources[job->second.index], out, status);
+    finished.record.source = sources[job->second.index].handed_in();
     finished.seconds = std::chrono::duration<double>(Clock::now() - job->second.begun).count();
     records[job->second.index] = finished.record;
     running.erase(job);

@@ -68,7 +68,7 @@ uncompiled,0,20,lab 1 does not compile
 EOF
 }
 
-marks() { tail -n +2 "$1/class.csv" | cut -d, -f1,10-; }
+marks() { tail -n +2 "$1/class.csv" | cut -d, -f1,10-12; }
 
 check_marks() {
   diff <(expected) <(marks "$1") || fail "the marks in $1 are not those expected"
@@ -100,6 +100,25 @@ grep -q 'differ: which one is meant' "$scratch/whole/twice/report.txt" ||
 grep -q 'leads out of the archive' "$scratch/whole/packed/report.txt" ||
   fail "nobody says that an entry leads out of its archive"
 [ ! -e "$scratch/pack/escaped.txt" ] || fail "an archive wrote outside of itself"
+
+grep -q '^packed,.*,"./packed.tar.gz"$' "$scratch/whole/class.csv" ||
+  fail "the CSV does not say where a submission was found"
+
+# Marks among submissions would be one.
+! "${grade[@]}" "$class/grades" >"$scratch/log" 2>&1 || fail "marks may be written into the class"
+grep -q 'would be a submission next time' "$scratch/log" || fail "nobody says why: $(cat "$scratch/log")"
+[ ! -e "$class/grades" ] || fail "the refused folder was made"
+
+# Two students whose names become one: the marks say whose they are, and the exit code that it matters.
+mkdir -p "$scratch/alike/a b" "$scratch/alike/a_b"
+touch "$scratch/alike/a b/README.txt" "$scratch/alike/a_b/README.txt"
+! "$build/bin/carlo_grade" --tree "$source" --build "$build" "$scratch/alike" --labs 1 \
+  --secret-file "$scratch/secret" -o "$scratch/names" >"$scratch/log" 2>&1 ||
+  fail "names that collide do not matter"
+grep -q 'a b is graded as a_b-2: another submission has its name' "$scratch/log" ||
+  fail "nobody says whose name is changed: $(cat "$scratch/log")"
+grep -q '^a_b,.*,"./a_b"$' "$scratch/names/class.csv" || fail "a name is not whose own it is"
+grep -q '^a_b-2,.*,"./a b"$' "$scratch/names/class.csv" || fail "the CSV does not say who a_b-2 is"
 
 # Killed as soon as some marks are there, and started again.
 "${grade[@]}" "$scratch/killed" >/dev/null 2>&1 &

@@ -241,13 +241,15 @@ class Compilation {
            outcome.end == End::exited;
   }
 
-  /// nm's list of an object or archive.
+  /// nm's list of an object or archive. Without plugin: that of a link-time optimiser believes what
+  /// an object says of itself in a section of its own, and looks no further.
   Outcome symbols_in(const fs::path& file) {
     const WorkFolder work(folder_ / "symbols");
     Limits limits = compile_limits();
     limits.output_bytes = limits.output_kept = std::size_t{32} << 20;
-    return sandbox_.run({"/usr/bin/nm", "--extern-only", "--format=posix", file.string()},
-                        {{file}, work.path()}, limits);
+    return sandbox_.run(
+        {"/usr/bin/nm", "--plugin=/dev/null", "--extern-only", "--format=posix", file.string()},
+        {{file}, work.path()}, limits);
   }
 
   /// A compiler or linker, as long as the lab's time lasts.

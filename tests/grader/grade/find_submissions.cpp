@@ -199,6 +199,37 @@ std::string folder_name(const std::string& wanted, std::vector<std::string>& tak
   return unique;
 }
 
+namespace {
+
+/// What is wanted comes before what only becomes it; a folder before an archive.
+int claim(const Source& source) {
+  std::vector<std::string> none;
+  if (folder_name(source.name, none) != source.name) return 2;
+  return last_part(source.handed_in()) == source.name ? 0 : 1;
+}
+
+void name_all(std::vector<Source>& sources) {
+  std::vector<Source*> order;
+  for (Source& source : sources)
+    order.push_back(&source);
+  std::stable_sort(order.begin(), order.end(),
+                   [](const Source* a, const Source* b) { return claim(*a) < claim(*b); });
+  std::vector<std::string> taken{"class.csv", "timing.csv", "secret"};
+  for (Source* source : order) {
+    std::vector<std::string> none;
+    const std::string plain = folder_name(source->name, none);
+    source->name = folder_name(source->name, taken);
+    source->renamed = source->name != plain;
+  }
+}
+
+}  // namespace
+
+std::string Source::handed_in() const {
+  const std::string file = path.filename().string();
+  return inside.empty() ? file : file + "/" + inside;
+}
+
 std::vector<Source> find_submissions(const std::vector<fs::path>& paths,
                                      const std::vector<CourseLab>& labs, bool one) {
   Finder finder(labs, one);
@@ -208,9 +239,7 @@ std::vector<Source> find_submissions(const std::vector<fs::path>& paths,
     throw Error("{}: no submission in it, expected folders or archives, one a student",
                 paths.empty() ? "" : paths.front().string());
   }
-  std::vector<std::string> taken{"class.csv", "timing.csv", "secret"};
-  for (Source& source : finder.sources)
-    source.name = folder_name(source.name, taken);
+  name_all(finder.sources);
   return finder.sources;
 }
 

@@ -11,7 +11,8 @@ using Symbols = std::map<std::string, std::string>;
 /// Adds what `nm --format=posix` printed.
 void add_symbols(Symbols& symbols, const std::string& nm_output);
 
-/// A symbol as a programmer would write it.
+/// A symbol as a programmer would write it, cut to 200 letters; as it is if it would not be short.
+/// In time that does not depend on who chose it.
 std::string readable(const std::string& symbol);
 
 /// Why an exercise's object may not be linked with ours; empty when it may. It defines what belongs

@@ -3,6 +3,7 @@
 #include "grader/grade/foreign_symbols.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <fmt/core.h>
 
 #include <string>
 
@@ -58,4 +59,19 @@ TEST_CASE("the grader's own functions are not for exercises", "[symbols]") {
         std::string::npos);
   CHECK(why("_ZN11lab01_tests7hits_ofEl U\n", ours).find("part of the grader") !=
         std::string::npos);
+}
+
+TEST_CASE("names that double at each step are not read to their end", "[symbols]") {
+  std::string name = "_Z1fN5carlo6grader1AE";
+  CHECK(readable(name) == "f(carlo::grader::A)");
+  // Each B<x, x> of the one before: the odd references.
+  for (int step = 0; step < 17; ++step) {
+    const char last = "13579BDFHJLNPRTVX"[step];
+    name += fmt::format("1BIS{0}_S{0}_E", last);
+  }
+  CHECK(readable(name).size() <= 203);
+  CHECK(why(name + " U\n", ours).find("part of the grader") != std::string::npos);
+  // What is nested deeply without, too.
+  CHECK(readable("_Z1f" + std::string(100'000, 'P') + "i").size() <= 203);
+  CHECK(readable("_Z1f" + std::string(900, 'P') + "i").size() <= 203);
 }

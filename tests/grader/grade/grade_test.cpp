@@ -106,7 +106,7 @@ TEST_CASE("an error of the grader has no marks, a missing file has 0", "[grade]"
   CHECK(has(failed.status(), "an error of the grader"));
   CHECK_FALSE(json::parse(gradescope_json(failed)).contains("score"));
   CHECK(has(junit_xml(failed), "<error"));
-  CHECK(has(class_csv({failed}), "a,,,,,5,lab 1 not graded: an error of the grader\n"));
+  CHECK(has(class_csv({failed}), "a,,,,,5,lab 1 not graded: an error of the grader,\"./\"\n"));
 }
 
 TEST_CASE("the class's CSV is sorted and holds points alone", "[grade]") {
@@ -114,12 +114,14 @@ TEST_CASE("the class's CSV is sorted and holds points alone", "[grade]") {
   slow.judge_seconds = 100;
   const LabGrade fast = judged(demo_lab(), verdict(2, 1.5));
   const LabGrade none = unjudged(demo_lab(), LabState::not_submitted, "");
-  const std::string csv = class_csv({record("b", slow), record("a", none)});
+  Record odd = record("a", none);
+  odd.source = "=1+\"a\",\n.zip";
+  const std::string csv = class_csv({record("b", slow), odd});
   CHECK(csv ==
-        "name,1.1,1.2,lab 1,total,max,status\n"
-        "a,0,0,0,0,5,lab 1 not submitted\n"
-        "b,2,1.5,3.5,3.5,5,graded\n");
-  CHECK(csv == class_csv({record("a", none), record("b", fast)}));
+        "name,1.1,1.2,lab 1,total,max,status,source\n"
+        "a,0,0,0,0,5,lab 1 not submitted,\"./=1+\"\"a\"\", .zip\"\n"
+        "b,2,1.5,3.5,3.5,5,graded,\"./\"\n");
+  CHECK(csv == class_csv({odd, record("b", fast)}));
 }
 
 TEST_CASE("Gradescope's and JUnit's files are well formed whatever a program said", "[grade]") {

@@ -14,11 +14,17 @@ struct Source {
   std::string name;  ///< of its output folder: unique, harmless as a file name
   std::filesystem::path path;
   std::string inside = {};  ///< within an archive of many: its folder, or its own archive
+  bool renamed = false;     ///< another submission has the name that this one would have
+
+  /// "class.zip/alice": the name of `path`, and what is inside.
+  std::string handed_in() const;
 };
 
 /// Finds the submissions in `paths`. A path that holds exercise files, or labs, at its top is one
 /// submission (`one`: whatever it looks like); another folder or archive holds one in each of its
-/// folders and archives, as Gradescope and Moodle export them. Throws Error when there is none.
+/// folders and archives, as Gradescope and Moodle export them. Of several that would have one name,
+/// that one keeps it whose own it is, letter for letter (of "a_b" and "a b" the first), a folder
+/// before an archive. Throws Error when there is none.
 std::vector<Source> find_submissions(const std::vector<std::filesystem::path>& paths,
                                      const std::vector<CourseLab>& labs, bool one);
 

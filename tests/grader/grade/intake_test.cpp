@@ -10,6 +10,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -264,6 +265,24 @@ TEST_CASE("names of submissions are harmless, and no two are the same", "[intake
                     taken) == "___cmd");  // a wide equals sign
   CHECK(folder_name("secret", taken) == "secret-2");
   CHECK(folder_name(std::string(300, 'a'), taken).size() == 100);
+}
+
+TEST_CASE("a name is whose own it is, and others are told of", "[intake]") {
+  const ScratchFolder folder;
+  for (const char* name : {"a b", "a-b", "a_b", "alice"})
+    put(folder.path() / name / "integration.cpp", name);
+  put(folder.path() / "alice.tar.gz", "spoilt");
+  put(folder.path() / "alice.zip", "spoilt");
+  std::map<std::string, std::pair<std::string, bool>> names;
+  for (const Source& source : find_submissions({folder.path()}, demo_labs(), false))
+    names[source.handed_in()] = {source.name, source.renamed};
+  const auto of = [](std::string name, bool renamed) { return std::pair(name, renamed); };
+  CHECK(names.at("a_b") == of("a_b", false));
+  CHECK(names.at("a-b") == of("a-b", false));
+  CHECK(names.at("a b") == of("a_b-2", true));
+  CHECK(names.at("alice") == of("alice", false));
+  CHECK(names.at("alice.tar.gz") == of("alice-2", true));
+  CHECK(names.at("alice.zip") == of("alice-3", true));
 }
 
 TEST_CASE("the digest changes with what is judged, and with nothing else", "[intake]") {

@@ -9,6 +9,7 @@
 #include "cli/terminal.h"
 #include "grader/grade/class.h"
 #include "grader/grade/outputs.h"
+#include "grader/judge/printed.h"
 #include "grader/judge/results.h"
 
 #include <fcntl.h>
@@ -148,7 +149,20 @@ std::string costs(const std::vector<Record>& records, const CourseLab& lab) {
                      count, format_seconds(sum / count), format_seconds(worst), peak >> 20);
 }
 
-int finish(const Course& course, const std::vector<Record>& records, const fs::path& out) {
+/// Who is who is not for the grader to guess. Returns how many.
+std::size_t tell_renamed(const std::vector<Source>& sources) {
+  std::size_t count = 0;
+  for (const Source& source : sources) {
+    if (!source.renamed) continue;
+    fmt::print(stderr, "carlo: {} is graded as {}: another submission has its name\n",
+               harmless(source.handed_in()), source.name);
+    ++count;
+  }
+  return count;
+}
+
+int finish(const Course& course, const std::vector<Record>& records,
+           const std::vector<Source>& sources, const fs::path& out) {
   write_file(out / "class.csv", class_csv(records));
   write_file(out / "timing.csv", timing_csv(records));
   const auto failures = std::count_if(records.begin(), records.end(),
@@ -158,11 +172,32 @@ int finish(const Course& course, const std::vector<Record>& records, const fs::p
   for (const CourseLab& lab : course.labs)
     fmt::print("{}", costs(records, lab));
   fmt::print("marks: {}\n", (out / "class.csv").string());
+  const std::size_t renamed = tell_renamed(sources);
+  if (failures == 0 && renamed > 0) {
+    throw Error(
+        "{} submissions have names that others have: class.csv says in its last column "
+        "where each was found",
+        renamed);
+  }
   if (failures == 0) return 0;
   throw Error(
       "{} submissions could not be graded: run the same command again, or see their "
       "report.txt",
       failures);
+}
+
+/// Marks in a class's folder would be the next run's submission. In a student's they are nothing.
+void refuse_among(const std::vector<Source>& sources, const Options& options) {
+  const std::string out = fs::weakly_canonical(options.out).string() + "/";
+  for (const std::string& path : options.paths) {
+    const fs::path whole = fs::canonical(path);
+    const bool one = std::any_of(sources.begin(), sources.end(), [&](const Source& source) {
+      return source.path == whole && source.inside.empty();
+    });
+    if (one || !out.starts_with(whole.string() + "/")) continue;
+    throw Error("{}: marks in {} would be a submission next time: choose another folder with -o",
+                options.out, path);
+  }
 }
 
 int run(const Options& options) {
@@ -171,6 +206,7 @@ int run(const Options& options) {
   const std::vector<CourseLab> labs = course_labs(tree / "labs", options.labs);
   const std::vector<Source> sources =
       find_submissions({options.paths.begin(), options.paths.end()}, labs, options.one);
+  refuse_among(sources, options);
   fs::create_directories(out);
   const Descriptor lock = sole_user(out);
   const CleanTree clean(tree, build, labs);
@@ -193,7 +229,7 @@ int run(const Options& options) {
   };
   const std::vector<Record> records = grade_class(course, sources, out, workers, tell);
   progress.clear();
-  return finish(course, records, out);
+  return finish(course, records, sources, out);
 }
 
 }  // namespace

@@ -56,7 +56,17 @@ std::string heading(const Record& record) {
       line += fmt::format(",{}", exercise.tag.substr(4));
     line += fmt::format(",lab {}", lab.number);
   }
-  return line + ",total,max,status\n";
+  return line + ",total,max,status,source\n";
+}
+
+/// A name that a stranger chose, as a cell: in quotes, and begun so that it is no formula.
+std::string source_cell(const std::string& source) {
+  std::string text = "\"./";
+  for (const char c : harmless(source)) {
+    if (c == '"') text += c;
+    text += c == '\n' || c == '\r' ? ' ' : c;
+  }
+  return text + "\"";
 }
 
 }  // namespace
@@ -83,7 +93,8 @@ std::string class_csv(std::vector<Record> records) {
         out += fmt::format(",{}", cell(exercise.points));
       out += fmt::format(",{}", cell(lab.points()));
     }
-    out += fmt::format(",{},{},{}\n", cell(record.points()), record.max(), record.status());
+    out += fmt::format(",{},{},{},{}\n", cell(record.points()), record.max(), record.status(),
+                       source_cell(record.source));
   }
   return out;
 }

@@ -48,6 +48,7 @@ struct Record {
   std::string key;  ///< what the marks follow from: as long as it is the same, so are they
   std::vector<std::string> ignored;
   std::vector<LabGrade> labs;
+  std::string source = {};  ///< where it was found; not kept in record.json
 
   std::optional<double> points() const;
   int max() const;
