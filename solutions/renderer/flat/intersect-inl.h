@@ -229,11 +229,12 @@ HWY_INLINE void meet_quad(const FlatScene& s, std::uint32_t i, const Origins& fr
   const M there = hn::And(hit.inside, other(set_word(s.plane[i]), from.plane));
   V t = hit.t;
   M ahead = hn::Gt(t, set(0));
-  M touches = hn::FirstN(d_, 0);
-  if (s.touching) touches = hn::And(there, within_rounding(hit.below, of_origin, s.coordinates[i]));
-  if (HWY_UNLIKELY(!hn::AllFalse(d_, touches))) {
-    ahead = select_mask(touches, goes_through(hit.n, hit.along, from.came), ahead);
-    t = hn::IfThenZeroElse(touches, t);
+  if (s.touching) {
+    const M touches = hn::And(there, within_rounding(hit.below, of_origin, s.coordinates[i]));
+    if (HWY_UNLIKELY(!hn::AllFalse(d_, touches))) {
+      ahead = select_mask(touches, goes_through(hit.n, hit.along, from.came), ahead);
+      t = hn::IfThenZeroElse(touches, t);
+    }
   }
   M nearer = hn::Lt(t, hits.t);
   // Of surfaces in one plane, whose distances are the same number, the one that faces the ray.
@@ -246,7 +247,8 @@ template <bool spheres>
 HWY_INLINE Hits closest(const FlatScene& s, const Origins& from, V3 d) {
   Hits hits{set(longest), set_word(nothing)};
   if (s.enclosed) hits = leave_enclosure(s, from.o, d, from.last);
-  const V of_origin = coordinates(from.o);
+  V of_origin = set(0);
+  if (spheres || s.touching) of_origin = coordinates(from.o);
   for (std::uint32_t i = s.first_quad; i < s.first_sphere; ++i)
     meet_quad(s, i, from, d, of_origin, hits);
   if constexpr (spheres) {
@@ -288,10 +290,11 @@ HWY_INLINE M quad_blocks(const FlatScene& s, std::uint32_t i, const Segments& wa
       hn::And(hit.inside, hn::And(other(plane, way.from.plane), other(plane, way.to_plane)));
   const V below_end = hn::Sub(set(s.d[i]), dot(hit.n, way.to));
   M between = hn::Lt(hn::Mul(hit.below, below_end), set(0));
-  M touches = hn::FirstN(d_, 0);
-  if (s.touching) touches = hn::And(there, within_rounding(hit.below, of_origin, s.coordinates[i]));
-  if (HWY_UNLIKELY(!hn::AllFalse(d_, touches)))
-    between = select_mask(touches, goes_through(hit.n, hit.along, way.from.came), between);
+  if (s.touching) {
+    const M touches = hn::And(there, within_rounding(hit.below, of_origin, s.coordinates[i]));
+    if (HWY_UNLIKELY(!hn::AllFalse(d_, touches)))
+      between = select_mask(touches, goes_through(hit.n, hit.along, way.from.came), between);
+  }
   return hn::And(there, between);
 }
 
@@ -320,7 +323,8 @@ HWY_INLINE M unoccluded(const FlatScene& s, const Segments& way, M asked) {
     const M blocks = hn::And(solid_blocks(s.solids[i], way), other(from_box, set_word(i)));
     clear = hn::AndNot(blocks, clear);
   }
-  const V of_origin = coordinates(way.from.o);
+  V of_origin = set(0);
+  if (s.touching) of_origin = coordinates(way.from.o);
   for (std::uint32_t i = s.first_quad; i < s.first_sphere; ++i) {
     if (s.lights == 1 && i == s.light_surface[0]) continue;
     clear = hn::AndNot(quad_blocks(s, i, way, of_origin), clear);

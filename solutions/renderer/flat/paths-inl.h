@@ -154,13 +154,13 @@ class Walk {
 
   /// The next rays start here.
   HWY_INLINE void arrive(Paths& paths, V t, V3 p, U number, const Numbers& of) const {
-    const U plane = s_.coplanar ? of(s_.plane.data()) : number;
-    V3 came = paths.d;
+    paths.from.o = p;
+    paths.from.last = number;
+    paths.from.plane = s_.coplanar ? of(s_.plane.data()) : number;
     if (Needs::spheres || s_.touching) {
       const M hidden = hn::Lt(t, hn::Mul(set(64 * rounding), coordinates(p)));
-      came = select(hidden, set(-2) * came, came);
+      paths.from.came = select(hidden, set(-2) * paths.d, paths.d);
     }
-    paths.from = {p, came, number, plane};
   }
 
   HWY_INLINE Surfaces surface_at(V3 d, V3 p, V3 n, const Numbers& material) const {

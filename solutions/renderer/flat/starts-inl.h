@@ -70,7 +70,8 @@ class Starts {
     };
     const carlo::Vec3 o = job_.camera.origin;
     paths.from.o = select(starts, set(o.x, o.y, o.z), paths.from.o);
-    paths.from.came = select(starts, set(0, 0, 0), paths.from.came);
+    if (job_.scene.touching || job_.scene.first_sphere < job_.scene.surfaces)
+      paths.from.came = select(starts, set(0, 0, 0), paths.from.came);
     paths.d = select(starts, {floats(dx_.data()), floats(dy_.data()), floats(dz_.data())}, paths.d);
     paths.beta = select(starts, set(1, 1, 1), paths.beta);
     paths.L = select(starts, set(0, 0, 0), paths.L);
