@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <variant>
@@ -15,6 +14,7 @@ namespace {
 using Vec3d = glm::dvec3;
 
 constexpr double enough = 1000, touching = 8;  ///< in units of a plane's error
+constexpr std::size_t most_things = 3000;      ///< each is looked at with each: a second at most
 
 /// Something that may be close to a plane.
 struct Thing {
@@ -81,6 +81,7 @@ struct Plane {
 }  // namespace
 
 std::optional<std::string> too_few_digits(const Scene& scene) {
+  if (scene.shapes.size() + scene.points.size() > most_things) return std::nullopt;
   std::vector<Thing> things;
   for (const Shape& shape : scene.shapes)
     things.push_back(thing_of(shape));

@@ -12,7 +12,7 @@ namespace carlo {
 /// nearest for its plane's digits, that it lies less than a thousand times that away, or, if it
 /// touches the plane, that its size is less: in the image it may lie, or end, a thousandth of that
 /// elsewhere. Looks at parallelograms, spheres, disks and point lights, not at meshes, whose
-/// triangles are many and Embree's.
+/// triangles are many and Embree's, and not at scenes of more than 3000 shapes.
 std::optional<std::string> too_few_digits(const Scene& scene);
 
 }  // namespace carlo

@@ -212,7 +212,7 @@ TEST_CASE(
   }
 }
 
-// Full Owen scrambling has -1.5, for twice the instructions and with no less noise in paths.
+// Full Owen scrambling is steeper, for twice the instructions and with no less noise in paths.
 TEST_CASE("The error of Sobol' points in lanes on a smooth integrand falls as 1 / n") {
   const double slope = std::log2(smooth_error(4096) / smooth_error(64)) / 6;
   INFO(slope);
