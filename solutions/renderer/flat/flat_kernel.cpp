@@ -24,13 +24,14 @@ namespace HWY_NAMESPACE {
 
 HWY_ATTR void render_tile(const FlatJob& job, std::span<std::array<double, 3>> means,
                           carlo::Counts& counts) {
-  const bool spheres = job.scene.spheres();
-  if (job.scene.phong) {
-    spheres ? run<Features<true, true>>(job, means, counts)
-            : run<Features<true, false>>(job, means, counts);
+  const FlatScene& s = job.scene;
+  const bool close = s.spheres() || s.touching || s.coplanar;
+  if (s.phong) {
+    close ? run<Features<true, true>>(job, means, counts)
+          : run<Features<true, false>>(job, means, counts);
   } else {
-    spheres ? run<Features<false, true>>(job, means, counts)
-            : run<Features<false, false>>(job, means, counts);
+    close ? run<Features<false, true>>(job, means, counts)
+          : run<Features<false, false>>(job, means, counts);
   }
 }
 

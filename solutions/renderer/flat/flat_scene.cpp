@@ -109,10 +109,11 @@ class Writer {
     add_light(flat_, number, quad, chance, running_ += chance);
   }
 
-  void box(const FoundBox& box) {
+  /// A box that takes so many numbers.
+  void box(const FoundBox& box, std::uint32_t numbers) {
     for (std::size_t face = 0; face < box.shape.size(); ++face)
       if (box.shape[face]) quad(flat_.surfaces + face, *box.shape[face]);
-    flat_.surfaces += FlatScene::sides;
+    flat_.surfaces += numbers;
   }
 
   void sphere(const carlo::Shape& shape, const carlo::Sphere& sphere) {
@@ -138,11 +139,17 @@ class Writer {
       flat_.plane[i] = static_cast<std::uint32_t>(first);
       flat_.nx[i] = sign * flat_.nx[first], flat_.ny[i] = sign * flat_.ny[first];
       flat_.nz[i] = sign * flat_.nz[first], flat_.d[i] = sign * flat_.d[first];
-      flat_.coplanar = true;
+      flat_.coplanar = flat_.coplanar || by_itself(k) || by_itself(planes.of[k].first);
     }
   }
 
  private:
+  /// Whether the parallelogram quads_[k] is met or aimed at as such, not as a side of a box.
+  bool by_itself(std::size_t k) const {
+    const std::size_t i = numbers_[k];
+    return i >= flat_.first_quad || flat_.light_density[i] > 0;
+  }
+
   void look(std::size_t i, const carlo::Shape& shape) {
     const carlo::Material& material = scene_.materials[shape.material];
     flat_.material[i] = shape.material;
@@ -202,7 +209,7 @@ std::size_t numbers(const carlo::Scene& scene) {
   const auto spheres = std::count_if(
       scene.shapes.begin(), scene.shapes.end(),
       [](const auto& shape) { return std::holds_alternative<carlo::Sphere>(shape.geometry); });
-  return (boxes.solids.size() + (boxes.enclosure ? 1 : 0)) * FlatScene::sides +
+  return boxes.solids.size() * FlatScene::sides + (boxes.enclosure ? FlatScene::sides_used : 0) +
          boxes.others.size() + static_cast<std::size_t>(spheres);
 }
 
@@ -224,13 +231,13 @@ FlatScene::FlatScene(const carlo::Scene& scene) {
   const FlatBoxes boxes = find_boxes(scene);
   for (const FoundBox& solid : boxes.solids) {
     solids.push_back(solid.box);
-    write.box(solid);
+    write.box(solid, sides);
   }
   if (boxes.enclosure) {
     enclosed = true;
     camera_inside = boxes.camera_inside;
     enclosure = boxes.enclosure->box;
-    write.box(*boxes.enclosure);
+    write.box(*boxes.enclosure, sides_used);
   }
   first_quad = surfaces;
   for (const std::size_t i : boxes.others)

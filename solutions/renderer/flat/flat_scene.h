@@ -31,7 +31,8 @@ struct FlatBox {
 struct FlatScene {
   static constexpr std::size_t most = 128;  ///< numbers of surfaces
   static constexpr std::size_t most_materials = 32;
-  static constexpr std::uint32_t sides = 8;  ///< numbers that a box takes; six are used
+  static constexpr std::uint32_t sides = 8;       ///< numbers that a solid takes,
+  static constexpr std::uint32_t sides_used = 6;  ///< and how many of them it uses
   template <class T>
   using Column = std::array<T, most>;
   template <class T>
@@ -44,7 +45,8 @@ struct FlatScene {
   explicit FlatScene(const carlo::Scene& scene);
 
   /// Solid i has the numbers from i * sides on, one for each side in the order of FlatBox::faces.
-  /// The enclosure, if there is one, follows; then other parallelograms, then spheres.
+  /// The enclosure, if there is one, follows with the numbers that it uses; then other
+  /// parallelograms, then spheres.
   std::vector<FlatBox> solids;
   FlatBox enclosure;
   bool enclosed = false, camera_inside = false;
@@ -60,8 +62,8 @@ struct FlatScene {
   /// Of either, what its rounding is relative to: |d|, and a sphere's |center|_1 + |radius|.
   Column<float> coordinates{};
   /// Parallelograms of one plane have the same number here, and the same n and d but for a sign;
-  /// spheres their own. A ray never meets the plane that it starts on. Where no plane is shared
-  /// (`coplanar`) these are the numbers of the surfaces.
+  /// spheres their own. A ray never meets the plane that it starts on. Only where one is shared by
+  /// a light or by what is no side of a box (`coplanar`) these are more than the surfaces' numbers.
   Column<std::uint32_t> plane{};
   bool coplanar = false;
   /// Whether a parallelogram or a sphere outside of boxes comes so close to another surface that an

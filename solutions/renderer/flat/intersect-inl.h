@@ -35,6 +35,12 @@ struct Origins {
   V3 came;  ///< the direction in which the path came there; 0 for the camera
   U last;   ///< the surface; `nothing` for the camera
   U plane;  ///< its plane (FlatScene::plane)
+
+  /// The plane, where planes are the surfaces' own unless the scene is `close`.
+  template <bool close>
+  HWY_INLINE U starts_on() const {
+    return close ? plane : last;
+  }
 };
 
 /// A surface's number, and how far away it is.
@@ -223,13 +229,14 @@ HWY_INLINE void meet_sphere(const FlatScene& s, std::uint32_t i, const Origins& 
   take(hits, hn::And(hn::And(met, ahead), hn::Lt(t, hits.t)), t, number);
 }
 
+template <bool close>
 HWY_INLINE void meet_quad(const FlatScene& s, std::uint32_t i, const Origins& from, V3 d,
                           V of_origin, Hits& hits) {
   const PlaneHit hit = meet_quad(s, i, from.o, d);
-  const M there = hn::And(hit.inside, other(set_word(s.plane[i]), from.plane));
+  const M there = hn::And(hit.inside, other(set_word(s.plane[i]), from.starts_on<close>()));
   V t = hit.t;
   M ahead = hn::Gt(t, set(0));
-  if (s.touching) {
+  if (close && s.touching) {
     const M touches = hn::And(there, within_rounding(hit.below, of_origin, s.coordinates[i]));
     if (HWY_UNLIKELY(!hn::AllFalse(d_, touches))) {
       ahead = select_mask(touches, goes_through(hit.n, hit.along, from.came), ahead);
@@ -238,20 +245,21 @@ HWY_INLINE void meet_quad(const FlatScene& s, std::uint32_t i, const Origins& fr
   }
   M nearer = hn::Lt(t, hits.t);
   // Of surfaces in one plane, whose distances are the same number, the one that faces the ray.
-  if (s.coplanar) nearer = hn::Or(nearer, hn::And(hn::Eq(t, hits.t), hn::Lt(hit.along, set(0))));
+  if (close && s.coplanar)
+    nearer = hn::Or(nearer, hn::And(hn::Eq(t, hits.t), hn::Lt(hit.along, set(0))));
   take(hits, hn::And(hn::And(nearer, ahead), there), t, set_word(i));
 }
 
 /// The first surface along rays; d has length 1.
-template <bool spheres>
+template <bool close>
 HWY_INLINE Hits closest(const FlatScene& s, const Origins& from, V3 d) {
   Hits hits{set(longest), set_word(nothing)};
   if (s.enclosed) hits = leave_enclosure(s, from.o, d, from.last);
   V of_origin = set(0);
-  if (spheres || s.touching) of_origin = coordinates(from.o);
+  if (close) of_origin = coordinates(from.o);
   for (std::uint32_t i = s.first_quad; i < s.first_sphere; ++i)
-    meet_quad(s, i, from, d, of_origin, hits);
-  if constexpr (spheres) {
+    meet_quad<close>(s, i, from, d, of_origin, hits);
+  if constexpr (close) {
     for (std::uint32_t i = s.first_sphere; i < s.surfaces; ++i)
       meet_sphere(s, i, from, d, of_origin, hits);
   }
@@ -283,14 +291,15 @@ HWY_INLINE M solid_blocks(const FlatBox& box, const Segments& way) {
 
 /// Parallelogram i lies between if the ends are on different sides of its plane: by the ends
 /// themselves, for how far away a light is would blur what is close to it.
+template <bool close>
 HWY_INLINE M quad_blocks(const FlatScene& s, std::uint32_t i, const Segments& way, V of_origin) {
   const PlaneHit hit = meet_quad(s, i, way.from.o, way.d);
   const U plane = set_word(s.plane[i]);
-  const M there =
-      hn::And(hit.inside, hn::And(other(plane, way.from.plane), other(plane, way.to_plane)));
+  const M there = hn::And(
+      hit.inside, hn::And(other(plane, way.from.starts_on<close>()), other(plane, way.to_plane)));
   const V below_end = hn::Sub(set(s.d[i]), dot(hit.n, way.to));
   M between = hn::Lt(hn::Mul(hit.below, below_end), set(0));
-  if (s.touching) {
+  if (close && s.touching) {
     const M touches = hn::And(there, within_rounding(hit.below, of_origin, s.coordinates[i]));
     if (HWY_UNLIKELY(!hn::AllFalse(d_, touches)))
       between = select_mask(touches, goes_through(hit.n, hit.along, way.from.came), between);
@@ -315,7 +324,7 @@ HWY_INLINE M sphere_blocks(const FlatScene& s, std::uint32_t i, const Segments& 
 }
 
 /// Which of `asked` reach their end without meeting anything between.
-template <bool spheres>
+template <bool close>
 HWY_INLINE M unoccluded(const FlatScene& s, const Segments& way, M asked) {
   M clear = asked;
   const U from_box = box_of(way.from.last);
@@ -324,12 +333,12 @@ HWY_INLINE M unoccluded(const FlatScene& s, const Segments& way, M asked) {
     clear = hn::AndNot(blocks, clear);
   }
   V of_origin = set(0);
-  if (s.touching) of_origin = coordinates(way.from.o);
+  if (close) of_origin = coordinates(way.from.o);
   for (std::uint32_t i = s.first_quad; i < s.first_sphere; ++i) {
     if (s.lights == 1 && i == s.light_surface[0]) continue;
-    clear = hn::AndNot(quad_blocks(s, i, way, of_origin), clear);
+    clear = hn::AndNot(quad_blocks<close>(s, i, way, of_origin), clear);
   }
-  if constexpr (spheres) {
+  if constexpr (close) {
     for (std::uint32_t i = s.first_sphere; i < s.surfaces; ++i)
       clear = hn::AndNot(sphere_blocks(s, i, way), clear);
   }

@@ -33,24 +33,35 @@ class Numbers {
     }
   }
 
-  HWY_INLINE V operator()(const float* column) const {
-    if (registers_ > most) return hn::GatherIndex(d_, column, hn::BitCast(di_, numbers_));
-    V found = hn::TableLookupLanes(hn::LoadU(d_, column), within_);
-    for (std::size_t r = 1; r < registers_; ++r) {
-      found = select(beyond_[r], hn::TableLookupLanes(hn::LoadU(d_, column + r * lanes), within_),
-                     found);
-    }
-    return found;
-  }
+  HWY_INLINE V operator()(const float* column) const { return at(std::array{column})[0]; }
   HWY_INLINE U operator()(const std::uint32_t* column) const {
     return hn::BitCast(du_, (*this)(reinterpret_cast<const float*>(column)));
   }
   template <class Column>
   HWY_INLINE V3 operator()(const Column& x, const Column& y, const Column& z) const {
-    return {(*this)(x.data()), (*this)(y.data()), (*this)(z.data())};
+    const auto found = at(std::array<const float*, 3>{x.data(), y.data(), z.data()});
+    return {found[0], found[1], found[2]};
   }
 
  private:
+  /// Several columns at once: how many registers they have is asked but once.
+  template <std::size_t n>
+  HWY_INLINE std::array<V, n> at(const std::array<const float*, n>& columns) const {
+    std::array<V, n> found;
+    for (std::size_t c = 0; c < n; ++c) {
+      found[c] = registers_ > most ? hn::GatherIndex(d_, columns[c], hn::BitCast(di_, numbers_))
+                                   : hn::TableLookupLanes(hn::LoadU(d_, columns[c]), within_);
+    }
+    if (registers_ > most) return found;
+    for (std::size_t r = 1; r < registers_; ++r) {
+      for (std::size_t c = 0; c < n; ++c) {
+        const V here = hn::TableLookupLanes(hn::LoadU(d_, columns[c] + r * lanes), within_);
+        found[c] = select(beyond_[r], here, found[c]);
+      }
+    }
+    return found;
+  }
+
   static constexpr std::size_t most = 4;
   U numbers_;
   decltype(hn::IndicesFromVec(d_, hn::Zero(du_))) within_;

@@ -30,10 +30,11 @@ constexpr std::uint32_t longest_path = 1 << 16;
 /// has the pixel's key, vertex v the key pixel + v * key_step.
 constexpr std::uint32_t key_step = 0x9E3779B1;
 
-/// What a scene needs, for which the code is compiled.
-template <bool phong_, bool spheres_>
+/// What a scene needs, for which the code is compiled: `phong` materials; `close`: spheres, or
+/// parallelograms that touch others or share a plane with them.
+template <bool phong_, bool close_>
 struct Features {
-  static constexpr bool phong = phong_, spheres = spheres_;
+  static constexpr bool phong = phong_, close = close_;
 };
 
 struct Paths {
@@ -69,7 +70,7 @@ class Walk {
     const U k = mix(paths.key);
     const V2 u_light = points(job_, paths.reversed_index, k);
     const V2 u_lobe = points(job_, paths.reversed_index, second_word(k));
-    const Hits hits = closest<Needs::spheres>(s_, paths.from, paths.d);
+    const Hits hits = closest<Needs::close>(s_, paths.from, paths.d);
     paths.depth = hn::Add(paths.depth, set_word(1));
     const M met = other(hits.surface, set_word(nothing));
     add_sky(paths, hn::AndNot(met, paths.alive));
@@ -122,7 +123,7 @@ class Walk {
     const V3 far = add_scaled(paths.from.o, t, paths.d);
     normal = of(s_.nx, s_.ny, s_.nz);
     p = add_scaled(far, hn::Sub(of(s_.d.data()), dot(normal, far)), normal);
-    if constexpr (Needs::spheres) {
+    if constexpr (Needs::close) {
       const M flat = hn::RebindMask(d_, hn::Gt(set_word(s_.first_sphere), number));
       if (hn::AllTrue(d_, flat)) return;
       const V3 center = of(s_.cx, s_.cy, s_.cz);
@@ -156,8 +157,8 @@ class Walk {
   HWY_INLINE void arrive(Paths& paths, V t, V3 p, U number, const Numbers& of) const {
     paths.from.o = p;
     paths.from.last = number;
-    paths.from.plane = s_.coplanar ? of(s_.plane.data()) : number;
-    if (Needs::spheres || s_.touching) {
+    if constexpr (Needs::close) {
+      paths.from.plane = s_.coplanar ? of(s_.plane.data()) : number;
       const M hidden = hn::Lt(t, hn::Mul(set(64 * rounding), coordinates(p)));
       paths.from.came = select(hidden, set(-2) * paths.d, paths.d);
     }
@@ -200,12 +201,13 @@ class Walk {
     const V3 wi = inverse * to_light;
     const V cosine = dot(surface.n, wi);
     const V light_cosine = hn::Neg(dot(light.n, wi));
-    const M faces = hn::And(hn::And(hn::Gt(cosine, set(0)), hn::Gt(light_cosine, set(0))),
-                            hn::And(paths.alive, other(light.plane, paths.from.plane)));
+    const M faces =
+        hn::And(hn::And(hn::Gt(cosine, set(0)), hn::Gt(light_cosine, set(0))),
+                hn::And(paths.alive, other(light.plane, paths.from.starts_on<Needs::close>())));
     if (hn::AllFalse(d_, faces)) return;
     counts_.rays += hn::CountTrue(d_, faces);
     const Segments way{paths.from, wi, light.p, hn::Mul(distance2, inverse), light.plane};
-    const M clear = unoccluded<Needs::spheres>(s_, way, faces);
+    const M clear = unoccluded<Needs::close>(s_, way, faces);
     const Bsdfs bsdf = evaluate<Needs::phong>(surface, wi, cosine);
     // Solid angle: one over the density of wi by light sampling.
     const V solid_angle = hn::Mul(hn::Mul(light.area, light_cosine), hn::Mul(inverse, inverse));

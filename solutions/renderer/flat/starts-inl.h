@@ -13,6 +13,7 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -36,22 +37,27 @@ HWY_INLINE V3 camera_direction(const FlatJob& job, V x, V y) {
 class Starts {
  public:
   HWY_ATTR explicit Starts(const FlatJob& job)
-      : columns_(static_cast<std::uint32_t>(job.tile.x1 - job.tile.x0)), job_(job) {
-    const auto rows = static_cast<std::uint32_t>(job.tile.y1 - job.tile.y0);
-    if (job.tile.samples > 0) pixels_ = columns_ * rows;
+      : left_(
+            std::uint64_t{job.tile.samples} *
+            static_cast<std::uint64_t>((job.tile.x1 - job.tile.x0) * (job.tile.y1 - job.tile.y0))),
+        x_(job.tile.x0),
+        y_(job.tile.y0),
+        job_(job) {
+    pixel_key_ = key_of_pixel();
   }
 
   /// Gives paths to lanes that have none, as far as there are.
+  template <class Needs>
   HWY_INLINE void refill(Paths& paths, carlo::Counts& counts) {
     const std::uint32_t alive = bits(paths.alive);
     if (alive == static_cast<std::uint32_t>((std::uint64_t{1} << lanes) - 1)) return;
-    if (waiting_ < lanes && pixel_ < pixels_) prepare();
+    if (waiting_ < lanes && left_ > 0) prepare();
     if (waiting_ == 0) return;
     // The place in the queue: how many lanes before this one are free.
     const U before = hn::Sub(hn::Shl(set_word(1), hn::Iota(du_, 0)), set_word(1));
     const U place = hn::PopulationCount(hn::And(set_word(~alive), before));
     const M starts = hn::AndNot(paths.alive, hn::RebindMask(d_, hn::Gt(set_word(waiting_), place)));
-    take(paths, starts, hn::And(place, set_word(lanes - 1)));
+    take<Needs>(paths, starts, hn::And(place, set_word(lanes - 1)));
     const auto started = static_cast<std::uint32_t>(hn::CountTrue(d_, starts));
     first_ += started;
     waiting_ -= started;
@@ -59,6 +65,7 @@ class Starts {
   }
 
  private:
+  template <class Needs>
   HWY_INLINE void take(Paths& paths, M starts, U place) const {
     const auto from = hn::IndicesFromVec(d_, place);
     const auto starts_u = hn::RebindMask(du_, starts);
@@ -70,14 +77,15 @@ class Starts {
     };
     const carlo::Vec3 o = job_.camera.origin;
     paths.from.o = select(starts, set(o.x, o.y, o.z), paths.from.o);
-    if (job_.scene.touching || job_.scene.first_sphere < job_.scene.surfaces)
+    if constexpr (Needs::close) {
       paths.from.came = select(starts, set(0, 0, 0), paths.from.came);
+      paths.from.plane = hn::IfThenElse(starts_u, set_word(nothing), paths.from.plane);
+    }
     paths.d = select(starts, {floats(dx_.data()), floats(dy_.data()), floats(dz_.data())}, paths.d);
     paths.beta = select(starts, set(1, 1, 1), paths.beta);
     paths.L = select(starts, set(0, 0, 0), paths.L);
     paths.pdf = select(starts, set(-1), paths.pdf);
     paths.from.last = hn::IfThenElse(starts_u, set_word(nothing), paths.from.last);
-    paths.from.plane = hn::IfThenElse(starts_u, set_word(nothing), paths.from.plane);
     paths.depth = hn::IfThenElse(starts_u, set_word(0), paths.depth);
     paths.key = hn::IfThenElse(starts_u, words(key_.data()), paths.key);
     paths.reversed_index = hn::IfThenElse(starts_u, words(index_.data()), paths.reversed_index);
@@ -91,39 +99,51 @@ class Starts {
     move(dx_, d_), move(dy_, d_), move(dz_, d_);
     move(key_, du_), move(index_, du_), move(pixel_of_, du_);
     first_ = 0;
-    alignas(64) std::array<std::int32_t, lanes> x{}, y{};
-    alignas(64) std::array<std::uint32_t, lanes> key{}, index{};
-    std::uint32_t made = 0;
-    for (; made < lanes && pixel_ < pixels_; ++made) {
-      if (sample_ == 0) start_pixel();
-      x[made] = x_, y[made] = y_, key[made] = pixel_key_;
-      index[made] = job_.tile.first_sample + sample_;
-      pixel_of_[waiting_ + made] = pixel_;
-      if (++sample_ < job_.tile.samples) continue;
-      sample_ = 0;
-      ++pixel_;
+    const auto made = static_cast<std::uint32_t>(std::min<std::uint64_t>(lanes, left_));
+    const std::uint32_t samples = job_.tile.samples;
+    if (sample_ == samples) next_pixel();
+    const U lane = hn::Iota(du_, 0);
+    V x = set(static_cast<float>(x_)), y = set(static_cast<float>(y_));
+    U keys = set_word(pixel_key_), pixel = set_word(pixel_),
+      sample = hn::Add(lane, set_word(sample_));
+    std::uint32_t first = 0;  // lane of the pixel
+    while (made - first > samples - sample_) {
+      first += samples - sample_;
+      next_pixel();
+      const auto next = hn::Gt(hn::Add(lane, set_word(1)), set_word(first));
+      const M next_f = hn::RebindMask(d_, next);
+      x = select(next_f, set(static_cast<float>(x_)), x);
+      y = select(next_f, set(static_cast<float>(y_)), y);
+      keys = hn::IfThenElse(next, set_word(pixel_key_), keys);
+      pixel = hn::IfThenElse(next, set_word(pixel_), pixel);
+      sample = hn::IfThenElse(next, hn::Sub(lane, set_word(first)), sample);
     }
-    const U keys = hn::Load(du_, key.data());
-    const U reversed = reverse_bits(hn::Load(du_, index.data()));
+    sample_ += made - first;
+    const U reversed = reverse_bits(hn::Add(sample, set_word(job_.tile.first_sample)));
     const V2 jitter = points(job_, reversed, mix(keys));
-    const V3 d =
-        camera_direction(job_, hn::Add(hn::ConvertTo(d_, hn::Load(di_, x.data())), jitter.x),
-                         hn::Add(hn::ConvertTo(d_, hn::Load(di_, y.data())), jitter.y));
+    const V3 d = camera_direction(job_, hn::Add(x, jitter.x), hn::Add(y, jitter.y));
     hn::StoreU(d.x, d_, dx_.data() + waiting_);
     hn::StoreU(d.y, d_, dy_.data() + waiting_);
     hn::StoreU(d.z, d_, dz_.data() + waiting_);
     hn::StoreU(hn::Add(keys, set_word(key_step)), du_, key_.data() + waiting_);
     hn::StoreU(reversed, du_, index_.data() + waiting_);
+    hn::StoreU(pixel, du_, pixel_of_.data() + waiting_);
     waiting_ += made;
+    left_ -= made;
   }
 
-  void start_pixel() {
-    x_ = job_.tile.x0 + static_cast<int>(pixel_ % columns_);
-    y_ = job_.tile.y0 + static_cast<int>(pixel_ / columns_);
+  void next_pixel() {
+    ++pixel_;
+    sample_ = 0;
+    if (++x_ == job_.tile.x1) x_ = job_.tile.x0, ++y_;
+    pixel_key_ = key_of_pixel();
+  }
+
+  std::uint32_t key_of_pixel() const {
     const std::uint64_t number =
         static_cast<std::uint64_t>(y_) * static_cast<std::uint64_t>(job_.width) +
         static_cast<std::uint64_t>(x_);
-    pixel_key_ = static_cast<std::uint32_t>(carlo::hash(job_.seed, number));
+    return static_cast<std::uint32_t>(carlo::hash(job_.seed, number));
   }
 
   template <class Queue, class Tag>
@@ -138,9 +158,9 @@ class Starts {
   alignas(alignment) Queue<float> dx_{}, dy_{}, dz_{};
   alignas(alignment) Queue<std::uint32_t> key_{}, index_{}, pixel_of_{};
   std::uint32_t first_ = 0, waiting_ = 0;
-  std::uint32_t columns_, pixels_ = 0;
+  std::uint64_t left_;                    ///< samples that have not joined the queue
   std::uint32_t pixel_ = 0, sample_ = 0;  ///< the next
-  int x_ = 0, y_ = 0;
+  int x_, y_;
   std::uint32_t pixel_key_ = 0;
   const FlatJob& job_;
 };

@@ -32,7 +32,7 @@ HWY_ATTR void run(const FlatJob& job, std::span<std::array<double, 3>> means,
   Paths paths{};
   paths.alive = hn::FirstN(d_, 0);
   for (std::uint64_t round = 0;; ++round) {
-    starts.refill(paths, counts);
+    starts.refill<Needs>(paths, counts);
     if (hn::AllFalse(d_, paths.alive)) break;
     if (round % 4096 == 4095 && carlo::render_interrupted()) return;
     const M before = paths.alive;
