@@ -10,7 +10,8 @@
 // Pixels that differ in a few rare samples tell nothing of their variance (quotients of noise), and
 // are left out: those whose fourth moment says that the variance is known to no better than 15 %.
 //
-// CARLO_ERROR_BARS_RENDERS: how many instead. CARLO_ERROR_BARS_ONLY: scenes with this in the name.
+// CARLO_ERROR_BARS_RENDERS: how many instead. CARLO_ERROR_BARS_ONLY: what has this in its name,
+// which is scene/sampler/spp.
 
 #include "image/film.h"
 #include "render/driver.h"
@@ -155,8 +156,9 @@ std::uint32_t renders_of(std::uint32_t usual) {
   return text == nullptr ? usual : static_cast<std::uint32_t>(std::strtoul(text, nullptr, 10));
 }
 
-bool asked_for(const std::string& name) {
+bool asked_for(const std::string& scene, SamplerKind kind, std::uint32_t spp) {
   const char* only = std::getenv("CARLO_ERROR_BARS_ONLY");
+  const std::string name = fmt::format("{}/{}/{}", scene, name_of(kind), spp);
   return only == nullptr || name.find(only) != std::string::npos;
 }
 
@@ -169,6 +171,7 @@ void measure(const std::string& name, const std::vector<std::uint32_t>& samples,
     scene.sampler = kind;
     for (const auto kernel : {renderer::Kernel::scalar, renderer::Kernel::best}) {
       for (const std::uint32_t spp : samples) {
+        if (!asked_for(name, kind, spp)) continue;
         const Renders all(scene, spp, kernel);
         if (kernel == renderer::Kernel::best && all.kernel() == "scalar") continue;
         const std::vector<double> q = all.quotients(renders);
@@ -194,8 +197,7 @@ TEST_CASE("Standard errors are what they say: all scenes", "[.all]") {
   show_heading();
   for (const auto& entry : std::filesystem::directory_iterator(CARLO_SCENES)) {
     if (entry.path().extension() != ".xml") continue;
-    const std::string name = entry.path().stem().string();
-    if (asked_for(name)) measure(name, {2, 4, 8, 16, 32, 64}, renders_of(1000));
+    measure(entry.path().stem().string(), {2, 4, 8, 16, 32, 64}, renders_of(1000));
   }
 }
 
