@@ -181,8 +181,8 @@ float light_pdf(const World& world, const Surface& from, const Surface& to);
 /// light by area and by sample()'s directions with their power-heuristic weights, mirrors and
 /// glass, and Russian roulette. A path has at most max_depth segments (1: emission only, 2: direct
 /// light); 0: as many as it takes, longest_path at most. Roulette: after its vertex a path survives
-/// with probability min(1, 4 m), m the largest channel of its throughput (the product of its
-/// weights so far).
+/// with a probability that its throughput (the product of its weights so far) gives, above 0 as
+/// long as that is: min(1, 4 m), m its largest channel or its luminance, serves well.
 Rgb path_radiance(const World& world, const Ray& ray, int max_depth, Dimensions& dimensions);
 
 }  // namespace lab08

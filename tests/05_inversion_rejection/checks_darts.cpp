@@ -27,6 +27,8 @@ const Diagnosis same_number{"one-number-for-x-and-y",
 const Diagnosis y_first{"y-drawn-before-x", "the contract asks for x first, then y."};
 const Diagnosis bound_ignored{"bound-not-used",
                               "y has to be uniform on [0, f_max), not on [0, 1)."};
+const Diagnosis bound_short{"heights-below-the-bound",
+                            "too few darts miss: y has to be uniform on [0, f_max), all of it."};
 const Diagnosis not_shifted{"interval-not-shifted", "x has to be uniform on [a, b)."};
 const Diagnosis above_accepted{"accepts-above-f",
                                "darts above f are kept and those below are thrown away."};
@@ -60,10 +62,24 @@ Theory geometric(double p) {
   return {1 / p, std::sqrt(1 - p) / p, 6 + p * p / (1 - p)};
 }
 
+/// Too few darts, and none of them left out of the count: who leaves the accepted one out has
+/// samples of no dart at all.
+bool too_few(const std::vector<double>& darts, double p) {
+  double sum = 0;
+  for (const double count : darts)
+    sum += count;
+  return std::count(darts.begin(), darts.end(), 0.0) == 0 &&
+         sum * p < 0.98 * static_cast<double>(darts.size());
+}
+
+/// `fewer`: what too few darts are a sign of, where no suspect is.
 void judge_darts(const std::string& what, const std::vector<double>& darts, double p,
-                 Suspects suspects = {}) {
-  suspects.push_back({1 / p - 1, last_not_counted});
-  judge(mean_is("the mean number of darts, " + what, darts, geometric(p), suspects));
+                 Suspects suspects = {}, const std::vector<Diagnosis>& fewer = {}) {
+  if (std::count(darts.begin(), darts.end(), 0.0) > 0)
+    suspects.push_back({1 / p - 1, last_not_counted});
+  Verdict mean = mean_is("the mean number of darts, " + what, darts, geometric(p), suspects);
+  if (!mean.passed && mean.diagnoses.empty() && too_few(darts, p)) mean.diagnoses = fewer;
+  judge(mean);
   judge(variance_is("the variance of the number of darts, " + what, darts, geometric(p)));
 }
 
@@ -98,10 +114,14 @@ TEST_CASE("Lab 5.7: samples fill every cell by f's integral, whatever the bound"
         verdict.diagnoses.push_back(not_shifted);
       }
     }
+    const double p = c.integral / ((c.b - c.a) * c.bound);
+    const std::vector<double> darts = column(rows, 1);
+    if (!verdict.passed && verdict.diagnoses.empty() && c.bound == 1 && too_few(darts, p))
+      verdict.diagnoses.push_back(bound_short);
     judge(verdict);
     Suspects suspects;
     if (c.bound != 1) suspects.push_back({(c.b - c.a) / c.below_one, bound_ignored});
-    judge_darts(name_of(target), column(rows, 1), c.integral / ((c.b - c.a) * c.bound), suspects);
+    judge_darts(name_of(target), darts, p, suspects, {bound_short});
   }
 }
 

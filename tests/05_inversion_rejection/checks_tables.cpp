@@ -117,6 +117,37 @@ std::vector<double> probabilities(const std::vector<double>& weights) {
   return result;
 }
 
+/// Whether the samples lie in the bin next to theirs, all on the same side, where there is one.
+bool in_next_bin(const std::vector<double>& u, const std::vector<double>& found,
+                 const std::vector<double>& cdf) {
+  const double bins = number(cdf.size());
+  for (const double step : {-1.0, 1.0}) {
+    std::size_t seen = 0, fit = 0;
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      const Place place = place_of(u[i], cdf);
+      if (place.index + step < 0 || place.index + step >= bins) continue;
+      ++seen;
+      fit += std::abs(found[i] - (place.index + step + place.fraction) / bins) <= 1e-9 ? 1 : 0;
+    }
+    if (seen > 0 && fit == seen) return true;
+  }
+  return false;
+}
+
+/// Whether these are the values of the neighbours, all on the same side, where there is one.
+bool of_next_bin(const std::vector<double>& found, const std::vector<double>& expected) {
+  const std::size_t n = expected.size();
+  const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-9 * b; };
+  return n > 1 && (std::equal(found.begin(), found.end() - 1, expected.begin() + 1, same) ||
+                   std::equal(found.begin() + 1, found.end(), expected.begin(), same));
+}
+
+/// A sample whose density is 0 has slipped there by rounding only if it is at the edge of its bin.
+bool at_edge(double u, const std::vector<double>& cdf) {
+  const double fraction = place_of(u, cdf).fraction;
+  return std::min(fraction, 1 - fraction) <= 1e-6;
+}
+
 }  // namespace
 
 TEST_CASE("Lab 5.4: the number drawn is where u falls, and weight 0 is never drawn",
@@ -188,9 +219,11 @@ TEST_CASE("Lab 5.5: samples are the inverse of the CDF and never fall where the 
     const double bins = number(weights.size());
     std::vector<double> at, found;
     double outside = 0, empty = 0;
+    bool all_at_edges = true;
     for (std::size_t i = 0; i < u.size(); ++i) {
       outside += rows.at(i, 0) >= 0 && rows.at(i, 0) < 1 ? 0 : 1;
       empty += rows.at(i, 1) > 0 ? 0 : 1;
+      all_at_edges = all_at_edges && (rows.at(i, 1) > 0 || at_edge(u[i], cdf));
       if (!exact_edges(kind) && near_edge(u[i], cdf)) continue;
       at.push_back(u[i]);
       found.push_back(rows.at(i, 0));
@@ -203,11 +236,14 @@ TEST_CASE("Lab 5.5: samples are the inverse of the CDF and never fall where the 
     const auto left = [&](double v) { return place_of(v, cdf).index / bins; };
     const auto centre = [&](double v) { return (place_of(v, cdf).index + 0.5) / bins; };
     judge(equals(fmt::format("samples outside [0, 1), {}", name_of(kind)), outside, 0, 0));
-    judge(equals_everywhere(fmt::format("the sample of {}", name_of(kind)), at, found, inverse,
-                            1e-9, 1e-13,
-                            {{twice, spent}, {left, at_the_edge}, {centre, at_the_edge}}));
+    Verdict verdict =
+        equals_everywhere(fmt::format("the sample of {}", name_of(kind)), at, found, inverse, 1e-9,
+                          1e-13, {{twice, spent}, {left, at_the_edge}, {centre, at_the_edge}});
+    if (!verdict.passed && in_next_bin(at, found, cdf)) verdict.diagnoses.push_back(next_bin);
+    judge(verdict);
     judge(holds(fmt::format("samples whose density is 0, {}", name_of(kind)), empty == 0,
-                fmt::format("{:g} of {}", empty, u.size()), "none", {slips}));
+                fmt::format("{:g} of {}", empty, u.size()), "none",
+                all_at_edges ? std::vector{slips} : std::vector<Diagnosis>{}));
   }
 }
 
@@ -224,8 +260,11 @@ TEST_CASE("Lab 5.5: the density is that of each bin, and 0 outside [0, 1)", "[la
     rows.values.resize(expected.size());
     const bool unscaled = std::equal(plain.begin(), plain.end(), rows.values.begin(),
                                      [](double a, double b) { return std::abs(a - b) <= 1e-12; });
+    std::vector<Diagnosis> diagnoses;
+    if (unscaled) diagnoses.push_back(no_width);
+    if (of_next_bin(rows.values, expected)) diagnoses.push_back(next_bin);
     judge(all_equal(fmt::format("the density of {}", name_of(kind)), rows.values, expected, 1e-11,
-                    unscaled ? std::vector{no_width} : std::vector<Diagnosis>{}));
+                    diagnoses));
     judge(all_equal("the density at -0.5, just below 0, at 1 and at 1.5", outside,
                     std::vector<double>(4, 0.0), 0));
   }

@@ -29,6 +29,10 @@ inline const carlo::grader::Diagnosis slips{
     "rounding carries some x over the edge into a bin of density 0: place and "
     "look up bins with the functions of bins.h."};
 
+inline const carlo::grader::Diagnosis next_bin{
+    "neighbouring-bin",
+    "this belongs to the bin next to it: bin i, counted from 0, reaches from i/n to (i + 1)/n."};
+
 inline double number(std::size_t i) {
   return static_cast<double>(i);
 }

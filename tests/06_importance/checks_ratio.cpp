@@ -17,6 +17,10 @@ namespace {
 
 const Diagnosis not_divided{"not-divided-by-the-pdf",
                             "f(x) alone: a point drawn more often has to count less, by 1/p(x)."};
+const Diagnosis weights_normalised{
+    "weights-normalised",
+    "the weights 1/p(x) are divided by their own sum or mean: contributions then depend on one "
+    "another, and where p does not cover f the integral is wrong. A contribution is f(x)/p(x)."};
 const Diagnosis multiplied{"multiplied-by-the-pdf", "f(x) is multiplied by p(x), not divided."};
 const Diagnosis zero_by_zero{"division-by-a-pdf-of-zero",
                              "a point where the pdf is 0 has to contribute 0, whatever f is."};
@@ -65,6 +69,20 @@ Suspects ratio_suspects(double k, double n) {
           {(k + 1) * (n + 1) * (n + 1) / (k + 2 * n + 1), multiplied}};
 }
 
+/// With p proportional to f contributions are all 1; with normalised weights all the same, not 1.
+bool are_normalised(const std::vector<double>& of_same_shape) {
+  const auto [least, most] = std::minmax_element(of_same_shape.begin(), of_same_shape.end());
+  return *most - *least <= 1e-9 * *most && std::abs(*most - 1) > 1e-6;
+}
+
+/// A verdict on contributions; those with normalised weights look like other mistakes where the
+/// weights happen to be equal.
+void judge_ratio(Verdict verdict) {
+  if (!verdict.passed && are_normalised(contributions(4, 4, 1000)))
+    verdict.diagnoses = {weights_normalised};
+  judge(verdict);
+}
+
 struct Summary {
   double value, variance, error;
 };
@@ -107,7 +125,8 @@ TEST_CASE("Lab 6.1: the mean is f's integral, whatever p is", "[lab06][ex1]") {
   for (const double n : {0.0, 2.0, 3.0, 5.0}) {
     const auto values = contributions(4, n, 400'000);
     const Theory theory = theory_of(power_moments(4, n));
-    judge(mean_is(fmt::format("5 x^4 with p as x^{:g}", n), values, theory, ratio_suspects(4, n)));
+    judge_ratio(
+        mean_is(fmt::format("5 x^4 with p as x^{:g}", n), values, theory, ratio_suspects(4, n)));
   }
 }
 
@@ -117,8 +136,8 @@ TEST_CASE("Lab 6.1: the variance falls as theory says while p approaches f",
           "[lab06][ex1][variance]") {
   for (const double n : {0.0, 2.0, 3.0}) {
     const auto values = contributions(4, n, 400'000);
-    judge(variance_is(fmt::format("the variance of 5 x^4 with p as x^{:g}", n), values,
-                      theory_of(power_moments(4, n))));
+    judge_ratio(variance_is(fmt::format("the variance of 5 x^4 with p as x^{:g}", n), values,
+                            theory_of(power_moments(4, n))));
   }
 }
 
@@ -128,7 +147,7 @@ TEST_CASE("Lab 6.1: with p proportional to f every single contribution is the in
   double worst = 0;
   for (const double value : values)
     worst = std::max(worst, std::abs(value - 1));
-  judge(equals("the largest distance of a contribution from 1", worst, 0, 1e-12));
+  judge_ratio(equals("the largest distance of a contribution from 1", worst, 0, 1e-12));
 }
 
 // Mean 1/4, sd .144: a bias of .002 is caught with power .999 at n = 400 000.
@@ -139,7 +158,7 @@ TEST_CASE("Lab 6.1: a p that does not cover f gives the integral over what it co
       probe("Lab 6.1 uncovered", {.n = 400'000, .numbers = {{"k", 1}, {"edge", 0.5}}},
             {.rows = 400'000, .of = what})
           .values;
-  judge(mean_is(what, values, theory_of(uncovered_moments(1, 0.5)), {{0.5, not_divided}}));
+  judge_ratio(mean_is(what, values, theory_of(uncovered_moments(1, 0.5)), {{0.5, not_divided}}));
 }
 
 TEST_CASE("Lab 6.1: f and p are asked at the same point", "[lab06][ex1]") {

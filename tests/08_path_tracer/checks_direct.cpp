@@ -55,6 +55,11 @@ const Diagnosis with_sky{"environment-counted",
                          "the environment is no light: here only what surfaces emit counts."};
 const Diagnosis with_own_emission{"own-emission-counted",
                                   "what the surface itself emits is no reflection of light."};
+const Diagnosis always_dark{
+    "always-dark",
+    "no light arrives at all. The light itself is not in the way to its point: world.sees() asks "
+    "for what lies between. And both cosines are above 0: wi points away from the surface, and "
+    "against the light's normal."};
 const Diagnosis wrong_side{"wrong-side-of-the-light",
                            "a light emits on the side of its normal alone."};
 const Diagnosis no_shadow{"no-shadow-ray", "light comes through a screen."};
@@ -221,6 +226,8 @@ struct Judged {
 /// The slip that explains what every lamp shows. Over a lamp that is parallel to the floor, at
 /// height 1, one cosine is as good as the other and as the distance: no lamp alone can tell.
 std::vector<Diagnosis> common_slip(const std::vector<Judged>& all) {
+  const auto dark = [](const Judged& j) { return j.sample.mean == 0 && j.sample.error == 0; };
+  if (std::all_of(all.begin(), all.end(), dark)) return {always_dark};
   const std::pair<Slip, Diagnosis> slips[] = {{Slip::cos_surface, no_cos_surface},
                                               {Slip::cos_light, no_cos_light},
                                               {Slip::distance, no_distance},
@@ -234,6 +241,11 @@ std::vector<Diagnosis> common_slip(const std::vector<Judged>& all) {
     if (fits) return {diagnosis};
   }
   return {};
+}
+
+bool a_lone_lamp_is_dark() {
+  const std::vector<double> red = column(estimates(Lamp::rectangle, 0), 0);
+  return std::all_of(red.begin(), red.end(), [](double x) { return x == 0; });
 }
 
 }  // namespace
@@ -282,7 +294,7 @@ TEST_CASE("Lab 8.2: one of several lights by area", "[lab08][ex2]") {
     // Each lamp's share is 1/3 ± .0015.
     const auto n = static_cast<double>(rows.count());
     if (red == 0 || green == 0) {
-      verdict.diagnoses = {always_the_same};
+      verdict.diagnoses = {a_lone_lamp_is_dark() ? always_dark : always_the_same};
     } else if (std::abs(red / n - 1 / 3.0) > 0.01 || std::abs(green / n - 1 / 3.0) > 0.01) {
       verdict.diagnoses = {uneven};
     } else if (Sample(sums).fits(m.mean / 3)) {
