@@ -10,13 +10,14 @@
 #   apart        each file compiled by itself: does it include all that it uses?
 #   tidy         clang-tidy of everything, its analyser included
 #   calibration  the grader's errors: 25 seeds of the solutions, 5 of every mistake
+#   fuzz         ten minutes for each reader of foreign bytes
 #   paths        1e9 paths through every scene: is one of them not finite, or negative?
 #   chroot       the README's commands in a bare Debian (as root; needs debootstrap)
 set -uo pipefail
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/..")
 cd "$root" || exit 1
 
-all=(thorough sanitizers apart tidy calibration paths chroot)
+all=(thorough sanitizers apart tidy calibration fuzz paths chroot)
 
 thorough() {
   ./carlo test --solutions -C thorough
@@ -36,6 +37,10 @@ tidy() {
 
 calibration() {
   ./carlo grade --calibrate
+}
+
+fuzz() {
+  ./carlo fuzz --seconds 600 --jobs 2
 }
 
 paths() {

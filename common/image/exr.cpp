@@ -2,12 +2,14 @@
 
 #include "cli/atomic_file.h"
 #include "cli/error.h"
+#include "image/exr_header.h"
 
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstdint>
 #include <type_traits>
 #include <vector>
 
@@ -17,6 +19,9 @@ namespace {
 const std::array<std::string, 3> colour_channels = {"R", "G", "B"};
 const std::array<std::string, 3> error_channels = {"se.R", "se.G", "se.B"};
 const std::string attribute_prefix = "carlo:";
+
+/// As a film (scene/sensor.cpp).
+constexpr std::int64_t most_pixels = std::int64_t{1} << 25;
 
 /// OpenEXR files carry a date; a fixed one keeps equal images equal.
 constexpr const char* fixed_date = "2000:01:01 00:00:00";
@@ -114,12 +119,17 @@ void write_exr(const std::filesystem::path& path, const ExrFile& file) {
 }
 
 ExrFile read_exr(const std::filesystem::path& path, const std::vector<std::string>& counts) {
+  require_honest_header(path);
   auto in = OIIO::ImageInput::open(path.string());
   if (!in) throw Error("cannot read {}: {}", path.string(), OIIO::geterror());
   if (std::string(in->format_name()) != "openexr") {
     throw Error("cannot read {}: it is {}, expected OpenEXR", path.string(), in->format_name());
   }
   const OIIO::ImageSpec spec = in->spec();
+  if (std::int64_t{spec.width} * spec.height > most_pixels) {
+    throw Error("cannot read {}: it has {} x {} pixels, expected {} at most", path.string(),
+                spec.width, spec.height, most_pixels);
+  }
   const auto colour = find_channels(spec.channelnames, colour_channels);
   if (!colour) throw Error("cannot read {}: it has no channels R, G, B", path.string());
   ExrFile file;

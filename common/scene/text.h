@@ -20,11 +20,11 @@ std::string suggest(std::string_view text, const std::vector<std::string>& candi
 /// The words of `text`, separated by white space or by any character of `separators`.
 std::vector<std::string_view> words(std::string_view text, std::string_view separators = "");
 
-/// The whole of `text` as a number, in any locale. Empty for garbage before or after it, for NaN,
-/// infinity and numbers outside float's range.
+/// The whole of `text`, but for white space around it, as a number, in any locale. Empty for
+/// garbage before or after it, for NaN, infinity and numbers outside float's range.
 std::optional<double> parse_number(std::string_view text);
 
-/// The whole of `text` as an integer that an int can hold.
+/// The same as an integer that an int can hold.
 std::optional<int> parse_integer(std::string_view text);
 
 }  // namespace carlo

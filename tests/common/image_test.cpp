@@ -9,11 +9,13 @@
 #include "temporary_folder.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace {
@@ -156,6 +158,28 @@ TEST_CASE("An EXR round trip keeps every bit, the errors and the attributes") {
   CHECK(back.attributes == file.attributes);
   write_exr(scratch.path() / "b.exr", file);
   CHECK(read_file(scratch.path() / "a.exr") == read_file(scratch.path() / "b.exr"));
+}
+
+TEST_CASE("An EXR header that claims what the file does not hold is refused unread") {
+  using Catch::Matchers::ContainsSubstring;
+  const TemporaryFolder scratch;
+  const auto path = scratch.path() / "a.exr";
+  write_exr(path, {random_image(2, 2, 1), {}, {{"seed", "1"}}});
+  const std::string good = read_file(path);
+  const auto with_bit = [&](std::size_t place, int bit) {
+    std::string bytes = good;
+    bytes[place] = static_cast<char>(bytes[place] ^ bit);
+    write_file(path, bytes);
+  };
+  // An attribute is its name, its type, the value's size in four bytes, the value.
+  for (const std::string type : {"string", "box2i", "chlist", "v2f"}) {
+    const std::size_t size = good.find('\0' + type + '\0') + type.size() + 2;
+    with_bit(size + 3, 0x40);
+    CHECK_THROWS_WITH(read_exr(path), ContainsSubstring("are left"));
+    if (type == "string") continue;  // of any length
+    with_bit(size, 0x01);
+    CHECK_THROWS_WITH(read_exr(path), ContainsSubstring("expected"));
+  }
 }
 
 TEST_CASE("What cannot be read or written is an error that leaves nothing behind") {

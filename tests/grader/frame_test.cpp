@@ -52,6 +52,11 @@ TEST_CASE("a frame with impossible sizes is refused", "[frame]") {
       bytes[offset + i] = '\xFF';
     CHECK_FALSE(decode(bytes).has_value());
   }
+  for (const std::size_t offset : {12U, 16U}) {  // a text has neither columns nor rows
+    std::string bytes = encode(text);
+    bytes[offset] = 1;
+    CHECK_FALSE(decode(bytes).has_value());
+  }
 }
 
 TEST_CASE("a frame of random bytes is refused or consistent", "[frame]") {

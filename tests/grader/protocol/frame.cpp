@@ -46,6 +46,7 @@ std::optional<Frame> decode(std::string_view bytes) {
   Frame frame;
   frame.status = static_cast<Frame::Status>(header.status);
   if (frame.status != Frame::Status::rows) {
+    if (header.columns != 0 || header.rows != 0) return std::nullopt;
     frame.text = payload;
     return frame;
   }

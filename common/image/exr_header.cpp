@@ -1,0 +1,96 @@
+#include "image/exr_header.h"
+
+#include "cli/error.h"
+
+#include <cstdint>
+#include <fstream>
+#include <map>
+#include <string>
+#include <system_error>
+
+namespace carlo {
+namespace {
+
+constexpr std::uint32_t magic = 20000630, of_many_parts = 0x1000;
+
+/// Little-endian, as all of OpenEXR.
+std::uint32_t read_word(std::istream& in) {
+  std::uint32_t word = 0;
+  for (int shift = 0; shift < 32; shift += 8)
+    word |= static_cast<std::uint32_t>(in.get() & 0xFF) << shift;
+  return word;
+}
+
+/// What values of a type take; OpenEXR reads so many whatever the file says, and takes what follows
+/// for the next attribute.
+const std::map<std::string, std::uint32_t> sizes = {
+    {"box2f", 16},      {"box2i", 16},   {"chromaticities", 32},
+    {"compression", 1}, {"double", 8},   {"envmap", 1},
+    {"float", 4},       {"int", 4},      {"keycode", 28},
+    {"lineOrder", 1},   {"m33d", 72},    {"m33f", 36},
+    {"m44d", 128},      {"m44f", 64},    {"rational", 8},
+    {"tiledesc", 9},    {"timecode", 8}, {"v2d", 16},
+    {"v2f", 8},         {"v2i", 8},      {"v3d", 24},
+    {"v3f", 12},        {"v3i", 12},     {"deepImageState", 1}};
+
+/// The bytes of a list of channels (name, 0, 16 more), which ends with an empty name.
+std::uintmax_t size_of_channels(std::istream& in) {
+  std::uintmax_t size = 1;
+  for (std::string name; std::getline(in, name, '\0') && !name.empty();) {
+    size += name.size() + 1 + 16;
+    in.seekg(16, std::ios::cur);
+  }
+  return size;
+}
+
+/// And of a preview: width, height, and four bytes a pixel.
+std::uintmax_t size_of_preview(std::istream& in) {
+  const std::uintmax_t width = read_word(in), height = read_word(in);
+  return 8 + 4 * width * height;
+}
+
+/// What a value of the type that starts here will be read from, of `claimed` bytes.
+std::uintmax_t size_of_value(std::istream& in, const std::string& type, std::uint32_t claimed) {
+  if (type == "chlist") return size_of_channels(in);
+  if (type == "preview") return size_of_preview(in);
+  const auto known = sizes.find(type);
+  return known == sizes.end() ? claimed : known->second;
+}
+
+}  // namespace
+
+// A header is a list of attributes (name, 0, type, 0, bytes, value) that ends with an empty name; a
+// file of many parts has headers until an empty one.
+void require_honest_header(const std::filesystem::path& path) {
+  std::error_code missing;
+  const std::uintmax_t size = std::filesystem::file_size(path, missing);
+  std::ifstream in(path, std::ios::binary);
+  if (missing || read_word(in) != magic) return;
+  const bool many = (read_word(in) & of_many_parts) != 0;
+  bool first_of_header = true;
+  for (std::string name, type; std::getline(in, name, '\0');) {
+    if (name.empty()) {
+      if (!many || first_of_header) return;
+      first_of_header = true;
+      continue;
+    }
+    first_of_header = false;
+    if (!std::getline(in, type, '\0')) return;
+    const std::uint32_t bytes = read_word(in);
+    if (!in) return;
+    const auto begin = in.tellg();
+    const auto left = size - static_cast<std::uintmax_t>(begin);
+    if (bytes > left) {
+      throw Error("cannot read {}: one of its attributes claims {} bytes where {} are left",
+                  path.string(), bytes, left);
+    }
+    const std::uintmax_t needed = size_of_value(in, type, bytes);
+    if (needed != bytes) {
+      throw Error("cannot read {}: one of its attributes claims {} bytes, expected {}",
+                  path.string(), bytes, needed);
+    }
+    in.seekg(begin + std::streamoff{bytes});
+  }
+}
+
+}  // namespace carlo

@@ -1,0 +1,109 @@
+#!/usr/bin/env bash
+# ./carlo fuzz, or
+# run.sh --build FOLDER [--seconds N] [--runs N] [--keep FOLDER] [--jobs N] [TARGET ...]: bytes at random,
+# close to good ones, for all that reads bytes of others (target.h), or for these targets.
+#
+#   --build FOLDER  where carlo_fuzz was built; without coverage it fuzzes blindly (./carlo fuzz has it)
+#   --seconds N     for each target (default: 60; 0: as long as --runs lasts)
+#   --runs N        at most so many inputs for each target
+#   --keep FOLDER   inputs that reached new code are kept there, to go on with, and findings
+#   --jobs N        targets at a time (default: 1)
+#
+# A finding is a crash, what a sanitizer finds, a leak, more than a second of processor time, or 256 MB
+# more than an idle program takes. Exit code 1, and the file that shows it.
+set -euo pipefail
+here=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")")
+root=$(readlink -f "$here/../..")
+all=(archive exr frame messages numbers obj params ply questions record scene symbols)
+
+build='' seconds=60 runs=-1 keep='' jobs=1 targets=()
+while [ $# -gt 0 ]; do
+  case $1 in
+    --build | --seconds | --runs | --keep | --jobs)
+      [ $# -gt 1 ] || { printf 'fuzz: %s needs a value\n' "$1" >&2 && exit 1; }
+      declare "${1#--}=$2" && shift ;;
+    --help | -h) sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}" && exit ;;
+    *)
+      [[ " ${all[*]} " = *" $1 "* ]] || { printf 'fuzz: there is no target %s; there are: %s\n' "$1" "${all[*]}" >&2 && exit 1; }
+      targets+=("$1") ;;
+  esac
+  shift
+done
+for number in "$seconds" "$runs" "$jobs"; do
+  [[ $number =~ ^-?[0-9]+$ ]] || { printf 'fuzz: %s is no whole number\n' "$number" >&2 && exit 1; }
+done
+[ -x "$build/bin/carlo_fuzz" ] || { printf 'fuzz: --build: there is no carlo_fuzz in "%s"\n' "$build" >&2 && exit 1; }
+build=$(readlink -f "$build")
+[ -z "$keep" ] || { mkdir -p "$keep" && keep=$(readlink -f "$keep"); }
+[ ${#targets[@]} != 0 ] || targets=("${all[@]}")
+
+base=/tmp
+[ ! -w /dev/shm ] || base=/dev/shm
+work=$(mktemp -d "$base/carlo_fuzz_XXXXXX")
+trap 'rm -rf "$work"' EXIT
+
+# Good and bad ones of each kind, small.
+seeds() {
+  local to=$1 scene=$root/common/scenes/cornell_phong.xml
+  case $2 in
+    scene) cp "$root"/tests/common/broken_scenes/*.xml "$root"/common/scenes/*.xml "$to" ;;
+    obj) cp "$root"/tests/common/scenes/*.obj "$to" ;;
+    ply) cp "$root"/tests/common/scenes/*.ply "$to" ;;
+    exr)
+      "$build/bin/carlo_render" "$scene" --size 2x2 --spp 32 --quiet -o "$work/plain"
+      "$build/bin/carlo_render" "$scene" --size 2x2 --target-error .5 --spp 64 --quiet -o "$work/adaptive"
+      cp "$work"/plain.exr "$work"/adaptive.exr "$to" ;;
+    archive)
+      mkdir -p "$work/in/a"
+      printf 'int main() {}\n' | tee "$work/in/a/integration.cpp" >"$work/in/pi.cpp"
+      (cd "$work/in" && cmake -E tar cf "$to/one.zip" --format=zip . && tar cf "$to/one.tar" . && tar czf "$to/one.tar.gz" .) ;;
+    messages) cp "$here"/corpus/messages/* "$to" ;;
+    numbers) for number in 1 -2.5e-3 .5 1e38 1e39 5e-324 0x10 nan 2147483648 1,5; do printf '%s' "$number" >"$to/$number"; done ;;
+    symbols) cp "$here"/corpus/symbols/* "$to" ;;
+  esac
+}
+
+fuzz() {
+  local target=$1 folder=$work/$1 corpus=$work/$1/corpus
+  mkdir -p "$folder/seeds" "$corpus"
+  [ -z "$keep" ] || { corpus=$keep/$target && mkdir -p "$corpus"; }
+  seeds "$folder/seeds" "$target"
+  # What sanitizers keep to themselves counts as well: little of it.
+  local code=0
+  (cd "${keep:-$work}" &&
+    CARLO_FUZZ_TARGET=$target CARLO_FUZZ_FOLDER=$folder ASAN_OPTIONS=quarantine_size_mb=8:malloc_context_size=8 \
+      "$build/bin/carlo_fuzz" "$corpus" "$folder/seeds" -max_total_time="$seconds" -runs="$runs" -timeout=60 \
+      -rss_limit_mb=640 -malloc_limit_mb=256 -artifact_prefix="finding-$target-" -print_final_stats=1 \
+      >"$folder/log" 2>&1) || code=$?
+  local inputs
+  inputs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/log")
+  local peak
+  peak=$(sed -n 's/^stat::peak_rss_mb: *//p' "$folder/log")
+  if [ "$code" = 0 ]; then
+    printf '%-10s %10s inputs, %4s MB at most, no finding\n' "$target" "$inputs" "$peak"
+    return 0
+  fi
+  printf '%-10s FINDING (exit code %s):\n' "$target" "$code"
+  grep -E -A12 'ERROR|FINDING|SUMMARY|terminate|what\(\)' "$folder/log" | head -40
+  local file
+  for file in "${keep:-$work}"/finding-"$target"-*; do
+    [ -e "$file" ] || continue
+    printf 'the input (%s bytes): %s\n' "$(stat -c %s "$file")" "$(head -c 300 "$file" | base64 -w0)"
+  done
+  return 1
+}
+
+failed=0 running=0
+for target in "${targets[@]}"; do
+  fuzz "$target" &
+  running=$((running + 1))
+  if [ "$running" -ge "$jobs" ]; then
+    wait -n || failed=1
+    running=$((running - 1))
+  fi
+done
+while [ "$running" -gt 0 ]; do
+  wait -n || failed=1
+  running=$((running - 1))
+done
+exit $failed

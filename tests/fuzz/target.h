@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// What reads bytes that others wrote, each as a function of these bytes. Returning is right, and so
+// is carlo::Error; anything else (another exception, a signal, what a sanitizer finds, a second of
+// processor time) is a finding.
+
+namespace carlo::fuzz {
+
+struct Target {
+  std::string_view name;
+  std::string_view reads;  ///< in words
+  void (*run)(std::string_view bytes);
+  std::vector<std::string> (*seeds)();  ///< what we write ourselves
+};
+
+/// Stops the program, as a finding, unless it holds.
+void require(bool holds, const char* what);
+
+/// The bytes as a file of this name, for readers that take paths. Overwritten by the next one.
+std::filesystem::path as_file(std::string_view bytes, const std::string& name);
+
+void read_archive(std::string_view bytes);
+void read_exr(std::string_view bytes);
+void read_frame(std::string_view bytes);
+void read_messages(std::string_view bytes);
+void read_numbers(std::string_view bytes);
+void read_obj(std::string_view bytes);
+void read_params(std::string_view bytes);
+void read_ply(std::string_view bytes);
+void read_questions(std::string_view bytes);
+void read_record(std::string_view bytes);
+void read_scene(std::string_view bytes);
+void read_symbols(std::string_view bytes);
+
+std::vector<std::string> frame_seeds();
+std::vector<std::string> params_seeds();
+std::vector<std::string> questions_seeds();
+std::vector<std::string> record_seeds();
+
+}  // namespace carlo::fuzz
