@@ -12,6 +12,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <map>
 #include <system_error>
@@ -33,8 +34,10 @@ ExitCode grade_one(const Course& course, const Source& source, const fs::path& o
       earlier->key == record_key(course, source.name, intake)) {
     return there_already;
   }
-  const fs::path folder = course.clean.path() / fmt::format("at_work_{}", ::getpid());
-  fs::create_directory(folder);
+  // Nobody else may find it, and nobody else may pass: grade() opens it to this one's sandbox.
+  std::string name = course.clean.path() / "at_work_XXXXXX";
+  if (::mkdtemp(name.data()) == nullptr) throw Error("{}: {}", name, std::strerror(errno));
+  const fs::path folder = name;
   const Record record = grade(course, source.name, intake, folder);
   std::error_code ec;
   fs::remove_all(folder, ec);

@@ -105,8 +105,11 @@ class Charge {
 
   double waited() const { return waited_; }
 
-  bool reaches(std::chrono::duration<double> deadline) const {
-    return taken() - waited_ >= deadline.count() || taken() >= patience * deadline.count();
+  /// Whether its time is over, and whether that is its own doing.
+  std::optional<Outcome::End> over(std::chrono::duration<double> deadline) const {
+    if (taken() - waited_ >= deadline.count()) return Outcome::End::deadline;
+    if (taken() >= patience * deadline.count()) return Outcome::End::starved;
+    return {};
   }
 
  private:
@@ -139,8 +142,8 @@ void follow(pid_t pid, Reader& result, Reader& output, const Command& command, c
     if (Clock::now() >= next_look) {
       charge.look();
       outcome.waited = charge.waited();
-      if (charge.reaches(limits.deadline)) {
-        outcome.end = Outcome::End::deadline;
+      if (const auto over_time = charge.over(limits.deadline)) {
+        outcome.end = *over_time;
         return;
       }
       if (const auto broken = broken_together(command, limits)) {
@@ -162,6 +165,12 @@ Outcome run_limited(const Command& command, const Limits& limits) {
   adopt_orphans();
   const Clock::time_point start = Clock::now();
   Child child = spawn(command, limits);
+  if (!child.problem.empty()) {
+    end_orphans();
+    Outcome none;
+    none.output = child.problem;
+    return none;
+  }
   Reader result(std::move(child.result), limits.result_bytes, limits.result_bytes);
   Reader output(std::move(child.output), limits.output_bytes, limits.output_kept);
   Outcome outcome;

@@ -39,6 +39,7 @@ struct Outcome {
     exited,
     signalled,
     deadline,
+    starved,  ///< others had the processors until `patience` was over
     flooded_output,
     flooded_result,
     flooded_disk,
@@ -48,7 +49,8 @@ struct Outcome {
   End end = End::not_started;
   int code = 0;                ///< the exit code or the signal
   std::string result;          ///< what came over descriptor 3
-  std::string output;          ///< the start of what it printed on stdout and stderr
+  std::string output;          ///< the start of what it printed on stdout and stderr; why it was
+                               ///< not started
   std::size_t lost_lines = 0;  ///< that it printed beyond `output`, or began to
   double seconds = 0;          ///< wall clock
   double waited = 0;  ///< of these: ready to run, but others had the processors; not charged

@@ -41,20 +41,46 @@ ProcessEntry entry_of(pid_t id, const fs::path& folder) {
   return entry;
 }
 
-}  // namespace
-
-std::vector<ProcessEntry> list_processes() {
-  std::vector<ProcessEntry> list;
+/// The ids of all processes that are there now.
+std::vector<pid_t> process_ids() {
+  std::vector<pid_t> ids;
   std::error_code ec;
   for (fs::directory_iterator it("/proc", ec), end; it != end && !ec; it.increment(ec)) {
     const std::string name = it->path().filename();
     pid_t id = 0;
     const auto [last, problem] = std::from_chars(name.data(), name.data() + name.size(), id);
-    if (problem != std::errc() || last != name.data() + name.size()) continue;
-    const ProcessEntry entry = entry_of(id, it->path());
+    if (problem == std::errc() && last == name.data() + name.size()) ids.push_back(id);
+  }
+  return ids;
+}
+
+fs::path folder_of(pid_t id) {
+  return fs::path("/proc") / std::to_string(id);
+}
+
+}  // namespace
+
+std::vector<ProcessEntry> list_processes() {
+  std::vector<ProcessEntry> list;
+  for (const pid_t id : process_ids()) {
+    const ProcessEntry entry = entry_of(id, folder_of(id));
     if (entry.parent != 0) list.push_back(entry);
   }
   return list;
+}
+
+bool has_process_of(uid_t user) {
+  for (const pid_t id : process_ids()) {
+    std::ifstream file(folder_of(id) / "status");
+    for (std::string word; file >> word;) {
+      if (word != "Uid:") continue;
+      uid_t real = 0, effective = 0, saved = 0;
+      file >> real >> effective >> saved;
+      if (real == user || effective == user || saved == user) return true;
+      break;
+    }
+  }
+  return false;
 }
 
 }  // namespace carlo::grader

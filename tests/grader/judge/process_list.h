@@ -17,4 +17,7 @@ struct ProcessEntry {
 /// All processes that are there now, as /proc tells; those that end meanwhile may be missing.
 std::vector<ProcessEntry> list_processes();
 
+/// Whether a process runs under this user id, really, effectively or by what it has saved.
+bool has_process_of(uid_t user);
+
 }  // namespace carlo::grader

@@ -59,8 +59,9 @@ void check_end(const Outcome& outcome, const Limits& limits) {
       fail(Status::crashed, fmt::format("its processes took more than {} MB of memory together",
                                         limits.memory_bytes >> 20));
       break;
+    case End::starved:
     case End::not_started:
-      throw Error("your program could not be started");
+      throw Error("the program could not be run");
   }
   if (outcome.code != 0 && has_report(outcome.output)) {
     fail(Status::crashed, fmt::format("it crashed: {}", crash_cause(outcome)));
@@ -228,6 +229,7 @@ Answer Run::probe(const std::string& name, Params params, const Shape& shape) {
   asked_.push_back(
       {test.tag, test.sentence, name, params, asked, shape.rows, shape.columns, Status::passed});
   double charged = 0;
+  if (!trouble_.empty()) throw Error("{}", trouble_);
   try {
     if (const TestRecord* earlier = hopeless(test.tag)) {
       test.skipped = true;
@@ -244,6 +246,9 @@ Answer Run::probe(const std::string& name, Params params, const Shape& shape) {
     asked_.back().status = failure.status;
     asked_.back().problem = failure.what();
     note(failure, asked);
+    throw;
+  } catch (const std::exception& error) {
+    trouble_ = error.what();
     throw;
   }
 }

@@ -79,6 +79,10 @@ class Run {
   /// another test has found wrong. `why`: "not judged: ...".
   void leave(const std::string& why);
 
+  /// What kept a worker from running that is no fault of its program; then nothing is judged any
+  /// more. Empty: nothing.
+  const std::string& trouble() const { return trouble_; }
+
   const std::vector<TestRecord>& records() const { return records_; }
   /// All questions so far, those that were not put to a worker any more too.
   const std::vector<Asked>& asked() const { return asked_; }
@@ -102,6 +106,7 @@ class Run {
   int statistical_ = 0;
   std::map<std::string, double> seconds_of_;  ///< charged to the probes of an exercise, by tag
   double seconds_ = 0;                        ///< charged to all
+  std::string trouble_;
 };
 
 /// What seeds follow from where nobody says otherwise: a secret that is none, and the submission.
