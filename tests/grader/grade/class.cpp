@@ -2,16 +2,14 @@
 
 #include "cli/error.h"
 #include "grader/grade/outputs.h"
+#include "grader/judge/guardian.h"
 
 #include <fmt/core.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
-#include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -45,25 +43,18 @@ ExitCode grade_one(const Course& course, const Source& source, const fs::path& o
   return graded;
 }
 
-/// Starts the child for one submission; it ends when we do.
+/// Starts the process for one submission; it and all that it starts end when we do.
 pid_t start(const Course& course, const Source& source, const fs::path& out) {
-  std::fflush(nullptr);
-  const pid_t parent = ::getpid();
-  const pid_t child = ::fork();
-  if (child < 0) throw Error("cannot start a process: {}", std::strerror(errno));
-  if (child > 0) return child;
-  // Ends what no other limit does, such as an archive that is slow to read.
-  ::alarm(static_cast<unsigned>(3600 * (1 + course.labs.size())));
-  int code = failed;
-  if (::prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0) == 0 && ::getppid() == parent) {
+  return start_guarded([&]() -> int {
+    // Ends what no other limit does, such as an archive that is slow to read.
+    ::alarm(static_cast<unsigned>(3600 * (1 + course.labs.size())));
     try {
-      code = grade_one(course, source, out);
+      return grade_one(course, source, out);
     } catch (const std::exception& error) {
       fmt::print(stderr, "carlo: {}: {}\n", source.name, error.what());
+      return failed;
     }
-  }
-  std::fflush(nullptr);
-  ::_exit(code);
+  });
 }
 
 /// The record that a child has left, or one that tells of its failure.
