@@ -5,6 +5,7 @@
 #include "grader/grade/compile.h"
 #include "grader/grade/own_disk.h"
 #include "grader/grade/sha256.h"
+#include "grader/judge/printed.h"
 
 #include <fmt/core.h>
 
@@ -91,7 +92,7 @@ LabGrade build_and_judge(const Desk& desk, const CourseLab& lab, const LabFiles&
       grade.note += file + ": cannot be linked with the files before it, and counts as not done\n";
   }
   if (compiled.linked) grade.note += compiled.own_names;
-  grade.compiler = compiled.messages;
+  grade.compiler = clipped(compiled.messages, std::size_t{256} << 10);
   grade.compile_seconds = compiled.seconds;
   grade.compile_peak_bytes = compiled.peak_bytes;
   std::error_code ec;

@@ -4,6 +4,7 @@
 #include "grader/judge/compare.h"
 #include "grader/judge/crash.h"
 #include "grader/judge/numbers.h"
+#include "grader/judge/printed.h"
 #include "random/hash.h"
 
 #include <algorithm>
@@ -128,12 +129,15 @@ std::string why_hopeless(Status status) {
                                            : "your code took too long";
 }
 
+/// Of a function: whoever names it chooses how long it is.
+constexpr std::size_t longest_name = 200;
+
 /// `said`: what the worker sent, the exercise's message and below it the function's name.
 ProbeFailure undone(const std::string& said) {
   ProbeFailure failure(Status::not_implemented, "not implemented yet");
   failure.not_implemented = tag_in(said);
   if (const std::size_t line = said.find('\n'); line != std::string::npos) {
-    failure.function = said.substr(line + 1);
+    failure.function = clipped(said.substr(line + 1), longest_name);
   }
   return failure;
 }
