@@ -157,6 +157,24 @@ Sandbox Sandbox::at(Level level, const View& view) {
   throw Error("the sandbox level \"{}\" does not work on this machine", to_string(level));
 }
 
+std::string Sandbox::trouble_at(Level level) {
+  const bool root = ::geteuid() == 0;
+  if (level == Level::user && !root) return "only root can give programs a user of their own";
+  if (level == Level::bubblewrap && ::access(bubblewrap_program, X_OK) != 0) {
+    return std::string(bubblewrap_program) + " is not installed (./carlo setup)";
+  }
+  try {
+    const Sandbox sandbox =
+        root && level != Level::limits ? with_own_user(level) : Sandbox(level, std::nullopt);
+    const Outcome outcome = sandbox.run_once({"/usr/bin/true"}, {}, {});
+    if (outcome.succeeded()) return "";
+    return outcome.output.empty() ? "a harmless program failed there"
+                                  : outcome.output.substr(0, outcome.output.find('\n'));
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
 Sandbox Sandbox::strongest(const View& view) {
   for (const Level level : all_levels) {
     try {

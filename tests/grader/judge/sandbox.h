@@ -38,6 +38,8 @@ class Sandbox {
   static Sandbox strongest(const View& view);
   /// This level and no other. Throws Error when it does not work here.
   static Sandbox at(Level level, const View& view);
+  /// Why a level does not work here, in a line; empty when it does.
+  static std::string trouble_at(Level level);
   /// One that was found to work before, with the user that it had or none.
   static Sandbox as_found(Level level, std::optional<uid_t> user) { return {level, user}; }
   /// The same, with another user of its own where it has one: what it runs shares no limit, no
