@@ -1,6 +1,7 @@
 // Workers that misbehave: each gives the right verdict in time and leaves no process behind, at
 // every level of the sandbox.
 
+#include "cli/atomic_file.h"
 #include "cli/error.h"
 #include "grader/has.h"
 #include "grader/judge/run.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 
@@ -223,6 +225,27 @@ TEST_CASE("no rights of files can be changed", "[worker]") {
   CHECK(value(level, "changes rights") == 0);
 }
 
+TEST_CASE("no file outside can be emptied, before version 3 of Landlock neither", "[worker]") {
+  const std::string version = GENERATE("1", "2", "3", "99");
+  INFO("Landlock " << version);
+  need(Level::landlock);
+  const std::filesystem::path file = std::filesystem::path(FIXTURE_FOLDER) / "not_to_be_emptied";
+  carlo::write_file(file, "something");
+  // Everybody may write it: only the sandbox keeps a worker from it.
+  std::filesystem::permissions(file, std::filesystem::perms::all);
+  ::setenv("CARLO_LANDLOCK_VERSION", version.c_str(), 1);
+  const double own = value(Level::landlock, "empties a file");
+  ::unsetenv("CARLO_LANDLOCK_VERSION");
+  CHECK(own == 1);
+  CHECK(std::filesystem::file_size(file) == 9);
+}
+
+TEST_CASE("disk is not to be had in one call", "[worker]") {
+  const Level level = GENERATE(Level::user, Level::landlock, Level::bubblewrap);
+  need(level);
+  CHECK(value(level, "takes disk in one call") == 0);
+}
+
 TEST_CASE("the probes of an exercise have a time in all", "[run]") {
   Limits limits;
   limits.deadline = std::chrono::milliseconds(400);
@@ -246,9 +269,9 @@ TEST_CASE("a deadline leaves out the time for which others had the processors", 
   Limits limits;
   limits.deadline = std::chrono::milliseconds(1200);
   const Worker worker(FIXTURE_WORKER);
-  double charged = 0;
+  Charged charged;
   CHECK(run_probe(worker, "half a second of work", {}, {}, limits, &charged).seconds > 1.2);
-  CHECK(charged < 1.2);
+  CHECK(charged.seconds < 1.2);
   CHECK_THROWS_AS(run_probe(worker, "hang", {}, {}, limits), ProbeFailure);
 }
 

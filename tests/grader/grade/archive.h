@@ -15,7 +15,7 @@ struct ArchiveUse {
 
 /// What an archive, or all that one submission holds, may ask of us.
 struct ArchiveLimits {
-  std::size_t entries = 20'000;
+  std::size_t entries = 300'000;
   std::size_t entry_bytes = std::size_t{64} << 20;   ///< of one file that is read
   std::size_t total_bytes = std::size_t{512} << 20;  ///< unpacked, read or not
   ArchiveUse* together = nullptr;                    ///< of archives that share these limits

@@ -2,18 +2,19 @@
 
 #include "cli/error.h"
 #include "grader/grade/outputs.h"
+#include "grader/judge/guardian.h"
 
 #include <fmt/core.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <csignal>
-#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <map>
+#include <numeric>
 #include <system_error>
 
 namespace carlo::grader {
@@ -33,8 +34,10 @@ ExitCode grade_one(const Course& course, const Source& source, const fs::path& o
       earlier->key == record_key(course, source.name, intake)) {
     return there_already;
   }
-  const fs::path folder = course.clean.path() / fmt::format("at_work_{}", ::getpid());
-  fs::create_directory(folder);
+  // Nobody else may find it, and nobody else may pass: grade() opens it to this one's sandbox.
+  std::string name = course.clean.path() / "at_work_XXXXXX";
+  if (::mkdtemp(name.data()) == nullptr) throw Error("{}: {}", name, std::strerror(errno));
+  const fs::path folder = name;
   const Record record = grade(course, source.name, intake, folder);
   std::error_code ec;
   fs::remove_all(folder, ec);
@@ -42,25 +45,18 @@ ExitCode grade_one(const Course& course, const Source& source, const fs::path& o
   return graded;
 }
 
-/// Starts the child for one submission; it ends when we do.
+/// Starts the process for one submission; it and all that it starts end when we do.
 pid_t start(const Course& course, const Source& source, const fs::path& out) {
-  std::fflush(nullptr);
-  const pid_t parent = ::getpid();
-  const pid_t child = ::fork();
-  if (child < 0) throw Error("cannot start a process: {}", std::strerror(errno));
-  if (child > 0) return child;
-  // Ends what no other limit does, such as an archive that is slow to read.
-  ::alarm(static_cast<unsigned>(3600 * (1 + course.labs.size())));
-  int code = failed;
-  if (::prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0) == 0 && ::getppid() == parent) {
+  return start_guarded([&]() -> int {
+    // Ends what no other limit does, such as an archive that is slow to read.
+    ::alarm(static_cast<unsigned>(3600 * (1 + course.labs.size())));
     try {
-      code = grade_one(course, source, out);
+      return grade_one(course, source, out);
     } catch (const std::exception& error) {
       fmt::print(stderr, "carlo: {}: {}\n", source.name, error.what());
+      return failed;
     }
-  }
-  std::fflush(nullptr);
-  ::_exit(code);
+  });
 }
 
 /// The record that a child has left, or one that tells of its failure.
@@ -73,38 +69,91 @@ Finished result_of(const Course& course, const Source& source, const fs::path& o
                               ? "its grader was killed: " + signal_name(WTERMSIG(status))
                               : std::string("its grader failed");
   const Record record = failed_record(course, source.name, why);
-  write_outputs(record, out / source.name);
+  try {
+    write_outputs(record, out / source.name);
+  } catch (const std::exception& error) {
+    // A full disk, say. The others' marks may still find room; this one has none in either case.
+    fmt::print(stderr, "carlo: {}: {}\n", source.name, error.what());
+  }
   return {record, false, 0};
 }
+
+/// Grades some of the submissions, `workers` at a time. `tell` hears of each with its index.
+class Round {
+ public:
+  using Tell = std::function<void(std::size_t, const Finished&)>;
+
+  Round(const Course& course, const std::vector<Source>& sources, const fs::path& out)
+      : course_(course), sources_(sources), out_(out) {}
+
+  void run(const std::vector<std::size_t>& indices, std::size_t workers, const Tell& tell) {
+    std::size_t next = 0;
+    while (next < indices.size() || !running_.empty()) {
+      while (next < indices.size() && running_.size() < workers && begin(indices[next]))
+        ++next;
+      end_one(tell);
+    }
+  }
+
+ private:
+  struct Job {
+    std::size_t index;
+    Clock::time_point begun;
+  };
+
+  /// False when the machine has no process left for it; then one of ours must end first.
+  bool begin(std::size_t index) {
+    try {
+      running_[start(course_, sources_[index], out_)] = {index, Clock::now()};
+      return true;
+    } catch (const Error&) {
+      if (running_.empty()) throw;
+      return false;
+    }
+  }
+
+  void end_one(const Tell& tell) {
+    int status = 0;
+    const pid_t ended = ::waitpid(-1, &status, 0);
+    const auto job = running_.find(ended);
+    if (job == running_.end()) return;
+    const auto [index, begun] = job->second;
+    running_.erase(job);
+    Finished finished = result_of(course_, sources_[index], out_, status);
+    finished.record.source = sources_[index].handed_in();
+    finished.seconds = std::chrono::duration<double>(Clock::now() - begun).count();
+    tell(index, finished);
+  }
+
+  const Course& course_;
+  const std::vector<Source>& sources_;
+  fs::path out_;
+  std::map<pid_t, Job> running_;
+};
 
 }  // namespace
 
 std::vector<Record> grade_class(const Course& course, const std::vector<Source>& sources,
                                 const fs::path& out, int workers,
                                 const std::function<void(const Finished&)>& tell) {
-  struct Job {
-    std::size_t index;
-    Clock::time_point begun;
-  };
-  std::map<pid_t, Job> running;
+  Round round(course, sources, out);
   std::vector<Record> records(sources.size());
-  std::size_t next = 0;
-  while (next < sources.size() || !running.empty()) {
-    while (next < sources.size() && running.size() < static_cast<std::size_t>(workers)) {
-      running[start(course, sources[next], out)] = {next, Clock::now()};
-      ++next;
+  std::vector<std::size_t> all(sources.size()), again;
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  round.run(all, static_cast<std::size_t>(workers), [&](std::size_t i, const Finished& finished) {
+    records[i] = finished.record;
+    if (finished.record.complete()) {
+      tell(finished);
+    } else {
+      again.push_back(i);
     }
-    int status = 0;
-    const pid_t ended = ::waitpid(-1, &status, 0);
-    const auto job = running.find(ended);
-    if (job == running.end()) continue;
-    Finished finished = result_of(course, sources[job->second.index], out, status);
-    finished.record.source = sources[job->second.index].handed_in();
-    finished.seconds = std::chrono::duration<double>(Clock::now() - job->second.begun).count();
-    records[job->second.index] = finished.record;
-    running.erase(job);
+  });
+  // What the machine lacked for so many at a time it may have for fewer.
+  const auto fewer = static_cast<std::size_t>(std::max(1, workers / 8));
+  round.run(again, fewer, [&](std::size_t i, const Finished& finished) {
+    records[i] = finished.record;
     tell(finished);
-  }
+  });
   return records;
 }
 

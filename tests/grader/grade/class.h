@@ -17,7 +17,8 @@ struct Finished {
 
 /// Grades submissions, `workers` at a time, each in a process of its own, and writes their files
 /// into folders of their names below `out`. One whose record is there already, and follows from the
-/// same submission, grader and secret, is left as it is. `tell` hears of each as it is done.
+/// same submission, grader and secret, is left as it is. Those that could not be graded are tried
+/// again in the end, an eighth as many at a time. `tell` hears of each as it is done.
 /// Returns the records in the order of `sources`.
 std::vector<Record> grade_class(const Course& course, const std::vector<Source>& sources,
                                 const std::filesystem::path& out, int workers,

@@ -3,6 +3,7 @@
 #include "cli/atomic_file.h"
 #include "cli/descriptor.h"
 #include "cli/error.h"
+#include "grader/grade/blame.h"
 #include "grader/grade/foreign_symbols.h"
 #include "grader/grade/own_names.h"
 #include "grader/judge/printed.h"
@@ -14,8 +15,10 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <csignal>
 #include <cstdint>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <system_error>
 
@@ -119,6 +122,16 @@ class Compilation {
  public:
   Compilation(const LabTools& tools, const Sandbox& sandbox, const fs::path& folder)
       : tools_(tools), sandbox_(sandbox), folder_(folder) {}
+
+  /// Compiles one file to `object`, which keeps to itself. False when it does not compile, or
+  /// would put itself in the place of our code.
+  bool make(const std::string& name, const std::string& text, const fs::path& object,
+            std::string& messages) {
+    return compile(name, text, object, messages) && keeps_apart(name, object, messages);
+  }
+
+  /// Whether what failed last may have failed because of the machine.
+  bool in_doubt() const { return in_doubt_; }
 
   /// Compiles one file to `object`. False when it does not compile.
   bool compile(const std::string& name, const std::string& text, const fs::path& object,
@@ -260,8 +273,14 @@ class Compilation {
     Limits limits = compile_limits();
     limits.deadline = std::min(limits.deadline, left_);
     outcome = sandbox_.run(argv, view, limits);
-    left_ -= std::chrono::milliseconds(static_cast<std::int64_t>(1000 * outcome.seconds));
+    left_ -= std::chrono::milliseconds(
+        static_cast<std::int64_t>(1000 * (outcome.seconds - outcome.waited)));
     peak_ = std::max(peak_, outcome.peak_bytes);
+    // Over its own processor time a compiler gets another signal.
+    const bool killed = outcome.end == Outcome::End::signalled && outcome.code == SIGKILL;
+    const bool tells =
+        tells_of_the_machine(outcome.output, outcome.peak_bytes, limits.memory_bytes);
+    in_doubt_ = !outcome.succeeded() && (killed || tells);
     return outcome;
   }
 
@@ -271,6 +290,7 @@ class Compilation {
   Symbols ours_;  ///< of all that is linked but the exercises
   std::chrono::milliseconds left_ = lab_budget;
   std::size_t peak_ = 0;
+  bool in_doubt_ = false;
 };
 
 /// The object of an exercise file; '/' has no place in its name.
@@ -288,6 +308,45 @@ std::vector<fs::path> paths(const Objects& objects) {
   return list;
 }
 
+/// The compilations of one lab of a submission. What takes the student's files' time takes none of
+/// ours, and none of their second trials.
+struct Trials {
+  Compilation first, ours, again;
+
+  /// Whether something of the student's works. `work` does it, `control` does the like with what
+  /// the course gives, and throws where that fails: then the student is not to blame.
+  template <class Work, class Control>
+  bool succeed(const Work& work, const Control& control, std::string& messages) {
+    std::string said;
+    bool good = work(first, said);
+    if (!good) {
+      control();
+      said.clear();
+      good = work(again, said);
+      if (!good && again.in_doubt()) throw Error("{}", doubt(said));
+    }
+    messages += said;
+    return good;
+  }
+
+ private:
+  static std::string doubt(const std::string& said) {
+    const std::string line = said.substr(0, said.rfind('\n'));
+    return "the compiler may have failed for the machine's sake: " +
+           line.substr(line.rfind('\n') + 1).substr(0, 300);
+  }
+};
+
+std::string no_stub(const std::string& messages) {
+  return "not even the stub can be built in the sandbox: " +
+         messages.substr(0, messages.find('\n'));
+}
+
+void link_stubs(Compilation& ours, const Objects& stubs, const fs::path& worker) {
+  std::string said;
+  if (!ours.link(paths(stubs), worker, said)) throw Error("{}", no_stub(said));
+}
+
 /// Compiles and links what the course itself gives. When that fails the student is not to blame.
 Objects check_with_stubs(Compilation& compilation, const LabTools& tools, const fs::path& folder) {
   std::string messages;
@@ -295,13 +354,10 @@ Objects check_with_stubs(Compilation& compilation, const LabTools& tools, const 
   bool good = true;
   for (const auto& [name, text] : tools.stubs) {
     objects[name] = object_of(folder, "stub_" + name);
-    good = good && compilation.compile(name, text, objects[name], messages) &&
-           compilation.keeps_apart(name, objects[name], messages);
+    good = good && compilation.make(name, text, objects[name], messages);
   }
-  if (!good || !compilation.link(paths(objects), folder / "stub_worker", messages)) {
-    throw Error("not even the stub can be built in the sandbox: {}",
-                messages.substr(0, messages.find('\n')));
-  }
+  if (!good) throw Error("{}", no_stub(messages));
+  link_stubs(compilation, objects, folder / "stub_worker");
   return objects;
 }
 
@@ -321,16 +377,28 @@ void settle_names(Compilation& ours, const LabTools& tools, const fs::path& fold
   result.own_names = own_names_text(names);
 }
 
+/// Compiles the course's own text of one file. Throws Error.
+void make_stub(Compilation& ours, const std::string& name, const std::string& text,
+               const fs::path& object) {
+  std::string said;  // its warnings are no news for the student
+  if (!ours.make(name, text, object, said)) throw Error("{}", no_stub(said));
+}
+
 /// Links as many of the student's files as go together, the first ones first, with stubs in the
 /// place of the others.
-void link_what_fits(Compilation& compilation, const Objects& stubs, const Objects& objects,
+void link_what_fits(Trials& trials, const Objects& stubs, const Objects& objects,
                     const fs::path& worker, Compiled& result) {
   Objects fitting = stubs;
+  const auto links = [&](const Objects& tried, std::string& messages) {
+    return trials.succeed([&](Compilation& trial,
+                              std::string& said) { return trial.link(paths(tried), worker, said); },
+                          [&] { link_stubs(trials.ours, stubs, worker); }, messages);
+  };
   for (const auto& [name, object] : objects) {
     Objects tried = fitting;
     tried[name] = object;
     std::string said;
-    if (compilation.link(paths(tried), worker, said)) {
+    if (links(tried, said)) {
       fitting = tried;
     } else {
       result.misfits.push_back(name);
@@ -338,47 +406,67 @@ void link_what_fits(Compilation& compilation, const Objects& stubs, const Object
     }
   }
   std::string said;
-  result.linked = compilation.link(paths(fitting), worker, said);
+  result.linked = links(fitting, said);
+}
+
+/// Compiles the files that were handed in, and stubs in the place of those that were not, or that
+/// do not compile. Of a lab that has one file there is nothing then.
+std::optional<Objects> make_objects(Trials& trials, const std::map<std::string, std::string>& files,
+                                    const LabTools& tools, const fs::path& folder,
+                                    Compiled& result) {
+  Objects objects;
+  for (const auto& [name, stub] : tools.stubs) {
+    const fs::path object = objects[name] = object_of(folder, name);
+    const auto given = files.find(name);
+    const auto stub_too = [&, &file = name, &text = stub] {
+      make_stub(trials.ours, file, text, object_of(folder, "stub_" + file));
+    };
+    if (given != files.end()) {
+      const bool good = trials.succeed(
+          [&](Compilation& trial, std::string& said) {
+            return trial.make(given->first, given->second, object, said);
+          },
+          stub_too, result.messages);
+      if (good) continue;
+      result.refused.push_back(name);
+    }
+    if (tools.stubs.size() == 1) return {};
+    make_stub(trials.ours, name, stub, object);
+  }
+  return objects;
+}
+
+void link_all(Trials& trials, const Objects& objects, const LabTools& tools, const fs::path& folder,
+              const fs::path& worker, Compiled& result) {
+  Objects stubs;
+  std::string said;
+  result.linked =
+      trials.succeed([&](Compilation& trial,
+                         std::string& words) { return trial.link(paths(objects), worker, words); },
+                     [&] { stubs = check_with_stubs(trials.ours, tools, folder); }, said);
+  if (!result.linked && tools.stubs.size() > 1) {
+    link_what_fits(trials, stubs, objects, worker, result);
+  } else {
+    result.messages += said;
+  }
 }
 
 }  // namespace
 
 Compiled compile(const std::map<std::string, std::string>& files, const LabTools& tools,
-                 const Sandbox& sandbox, const fs::path& folder, const fs::path& worker) {
+                 const Sandbox& sandbox, const Folders& folders, const fs::path& worker) {
   const auto start = std::chrono::steady_clock::now();
-  // What takes the student's files' time takes none of ours.
-  Compilation compilation(tools, sandbox, folder), ours(tools, sandbox, folder);
+  const Compilation fresh(tools, sandbox, folders.theirs);
+  Trials trials{fresh, fresh, fresh};
   Compiled result;
-  Objects objects;
-  bool complete = true;
-  const bool in_steps = tools.stubs.size() > 1;
-  for (const auto& [name, stub] : tools.stubs) {
-    const auto given = files.find(name);
-    objects[name] = object_of(folder, name);
-    if (given != files.end() &&
-        compilation.compile(name, given->second, objects[name], result.messages) &&
-        compilation.keeps_apart(name, objects[name], result.messages)) {
-      continue;
-    }
-    if (given != files.end()) {
-      result.refused.push_back(name);
-    }
-    std::string warnings;  // the stub's own are no news for the student
-    complete = complete && in_steps && ours.compile(name, stub, objects[name], warnings);
+  const std::optional<Objects> objects = make_objects(trials, files, tools, folders.ours, result);
+  if (objects) {
+    if (tools.stubs.size() > 1) settle_names(trials.ours, tools, folders.ours, *objects, result);
+    link_all(trials, *objects, tools, folders.ours, worker, result);
   }
-  if (complete && in_steps) settle_names(ours, tools, folder, objects, result);
-  std::string said;
-  result.linked = complete && compilation.link(paths(objects), worker, said);
-  if (!result.linked || !result.refused.empty()) {
-    const Objects stubs = check_with_stubs(ours, tools, folder);
-    if (!result.linked && complete && in_steps) {
-      link_what_fits(compilation, stubs, objects, worker, result);
-      said.clear();
-    }
-  }
-  result.messages += said;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  result.peak_bytes = std::max(compilation.peak_bytes(), ours.peak_bytes());
+  result.peak_bytes =
+      std::max({trials.first.peak_bytes(), trials.ours.peak_bytes(), trials.again.peak_bytes()});
   return result;
 }
 

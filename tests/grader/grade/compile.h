@@ -21,13 +21,22 @@ struct Compiled {
   std::size_t peak_bytes = 0;
 };
 
+/// The folders of one submission: `ours`, for what we keep of it, and `theirs`, where what runs in
+/// the sandbox has its own.
+struct Folders {
+  std::filesystem::path ours, theirs;
+};
+
 /// Compiles exercise files in the sandbox, where they see the headers of the clean tree and nothing
 /// of anybody else, and links them, in a second one where no text of theirs is interpreted, into
-/// `worker`. `folder` is for files in between. Of a lab with several files one that does not
-/// compile, or that cannot be linked with those before it, counts as not done. Throws Error when
-/// even the stub cannot be compiled: that is the grader's fault.
+/// `worker`. Of a lab with several files one that does not compile, or that cannot be linked with
+/// those before it, counts as not done.
+///
+/// A failure is the student's only when it is proven: the stub can be compiled (or linked) right
+/// after it, the same fails once more after that, and what was said does not tell of the machine.
+/// Otherwise throws Error.
 Compiled compile(const std::map<std::string, std::string>& files, const LabTools& tools,
-                 const Sandbox& sandbox, const std::filesystem::path& folder,
+                 const Sandbox& sandbox, const Folders& folders,
                  const std::filesystem::path& worker);
 
 }  // namespace carlo::grader

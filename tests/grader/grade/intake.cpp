@@ -11,7 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
+#include <stdexcept>
 #include <system_error>
 
 namespace carlo::grader {
@@ -20,7 +22,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t largest_source = std::size_t{1} << 20;
-constexpr std::size_t most_ignored = 200;  // names that are kept
+constexpr std::size_t most_ignored = 200;          // names that are kept
+constexpr std::size_t longest_name = 300;          // in bytes, of what is told
+constexpr std::size_t most_looked_at = 1'000'000;  // files and folders of a submission
 constexpr int deepest_archive = 2;
 
 /// Folders that are not the student's work: in a whole tree that was handed in, files of the
@@ -66,27 +70,35 @@ class Collector {
 
   void folder(const fs::path& root) {
     constexpr auto skip = fs::directory_options::skip_permission_denied;
-    std::vector<fs::path> paths;
+    std::set<std::string> taken, others;
+    std::size_t seen = 0;
     std::error_code ec;
     for (fs::recursive_directory_iterator it(root, skip, ec), end; it != end && !ec;
          it.increment(ec)) {
+      const std::string path = it->path().lexically_relative(root).string();
       if (it->is_directory() && !it->is_symlink()) {
         if (is_foreign_folder(it->path().filename().string()) || it.depth() > 32) {
-          ignore(fs::relative(it->path(), root).string() + "/");
+          ignore(path + "/");
           it.disable_recursion_pending();
         }
-        continue;
+      } else if (is_taken(path)) {
+        taken.insert(path);
+      } else {
+        others.insert(path);
+        // Those whose names are told, whatever order the disk has them in.
+        if (others.size() > most_ignored + 1) others.erase(std::prev(others.end()));
       }
-      paths.push_back(it->path());
-      if (paths.size() > ArchiveLimits{}.entries) {
+      if (++seen > most_looked_at) {
         ignore("more files than can be looked through");
         break;
       }
     }
-    if (ec) ignore(fmt::format("{}: {}", root.string(), ec.message()));
-    std::sort(paths.begin(), paths.end());
-    for (const fs::path& path : paths)
-      disk_file(path, fs::relative(path, root).string());
+    // What was not seen may be what is graded.
+    if (ec) throw std::runtime_error(fmt::format("{}: {}", root.string(), ec.message()));
+    for (const std::string& path : taken)
+      disk_file(root / path, path);
+    for (const std::string& path : others)
+      ignore_on_disk(root / path, path);
   }
 
   void archive(const fs::path& file, const std::string& inside) {
@@ -106,8 +118,18 @@ class Collector {
 
  private:
   void ignore(const std::string& what) {
-    if (ignored.size() < most_ignored) ignored.push_back(harmless(what));
+    if (ignored.size() < most_ignored) ignored.push_back(clipped(harmless(what), longest_name));
     if (ignored.size() == most_ignored) ignored.push_back("and more");
+  }
+
+  /// A file that is there and that we cannot read is not the student's fault: no Error, which would
+  /// be told as one.
+  static std::string must_read(const fs::path& path) {
+    try {
+      return read_file(path);
+    } catch (const Error& error) {
+      throw std::runtime_error(error.what());
+    }
   }
 
   /// A spoilt archive is the student's fault and ends nothing but itself.
@@ -120,6 +142,21 @@ class Collector {
     }
   }
 
+  static bool is_plain_file(const fs::path& path) {
+    std::error_code ec;
+    return fs::symlink_status(path, ec).type() == fs::file_type::regular;
+  }
+
+  /// Whether a file of that path is opened, or told of as one that should be.
+  bool is_taken(const std::string& path) const {
+    const std::string name = last_part(path);
+    return wanted_.count(name) != 0 || is_archive_name(name);
+  }
+
+  void ignore_on_disk(const fs::path& path, const std::string& name) {
+    ignore(is_plain_file(path) ? name : name + ": a link or a device, not a file");
+  }
+
   void disk_file(const fs::path& path, const std::string& name) {
     std::error_code ec;
     const auto read_whole = [&] {
@@ -127,9 +164,9 @@ class Collector {
       if (ec || bytes > limits_.entry_bytes) throw Error("too large");
       use_.bytes += bytes;
       if (use_.bytes > limits_.total_bytes) throw Error("too much to read, with all before it");
-      return read_file(path);
+      return must_read(path);
     };
-    if (fs::symlink_status(path, ec).type() != fs::file_type::regular) {
+    if (!is_plain_file(path)) {
       ignore(name + ": a link or a device, not a file");
     } else {
       file(name, read_whole, 0);
@@ -167,7 +204,7 @@ class Collector {
   }
 
   void candidate(const std::string& path, std::string text) {
-    Candidate found{harmless(path), plain_text(std::move(text)), ""};
+    Candidate found{clipped(harmless(path), longest_name), plain_text(std::move(text)), ""};
     if (found.text.size() > largest_source) {
       found.problem = fmt::format("{}: larger than 1 MB, which no solution is", found.path);
       found.text = sha256(found.text);

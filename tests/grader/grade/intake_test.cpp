@@ -9,7 +9,9 @@
 #include <archive_entry.h>
 #include <catch2/catch_test_macros.hpp>
 
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <string>
 #include <utility>
@@ -161,6 +163,50 @@ TEST_CASE("paths and links that lead out of an archive are refused, the rest is 
   CHECK(intake.labs.at(8).files.at("steps/a_camera.cpp") == "camera");
   CHECK(has(intake.ignored, "../integration.cpp: leads out"));
   CHECK(has(intake.ignored, "b_direct.cpp: a link"));
+}
+
+TEST_CASE("tens of thousands of other files do not hide those that are graded", "[intake]") {
+  // A disk takes ten seconds to make so many.
+  const bool in_memory = fs::is_directory("/dev/shm");
+  if (in_memory) ::setenv("TMPDIR", "/dev/shm", 0);
+  const ScratchFolder folder;
+  const std::vector<std::string> wanted{"integration.cpp", "a_camera.cpp", "b_direct.cpp"};
+  std::vector<Entry> entries;
+  // In a folder they come in whatever order the disk has them in.
+  for (int i = 0; i < 30'000; ++i) {
+    entries.push_back({"a" + std::to_string(i), ""});
+    std::ofstream(folder.path() / ("a" + std::to_string(i)));
+  }
+  for (const std::string& name : wanted) {
+    entries.push_back({name, name});
+    put(folder.path() / name, name);
+  }
+  const auto check = [&](const Intake& intake) {
+    CHECK(intake.labs.at(1).files.at("integration.cpp") == "integration.cpp");
+    CHECK(intake.labs.at(8).files.size() == 2);
+    CHECK(intake.ignored.size() == 201);
+  };
+  check(take(folder.path()));
+  const ScratchFolder packed;
+  put(packed.path() / "a.zip", zip(entries));
+  check(take(packed.path() / "a.zip"));
+  if (in_memory && std::string(std::getenv("TMPDIR")) == "/dev/shm") ::unsetenv("TMPDIR");
+}
+
+TEST_CASE("of names without end not much is told", "[intake]") {
+  const ScratchFolder folder;
+  std::vector<Entry> entries{{"integration.cpp", "x"}};
+  for (int i = 0; i < 300; ++i)
+    entries.push_back({std::string(60'000, 'n') + std::to_string(i), ""});
+  entries.push_back({std::string(50'000, 'n') + "/integration.cpp", "y"});
+  put(folder.path() / "a.zip", zip(entries));
+  const Intake intake = take(folder.path() / "a.zip");
+  std::size_t bytes = 0;
+  for (const std::string& line : intake.ignored)
+    bytes += line.size();
+  for (const std::string& line : intake.labs.at(1).problems)
+    bytes += line.size();
+  CHECK((bytes > 0 && bytes < 100'000));
 }
 
 TEST_CASE("an archive within a submission is opened, a spoilt one is told", "[intake]") {

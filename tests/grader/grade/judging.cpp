@@ -3,11 +3,16 @@
 #include "cli/atomic_file.h"
 #include "cli/error.h"
 #include "grader/grade/compile.h"
+#include "grader/grade/own_disk.h"
 #include "grader/grade/sha256.h"
+#include "grader/judge/printed.h"
 
 #include <fmt/core.h>
 
+#include <chrono>
+#include <string>
 #include <system_error>
+#include <thread>
 
 namespace carlo::grader {
 namespace {
@@ -28,7 +33,8 @@ Limits judge_limits() {
 std::string end_in_words(const Outcome& outcome) {
   if (outcome.end == Outcome::End::signalled)
     return "killed by a signal: " + signal_name(outcome.code);
-  if (outcome.end == Outcome::End::deadline) return "not done in time";
+  if (outcome.end == Outcome::End::deadline || outcome.end == Outcome::End::starved)
+    return "not done in time";
   return fmt::format("exit code {}: {}", outcome.code,
                      outcome.output.substr(0, outcome.output.find('\n')));
 }
@@ -36,21 +42,23 @@ std::string end_in_words(const Outcome& outcome) {
 /// Files and settings of one submission.
 struct Desk {
   const Course& course;
-  std::string identity;  ///< of the submission: its name and what it holds, so that seeds differ
-  fs::path folder;
+  const Sandbox& sandbox;  ///< the course's, with a user of this submission's own
+  std::string identity;    ///< of the submission: its name and what it holds, so that seeds differ
+  Folders folders;
 };
 
 LabGrade judge_once(const Desk& desk, const CourseLab& lab, const fs::path& worker) {
-  const fs::path verdict = desk.folder / "verdict.json";
+  const fs::path verdict = desk.folders.ours / "verdict.json";
   std::error_code ec;
   fs::remove(verdict, ec);
   Command command{
       {(desk.course.build / fmt::format("bin/lab{}_judge", lab.number())).string(), "--lab",
        (desk.course.tree / "labs" / lab.folder / "lab.json").string(), "--worker", worker.string(),
-       "--json", verdict.string(), "--sandbox", to_string(desk.course.sandbox.level()),
-       "--secret-file", (desk.folder / "secret").string(), "--submission", desk.identity,
-       "--deadline", fmt::format("{}", desk.course.deadline)},
-      {"PATH=/usr/bin:/bin", "LANG=C.UTF-8", "TMPDIR=" + (desk.folder / "tmp").string()}};
+       "--json", verdict.string(), "--sandbox", to_string(desk.sandbox.level()), "--sandbox-user",
+       desk.sandbox.user() ? std::to_string(*desk.sandbox.user()) : "none", "--secret-file",
+       (desk.folders.ours / "secret").string(), "--submission", desk.identity, "--deadline",
+       fmt::format("{}", desk.course.deadline)},
+      {"PATH=/usr/bin:/bin", "LANG=C.UTF-8", "TMPDIR=" + (desk.folders.theirs / "tmp").string()}};
   const Outcome outcome = run_limited(command, judge_limits());
   const bool ended = outcome.end == Outcome::End::exited && outcome.code <= 1;
   if (!ended || !fs::exists(verdict)) {
@@ -64,9 +72,9 @@ LabGrade judge_once(const Desk& desk, const CourseLab& lab, const fs::path& work
 }
 
 LabGrade build_and_judge(const Desk& desk, const CourseLab& lab, const LabFiles& files) {
-  const fs::path worker = desk.folder / fmt::format("lab{}_worker", lab.number());
+  const fs::path worker = desk.folders.ours / fmt::format("lab{}_worker", lab.number());
   const Compiled compiled = compile(files.files, desk.course.clean.tools(lab.lab.number),
-                                    desk.course.sandbox, desk.folder, worker);
+                                    desk.sandbox, desk.folders, worker);
   LabGrade grade;
   if (compiled.linked) {
     grade = judge_once(desk, lab, worker);
@@ -84,7 +92,7 @@ LabGrade build_and_judge(const Desk& desk, const CourseLab& lab, const LabFiles&
       grade.note += file + ": cannot be linked with the files before it, and counts as not done\n";
   }
   if (compiled.linked) grade.note += compiled.own_names;
-  grade.compiler = compiled.messages;
+  grade.compiler = clipped(compiled.messages, std::size_t{256} << 10);
   grade.compile_seconds = compiled.seconds;
   grade.compile_peak_bytes = compiled.peak_bytes;
   std::error_code ec;
@@ -109,8 +117,8 @@ LabGrade grade_lab(const Desk& desk, const CourseLab& lab, const LabFiles& files
     try {
       return build_and_judge(desk, lab, files);
     } catch (const std::exception& error) {
-      if (attempt < attempts) continue;
-      return unjudged(lab.lab, LabState::grader_error, error.what());
+      if (attempt == attempts) return unjudged(lab.lab, LabState::grader_error, error.what());
+      std::this_thread::sleep_for(std::chrono::seconds(2));  // for what the machine lacks to pass
     }
   }
 }
@@ -119,8 +127,13 @@ LabGrade grade_lab(const Desk& desk, const CourseLab& lab, const LabFiles& files
 
 Record grade(const Course& course, const std::string& name, const Intake& intake,
              const fs::path& folder) {
-  const Desk desk{course, name + ":" + intake.digest, folder};
-  fs::create_directory(folder / "tmp");
+  const Sandbox sandbox = course.sandbox.with_new_user();
+  open_to_pass(folder, sandbox.user());
+  // A little more than a program may fill, so that it is seen to have done so.
+  const OwnDisk disk(folder / "disk", Limits{}.scratch_bytes * 5 / 4, sandbox.user());
+  const Desk desk{course, sandbox, name + ":" + intake.digest, {folder, disk.path()}};
+  fs::create_directory(disk.path() / "tmp");
+  open_to_pass(disk.path() / "tmp", sandbox.user());
   // The report tells the seed. It must not tell of other seeds, so the judge is given no more of
   // the secret than a digest for this submission alone.
   Sha256 own_secret;
@@ -128,9 +141,6 @@ Record grade(const Course& course, const std::string& name, const Intake& intake
   own_secret.add_text(desk.identity);
   write_file(folder / "secret", own_secret.hex());
   fs::permissions(folder / "secret", fs::perms::owner_read);
-  constexpr auto passable = fs::perms::owner_all | fs::perms::group_exec | fs::perms::others_exec;
-  fs::permissions(folder, passable);
-  fs::permissions(folder / "tmp", passable);
   Record record{name, record_key(course, name, intake), intake.ignored, {}};
   for (const CourseLab& lab : course.labs)
     record.labs.push_back(grade_lab(desk, lab, intake.labs.at(lab.lab.number)));

@@ -8,6 +8,7 @@
 #include "cli/progress.h"
 #include "cli/terminal.h"
 #include "grader/grade/class.h"
+#include "grader/grade/machine.h"
 #include "grader/grade/outputs.h"
 #include "grader/judge/printed.h"
 #include "grader/judge/results.h"
@@ -25,6 +26,7 @@
 #include <cstdlib>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace carlo::grader {
@@ -38,19 +40,20 @@ struct Options {
   std::vector<int> labs;
   int workers = 0;
   double deadline = 10;
-  bool one = false;
+  bool one = false, check_machine = false;
 };
 
 void add_options(CommandLine& app, Options& options) {
   app.option("PATH", options.paths,
              "submissions: a folder or archive of one student, or of a class with one folder or "
-             "archive a student")
-      .required();
+             "archive a student");
   app.option("-o,--out", options.out, "where marks and reports go").show_default();
   app.option("-j,--jobs", options.workers, "submissions at a time (default: one a core)")
       .range(1, 1024);
   app.option("--labs", options.labs, "only these labs, such as 1,2").list(',', false);
   app.flag("--one", options.one, "each PATH is one submission, whatever it looks like");
+  app.flag("--check-machine", options.check_machine,
+           "grade nothing: which sandbox works here, what it lacks, how many jobs are good");
   app.option("--secret-file", options.secret_file,
              "what seeds follow from (default: $CARLO_SECRET, else OUT/secret, made once)");
   app.option("--sandbox", options.sandbox, "auto, bubblewrap, landlock, user or limits")
@@ -58,8 +61,8 @@ void add_options(CommandLine& app, Options& options) {
   app.option("--deadline", options.deadline, "seconds that one probe may take")
       .range(0.1, 3600.0)
       .show_default();
-  app.option("--tree", options.tree, "the repository").required();
-  app.option("--build", options.build, "its build folder, with judges and workers").required();
+  app.option("--tree", options.tree, "the repository");
+  app.option("--build", options.build, "its build folder, with judges and workers");
 }
 
 std::string random_secret() {
@@ -200,7 +203,19 @@ void refuse_among(const std::vector<Source>& sources, const Options& options) {
   }
 }
 
+int tell_machine() {
+  const Machine machine = check_machine();
+  fmt::print("{}", machine.text);
+  return machine.good ? 0 : 1;
+}
+
 int run(const Options& options) {
+  if (options.check_machine) return tell_machine();
+  for (const auto& [name, value] :
+       {std::pair("PATH", options.paths.empty()), std::pair("--tree", options.tree.empty()),
+        std::pair("--build", options.build.empty())}) {
+    if (value) throw Error("{} is required: see --help", name);
+  }
   const fs::path tree = fs::canonical(options.tree), build = fs::canonical(options.build);
   const fs::path out = options.out;
   const std::vector<CourseLab> labs = course_labs(tree / "labs", options.labs);

@@ -62,7 +62,7 @@ std::string heading(const Record& record) {
 /// A name that a stranger chose, as a cell: in quotes, and begun so that it is no formula.
 std::string source_cell(const std::string& source) {
   std::string text = "\"./";
-  for (const char c : harmless(source)) {
+  for (const char c : clipped(harmless(source), 300)) {
     if (c == '"') text += c;
     text += c == '\n' || c == '\r' ? ' ' : c;
   }

@@ -20,9 +20,11 @@ const std::vector<fs::path>& system_paths() {
 
 std::vector<std::string> bubblewrap(const std::vector<std::string>& argv, const View& view,
                                     const fs::path& scratch) {
-  std::vector<std::string> line{
-      bubblewrap_program, "--unshare-all", "--die-with-parent", "--new-session",
-      "--cap-drop",       "ALL",           "--seccomp",         "4"};
+  std::vector<std::string> line{bubblewrap_program,  "--unshare-all",
+                                "--die-with-parent", "--new-session",
+                                "--cap-drop",        "ALL",
+                                "--seccomp",         "4",
+                                "--json-status-fd",  "5"};
   const auto add = [&](const std::string& option, const fs::path& path) {
     line.insert(line.end(), {option, path.string(), path.string()});
   };

@@ -15,7 +15,7 @@ inline constexpr const char* bubblewrap_program = "/usr/bin/bwrap";
 const std::vector<std::filesystem::path>& system_paths();
 
 /// The command line that runs `argv` with namespaces of its own. The filter of system calls comes
-/// over descriptor 4.
+/// over descriptor 4; over 5 it tells its exit code, if the program was begun.
 std::vector<std::string> bubblewrap(const std::vector<std::string>& argv, const View& view,
                                     const std::filesystem::path& scratch);
 

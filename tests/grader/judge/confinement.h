@@ -17,11 +17,9 @@ struct Confinement {
   std::optional<SyscallFilter> filter = {};  ///< the system calls that it may not make
   int landlock_rules = -1;                   ///< what of the disk it may open
   int inherited = -1;                        ///< becomes its descriptor 4
+  int status = -1;                           ///< becomes its descriptor 5
+  bool untrusted = false;                    ///< where memory runs out, it is ended first
   std::optional<std::string> measured = {};  ///< the folder that may not grow without end
 };
-
-/// A user id that nobody has, and not the same for two processes of ours at a time (with luck:
-/// there are 4000).
-uid_t unused_user();
 
 }  // namespace carlo::grader

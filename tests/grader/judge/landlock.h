@@ -6,7 +6,8 @@
 
 namespace carlo::grader {
 
-/// Which version of Landlock the kernel has; 0: none.
+/// Which version of Landlock the kernel has; 0: none. At most the environment's
+/// CARLO_LANDLOCK_VERSION, for tests of what holds on older kernels.
 int landlock_version();
 
 /// The rules for one process: what it may open. Paths are not hidden (stat() still answers), but

@@ -17,8 +17,10 @@
 #include <catch2/interfaces/catch_interfaces_testcase.hpp>
 #include <fmt/core.h>
 
+#include <charconv>
 #include <chrono>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace carlo::grader {
@@ -28,7 +30,7 @@ struct Options {
   std::string lab, worker, exercise, json, handout;
   std::vector<std::string> stub;  ///< its files
   PageFiles page;
-  std::string secret_file, submission = local_submission, sandbox = "auto";
+  std::string secret_file, submission = local_submission, sandbox = "auto", user = "own";
   std::uint64_t seed = 0;
   double deadline = 10;
   bool verbose = false;
@@ -54,6 +56,9 @@ Argument add_options(CommandLine& app, Options& options) {
       .show_default();
   app.option("--sandbox", options.sandbox, "auto, bubblewrap, landlock, user or limits")
       .show_default();
+  app.option("--sandbox-user", options.user,
+             "own: where there may be one; none; or the id of one that is free (not with auto)")
+      .show_default();
   app.flag("--verbose", options.verbose, "show every test and comparison, those that passed too");
   app.option("--stub", options.stub, "check that stub, handout and tests agree with lab.json");
   app.option("--handout", options.handout, "the handout for --stub");
@@ -64,7 +69,16 @@ Argument add_options(CommandLine& app, Options& options) {
 Worker make_worker(const Options& options) {
   if (options.worker.empty()) throw Error("--worker is missing: which program is judged?");
   if (options.sandbox == "auto") return Worker(options.worker);
-  return Worker(options.worker, level_of(options.sandbox));
+  const Level level = level_of(options.sandbox);
+  if (options.user == "own") return {options.worker, level};
+  if (options.user == "none") return {options.worker, Sandbox::as_found(level, {})};
+  uid_t user = 0;
+  const char* end = options.user.data() + options.user.size();
+  const auto [last, problem] = std::from_chars(options.user.data(), end, user);
+  if (problem != std::errc() || last != end || user == 0) {
+    throw Error("--sandbox-user {}: expected own, none or a user's id", options.user);
+  }
+  return {options.worker, Sandbox::as_found(level, user)};
 }
 
 std::uint64_t run_seed(const Options& options) {
@@ -98,6 +112,8 @@ int judge_lab(const Options& options) {
     if (exercise.functions.size() > 1) current_run()->has_parts(exercise.tag);
   }
   run_tests(tag);
+  // No verdict is better than one that may be the machine's fault.
+  if (!current_run()->trouble().empty()) throw Error("{}", current_run()->trouble());
   if (!options.probes.empty()) {
     write_file(options.probes, to_json(Questions{current_run()->seed(), current_run()->asked()}));
   }

@@ -23,6 +23,19 @@ std::string harmless(std::string text) {
   return text;
 }
 
+std::string clipped(std::string text, std::size_t bytes) {
+  if (text.size() <= bytes) return text;
+  const auto goes_on = [&](std::size_t at) {
+    return (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80;
+  };
+  // What is no UTF-8 may go on for ever.
+  std::size_t end = bytes;
+  while (end > 0 && bytes - end < 3 && goes_on(end))
+    --end;
+  text.resize(end);
+  return text + "...";
+}
+
 std::string printed_lines(const TestRecord& test, std::size_t most, const std::string& margin) {
   std::string out;
   std::istringstream lines(test.printed);

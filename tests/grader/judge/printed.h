@@ -12,6 +12,10 @@ namespace carlo::grader {
 /// spaces.
 std::string harmless(std::string text);
 
+/// A name or text that a stranger chose, in at most some `bytes`; "..." where something is left
+/// out. No letter of UTF-8 is cut.
+std::string clipped(std::string text, std::size_t bytes);
+
 /// The first `most` lines that the program printed in a test, each behind `margin` and cut to 80
 /// characters, and how many there were besides. Harmless.
 std::string printed_lines(const TestRecord& test, std::size_t most, const std::string& margin);

@@ -79,13 +79,14 @@ bool ended(pid_t pid, Outcome& outcome) {
 }
 
 /// The limit that all processes together break, if any: no single one's limits see it.
-std::optional<Outcome::End> broken_together(const Command& command, const Limits& limits) {
+std::optional<Outcome::End> broken_together(const Family& family, const Command& command,
+                                            const Limits& limits) {
   const std::optional<std::string>& folder = command.confinement.measured;
-  if (folder && fuller_than(*folder, ::getpid(), limits.scratch_bytes)) {
+  if (folder && fuller_than(*folder, family, limits.scratch_bytes)) {
     return Outcome::End::flooded_disk;
   }
   const bool counted = limits.memory_bytes != unlimited && !address_sanitizer();
-  if (counted && descendants_bytes(::getpid()) > limits.memory_bytes) {
+  if (counted && resident_bytes(family) > limits.memory_bytes) {
     return Outcome::End::flooded_memory;
   }
   return {};
@@ -97,19 +98,30 @@ class Charge {
   double taken() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
   /// Looks at all its processes.
-  void look() {
-    const double share = (descendants_seconds(::getpid()) + reaped() - reaped_) / processors_;
-    const double waited = std::min(longest_wait(::getpid()), taken() - share);
-    waited_ = std::max(waited_, waited);
+  void look(const Family& family) {
+    worked_ = (processor_seconds(family) + reaped() - reaped_) / processors_;
+    const ThreadTimes times = longest_times(family);
+    ran_ = std::max(ran_, times.ran);
+    // Whoever starts it and takes it down waits too, on its behalf.
+    const double longest = std::max(times.waited, held_up());
+    waited_ = std::max(waited_, std::min(longest, taken() - worked_));
   }
 
   double waited() const { return waited_; }
+  Pressure pressure() const { return {taken(), held_up(), worked_}; }
 
-  bool reaches(std::chrono::duration<double> deadline) const {
-    return taken() - waited_ >= deadline.count() || taken() >= patience * deadline.count();
+  /// Whether its time is over, and whether that is its own doing.
+  std::optional<Outcome::End> over(std::chrono::duration<double> deadline) const {
+    const bool enough = taken() - waited_ >= deadline.count();
+    const bool proven = !pressure().is_high() || ran_ >= deadline.count();
+    if (enough && proven) return Outcome::End::deadline;
+    if (taken() >= patience * deadline.count()) return Outcome::End::starved;
+    return {};
   }
 
  private:
+  double held_up() const { return own_times().waited - own_wait_; }
+
   /// Of children that are gone.
   static double reaped() {
     rusage usage{};
@@ -122,32 +134,36 @@ class Charge {
 
   Clock::time_point start_ = Clock::now();
   double processors_ = std::max(1U, std::thread::hardware_concurrency());
-  double reaped_ = reaped();
-  double waited_ = 0;
+  double reaped_ = reaped(), own_wait_ = own_times().waited;
+  double waited_ = 0, worked_ = 0;
+  double ran_ = 0;  ///< of the thread that ran longest
 };
 
 /// Follows the child to its end or to the first limit that it breaks.
 void follow(pid_t pid, Reader& result, Reader& output, const Command& command, const Limits& limits,
-            Outcome& outcome) {
-  Charge charge;
+            Charge& charge, Outcome& outcome) {
   Clock::time_point next_look = Clock::now() + std::chrono::milliseconds(100);
   while (true) {
     const bool over = ended(pid, outcome);  // asked first: what it wrote is there by now
     if (!result.drain()) outcome.end = Outcome::End::flooded_result;
     if (!output.drain()) outcome.end = Outcome::End::flooded_output;
     if (over || outcome.end != Outcome::End::not_started) return;
-    if (Clock::now() >= next_look) {
-      charge.look();
-      outcome.waited = charge.waited();
-      if (charge.reaches(limits.deadline)) {
-        outcome.end = Outcome::End::deadline;
+    if (const Clock::time_point begun = Clock::now(); begun >= next_look) {
+      const Family family = descendants_of(::getpid());
+      charge.look(family);
+      if (const auto over_time = charge.over(limits.deadline)) {
+        outcome.end = *over_time;
         return;
       }
-      if (const auto broken = broken_together(command, limits)) {
+      if (const auto broken = broken_together(family, command, limits)) {
         outcome.end = *broken;
         return;
       }
-      next_look = Clock::now() + std::chrono::milliseconds(100);
+      // Where many are watched at a time, those who watch must not take the machine for it.
+      const Clock::duration cost = Clock::now() - begun;
+      next_look =
+          Clock::now() + std::clamp<Clock::duration>(10 * cost, std::chrono::milliseconds(100),
+                                                     std::chrono::milliseconds(500));
     }
     // Closed descriptors are -1, which poll() skips. The short wait bounds how late we learn of an
     // end that a surviving grandchild hides by holding the pipes.
@@ -160,19 +176,35 @@ void follow(pid_t pid, Reader& result, Reader& output, const Command& command, c
 
 Outcome run_limited(const Command& command, const Limits& limits) {
   adopt_orphans();
-  const Clock::time_point start = Clock::now();
+  Charge charge;
   Child child = spawn(command, limits);
+  if (!child.problem.empty()) {
+    end_orphans();
+    Outcome none;
+    none.output = child.problem;
+    return none;
+  }
   Reader result(std::move(child.result), limits.result_bytes, limits.result_bytes);
   Reader output(std::move(child.output), limits.output_bytes, limits.output_kept);
   Outcome outcome;
-  follow(child.pid, result, output, command, limits, outcome);
+  follow(child.pid, result, output, command, limits, charge, outcome);
   ::kill(-child.pid, SIGKILL);
   outcome.peak_bytes = end_orphans();
+  charge.look({});
+  outcome.waited = charge.waited();
+  outcome.pressure = charge.pressure();
   outcome.result = result.take();
   outcome.output = output.take();
   outcome.lost_lines = output.lost_lines();
-  outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  outcome.seconds = charge.taken();
   return outcome;
+}
+
+Pressure& Pressure::operator+=(const Pressure& other) {
+  seconds += other.seconds;
+  held_up += other.held_up;
+  worked += other.worked;
+  return *this;
 }
 
 std::string signal_name(int signal) {

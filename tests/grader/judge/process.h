@@ -33,12 +33,25 @@ constexpr int patience = 8;
 /// The value of a limit that is none.
 constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
 
+/// How busy the machine was while a program ran, by what we can measure from outside.
+struct Pressure {
+  double seconds = 0;  ///< wall clock
+  double held_up = 0;  ///< of these the one who watches was kept from a processor
+  double worked = 0;   ///< of these the program's processes could have worked all processors
+
+  /// Whether others had the processors, so that seconds prove nothing: we ourselves, who mostly
+  /// sleep, had to wait, and not for those whom we watch.
+  bool is_high() const { return held_up > .1 * seconds && worked < .4 * seconds; }
+  Pressure& operator+=(const Pressure& other);
+};
+
 /// How it ended. The first thing that went wrong counts.
 struct Outcome {
   enum class End {
     exited,
     signalled,
     deadline,
+    starved,  ///< others had the processors: too late, and no proof that it is its own doing
     flooded_output,
     flooded_result,
     flooded_disk,
@@ -48,10 +61,12 @@ struct Outcome {
   End end = End::not_started;
   int code = 0;                ///< the exit code or the signal
   std::string result;          ///< what came over descriptor 3
-  std::string output;          ///< the start of what it printed on stdout and stderr
+  std::string output;          ///< the start of what it printed on stdout and stderr; why it was
+                               ///< not started
   std::size_t lost_lines = 0;  ///< that it printed beyond `output`, or began to
   double seconds = 0;          ///< wall clock
   double waited = 0;  ///< of these: ready to run, but others had the processors; not charged
+  Pressure pressure;  ///< what the machine was like meanwhile
   std::size_t peak_bytes = 0;  ///< resident memory of the largest process, as far as it was reaped
 
   bool succeeded() const { return end == End::exited && code == 0; }

@@ -17,4 +17,10 @@ struct ProcessEntry {
 /// All processes that are there now, as /proc tells; those that end meanwhile may be missing.
 std::vector<ProcessEntry> list_processes();
 
+/// Of these the descendants of one.
+std::vector<ProcessEntry> descendants_of(pid_t ancestor);
+
+/// Whether a process runs under this user id, really, effectively or by what it has saved.
+bool has_process_of(uid_t user);
+
 }  // namespace carlo::grader

@@ -4,6 +4,7 @@
 #include "grader/judge/compare.h"
 #include "grader/judge/crash.h"
 #include "grader/judge/numbers.h"
+#include "grader/judge/printed.h"
 #include "random/hash.h"
 
 #include <algorithm>
@@ -59,8 +60,9 @@ void check_end(const Outcome& outcome, const Limits& limits) {
       fail(Status::crashed, fmt::format("its processes took more than {} MB of memory together",
                                         limits.memory_bytes >> 20));
       break;
+    case End::starved:
     case End::not_started:
-      throw Error("your program could not be started");
+      throw Error("the program could not be run");
   }
   if (outcome.code != 0 && has_report(outcome.output)) {
     fail(Status::crashed, fmt::format("it crashed: {}", crash_cause(outcome)));
@@ -127,12 +129,15 @@ std::string why_hopeless(Status status) {
                                            : "your code took too long";
 }
 
+/// Of a function: whoever names it chooses how long it is.
+constexpr std::size_t longest_name = 200;
+
 /// `said`: what the worker sent, the exercise's message and below it the function's name.
 ProbeFailure undone(const std::string& said) {
   ProbeFailure failure(Status::not_implemented, "not implemented yet");
   failure.not_implemented = tag_in(said);
   if (const std::size_t line = said.find('\n'); line != std::string::npos) {
-    failure.function = said.substr(line + 1);
+    failure.function = clipped(said.substr(line + 1), longest_name);
   }
   return failure;
 }
@@ -151,10 +156,10 @@ std::uint64_t local_seed() {
 }
 
 Answer run_probe(const Worker& worker, const std::string& name, const Params& params,
-                 const Shape& shape, const Limits& limits, double* charged) {
+                 const Shape& shape, const Limits& limits, Charged* charged) {
   const Outcome outcome =
       worker.run({"--probe", name, "--params", to_text(params), "--fd", "3"}, limits);
-  if (charged != nullptr) *charged = outcome.seconds - outcome.waited;
+  if (charged != nullptr) *charged = {outcome.seconds - outcome.waited, outcome.pressure};
   check_end(outcome, limits);
   std::optional<Frame> frame = decode(outcome.result);
   if (!frame) throw ProbeFailure(Status::crashed, "its answer was cut short or no answer at all");
@@ -214,6 +219,8 @@ void Run::check_time(TestRecord& test) const {
   const auto found = seconds_of_.find(test.tag);
   const bool exercise = found != seconds_of_.end() && found->second > exercise_deadlines * deadline;
   if (!exercise && seconds_ <= lab_deadlines * deadline) return;
+  // Of short probes' seconds many are those of starting them.
+  if (pressure_.is_high()) throw Error("the machine was too busy to tell how long the probes take");
   test.skipped = true;
   throw ProbeFailure(
       Status::timeout,
@@ -227,7 +234,8 @@ Answer Run::probe(const std::string& name, Params params, const Shape& shape) {
   const std::string asked = question(params, shape);
   asked_.push_back(
       {test.tag, test.sentence, name, params, asked, shape.rows, shape.columns, Status::passed});
-  double charged = 0;
+  Charged charged;
+  if (!trouble_.empty()) throw Error("{}", trouble_);
   try {
     if (const TestRecord* earlier = hopeless(test.tag)) {
       test.skipped = true;
@@ -245,12 +253,16 @@ Answer Run::probe(const std::string& name, Params params, const Shape& shape) {
     asked_.back().problem = failure.what();
     note(failure, asked);
     throw;
+  } catch (const std::exception& error) {
+    trouble_ = error.what();
+    throw;
   }
 }
 
-void Run::charge(double seconds) {
-  seconds_ += seconds;
-  seconds_of_[current().tag] += seconds;
+void Run::charge(const Charged& charged) {
+  seconds_ += charged.seconds;
+  seconds_of_[current().tag] += charged.seconds;
+  pressure_ += charged.pressure;
 }
 
 void Run::note(const ProbeFailure& failure, const std::string& question) {

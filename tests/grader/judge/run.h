@@ -41,12 +41,17 @@ struct Answer : Rows {
   double seconds = 0;      ///< wall clock, from the worker's start to its end
 };
 
+/// What a probe took: the seconds that count against deadlines, and what the machine was like.
+struct Charged {
+  double seconds = 0;
+  Pressure pressure = {};
+};
+
 /// Runs one probe in a fresh worker. Throws ProbeFailure unless exactly the table of `shape` comes
 /// back, in time, from a worker that then ends well.
-/// `charged`, where it is given, gets the seconds that count against deadlines, also when it
-/// throws.
+/// `charged`, where it is given, is set also when it throws.
 Answer run_probe(const Worker& worker, const std::string& name, const Params& params,
-                 const Shape& shape, const Limits& limits, double* charged = nullptr);
+                 const Shape& shape, const Limits& limits, Charged* charged = nullptr);
 
 /// How many deadlines' worth of time the probes of one exercise may take together, and those of the
 /// lab: what answers a moment before each deadline must not hold up the grader for hours.
@@ -79,6 +84,10 @@ class Run {
   /// another test has found wrong. `why`: "not judged: ...".
   void leave(const std::string& why);
 
+  /// What kept a worker from running that is no fault of its program; then nothing is judged any
+  /// more. Empty: nothing.
+  const std::string& trouble() const { return trouble_; }
+
   const std::vector<TestRecord>& records() const { return records_; }
   /// All questions so far, those that were not put to a worker any more too.
   const std::vector<Asked>& asked() const { return asked_; }
@@ -88,7 +97,7 @@ class Run {
  private:
   TestRecord& current();
   void check_time(TestRecord& test) const;
-  void charge(double seconds);
+  void charge(const Charged& charged);
   void note(const ProbeFailure& failure, const std::string& question);
   const TestRecord* hopeless(const std::string& tag) const;
 
@@ -102,6 +111,8 @@ class Run {
   int statistical_ = 0;
   std::map<std::string, double> seconds_of_;  ///< charged to the probes of an exercise, by tag
   double seconds_ = 0;                        ///< charged to all
+  Pressure pressure_;                         ///< while they ran
+  std::string trouble_;
 };
 
 /// What seeds follow from where nobody says otherwise: a secret that is none, and the submission.

@@ -5,10 +5,19 @@
 #include "grader/judge/bubblewrap.h"
 #include "grader/judge/landlock.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
 #include <csignal>
+#include <cstring>
+#include <fstream>
+#include <string_view>
 #include <system_error>
+#include <thread>
 
 namespace carlo::grader {
 namespace {
@@ -46,12 +55,51 @@ LandlockRules landlock_rules(const View& view, const fs::path& scratch) {
   return rules;
 }
 
-/// The user ids to try at a level, best first.
-std::vector<std::optional<uid_t>> users_for(Level level) {
-  if (::geteuid() != 0 || level == Level::limits) return {std::nullopt};
-  // A tree below a folder of root's alone cannot be shown by bubblewrap as another user.
-  if (level == Level::bubblewrap) return {unused_user(), std::nullopt};
-  return {unused_user()};
+/// What bubblewrap tells over a descriptor of its own. Its exit code comes only when the program
+/// was begun, and the program cannot reach it: without it, bubblewrap itself failed.
+class BubblewrapStatus {
+ public:
+  BubblewrapStatus() {
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0)
+      throw Error("pipe: {}", std::strerror(errno));
+    const Descriptor read(ends[0]), write(ends[1]);
+    read_ = read.lifted();
+    write_ = write.lifted();
+  }
+
+  int end_for_child() const { return write_.get(); }
+
+  bool begun() const {
+    std::array<char, 4096> text{};
+    const ssize_t got = ::read(read_.get(), text.data(), text.size());
+    const std::string_view said(text.data(), static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+    return said.find("exit-code") != std::string_view::npos;
+  }
+
+ private:
+  Descriptor read_, write_;
+};
+
+/// bubblewrap reports a child's death by signal as exit code 128 + signal, as shells do.
+void tell_signal(Outcome& outcome) {
+  if (outcome.end != Outcome::End::exited) return;
+  if (outcome.code <= 128 || outcome.code > 128 + SIGRTMAX) return;
+  outcome.end = Outcome::End::signalled;
+  outcome.code -= 128;
+}
+
+/// Programs that ended with less than this were not killed for what they took.
+constexpr std::size_t modest_bytes = std::size_t{512} << 20;
+
+/// How often the kernel has ended a process because memory had run out; 0 where it does not tell.
+long memory_kills() {
+  std::ifstream file("/proc/vmstat");
+  std::string name;
+  for (long value = 0; file >> name >> value;) {
+    if (name == "oom_kill") return value;
+  }
+  return 0;
 }
 
 }  // namespace
@@ -82,14 +130,49 @@ std::string Sandbox::description() const {
   return to_string(level_) + (user_ ? ", own user" : "");
 }
 
+Sandbox Sandbox::with_own_user(Level level) {
+  Sandbox sandbox(level, std::nullopt);
+  sandbox.claim_.emplace();
+  sandbox.user_ = sandbox.claim_->id();
+  return sandbox;
+}
+
+Sandbox Sandbox::with_new_user() const {
+  return user_ ? with_own_user(level_) : *this;
+}
+
 Sandbox Sandbox::at(Level level, const View& view) {
-  // As anybody but root there is no own user, and the level would promise more than it holds.
-  const bool possible = level != Level::user || ::geteuid() == 0;
-  for (const std::optional<uid_t> user : users_for(level)) {
-    const Sandbox sandbox(level, user);
-    if (possible && sandbox.works(view)) return sandbox;
+  const bool root = ::geteuid() == 0;
+  if (root && level != Level::limits) {
+    Sandbox sandbox = with_own_user(level);
+    if (sandbox.works(view)) return sandbox;
   }
+  // As anybody but root there is no own user, and the level "user" would promise more than it
+  // holds. Root's processes need one but under bubblewrap, which cannot show a tree below a folder
+  // of root's alone to another.
+  const bool possible =
+      root ? level == Level::limits || level == Level::bubblewrap : level != Level::user;
+  const Sandbox sandbox(level, std::nullopt);
+  if (possible && sandbox.works(view)) return sandbox;
   throw Error("the sandbox level \"{}\" does not work on this machine", to_string(level));
+}
+
+std::string Sandbox::trouble_at(Level level) {
+  const bool root = ::geteuid() == 0;
+  if (level == Level::user && !root) return "only root can give programs a user of their own";
+  if (level == Level::bubblewrap && ::access(bubblewrap_program, X_OK) != 0) {
+    return std::string(bubblewrap_program) + " is not installed (./carlo setup)";
+  }
+  try {
+    const Sandbox sandbox =
+        root && level != Level::limits ? with_own_user(level) : Sandbox(level, std::nullopt);
+    const Outcome outcome = sandbox.run_once({"/usr/bin/true"}, {}, {});
+    if (outcome.succeeded()) return "";
+    return outcome.output.empty() ? "a harmless program failed there"
+                                  : outcome.output.substr(0, outcome.output.find('\n'));
+  } catch (const Error& error) {
+    return error.what();
+  }
 }
 
 Sandbox Sandbox::strongest(const View& view) {
@@ -106,7 +189,7 @@ Sandbox Sandbox::strongest(const View& view) {
 bool Sandbox::works(const View& view) const {
   if (level_ == Level::bubblewrap && ::access(bubblewrap_program, X_OK) != 0) return false;
   try {
-    return run({"/usr/bin/true"}, view, {}).succeeded();
+    return run_once({"/usr/bin/true"}, view, {}).succeeded();
   } catch (const Error&) {
     return false;
   }
@@ -114,6 +197,34 @@ bool Sandbox::works(const View& view) const {
 
 Outcome Sandbox::run(const std::vector<std::string>& argv, const View& view,
                      const Limits& limits) const {
+  using End = Outcome::End;
+  constexpr int attempts = 6;
+  std::chrono::milliseconds pause{100};
+  for (int attempt = 1;; ++attempt) {
+    const long kills = memory_kills();
+    Outcome outcome = run_once(argv, view, limits);
+    if (outcome.end == End::starved) {
+      throw Error(
+          "the machine was too busy: a program did not get the processor time that it may "
+          "have in {} times as long",
+          patience);
+    }
+    // Whoever takes little and is killed while the kernel kills for memory is not to blame. Without
+    // such a kill it may be: a program can do that to itself, and does it again.
+    const bool killed = outcome.end == End::signalled && outcome.code == SIGKILL;
+    const bool in_need = memory_kills() != kills && outcome.peak_bytes < modest_bytes;
+    if (outcome.end != End::not_started && !(killed && in_need)) return outcome;
+    if (attempt == attempts) {
+      throw Error("{}", killed ? "the machine has no memory left: a program was killed for it"
+                               : "the sandbox cannot begin a program: " + outcome.output);
+    }
+    std::this_thread::sleep_for(pause);
+    pause *= 2;
+  }
+}
+
+Outcome Sandbox::run_once(const std::vector<std::string>& argv, const View& view,
+                          const Limits& limits) const {
   std::optional<ScratchFolder> own;
   if (view.scratch.empty()) own.emplace();
   const fs::path scratch = own ? own->path() : view.scratch;
@@ -123,29 +234,29 @@ Outcome Sandbox::run(const std::vector<std::string>& argv, const View& view,
   Command command{argv, environment(scratch, limits)};
   Confinement& confinement = command.confinement;
   confinement.user = user_;
+  confinement.untrusted = true;
   confinement.measured = scratch.string();
   confinement.folder = scratch.string();
   std::optional<LandlockRules> rules;
-  std::optional<Descriptor> filter;
   if (level_ == Level::bubblewrap) {
-    filter = filter_file(SyscallFilter(false));
-    confinement.inherited = filter->get();
+    const Descriptor filter = filter_file(SyscallFilter(false));
+    const BubblewrapStatus status;
+    confinement.inherited = filter.get();
+    confinement.status = status.end_for_child();
     command.argv = bubblewrap(argv, view, scratch);
-  } else if (level_ != Level::limits) {
-    confinement.filter = SyscallFilter(true);
+    Outcome outcome = run_limited(command, limits);
+    const bool ended =
+        outcome.end == Outcome::End::exited || outcome.end == Outcome::End::signalled;
+    if (ended && !status.begun()) outcome.end = Outcome::End::not_started;
+    tell_signal(outcome);
+    return outcome;
   }
+  if (level_ != Level::limits) confinement.filter = SyscallFilter(true);
   if (level_ == Level::landlock) {
     rules = landlock_rules(view, scratch);
     confinement.landlock_rules = rules->descriptor();
   }
-  Outcome outcome = run_limited(command, limits);
-  // bubblewrap reports a child's death by signal as exit code 128 + signal, as shells do.
-  const bool by_signal = outcome.code > 128 && outcome.code <= 128 + SIGRTMAX;
-  if (level_ == Level::bubblewrap && outcome.end == Outcome::End::exited && by_signal) {
-    outcome.end = Outcome::End::signalled;
-    outcome.code -= 128;
-  }
-  return outcome;
+  return run_limited(command, limits);
 }
 
 }  // namespace carlo::grader

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grader/judge/own_user.h"
 #include "grader/judge/process.h"
 
 #include <filesystem>
@@ -37,22 +38,37 @@ class Sandbox {
   static Sandbox strongest(const View& view);
   /// This level and no other. Throws Error when it does not work here.
   static Sandbox at(Level level, const View& view);
+  /// Why a level does not work here, in a line; empty when it does.
+  static std::string trouble_at(Level level);
+  /// One that was found to work before, with the user that it had or none.
+  static Sandbox as_found(Level level, std::optional<uid_t> user) { return {level, user}; }
+  /// The same, with another user of its own where it has one: what it runs shares no limit, no
+  /// process and no file with what others run. Throws Error.
+  Sandbox with_new_user() const;
 
   Level level() const { return level_; }
+  std::optional<uid_t> user() const { return user_; }
   /// "bubblewrap, own user": the level, and what it has besides.
   std::string description() const;
 
   /// Runs a program (argv[0] is its path, part of the view or of the system). A scratch folder that
   /// the view names is given to the sandbox's user. A death by signal is told as such at every
-  /// level. Throws Error when the sandbox itself does not work.
+  /// level. What keeps the program from being begun is tried again for some seconds: a busy machine
+  /// may lack processes, memory or namespaces for a moment. Throws Error when the sandbox itself
+  /// does not work then, or when the machine kept the program from running (too busy, no memory):
+  /// what it would have done is not known.
   Outcome run(const std::vector<std::string>& argv, const View& view, const Limits& limits) const;
 
  private:
   Sandbox(Level level, std::optional<uid_t> user) : level_(level), user_(user) {}
+  static Sandbox with_own_user(Level level);
   bool works(const View& view) const;
+  Outcome run_once(const std::vector<std::string>& argv, const View& view,
+                   const Limits& limits) const;
 
   Level level_;
   std::optional<uid_t> user_;
+  std::optional<OwnUser> claim_;  ///< of that user, where this sandbox or its original made it
 };
 
 }  // namespace carlo::grader

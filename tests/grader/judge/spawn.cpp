@@ -26,13 +26,13 @@ struct Pipe {
 };
 
 /// A pipe whose ends lie above the descriptors that the child is given, and do not reach it.
-Pipe make_pipe() {
+Pipe make_pipe(bool blocks = false) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw Error("pipe: {}", std::strerror(errno));
   const Descriptor low_read(ends[0]);
   const Descriptor low_write(ends[1]);
   Pipe pipe{low_read.lifted(), low_write.lifted()};
-  if (::fcntl(pipe.read.get(), F_SETFL, O_NONBLOCK) != 0) {
+  if (!blocks && ::fcntl(pipe.read.get(), F_SETFL, O_NONBLOCK) != 0) {
     throw Error("pipe: {}", std::strerror(errno));
   }
   return pipe;
@@ -58,27 +58,36 @@ struct Plan {
   Confinement confinement;
   Limits limits;
   Descriptor program, input;
-  int output, result;
+  int output, result, problem;
   pid_t parent;
 };
 
+/// What a child tells of a step that failed: its name, as a number below, and errno.
+struct Problem {
+  int step = 0, error = 0;
+};
+constexpr const char* steps[] = {"its session", "its descriptors", "its limits", "its program"};
+
 // From here to exec() only calls that are safe between fork and exec.
 
-bool limit(__rlimit_resource_t resource, rlim_t value) {
+/// `soft`: the limit that a signal tells of, where it is another.
+bool limit(__rlimit_resource_t resource, rlim_t value, rlim_t soft = RLIM_INFINITY) {
   rlimit current{};
   if (::getrlimit(resource, &current) != 0) return false;
   const rlim_t hard = std::min(value, current.rlim_max);
-  const rlimit wanted{hard, hard};
+  const rlimit wanted{std::min(soft, hard), hard};
   return ::setrlimit(resource, &wanted) == 0;
 }
 
 bool apply_limits(const Limits& limits, bool own_user) {
   const auto deadline = std::chrono::ceil<std::chrono::seconds>(limits.deadline).count() + 1;
-  const auto cpu = limits.cpu.count() > 0 ? limits.cpu.count() : deadline;
+  // Whoever uses up the time gets SIGXCPU a second before SIGKILL, which is everybody's: the
+  // machine's too, when it has no memory left.
+  const auto cpu = static_cast<rlim_t>(limits.cpu.count() > 0 ? limits.cpu.count() : deadline);
   // For a user that has other processes too the limit counts all of them: a stop for fork bombs and
   // no tight bound.
   const rlim_t processes = own_user ? limits.processes : std::max(limits.processes, rlim_t{4096});
-  return limit(RLIMIT_CORE, 0) && limit(RLIMIT_CPU, static_cast<rlim_t>(cpu)) &&
+  return limit(RLIMIT_CORE, 0) && limit(RLIMIT_CPU, cpu + 1, cpu) &&
          limit(RLIMIT_FSIZE, limits.file_bytes) && limit(RLIMIT_NOFILE, limits.open_files) &&
          limit(RLIMIT_NPROC, processes) &&
          (address_sanitizer() || limit(RLIMIT_AS, limits.memory_bytes));
@@ -100,10 +109,19 @@ bool close_at_exec(unsigned first) {
 }
 
 bool set_descriptors(const Plan& plan) {
-  const int inherited = plan.confinement.inherited;
+  const int inherited = plan.confinement.inherited, status = plan.confinement.status;
   return ::dup2(plan.input.get(), 0) == 0 && ::dup2(plan.output, 1) == 1 &&
-         ::dup2(plan.output, 2) == 2 && ::dup2(plan.result, 3) == 3 &&
-         (inherited < 0 || ::dup2(inherited, 4) == 4) && close_at_exec(inherited < 0 ? 4 : 5);
+         ::dup2(plan.output, 2) == 2 && ::dup2(plan.result, 3) == 3 && close_at_exec(4) &&
+         (inherited < 0 || ::dup2(inherited, 4) == 4) && (status < 0 || ::dup2(status, 5) == 5);
+}
+
+/// When memory runs out, the kernel ends these programs before it ends what judges them. Where it
+/// cannot be said, nothing is lost.
+void go_first() {
+  const int file = ::open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC);
+  if (file < 0) return;
+  [[maybe_unused]] const ssize_t written = ::write(file, "1000", 4);
+  ::close(file);
 }
 
 /// The order matters: what needs privileges first, the system calls' filter last. Changing the user
@@ -121,14 +139,38 @@ bool confine(Plan& plan) {
   return own.filter->install();
 }
 
+/// The steps to the program; the number of the one that failed.
+int begin(Plan& plan) {
+  if (::setsid() < 0) return 0;
+  if (plan.confinement.untrusted) go_first();
+  if (!set_descriptors(plan)) return 1;
+  if (!confine(plan)) return 2;
+  // By its descriptor, which was opened with our rights: the folders above it may be closed to the
+  // user that the child has become.
+  ::syscall(SYS_execveat, plan.program.get(), "", plan.argv.data(), plan.environment.data(),
+            AT_EMPTY_PATH);
+  return 3;
+}
+
 [[noreturn]] void become(Plan& plan) {
-  if (::setsid() >= 0 && set_descriptors(plan) && confine(plan)) {
-    // By its descriptor, which was opened with our rights: the folders above it may be closed to
-    // the user that the child has become.
-    ::syscall(SYS_execveat, plan.program.get(), "", plan.argv.data(), plan.environment.data(),
-              AT_EMPTY_PATH);
-  }
+  const int step = begin(plan);
+  const Problem problem{step, errno};
+  [[maybe_unused]] const ssize_t written = ::write(plan.problem, &problem, sizeof problem);
   ::_exit(127);
+}
+
+// Back in the parent.
+
+/// Waits until the child has begun its program, which closes the pipe's other end, or has told why
+/// not.
+std::string problem_told(const Descriptor& read_end) {
+  Problem problem;
+  ssize_t got = 0;
+  do {
+    got = ::read(read_end.get(), &problem, sizeof problem);
+  } while (got < 0 && errno == EINTR);
+  if (got != sizeof problem) return "";
+  return fmt::format("{}: {}", steps[problem.step], std::strerror(problem.error));
 }
 
 }  // namespace
@@ -136,6 +178,7 @@ bool confine(Plan& plan) {
 Child spawn(const Command& command, const Limits& limits) {
   Pipe result = make_pipe();
   Pipe output = make_pipe();
+  Pipe problem = make_pipe(true);
   Plan plan{pointers(command.argv),
             pointers(command.environment),
             command.confinement,
@@ -144,11 +187,14 @@ Child spawn(const Command& command, const Limits& limits) {
             open_lifted("/dev/null", O_RDONLY),
             output.write.get(),
             result.write.get(),
+            problem.write.get(),
             ::getpid()};
   Child child;
   child.pid = ::fork();
   if (child.pid < 0) throw Error("cannot start a process: {}", std::strerror(errno));
   if (child.pid == 0) become(plan);
+  problem.write.close();
+  child.problem = problem_told(problem.read);
   child.result = std::move(result.read);
   child.output = std::move(output.read);
   return child;

@@ -18,10 +18,9 @@
 namespace carlo::grader {
 namespace {
 
-void kill_children() {
-  for (const ProcessEntry& entry : list_processes()) {
-    if (entry.parent == ::getpid()) ::kill(entry.id, SIGKILL);
-  }
+void kill_descendants() {
+  for (const ProcessEntry& entry : descendants_of(::getpid()))
+    ::kill(entry.id, SIGKILL);
 }
 
 /// Reaps what has ended and notes how large it was. True while children remain.
@@ -46,12 +45,13 @@ void adopt_orphans() {
 std::size_t end_orphans() {
   std::size_t peak = 0;
   const auto start = std::chrono::steady_clock::now();
-  // Killing a parent hands us its children, so we look again until none is left.
+  // Some are started meanwhile, and killing a parent hands us its children: we look again until
+  // none is left.
   while (reap(peak)) {
     if (std::chrono::steady_clock::now() - start > std::chrono::seconds(10)) {
       throw Error("processes that the program started could not be ended");
     }
-    kill_children();
+    kill_descendants();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return peak;

@@ -66,6 +66,9 @@ constexpr long denied[] = {
     // namespaces
     SYS_unshare,
     SYS_setns,
+    // the size of a file by its path: Landlock does not guard it before its version 3
+    SYS_truncate,
+    437,  // openat2, whose flags no filter can look at
     // memory and queues that outlive their process, or that no limit counts
     SYS_shmget,
     SYS_semget,
@@ -133,6 +136,7 @@ const std::vector<unsigned> denied_ioctl{FIOSETOWN, SIOCSPGRP, TIOCSTI};
 /// them.
 constexpr unsigned first_argument = offsetof(seccomp_data, args);
 constexpr unsigned second_argument = first_argument + sizeof(std::uint64_t);
+constexpr unsigned third_argument = second_argument + sizeof(std::uint64_t);
 
 }  // namespace
 
@@ -157,6 +161,20 @@ void SyscallFilter::deny_commands(long call, const std::vector<unsigned>& comman
     jump(BPF_JEQ, command, 0, 1);
     statement(BPF_RET | BPF_K, refusal);
   }
+  statement(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
+}
+
+void SyscallFilter::refuse(long call, unsigned error) {
+  jump(BPF_JEQ, static_cast<unsigned>(call), 0, 1);
+  statement(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | error);
+}
+
+void SyscallFilter::deny_emptying(long call, unsigned flags_at) {
+  jump(BPF_JEQ, static_cast<unsigned>(call), 0, 5);
+  statement(BPF_LD | BPF_W | BPF_ABS, flags_at);
+  statement(BPF_ALU | BPF_AND | BPF_K, O_TRUNC | O_ACCMODE);
+  jump(BPF_JEQ, O_TRUNC | O_RDONLY, 0, 1);
+  statement(BPF_RET | BPF_K, refusal);
   statement(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
 }
 
@@ -185,8 +203,10 @@ SyscallFilter::SyscallFilter(bool own_process_only) {
   for (const long call : denied)
     deny(call);
   // clone3 keeps its flags where a filter cannot look: without it, the C library uses clone.
-  jump(BPF_JEQ, 435, 0, 1);
-  statement(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | ENOSYS);
+  refuse(435, ENOSYS);
+  // Gigabytes in one call, and behind a file's end no limit of its size counts them. Where it is
+  // not to be had, the C library's posix_fallocate() writes.
+  refuse(SYS_fallocate, EOPNOTSUPP);
   jump(BPF_JEQ, SYS_clone, 0, 4);
   statement(BPF_LD | BPF_W | BPF_ABS, first_argument);
   jump(BPF_JSET, new_namespaces, 0, 1);
@@ -194,6 +214,10 @@ SyscallFilter::SyscallFilter(bool own_process_only) {
   statement(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
   for (const long call : denied_on_our_disk)
     deny(call);
+  deny_emptying(SYS_openat, third_argument);
+#if defined(__x86_64__)
+  deny_emptying(SYS_open, second_argument);
+#endif
   deny_commands(SYS_fcntl, denied_fcntl);
   deny_commands(SYS_ioctl, denied_ioctl);
   if (own_process_only) {

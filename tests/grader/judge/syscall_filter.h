@@ -9,8 +9,9 @@ namespace carlo::grader {
 
 /// A seccomp filter: the system calls that no exercise needs fail with EPERM. These are sockets,
 /// looking into, signalling or slowing other processes, mounts, namespaces, keys, shared memory
-/// that outlives its process, rights and owners of files, kernel facilities with a history of
-/// holes, leaving the session.
+/// that outlives its process, rights and owners of files, emptying a file that is not opened for
+/// writing, disk that is taken without writing, kernel facilities with a history of holes, leaving
+/// the session.
 class SyscallFilter {
  public:
   /// `own_process_only`: signals and limits reach the filtered process alone, named to limit_to()
@@ -29,6 +30,10 @@ class SyscallFilter {
   void statement(unsigned code, unsigned value);
   void jump(unsigned test, unsigned value, unsigned char yes, unsigned char no);
   void deny(long call);
+  /// It fails with an error other than EPERM.
+  void refuse(long call, unsigned error);
+  /// O_TRUNC with O_RDONLY, which Linux takes for leave to empty a file, and Landlock for reading.
+  void deny_emptying(long call, unsigned flags_at);
   void deny_commands(long call, const std::vector<unsigned>& commands);
   void only_own_process(long call, bool zero_too);
 

@@ -1,7 +1,5 @@
 #include "grader/judge/watch.h"
 
-#include "grader/judge/process_list.h"
-
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -10,7 +8,6 @@
 #include <string>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 namespace carlo::grader {
 namespace {
@@ -20,27 +17,14 @@ namespace fs = std::filesystem;
 constexpr std::size_t most_files = 100'000;
 constexpr int deepest = 64;
 
-std::set<pid_t> family_of(pid_t ancestor, const std::vector<ProcessEntry>& all) {
-  std::set<pid_t> family{ancestor};
-  // A child's number may be lower than its parent's, so once through the list is not enough.
-  for (std::size_t before = 0; before != family.size();) {
-    before = family.size();
-    for (const ProcessEntry& entry : all) {
-      if (family.count(entry.parent) != 0) family.insert(entry.id);
-    }
-  }
-  family.erase(ancestor);
-  return family;
-}
-
 /// What no folder shows: files that were removed while they were open, and those that never had a
 /// name.
-std::size_t nameless_bytes(pid_t ancestor) {
+std::size_t nameless_bytes(const Family& family) {
   std::set<std::pair<dev_t, ino_t>> seen;
   std::size_t bytes = 0;
   std::error_code ec;
-  for (const pid_t id : family_of(ancestor, list_processes())) {
-    const fs::path descriptors = fs::path("/proc") / std::to_string(id) / "fd";
+  for (const ProcessEntry& entry : family) {
+    const fs::path descriptors = fs::path("/proc") / std::to_string(entry.id) / "fd";
     for (fs::directory_iterator it(descriptors, ec), end; it != end && !ec; it.increment(ec)) {
       struct stat status {};
       if (::stat(it->path().c_str(), &status) != 0 || !S_ISREG(status.st_mode)) continue;
@@ -51,11 +35,19 @@ std::size_t nameless_bytes(pid_t ancestor) {
   return bytes;
 }
 
+/// The file holds nanoseconds on a processor, and nanoseconds of waiting for one.
+ThreadTimes times_in(const fs::path& schedstat) {
+  std::ifstream file(schedstat);
+  double ran = 0, waited = 0;
+  if (!(file >> ran >> waited)) return {};
+  return {ran * 1e-9, waited * 1e-9};
+}
+
 }  // namespace
 
-bool fuller_than(const fs::path& folder, pid_t ancestor, std::size_t most) {
+bool fuller_than(const fs::path& folder, const Family& family, std::size_t most) {
   constexpr auto skip = fs::directory_options::skip_permission_denied;
-  std::size_t bytes = nameless_bytes(ancestor), files = 0;
+  std::size_t bytes = nameless_bytes(family), files = 0;
   if (bytes > most) return true;
   std::error_code ec;
   for (fs::recursive_directory_iterator it(folder, skip, ec), end; it != end && !ec;
@@ -68,38 +60,35 @@ bool fuller_than(const fs::path& folder, pid_t ancestor, std::size_t most) {
   return false;
 }
 
-double longest_wait(pid_t ancestor) {
-  double longest = 0;
+ThreadTimes longest_times(const Family& family) {
+  ThreadTimes longest;
   std::error_code ec;
-  for (const pid_t id : family_of(ancestor, list_processes())) {
-    const fs::path threads = fs::path("/proc") / std::to_string(id) / "task";
+  for (const ProcessEntry& entry : family) {
+    const fs::path threads = fs::path("/proc") / std::to_string(entry.id) / "task";
     for (fs::directory_iterator it(threads, ec), end; it != end && !ec; it.increment(ec)) {
-      // Nanoseconds on a processor, and nanoseconds of waiting for one.
-      std::ifstream file(it->path() / "schedstat");
-      double ran = 0, waited = 0;
-      if (file >> ran >> waited) longest = std::max(longest, waited * 1e-9);
+      const ThreadTimes times = times_in(it->path() / "schedstat");
+      longest.ran = std::max(longest.ran, times.ran);
+      longest.waited = std::max(longest.waited, times.waited);
     }
   }
   return longest;
 }
 
-std::size_t descendants_bytes(pid_t ancestor) {
-  const std::vector<ProcessEntry> all = list_processes();
-  const std::set<pid_t> family = family_of(ancestor, all);
+ThreadTimes own_times() {
+  return times_in("/proc/thread-self/schedstat");
+}
+
+std::size_t resident_bytes(const Family& family) {
   std::size_t bytes = 0;
-  for (const ProcessEntry& entry : all) {
-    if (family.count(entry.id) != 0) bytes += entry.resident_bytes;
-  }
+  for (const ProcessEntry& entry : family)
+    bytes += entry.resident_bytes;
   return bytes;
 }
 
-double descendants_seconds(pid_t ancestor) {
-  const std::vector<ProcessEntry> all = list_processes();
-  const std::set<pid_t> family = family_of(ancestor, all);
+double processor_seconds(const Family& family) {
   double seconds = 0;
-  for (const ProcessEntry& entry : all) {
-    if (family.count(entry.id) != 0) seconds += entry.seconds;
-  }
+  for (const ProcessEntry& entry : family)
+    seconds += entry.seconds;
   return seconds;
 }
 

@@ -1,29 +1,37 @@
 #pragma once
 
-#include <sys/types.h>
+#include "grader/judge/process_list.h"
 
 #include <cstddef>
 #include <filesystem>
+#include <vector>
 
 namespace carlo::grader {
 
-/// Whether the files below `folder`, and those that the descendants of a process hold open though
-/// they have no name any more, take more than `most` bytes, or are too many or lie too deep to be
+/// Processes that are watched together, as they were listed.
+using Family = std::vector<ProcessEntry>;
+
+/// Whether the files below `folder`, and those that the family's processes hold open though they
+/// have no name any more, take more than `most` bytes, or are too many or lie too deep to be
 /// counted. What cannot be looked into counts as nothing; nor does a nameless file that is mapped
 /// and not open.
-bool fuller_than(const std::filesystem::path& folder, pid_t ancestor, std::size_t most);
+bool fuller_than(const std::filesystem::path& folder, const Family& family, std::size_t most);
 
-/// The resident memory of all descendants of a process together, in bytes. Pages that they share
-/// count for each of them.
-std::size_t descendants_bytes(pid_t ancestor);
+/// The resident memory of all together, in bytes. Pages that they share count for each of them.
+std::size_t resident_bytes(const Family& family);
 
-/// For how many seconds, of all threads of `ancestor`'s descendants that are there now, the one
-/// that waited longest was ready to run while others had the processors (Linux, proc(5):
-/// schedstat). 0 where the system does not tell.
-double longest_wait(pid_t ancestor);
+/// Seconds of threads that are there now (Linux, proc(5): schedstat). 0 where the system does not
+/// tell.
+struct ThreadTimes {
+  double ran = 0;     ///< on a processor, of the one that ran longest
+  double waited = 0;  ///< ready to run while others had them, of the one that waited longest
+};
+ThreadTimes longest_times(const Family& family);
 
-/// Processor seconds of `ancestor`'s descendants that are there now and of those they have waited
-/// for.
-double descendants_seconds(pid_t ancestor);
+/// Those of the thread that calls.
+ThreadTimes own_times();
+
+/// Their processor seconds and those of children that they have waited for.
+double processor_seconds(const Family& family);
 
 }  // namespace carlo::grader

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <system_error>
+#include <utility>
 
 namespace carlo::grader {
 namespace {
@@ -27,6 +28,9 @@ Worker::Worker(const fs::path& program)
 
 Worker::Worker(const fs::path& program, Level level)
     : program_(checked(program)), sandbox_(Sandbox::at(level, {{program_}, {}})) {}
+
+Worker::Worker(const fs::path& program, Sandbox sandbox)
+    : program_(checked(program)), sandbox_(std::move(sandbox)) {}
 
 Outcome Worker::run(const std::vector<std::string>& arguments, const Limits& limits) const {
   std::vector<std::string> argv{program_.string()};

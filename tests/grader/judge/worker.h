@@ -15,6 +15,8 @@ class Worker {
   explicit Worker(const std::filesystem::path& program);
   /// At this level. Throws Error, also when the level does not work here.
   Worker(const std::filesystem::path& program, Level level);
+  /// In a sandbox that is known to work.
+  Worker(const std::filesystem::path& program, Sandbox sandbox);
 
   const Sandbox& sandbox() const { return sandbox_; }
   Outcome run(const std::vector<std::string>& arguments, const Limits& limits) const;

@@ -17,6 +17,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -149,8 +150,15 @@ std::string fault_of(const Fixture& fixture, const Record& record, const LabGrad
   return "";
 }
 
+/// Whoever hands in may choose what is told, but not how much.
+constexpr std::uintmax_t most_bytes = std::uintmax_t{4} << 20;
+
 /// Files that a submission's results consist of, and what none of them may tell.
 std::string fault_of_files(const Fixture& fixture, const fs::path& folder) {
+  std::uintmax_t bytes = 0;
+  for (const auto& entry : fs::directory_iterator(folder))
+    bytes += entry.file_size();
+  if (bytes > most_bytes) return fmt::format("its results take {} MB", bytes >> 20);
   for (const char* name : {"results.json", "junit.xml", "report.txt", "record.json"}) {
     if (!fs::exists(folder / name)) return fmt::format("{} is missing", name);
     const std::string text = read_file(folder / name);

@@ -1,0 +1,96 @@
+#include "grader/judge/guardian.h"
+
+#include "cli/error.h"
+#include "grader/judge/survivors.h"
+
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+
+namespace carlo::grader {
+namespace {
+
+/// The signals that a guardian waits for: a child's end, and the caller's.
+sigset_t awaited() {
+  sigset_t set{};
+  ::sigemptyset(&set);
+  ::sigaddset(&set, SIGCHLD);
+  ::sigaddset(&set, SIGTERM);
+  return set;
+}
+
+/// How the body ended; that it was killed, when the caller is gone.
+int wait_for(pid_t child, pid_t caller) {
+  const sigset_t signals = awaited();
+  while (true) {
+    int status = 0;
+    pid_t ended = 0;
+    // Others are orphans that the body has left.
+    while ((ended = ::waitpid(-1, &status, WNOHANG)) > 0) {
+      if (ended == child) return status;
+    }
+    if (::getppid() != caller) return SIGKILL;
+    // A signal that was missed costs a second.
+    const timespec second{1, 0};
+    ::sigtimedwait(&signals, nullptr, &second);
+  }
+}
+
+/// Ends this process as another one ended.
+[[noreturn]] void end_as(int status) {
+  if (WIFSIGNALED(status)) {
+    std::signal(WTERMSIG(status), SIG_DFL);
+    ::kill(::getpid(), WTERMSIG(status));
+    ::_exit(128 + WTERMSIG(status));
+  }
+  ::_exit(WEXITSTATUS(status));
+}
+
+[[noreturn]] void guard(const std::function<int()>& body, pid_t caller) {
+  // Out of reach of what is typed at the terminal, and of whoever ends the caller's whole group.
+  ::setsid();
+  sigset_t signals = awaited(), before{};
+  ::sigprocmask(SIG_BLOCK, &signals, &before);
+  if (::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0) != 0 ||
+      ::prctl(PR_SET_PDEATHSIG, SIGTERM, 0, 0, 0) != 0) {
+    ::_exit(1);
+  }
+  const pid_t guardian = ::getpid(), child = ::fork();
+  if (child < 0) ::_exit(1);
+  if (child == 0) {
+    ::sigprocmask(SIG_SETMASK, &before, nullptr);
+    int code = 1;
+    if (::prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0) == 0 && ::getppid() == guardian) code = body();
+    std::fflush(nullptr);
+    ::_exit(code);
+  }
+  const int status = wait_for(child, caller);
+  for (int attempt = 0; attempt < 6; ++attempt) {
+    try {
+      end_orphans();
+      break;
+    } catch (const Error&) {
+      // Ten seconds more.
+    }
+  }
+  end_as(status);
+}
+
+}  // namespace
+
+pid_t start_guarded(const std::function<int()>& body) {
+  std::fflush(nullptr);
+  const pid_t caller = ::getpid();
+  const pid_t guardian = ::fork();
+  if (guardian < 0) throw Error("cannot start a process: {}", std::strerror(errno));
+  if (guardian == 0) guard(body, caller);
+  return guardian;
+}
+
+}  // namespace carlo::grader
