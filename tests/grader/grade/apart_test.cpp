@@ -23,9 +23,9 @@ TEST_CASE("what a child returns comes back byte for byte", "[apart]") {
   const ScratchFolder folder;
   CHECK(apart(folder.path(), [] { return std::string(); }).empty());
   const std::string bytes("\0\xFF\x80 text\n", 9);
-  CHECK(apart(folder.path(), [&] { return bytes; }) == bytes);
+  CHECK(apart(folder.path(), [&] { return std::string(bytes); }) == bytes);
   const std::string large(std::size_t{5} << 20, 'x');
-  CHECK(apart(folder.path(), [&] { return large; }) == large);
+  CHECK(apart(folder.path(), [&] { return std::string(large); }) == large);
 }
 
 TEST_CASE("an Error in the child is the caller's", "[apart]") {

@@ -322,7 +322,7 @@ TEST_CASE("a name is whose own it is, and others are told of", "[intake]") {
   std::map<std::string, std::pair<std::string, bool>> names;
   for (const Source& source : find_submissions({folder.path()}, demo_labs(), false))
     names[source.handed_in()] = {source.name, source.renamed};
-  const auto of = [](std::string name, bool renamed) { return std::pair(name, renamed); };
+  const auto of = [](const std::string& name, bool renamed) { return std::pair(name, renamed); };
   CHECK(names.at("a_b") == of("a_b", false));
   CHECK(names.at("a-b") == of("a-b", false));
   CHECK(names.at("a b") == of("a_b-2", true));

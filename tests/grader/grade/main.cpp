@@ -113,8 +113,8 @@ Descriptor sole_user(const fs::path& out) {
 /// nothing off, submissions have the rights of whoever grades: never root's.
 Sandbox make_sandbox(const Options& options, const CleanTree& clean) {
   const View view{{clean.path() / "tree", clean.path() / "link"}, {}};
-  const Sandbox sandbox = options.sandbox == "auto" ? Sandbox::strongest(view)
-                                                    : Sandbox::at(level_of(options.sandbox), view);
+  Sandbox sandbox = options.sandbox == "auto" ? Sandbox::strongest(view)
+                                              : Sandbox::at(level_of(options.sandbox), view);
   if (sandbox.level() == Level::limits && ::geteuid() == 0) {
     throw Error(
         "at the sandbox level \"limits\" submissions would run as root: grade at a stronger level, "
