@@ -43,7 +43,7 @@ std::vector<std::uint32_t> interleave(const ExrFile& file) {
 
 OIIO::ImageSpec spec_of(const ExrFile& file) {
   OIIO::ImageSpec spec(file.image.width, file.image.height, 0, OIIO::TypeDesc::FLOAT);
-  const auto add = [&spec](const std::string& name, OIIO::TypeDesc type) {
+  const auto add = [&spec](const std::string& name, const OIIO::TypeDesc& type) {
     spec.channelnames.push_back(name);
     spec.channelformats.push_back(type);
     ++spec.nchannels;
