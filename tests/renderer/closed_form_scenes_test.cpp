@@ -68,8 +68,9 @@ TEST_CASE("A convex Phong object in a uniform environment shows kd + ks a(n, the
     constexpr int grid = 600;
     double sum = 0;
     for (int i = 0; i < grid * grid; ++i) {
-      const Vec2 film((static_cast<float>(i % grid) + .5f) / grid,
-                      (static_cast<float>(i / grid) + .5f) / grid);
+      const int row = i / grid, column = i % grid;
+      const Vec2 film((static_cast<float>(column) + .5f) / grid,
+                      (static_cast<float>(row) + .5f) / grid);
       const glm::dvec3 d(scene.camera.ray(film).d);
       const double b = 5 * d.z, discriminant = b * b - 24;  // |o + t d| = 1 with o = (0, 0, 5)
       if (discriminant < 0) {
