@@ -122,7 +122,14 @@ TEST_CASE("misbehaviour gives its verdict in time and leaves no process", "[work
       Case{"not implemented", Status::not_implemented, "not implemented"},
       Case{"survivor", Status::passed, ""});
   INFO(expected.probe << " at level " << to_string(level));
-  const Result result = run(level, expected.probe, expected.status == Status::timeout);
+  Result result;
+  try {
+    result = run(level, expected.probe, expected.status == Status::timeout);
+  } catch (const Error& error) {
+    if (expected.status != Status::timeout || !has(error.what(), "too busy")) throw;
+    CHECK(no_child_left());
+    return;  // so it was: a program that sleeps has proved nothing
+  }
   INFO(result.message << " | " << result.printed);
   CHECK(result.status == expected.status);
   CHECK(has(result.message, expected.message));
@@ -257,6 +264,9 @@ TEST_CASE("the probes of an exercise have a time in all", "[run]") {
       run.probe("almost late", {}, {});
     } catch (const ProbeFailure& failure) {
       if (has(failure.what(), "of this exercise have taken")) break;
+    } catch (const Error& error) {
+      if (!has(error.what(), "too busy")) throw;
+      return;
     }
     run.end_test(true);
     if (run.records().back().status == Status::timeout) return;  // a busy machine
