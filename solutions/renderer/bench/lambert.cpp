@@ -20,8 +20,8 @@ int run(int argc, char** argv) {
     throw carlo::Error("{} is no scene for the vector kernel", argv[1]);
   }
   const renderer::FlatScene flat(scene);
-  if (flat.phong || flat.spheres()) {
-    throw carlo::Error("{} needs more than diffuse parallelograms", argv[1]);
+  if (flat.phong || flat.close()) {
+    throw carlo::Error("{} needs more than diffuse parallelograms that keep apart", argv[1]);
   }
   const auto integrator =
       renderer::make_flat_integrator(scene, std::strtoull(argv[2], nullptr, 10), {});

@@ -25,7 +25,7 @@ namespace HWY_NAMESPACE {
 HWY_ATTR void render_tile(const FlatJob& job, std::span<std::array<double, 3>> means,
                           carlo::Counts& counts) {
   const FlatScene& s = job.scene;
-  const bool close = s.spheres() || s.touching || s.coplanar;
+  const bool close = s.close();
   if (s.phong) {
     close ? run<Features<true, true>>(job, means, counts)
           : run<Features<true, false>>(job, means, counts);

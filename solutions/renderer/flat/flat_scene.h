@@ -91,6 +91,8 @@ struct FlatScene {
   bool phong = false, one_sided = false;
 
   bool spheres() const { return surfaces > first_sphere; }
+  /// Whether it needs what Features::close is for.
+  bool close() const { return spheres() || touching || coplanar; }
 };
 
 }  // namespace renderer
