@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# compiler_cache_test.sh COMPILER [LAUNCHER...]: a header in which only a comment changed compiles, with a
+# cache that knows what it was before. A precompiled header from that cache would be one of other files,
+# and g++ reads each of them again, `#pragma once` or not: "redefinition of".
+set -euo pipefail
+compiler=$1
+shift
+[ $# != 0 ] || { echo "there is no compiler cache" && exit 77; }
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+export CCACHE_DIR=$work/cache
+cd "$work"
+
+compile() {
+  rm -f first.h.gch
+  "$@" "$compiler" -std=c++20 -fpch-preprocess -Winvalid-pch -x c++-header -include first.h -MD -MF first.d -o first.h.gch -c empty.cpp
+  "$@" "$compiler" -std=c++20 -fpch-preprocess -Winvalid-pch -include first.h -MD -MF unit.d -o unit.o -c unit.cpp
+}
+
+printf '#pragma GCC system_header\n#include <included.h>\n' >first.h
+: >empty.cpp
+for word in first other; do
+  printf '#pragma once\n// The %s comment.\nstruct Pair {\n  int first, other;\n};\n' "$word" >included.h
+  printf '#include "included.h"\nint of(const Pair& pair) { return pair.%s; }\n' "$word" >unit.cpp
+  CPATH=$work compile "$@"
+done
+# The cache does find what it has.
+CPATH=$work compile "$@"
+hits=$(ccache --print-stats | awk '$1 == "direct_cache_hit" {print $2}')
+[ "${hits:-0}" -ge 2 ] || { echo "the cache found $hits of the last files, not all" && exit 1; }
