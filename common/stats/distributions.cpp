@@ -1,5 +1,6 @@
 #include "stats/distributions.h"
 
+#include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <boost/math/special_functions/erf.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 
@@ -27,6 +28,18 @@ double chi_square_lower(double x, double dof) {
 double chi_square_upper(double x, double dof) {
   if (std::isnan(x)) return x;
   return std::isinf(x) ? 0 : boost::math::gamma_q(dof / 2, x / 2);
+}
+
+double chi_square_lower_quantile(double p, double dof) {
+  return 2 * boost::math::gamma_p_inv(dof / 2, p);
+}
+
+double chi_square_upper_quantile(double p, double dof) {
+  return 2 * boost::math::gamma_q_inv(dof / 2, p);
+}
+
+double chi_square_noncentrality(double x, double dof, double p) {
+  return boost::math::non_central_chi_squared::find_non_centrality(dof, x, p);
 }
 
 double chi_square_two_sided(double x, double dof) {

@@ -18,6 +18,15 @@ double normal_two_sided_quantile(double p);
 double chi_square_lower(double x, double dof);
 double chi_square_upper(double x, double dof);
 
+/// The x with P(X <= x) = p, and with P(X >= x) = p, for 0 <= p < 1 (0 < p <= 1). Throw
+/// std::domain_error outside.
+double chi_square_lower_quantile(double p, double dof);
+double chi_square_upper_quantile(double p, double dof);
+
+/// The noncentrality with which a noncentral chi-square variable is <= x with probability p < 1,
+/// where a central one is with more. Throws std::domain_error outside.
+double chi_square_noncentrality(double x, double dof, double p);
+
 /// Two-sided: twice the smaller tail, at most 1.
 double chi_square_two_sided(double x, double dof);
 

@@ -29,6 +29,25 @@ TEST_CASE("normal tails keep their accuracy far out", "[stats]") {
   CHECK(std::isnan(carlo::normal_two_sided(std::numeric_limits<double>::quiet_NaN())));
 }
 
+TEST_CASE("chi-square quantiles and noncentralities agree with closed forms", "[stats]") {
+  for (const double p : {1e-100, 1e-9, 0.01, 0.5, 0.99}) {
+    CHECK(close(carlo::chi_square_upper_quantile(p, 2), -2 * std::log(p), 1e-12));
+    CHECK(close(carlo::chi_square_lower_quantile(p, 2), -2 * std::log1p(-p), 1e-12));
+    CHECK(close(carlo::chi_square_upper_quantile(p, 1),
+                std::pow(carlo::normal_two_sided_quantile(p), 2), 1e-10));
+  }
+  // The square of Z + d: P((Z + d)^2 <= x) = P(-sqrt(x) - d <= Z <= sqrt(x) - d).
+  for (const double x : {1.0, 30.0, 900.0}) {
+    for (const double p : {1e-3, 0.05, 0.5}) {
+      const double d = std::sqrt(carlo::chi_square_noncentrality(x, 1, p));
+      const double below = std::erfc((d - std::sqrt(x)) / std::sqrt(2.0)) / 2 -
+                           std::erfc((d + std::sqrt(x)) / std::sqrt(2.0)) / 2;
+      CHECK(close(below, p, 1e-6));
+    }
+  }
+  CHECK_THROWS_AS(carlo::chi_square_upper_quantile(-1, 2), std::domain_error);
+}
+
 TEST_CASE("chi-square tails agree with closed forms", "[stats]") {
   for (const double x : {0.1, 1.0, 10.0, 200.0}) {
     // Two degrees of freedom are an exponential, one is a squared normal.

@@ -24,6 +24,11 @@ namespace HWY_NAMESPACE {
 
 HWY_ATTR void render_tile(const FlatJob& job, std::span<std::array<double, 3>> means,
                           carlo::Counts& counts) {
+#if HWY_TARGET == HWY_SSSE3
+  // Machines of before 2013 pay for what their scene does not need, so that nobody waits for three
+  // more kernels.
+  run<Features<true, true>>(job, means, counts);
+#else
   const FlatScene& s = job.scene;
   const bool close = s.close();
   if (s.phong) {
@@ -33,6 +38,7 @@ HWY_ATTR void render_tile(const FlatJob& job, std::span<std::array<double, 3>> m
     close ? run<Features<false, true>>(job, means, counts)
           : run<Features<false, false>>(job, means, counts);
   }
+#endif
 }
 
 std::string instruction_set() {

@@ -3,17 +3,12 @@
 #include "grader/judge/compare.h"
 #include "stats/distributions.h"
 
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/non_central_chi_squared.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace carlo::grader {
 namespace {
-
-namespace bm = boost::math;
 
 /// No effect at all can be seen: of a comparison that has no values, or whose theory is no number.
 constexpr double blind = std::numeric_limits<double>::infinity();
@@ -38,10 +33,9 @@ Effect effect_on_mean(double off, double sd, double count, double variance) {
 Effect effect_on_variance(double ratio, double freedom) {
   const std::string unit = "of the variance";
   if (!(freedom > 0) || std::isinf(freedom)) return {ratio - 1, blind, unit};
-  const bm::chi_squared chi_square(freedom);
-  const double critical = bm::quantile(bm::complement(chi_square, comparison_alpha() / 2));
+  const double critical = chi_square_upper_quantile(comparison_alpha() / 2, freedom);
   // Too large a variance is harder to see than too small a one.
-  return {ratio - 1, critical / bm::quantile(chi_square, 1 - claimed_power) - 1, unit};
+  return {ratio - 1, critical / chi_square_lower_quantile(1 - claimed_power, freedom) - 1, unit};
 }
 
 Effect effect_on_distribution(double distance, double count) {
@@ -57,10 +51,8 @@ Effect effect_on_cells(double statistic, double freedom, double count) {
   const std::string unit = "rms of the cells' relative errors";
   const double seen = std::sqrt(std::max(0.0, statistic - freedom) / count);
   if (!(freedom > 0 && count > 0)) return {seen, blind, unit};
-  const double critical =
-      bm::quantile(bm::complement(bm::chi_squared(freedom), comparison_alpha() / 2));
-  const double noncentrality =
-      bm::non_central_chi_squared::find_non_centrality(freedom, critical, 1 - claimed_power);
+  const double critical = chi_square_upper_quantile(comparison_alpha() / 2, freedom);
+  const double noncentrality = chi_square_noncentrality(critical, freedom, 1 - claimed_power);
   return {seen, std::sqrt(noncentrality / count), unit};
 }
 
