@@ -32,6 +32,11 @@ expect_error 'no lab 99' test 1 99
 expect_error 'needs a value' test --seed
 expect_error 'for one lab' test 1 2 --page x.html
 expect_error 'takes nothing else' test --hard 4
+expect_error 'no exercise 1.9' test 1.1 1.9
+expect_error 'exercises of one lab, or labs' test 1 2 1.1
+expect_error 'exercise 2.1 is none of lab 1' test 1 2.1
+expect_error 'is for one exercise, got 2' test 1.1 1.2 --json x.json
+expect_error 'is for one exercise, got 2' test 1.1 1.2 --page x.html
 expect_error 'no lab 99' lab 99
 expect_error 'no lab 99' watch 99
 expect_error 'takes one lab' watch 1 2

@@ -64,6 +64,31 @@ begun_nowhere() {
     fail "nobody says where to start"
 }
 
+# at_once TREE: right code has all its points when several ./carlo build and judge it at the same time,
+# the text changes between them, and one is killed while it builds.
+at_once() {
+  local carlo=$1/carlo own=$1/labs/01_integration/integration.cpp round exercise pids code
+  cp "$own" "$scratch/stub.cpp"
+  for round in 1 2 3; do
+    pids=()
+    for exercise in 1.1 1.2 1.3 1; do
+      { cat "$source/solutions/01_integration/integration.cpp" && printf '// %s, %s\n' "$round" "$exercise"; } >"$own"
+      "$carlo" test "$exercise" >"$scratch/test$exercise" 2>&1 &
+      pids+=($!)
+    done
+    { cat "$own" && printf '// and again\n'; } >"$own.new" && mv "$own.new" "$own"
+    setsid "$carlo" test 1.4 >/dev/null 2>&1 &
+    sleep ".$round" && kill -9 $!
+    for exercise in 1.1 1.2 1.3 1; do
+      wait "${pids[0]}" || { cat "$scratch/test$exercise" && fail "test $exercise beside others"; }
+      pids=("${pids[@]:1}")
+    done
+  done
+  grep -q 'waiting for ./carlo test 1' "$scratch"/test* || fail "nobody had to wait"
+  find "$1/build/release/run" -mindepth 1 -name 'lab01*' | grep -q . && fail "programs are left in build/release/run"
+  mv "$scratch/stub.cpp" "$own"
+}
+
 for last in 1 4 8; do
   unpacked "$last"
   tree=$scratch/$last/carlo
@@ -99,6 +124,7 @@ rm "$scratch/8/carlo/labs/08_path_tracer/h_path_tracer.cpp"
 cmp "$scratch/4.tar.gz" "$scratch/again.tar.gz" || fail "the same tree gives other bytes"
 
 begun_nowhere "$scratch/1" 01_integration
+at_once "$scratch/1/carlo"
 begun_nowhere "$scratch/8" 08_path_tracer
 # Not by a pipe: grep ends at the first line that fits, and ninja at its next write.
 commands=$(ninja -C "$scratch/8/carlo/build/release" -t commands lab08_worker)

@@ -83,8 +83,10 @@ void remove_below(int top) {
   }
 }
 
-ScratchFolder::ScratchFolder() {
-  std::string name = fs::temp_directory_path() / "carlo-scratch-XXXXXX";
+ScratchFolder::ScratchFolder() : ScratchFolder(fs::temp_directory_path()) {}
+
+ScratchFolder::ScratchFolder(const fs::path& folder) {
+  std::string name = folder / "carlo-scratch-XXXXXX";
   if (::mkdtemp(name.data()) == nullptr) throw Error("{}: {}", name, std::strerror(errno));
   path_ = name;
 }

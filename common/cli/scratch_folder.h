@@ -9,11 +9,13 @@ namespace carlo {
 /// there.
 void remove_below(int folder);
 
-/// A new folder among the temporary files that nobody else can look into; it goes with this object.
+/// A new folder that nobody else can look into, among the temporary files or in another folder; it
+/// goes with this object.
 class ScratchFolder {
  public:
   /// Throws Error when it cannot be made.
   ScratchFolder();
+  explicit ScratchFolder(const std::filesystem::path& folder);
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;

@@ -75,6 +75,9 @@ class Tree {
     write_file(root_ / "labs/01_demo/lab.json", lab_text);
     program(root_ / "programs/ninja", ninja_text);
     program(root_ / "build/bin/lab01_judge", judge_text);
+    program(root_ / "build/bin/lab01_worker", "#!/bin/sh\n");
+    fs::create_directories(root_ / "common/course");
+    fs::create_symlink(CARLO_IN_TURN, root_ / "common/course/in_turn.sh");
     edit("bad", "bad");
   }
   ~Tree() {

@@ -60,8 +60,9 @@ void WatchSession::run() {
   whole_ = false;
   code_ = OwnCode(places_.labs(), lab_);
   began_ = Clock::now();
-  start(Phase::building,
-        {"ninja", "-C", places_.build.string(), program("judge"), program("worker")});
+  start(Phase::building, {places_.in_turn().string(), places_.build.string(), "--keep",
+                          places_.own.string(), program("worker"), "--", "ninja", "-C",
+                          places_.build.string(), program("judge"), program("worker")});
 }
 
 void WatchSession::files_changed() {
@@ -118,9 +119,13 @@ void WatchSession::built() {
 void WatchSession::judge_next() {
   const std::string bin = (places_.build / "bin").string();
   const fs::path folder = places_.labs() / fmt::format("{:02}_{}", lab_.number, lab_.name);
-  std::vector<std::string> command{
-      bin + "/" + program("judge"),  "--lab",  (folder / "lab.json").string(), "--worker",
-      bin + "/" + program("worker"), "--json", judged_file().string()};
+  std::vector<std::string> command{bin + "/" + program("judge"),
+                                   "--lab",
+                                   (folder / "lab.json").string(),
+                                   "--worker",
+                                   (places_.own / program("worker")).string(),
+                                   "--json",
+                                   judged_file().string()};
   if (!all_) {
     current_ = which_[at_];
     command.insert(command.end(), {"--exercise", current_->number()});

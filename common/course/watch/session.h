@@ -19,7 +19,10 @@ struct WatchPlaces {
   std::filesystem::path root;     ///< of the tree
   std::filesystem::path build;    ///< where ninja builds it
   std::filesystem::path scratch;  ///< a folder of our own for what children leave behind
+  std::filesystem::path own;      ///< one for the worker that is judged, while others are built
 
+  /// What builds alone (its own first lines say how).
+  std::filesystem::path in_turn() const { return root / "common/course/in_turn.sh"; }
   std::filesystem::path labs() const { return root / "labs"; }
   std::filesystem::path state(const char* name) const { return root / ".carlo" / name; }
 };

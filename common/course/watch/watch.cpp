@@ -226,7 +226,12 @@ int watch(const WatchOptions& options) {
   const ScratchFolder scratch;
   // What children leave behind lands there too.
   ::setenv("TMPDIR", scratch.path().c_str(), 1);
-  const WatchPlaces places{options.root, options.build, scratch.path()};
+  const fs::path run = options.build / "run";
+  fs::create_directories(run);
+  const ScratchFolder own(run);
+  ::setenv("CARLO_TURN_OF",
+           fmt::format("./carlo watch {} (process {})", options.lab, ::getpid()).c_str(), 1);
+  const WatchPlaces places{options.root, options.build, scratch.path(), own.path()};
   const std::vector<Lab> labs = load_labs(places.labs());
   return Watch(places, find_lab(labs, options.lab), options.look).run();
 }

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# in_turn_test.sh SOURCE: builds take turns (common/course/in_turn.sh), also when one is killed.
+set -euo pipefail
+in_turn=$1/common/course/in_turn.sh
+command -v flock >/dev/null || { echo "no flock here: nobody waits" && exit 77; }
+build=$(mktemp -d)
+trap 'rm -rf "$build"' EXIT
+
+fail() {
+  printf 'FAILED: %s\n' "$*"
+  exit 1
+}
+
+# until_there FILE
+until_there() {
+  local tries
+  for tries in {1..600}; do [ ! -e "$1" ] || return 0; sleep .05; done
+  fail "$1 did not come"
+}
+
+code=0
+"$in_turn" "$build" bash -c 'exit 7' || code=$?
+[ "$code" = 7 ] || fail "exit code $code, expected the command's"
+
+# One at a time, and the second is told of the first.
+CARLO_TURN_OF='the first' "$in_turn" "$build" bash -c 'touch "$1/first" && sleep 1 && rm "$1/first"' - "$build" &
+until_there "$build/first"
+"$in_turn" "$build" bash -c '[ ! -e "$1/first" ] && touch "$1/second"' - "$build" 3>"$build/told" || fail "two at once"
+grep -q '^carlo: waiting for the first, which builds' "$build/told" || fail "the second was told: $(cat "$build/told")"
+wait
+
+# A holder that is killed leaves the turn to what it started, and then to the next.
+"$in_turn" "$build" bash -c 'touch "$1/third" && sleep 1 && rm "$1/third"' - "$build" 2>/dev/null &
+until_there "$build/third"
+kill -9 $!
+"$in_turn" "$build" bash -c '[ ! -e "$1/third" ]' - "$build" || fail "beside what a killed one had started"
+
+# The copies are those of one's own turn, however soon the next begins.
+mkdir "$build/bin"
+make_own() { "$in_turn" "$build" --keep "$build/run/$1" program -- bash -c 'echo "$1" >"$2/bin/program"' - "$1" "$build"; }
+for name in {1..20}; do make_own "$name" & done
+wait
+for name in {1..20}; do [ "$(cat "$build/run/$name/program")" = "$name" ] || fail "another's program was kept"; done
