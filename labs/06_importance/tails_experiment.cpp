@@ -134,7 +134,7 @@ Curve error_curve(Notebook& notebook, const std::string& name, const Density& p)
 
 void share_chart(Notebook& notebook) {
   carlo::Chart chart{"The largest sample's share of the sum",
-                     "as N^(-1 + 1/index): a sum ruled by single samples does not average out",
+                     "as N^(-1 + 1/index): the heavier the tail, the longer single samples rule the sum",
                      {"samples N", carlo::Unit::count},
                      {"share, median"},
                      {}};

@@ -76,6 +76,8 @@ class WatchSession {
   void show_hint();
 
   LabStatus status() const;
+  /// Whether its code is another than the one that has its verdict.
+  bool changed_since(const Exercise& exercise) const;
   std::string verdict_text(const Exercise& exercise) const;
   /// The next open exercise behind the current one; the current one itself where it is open and
   /// `from_current`.

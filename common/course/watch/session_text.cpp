@@ -76,13 +76,23 @@ std::string WatchSession::list_text(bool from_current) const {
   return text + what_next(from_current);
 }
 
+bool WatchSession::changed_since(const Exercise& exercise) const {
+  const LabStatus now = status();
+  return std::any_of(now.exercises.begin(), now.exercises.end(), [&](const ExerciseStatus& of) {
+    return of.exercise == &exercise && of.changed;
+  });
+}
+
 std::string WatchSession::verdict_text(const Exercise& exercise) const {
   const KeptVerdict* verdict = book_.find(exercise);
   const std::string title = fmt::format("{}, {}", exercise.tag, exercise.title);
   if (verdict == nullptr) return title + "\n";
-  const std::string points = fmt::format("{:g} of {} points", verdict->points, exercise.points);
+  std::string points = fmt::format("{:g} of {} points", verdict->points, exercise.points);
+  const bool changed = changed_since(exercise);
+  if (changed) points += coloured(Colour::dim, ", before this change");
   if (verdict->status == "passed") {
-    return fmt::format("{} {}: {}\n", coloured(Colour::green, "✓"), title, points);
+    return fmt::format("{} {}: {}\n", coloured(changed ? Colour::dim : Colour::green, "✓"), title,
+                       points);
   }
   const bool open = verdict->status == "not_implemented";
   const std::string mark = open ? coloured(Colour::yellow, "–") : coloured(Colour::red, "✗");
