@@ -73,7 +73,8 @@ class LaggedFibonacci {
   std::size_t oldest_ = 0;            ///< where in the ring x_{n-k} stands
 };
 
-/// PCG32 (XSH-RR 64/32), a generator of our time: 2^63 streams of period 2^64.
+/// PCG32 (XSH-RR 64/32), a generator of our time: 2^63 streams of period 2^64. Streams
+/// whose numbers differ in high bits alone have many outputs in common.
 /// Source: O'Neill, "PCG: A family of simple fast space-efficient statistically good algorithms for
 /// random number generation", 2014; www.pcg-random.org.
 class Pcg32 {
