@@ -115,7 +115,7 @@ Result measure(Notebook& notebook, const std::string& name, const Reference& ref
 
 std::vector<std::string> pictures_of(const Reference& reference, const std::string& reference_note,
                                      const std::vector<Result>& results, double white) {
-  const std::string title = reference.variance == 0 ? "exact" : "converged";
+  const std::string title = reference.variance == 0 ? "exact" : "reference";
   std::vector<std::string> row = {image_picture(title, reference_note, reference.image, white)};
   for (const Result& r : results) {
     row.push_back(image_picture(r.curve.name,

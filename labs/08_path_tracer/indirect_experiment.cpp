@@ -29,11 +29,16 @@ carlo::Image difference(carlo::Image a, const carlo::Image& b) {
   return a;
 }
 
-/// The two pictures with which the lecture shows that noise goes away slowly.
+/// Paths a pixel of the two pictures with which the lecture shows that noise goes away slowly.
+constexpr int few = 40;
+int many_more(const Notebook& notebook) {
+  return notebook.options().quick ? 300 : 1200;
+}
+
 std::vector<std::string> forty_and_many(Notebook& notebook, const Reference& reference,
                                         const SampledPixel& pixel, double white) {
   std::vector<std::string> row;
-  for (const int samples : {40, notebook.options().quick ? 300 : 1200}) {
+  for (const int samples : {few, many_more(notebook)}) {
     const carlo::Stopwatch watch;
     const carlo::Image image =
         render(reference.image.width, reference.image.height, notebook.rng().next_u64(),
@@ -78,7 +83,9 @@ void indirect_experiment(Notebook& notebook) {
         "The "
         "reference is a long run of Lab 8.6; errors are less its own.");
     constexpr double white = 1.2;
-    std::vector<std::string> row = pictures_of(reference, "direct and indirect", results, white);
+    std::vector<std::string> row =
+        pictures_of(reference, fmt::format("direct and indirect, {} samples a pixel", 2 * many),
+                    results, white);
     row.push_back(image_picture("direct", "one reflection", direct.image, white));
     row.push_back(image_picture("indirect", "all the rest",
                                 difference(reference.image, direct.image), white));
@@ -92,9 +99,11 @@ void indirect_experiment(Notebook& notebook) {
           notebook, reference,
           traced(view, [&](const Ray& ray, Rng& rng) { return trace_path(world, ray, rng); }),
           white);
+      const double times = static_cast<double>(many_more(notebook)) / few;
       notebook.say(
-          "The lecture's two pictures, by its TracePath as mended: thirty times the paths, and a "
-          "fifth or sixth of the noise.");
+          fmt::format("The lecture's two pictures, by its TracePath as mended: {:.2g} times the "
+                      "paths, and {:.2g} times less noise.",
+                      times, std::sqrt(times)));
       notebook.raw_html(tiles(pictures));
     });
   });
