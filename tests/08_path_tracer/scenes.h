@@ -140,6 +140,14 @@ inline carlo::Scene furnace_with_glass(Rgb rho) {
   return scene;
 }
 
+/// A black furnace with a ball of mirror at its centre, of radius .5.
+inline carlo::Scene furnace_with_mirror(Rgb reflectance) {
+  carlo::Scene scene = furnace(Rgb(0));
+  scene.materials.push_back({carlo::Mirror{reflectance}, false});
+  scene.shapes.push_back({carlo::Sphere{{0, 0, 0}, 0.5f}, 1, Rgb(0)});
+  return scene;
+}
+
 /// A unit sphere under a sky of radiance 1.
 inline carlo::Scene ball(carlo::Material material) {
   carlo::Scene scene;
