@@ -34,6 +34,7 @@ View view_of(const Params& params) {
   const auto degrees = static_cast<float>(params["degrees"]);
   const carlo::Ray at_centre{{0, 0, 1.5f}, glm::normalize(Vec3(0.2f, 0, -1))};
   const carlo::Ray down{{0.3f, 0, 0.9f}, glm::normalize(Vec3(-0.3f, 0, -0.9f))};
+  const carlo::Ray low{{-0.9f, 0, 0.3f}, glm::normalize(Vec3(0.9f, 0, -0.3f))};
   switch (static_cast<Place>(params.whole("place"))) {
     case in_furnace:
       return {furnace(rgb(params)), inside};
@@ -60,6 +61,10 @@ View view_of(const Params& params) {
       return {furnace_with_glass(Rgb(0)), at_centre};
     case wall_in_mirror:
       return {furnace_with_mirror(rgb(params)), at_centre};
+    case by_mirror:
+      return {mirrored_lamp(), low};
+    case by_pane:
+      return {lamp_behind_pane(), low};
   }
   return {};
 }
