@@ -9,7 +9,8 @@
 // Densities (pdfs) are per solid angle.
 //
 // A sampler takes any u in [0, 1)^2 with coordinates that are multiples of 2^-24, 0 and the last
-// float below 1 included. It returns a direction of length 1 to 1e-6 with a pdf above 0.
+// float below 1 included. It returns a direction of length 1 to 1e-6 with a pdf above 0. Nearby u
+// give nearby directions, but for a few lines where the direction may jump.
 
 #include "numeric/vec.h"
 #include "random/rng.h"

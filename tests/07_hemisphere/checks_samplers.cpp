@@ -124,6 +124,10 @@ TEST_CASE("Lab 7.3: every u gives a direction above the horizon", "[lab07][ex3]"
   judge_edges(uniform_subject(), {zero_cosine});
 }
 
+TEST_CASE("Lab 7.3: nearby u give nearby directions", "[lab07][ex3]") {
+  judge_neighbours(uniform_subject());
+}
+
 TEST_CASE("Lab 7.4: directions are cosine-weighted, of length 1 and above the horizon",
           "[lab07][ex4]") {
   const Subject subject = cosine_subject();
@@ -150,6 +154,10 @@ TEST_CASE("Lab 7.4: every u gives a direction with a density above 0", "[lab07][
   judge_edges(cosine_subject(), {zero_cosine});
 }
 
+TEST_CASE("Lab 7.4: nearby u give nearby directions", "[lab07][ex4]") {
+  judge_neighbours(cosine_subject());
+}
+
 TEST_CASE("Lab 7.5: directions follow the lobe, in angle and azimuth", "[lab07][ex5]") {
   for (const double n : {0.0, 1.0, 2.5, 20.0, 1000.0, 1e7}) {
     const Subject subject = lobe_subject(n);
@@ -160,6 +168,11 @@ TEST_CASE("Lab 7.5: directions follow the lobe, in angle and azimuth", "[lab07][
     if (n > 0) others.push_back({power_law(n), root_n});
     judge(samples_follow(subject, drawn.directions, others));
   }
+}
+
+TEST_CASE("Lab 7.5: nearby u give nearby directions", "[lab07][ex5]") {
+  for (const double n : {0.0, 2.5, 1e4})
+    judge_neighbours(lobe_subject(n));
 }
 
 TEST_CASE("Lab 7.5: the angle's law holds in double, to n = 1e7", "[lab07][ex5]") {

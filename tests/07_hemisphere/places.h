@@ -79,6 +79,15 @@ inline std::vector<Vec2> edge_numbers() {
   return pairs;
 }
 
+/// How far apart neighbours among the numbers u are, in one coordinate at a time: so many steps of
+/// a generator of 24 bits, a prime, lest it be whole turns of an azimuth that winds.
+constexpr float neighbour_step = 2011 * 0x1p-24f;
+
+/// A neighbour of x that is in [0, 1) as well.
+inline float neighbour(float x) {
+  return x < 0.5f ? x + neighbour_step : x - neighbour_step;
+}
+
 /// Places to ask a density at: all over the sphere, at equal steps of height and azimuth, cell by
 /// cell.
 constexpr int density_rings = 200, density_sectors = 32;

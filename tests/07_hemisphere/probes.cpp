@@ -118,6 +118,22 @@ PROBE("Lab 7.3 to 7.6 edges", "x", "y", "z", "pdf",
   return rows.take();
 }
 
+PROBE("Lab 7.3 to 7.5 neighbours", "x", "y", "z", "beside in u.x: x", "y", "z", "beside in u.y: x",
+      "y", "z") {
+  const Subject subject(params);
+  carlo::Rng rng(params.seed);
+  RowWriter rows;
+  for (std::int64_t i = 0; i < params.n; ++i) {
+    const float x = rng.uniform_float();
+    const float y = rng.uniform_float();
+    const Vec3 w = subject.sample({x, y}), beside_x = subject.sample({neighbour(x), y}),
+               beside_y = subject.sample({x, neighbour(y)});
+    rows.add(
+        {w.x, w.y, w.z, beside_x.x, beside_x.y, beside_x.z, beside_y.x, beside_y.y, beside_y.z});
+  }
+  return rows.take();
+}
+
 PROBE("Lab 7.3 to 7.6 density", "pdf",
       "(in 200 rings of 32 directions, from z = 1 down to z = -1)") {
   const Subject subject(params);

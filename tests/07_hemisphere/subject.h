@@ -199,6 +199,9 @@ void judge_density(const Subject& subject, const std::vector<OtherPdf>& others,
 /// where there is one.
 void judge_edges(const Subject& subject, const std::vector<Diagnosis>& at_zero);
 
+/// Nearby u give nearby directions, whatever the mapping; it may jump along a few lines.
+void judge_neighbours(const Subject& subject);
+
 /// `count` directions from random numbers, with the densities that the student gives them.
 struct Drawn {
   std::vector<Double3> directions;

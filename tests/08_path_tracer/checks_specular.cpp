@@ -29,6 +29,10 @@ const Diagnosis front_ignored{"inside-not-told-from-outside",
 const Diagnosis emission_lost{"emission-behind-glass-lost",
                               "after a mirror or glass emission counts: no light was sampled "
                               "there."};
+const Diagnosis lamp_black_in_mirror{"emission-in-mirror-lost",
+                                     "a lamp that a mirror's ray meets counts, as if the camera "
+                                     "saw it, whether the mirror itself was "
+                                     "asked with emission or without: no light was sampled there."};
 
 double fresnel_exact(double cos_i, double eta) {
   const double sin2 = eta * eta * (1 - cos_i * cos_i);
@@ -171,6 +175,21 @@ TEST_CASE("Lab 8.7: what is seen in a mirror and through glass", "[lab08][ex7]")
         column(trace({{"place", glass_ball}, {"degrees", degrees}}), 0);
     judge(all_equal(fmt::format("the sky through a glass ball, {:g} degrees", degrees), seen,
                     std::vector<double>(seen.size(), 1.0), 1e-3, {no_radiance_factor}));
+  }
+}
+
+TEST_CASE("Lab 8.7: a lamp is seen in a mirror, too", "[lab08][ex7]") {
+  // Without the emission of the first surface as well, which is the mirror and emits nothing.
+  for (const double emission : {1.0, 0.0}) {
+    const Rows rows = trace(
+        {{"place", wall_in_mirror}, {"r", 0.5}, {"g", 0.6}, {"b", 0.7}, {"emission", emission}});
+    const bool black =
+        std::all_of(rows.values.begin(), rows.values.end(), [](double x) { return x == 0; });
+    judge(all_equal(emission == 1 ? "a glowing wall in a mirror"
+                                  : "a glowing wall in a mirror, without the mirror's emission",
+                    std::vector(rows.values.begin(), rows.values.begin() + 3),
+                    std::vector{0.5, 0.6, 0.7}, 1e-5,
+                    black ? std::vector{lamp_black_in_mirror} : std::vector<Diagnosis>{}));
   }
 }
 

@@ -32,7 +32,9 @@ struct View {
 View view_of(const Params& params) {
   const carlo::Ray inside{{0, 0, 1}, {0.6f, 0, -0.8f}};
   const auto degrees = static_cast<float>(params["degrees"]);
+  const carlo::Ray at_centre{{0, 0, 1.5f}, glm::normalize(Vec3(0.2f, 0, -1))};
   const carlo::Ray down{{0.3f, 0, 0.9f}, glm::normalize(Vec3(-0.3f, 0, -0.9f))};
+  const carlo::Ray low{{-0.9f, 0, 0.3f}, glm::normalize(Vec3(0.9f, 0, -0.3f))};
   switch (static_cast<Place>(params.whole("place"))) {
     case in_furnace:
       return {furnace(rgb(params)), inside};
@@ -56,7 +58,13 @@ View view_of(const Params& params) {
       return {scene, inside};
     }
     case behind_glass:
-      return {furnace_with_glass(Rgb(0)), {{0, 0, 1.5f}, glm::normalize(Vec3(0.2f, 0, -1))}};
+      return {furnace_with_glass(Rgb(0)), at_centre};
+    case wall_in_mirror:
+      return {furnace_with_mirror(rgb(params)), at_centre};
+    case by_mirror:
+      return {mirrored_lamp(), low};
+    case by_pane:
+      return {lamp_behind_pane(), low};
   }
   return {};
 }

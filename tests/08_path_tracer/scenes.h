@@ -140,6 +140,42 @@ inline carlo::Scene furnace_with_glass(Rgb rho) {
   return scene;
 }
 
+/// A black furnace with a ball of mirror at its centre, of radius .5.
+inline carlo::Scene furnace_with_mirror(Rgb reflectance) {
+  carlo::Scene scene = furnace(Rgb(0));
+  scene.materials.push_back({carlo::Mirror{reflectance}, false});
+  scene.shapes.push_back({carlo::Sphere{{0, 0, 0}, 0.5f}, 1, Rgb(0)});
+  return scene;
+}
+
+/// The unit square, centred at height 1, facing down, of radiance 1; before it a screen, so that
+/// the point (0, 0, 0) of the floor sees nothing of it but through the screen.
+inline carlo::Scene screened_lamp(carlo::Material screen) {
+  carlo::Scene scene = lamp_scene(Lamp::rectangle);
+  scene.shapes[1].radiance = Rgb(1);
+  scene.materials.push_back(screen);
+  scene.shapes.push_back(
+      {carlo::Parallelogram{{-0.12f, -0.12f, 0.2f}, {0.24f, 0, 0}, {0, 0.24f, 0}}, 2, Rgb(0)});
+  return scene;
+}
+
+/// The screen is of glass that is no denser than air: light goes straight through.
+inline carlo::Scene lamp_behind_pane() {
+  return screened_lamp({carlo::Dielectric{1, 1}, false});
+}
+
+/// How far the mirror of mirrored_lamp() stands from the point (0, 0, 0) of the floor.
+constexpr float mirror_distance = 0.6f;
+
+/// The screen is black; (0, 0, 0) sees all of the lamp in a lossless mirror beside it.
+inline carlo::Scene mirrored_lamp() {
+  carlo::Scene scene = screened_lamp({carlo::Phong{Rgb(0), Rgb(0), 0}, false});
+  scene.materials.push_back({carlo::Mirror{Rgb(1)}, false});
+  scene.shapes.push_back(
+      {carlo::Parallelogram{{mirror_distance, -1, 0}, {0, 0, 2}, {0, 2, 0}}, 3, Rgb(0)});
+  return scene;
+}
+
 /// A unit sphere under a sky of radiance 1.
 inline carlo::Scene ball(carlo::Material material) {
   carlo::Scene scene;

@@ -107,6 +107,19 @@ inline Moments by_area(Lamp lamp, Slip slip = Slip::none) {
   return m;
 }
 
+/// The part of cosine-weighted directions that meets the lamp of mirrored_lamp(): it stands behind
+/// the mirror as far as in front of it.
+inline double mirrored_share() {
+  const double shift = 2 * static_cast<double>(mirror_distance);
+  double share = 0;
+  over_square(600, [&](double u, double v, double weight) {
+    const Double3 p(shift + u - 0.5, v - 0.5, 1);
+    const double d2 = glm::dot(p, p);
+    share += weight / (pi * d2 * d2);
+  });
+  return share;
+}
+
 /// cos^n of the angle between two unit vectors, 0 for blunt angles. The cosine comes from the
 /// chord, so that pow() starts from an error of 1e-16 and ends, at n = 1e7, with one of 1e-9.
 inline double cos_power(Double3 a, Double3 b, double n) {

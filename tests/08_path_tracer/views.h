@@ -13,14 +13,17 @@ namespace lab08_tests {
 
 /// "place" of a probe's parameters.
 enum Place {
-  in_furnace = 0,    ///< r, g, b: its albedo
-  with_glass = 1,    ///< a furnace around a ball of glass
-  on_ball = 2,       ///< kd, ks, exponent; degrees
-  on_floor = 3,      ///< lamp: which Lamp is over it
-  mirror_ball = 4,   ///< r, g, b: its reflectance; degrees
-  glass_ball = 5,    ///< degrees
-  in_mirrors = 6,    ///< a furnace that mirrors; r, g, b: its reflectance
-  behind_glass = 7,  ///< a wall that glows, seen through a ball of glass
+  in_furnace = 0,      ///< r, g, b: its albedo
+  with_glass = 1,      ///< a furnace around a ball of glass
+  on_ball = 2,         ///< kd, ks, exponent; degrees
+  on_floor = 3,        ///< lamp: which Lamp is over it
+  mirror_ball = 4,     ///< r, g, b: its reflectance; degrees
+  glass_ball = 5,      ///< degrees
+  in_mirrors = 6,      ///< a furnace that mirrors; r, g, b: its reflectance
+  behind_glass = 7,    ///< a wall that glows, seen through a ball of glass
+  wall_in_mirror = 8,  ///< the same, seen in a ball of mirror; r, g, b: its reflectance
+  by_mirror = 9,       ///< a floor that a mirror brings all its light to
+  by_pane = 10,        ///< the same, a pane of glass
 };
 
 /// The place and whence it is seen, in words.
@@ -47,6 +50,12 @@ inline std::string place_text(const carlo::grader::Params& params) {
       return fmt::format("a glass ball at {:g} degrees", degrees);
     case in_mirrors:
       return "a furnace of mirrors of " + rgb();
+    case wall_in_mirror:
+      return "a glowing wall in a mirror of " + rgb();
+    case by_mirror:
+      return "a floor that sees a lamp in a mirror only";
+    case by_pane:
+      return "a floor that sees a lamp through a pane of glass only";
     case behind_glass:
       break;
   }
