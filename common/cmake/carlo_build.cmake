@@ -11,6 +11,7 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 
 option(CARLO_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
+option(CARLO_FUZZ "Let libFuzzer see what an input reaches (clang)" OFF)
 # Errors for those who work on the suite. The compiler of a student or of an autograder may be newer than
 # any that we tried and warn of more, and there it is nobody's business.
 set(in_development OFF)
@@ -52,6 +53,10 @@ if(CARLO_SANITIZE)
                          -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   target_link_options(carlo_build INTERFACE -fsanitize=address,undefined)
 endif()
+if(CARLO_FUZZ)
+  target_compile_options(carlo_build INTERFACE -fsanitize=fuzzer-no-link
+                         "-fsanitize-coverage-ignorelist=${PROJECT_SOURCE_DIR}/tests/fuzz/unseen.txt")
+endif()
 
 add_library(carlo_strict INTERFACE)
 add_library(carlo::strict ALIAS carlo_strict)
@@ -74,10 +79,12 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 
 # For what waits for others (judges, tools, their tests): compiled in half of the time that -O3 takes, and
-# under sanitizers in half of what -O1 takes.
+# under sanitizers in half of what -O1 takes. Fuzzed, they are called millions of times.
 add_library(carlo_unhurried INTERFACE)
 add_library(carlo::unhurried ALIAS carlo_unhurried)
-target_compile_options(carlo_unhurried INTERFACE $<$<CONFIG:Release>:-O1> $<$<CONFIG:Debug>:-O0>)
+if(NOT CARLO_FUZZ)
+  target_compile_options(carlo_unhurried INTERFACE $<$<CONFIG:Release>:-O1> $<$<CONFIG:Debug>:-O0>)
+endif()
 
 # carlo_library(NAME [UNHURRIED] SOURCES a.cpp ... DEPENDS carlo::x lib ... [PRIVATE_DEPENDS lib ...])
 # One library for one folder of common/, known as carlo::NAME. Without SOURCES it is

@@ -13,8 +13,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -180,6 +182,36 @@ TEST_CASE("An EXR header that claims what the file does not hold is refused unre
     with_bit(size, 0x01);
     CHECK_THROWS_WITH(read_exr(path), ContainsSubstring("expected"));
   }
+}
+
+TEST_CASE("An EXR's size is one that its bytes can unpack to") {
+  using Catch::Matchers::ContainsSubstring;
+  const TemporaryFolder scratch;
+  const auto path = scratch.path() / "a.exr";
+  write_exr(path, {Image(640, 480), {}, {}});
+  CHECK(read_exr(path).image.pixels.size() == 640 * 480);
+  write_exr(path, {random_image(2, 2, 1), {}, {}});
+  std::string bytes = read_file(path);
+  // Of four numbers the third is the last column.
+  const std::string before = std::string("dataWindow") + '\0' + "box2i" + '\0';
+  bytes[bytes.find(before) + before.size() + 4 + 8 + 2] = 1;
+  write_file(path, bytes);
+  CHECK_THROWS_WITH(read_exr(path),
+                    ContainsSubstring("65538 x 2 pixels of 3 channels cannot come"));
+}
+
+TEST_CASE("Of an EXR's counts those are read that are asked for and there") {
+  const TemporaryFolder scratch;
+  const auto path = scratch.path() / "a.exr";
+  const std::map<std::string, std::vector<std::uint32_t>> counts{
+      {"sums.a", {1, 2}}, {"sums.b", {3, 4}}, {"sums.c", {5, 0xFFFFFFFF}}};
+  write_exr(path, {random_image(2, 1, 1), {}, {}, counts});
+  CHECK(read_exr(path).counts.empty());
+  const auto back = read_exr(path, {"sums.c", "R", "sums.a", "none"}).counts;
+  CHECK(back.size() == 2);
+  CHECK(back.at("sums.a") == counts.at("sums.a"));
+  CHECK(back.at("sums.c") == counts.at("sums.c"));
+  CHECK(read_exr(path, {"sums.b"}).counts.at("sums.b") == counts.at("sums.b"));
 }
 
 TEST_CASE("What cannot be read or written is an error that leaves nothing behind") {
