@@ -133,11 +133,12 @@ Curve error_curve(Notebook& notebook, const std::string& name, const Density& p)
 }
 
 void share_chart(Notebook& notebook) {
-  carlo::Chart chart{"The largest sample's share of the sum",
-                     "as N^(-1 + 1/index): the heavier the tail, the longer single samples rule the sum",
-                     {"samples N", carlo::Unit::count},
-                     {"share, median"},
-                     {}};
+  carlo::Chart chart{
+      "The largest sample's share of the sum",
+      "as N^(-1 + 1/index): the heavier the tail, the longer single samples rule the sum",
+      {"samples N", carlo::Unit::count},
+      {"share, median"},
+      {}};
   for (const Suspect& suspect : suspects()) {
     const Curve curve = share_curve(notebook, suspect);
     carlo::Series series{curve.name, {}};

@@ -244,7 +244,8 @@ TEST_CASE("at a terminal: break, mend, hint, next, list, all and quit", "[watch]
   tree.edit("good 1.1, slow", "good 1.2");  // before the first was judged: both are
   REQUIRE(terminal.says("✓ Lab 1.1, First: 2 of 2 points"));
   REQUIRE(terminal.says("✓ Lab 1.2, Second"));
-  tree.edit("broken, slow", "good 1.2");  // what was right is no longer told as if it were this text
+  tree.edit("broken, slow",
+            "good 1.2");  // what was right is no longer told as if it were this text
   REQUIRE(terminal.says("First: 2 of 2 points, before this change"));
   REQUIRE(terminal.says("the code does not compile"));
   tree.edit("bad at last", "bad at last");
