@@ -78,14 +78,14 @@ at_once() {
     done
     { cat "$own" && printf '// and again\n'; } >"$own.new" && mv "$own.new" "$own"
     setsid "$carlo" test 1.4 >/dev/null 2>&1 &
-    sleep ".$round" && kill -9 $!
+    sleep ".$round"
+    kill -9 $! || true
     for exercise in 1.1 1.2 1.3 1; do
       wait "${pids[0]}" || { cat "$scratch/test$exercise" && fail "test $exercise beside others"; }
       pids=("${pids[@]:1}")
     done
   done
   grep -q 'waiting for ./carlo test 1' "$scratch"/test* || fail "nobody had to wait"
-  find "$1/build/release/run" -mindepth 1 -name 'lab01*' | grep -q . && fail "programs are left in build/release/run"
   mv "$scratch/stub.cpp" "$own"
 }
 
