@@ -72,7 +72,8 @@ at_once() {
   for round in 1 2 3; do
     pids=()
     for exercise in 1.1 1.2 1.3 1; do
-      { cat "$source/solutions/01_integration/integration.cpp" && printf '// %s, %s\n' "$round" "$exercise"; } >"$own"
+      { cat "$source/solutions/01_integration/integration.cpp" && printf '// %s, %s\n' "$round" "$exercise"; } >"$own.new"
+      mv "$own.new" "$own"
       "$carlo" test "$exercise" >"$scratch/test$exercise" 2>&1 &
       pids+=($!)
     done
