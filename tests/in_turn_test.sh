@@ -35,8 +35,16 @@ until_there "$build/third"
 kill -9 $!
 "$in_turn" "$build" bash -c '[ ! -e "$1/third" ]' - "$build" || fail "beside what a killed one had started"
 
-# The copies are those of one's own turn, however soon the next begins.
+# A copy that runs is replaced.
 mkdir "$build/bin"
+cp "$(command -v sleep)" "$build/bin/sleeper"
+"$in_turn" "$build" --keep "$build/run/own" sleeper -- true
+"$build/run/own/sleeper" 60 &
+sleeper=$!
+"$in_turn" "$build" --keep "$build/run/own" sleeper -- true || fail "a copy that runs was not replaced"
+kill "$sleeper"
+
+# The copies are those of one's own turn, however soon the next begins.
 make_own() { "$in_turn" "$build" --keep "$build/run/$1" program -- bash -c 'echo "$1" >"$2/bin/program"' - "$1" "$build"; }
 for name in {1..20}; do make_own "$name" & done
 wait

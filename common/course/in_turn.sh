@@ -27,4 +27,8 @@ if command -v flock >/dev/null; then
   printf '%s\n' "${CARLO_TURN_OF:-another program}" >"$build/.turn"
 fi
 "$@" 3>&-
-[ -z "$folder" ] || { mkdir -p "$folder" && cp -p "${programs[@]/#/$build/bin/}" "$folder/"; }
+if [ -n "$folder" ]; then
+  mkdir -p "$folder"
+  # Not into a copy that still runs.
+  for program in "${programs[@]}"; do rm -f "$folder/$program" && cp -p "$build/bin/$program" "$folder/"; done
+fi
