@@ -2,12 +2,13 @@
 # from; the experiments alone link what stands behind EXPERIMENTS.
 #
 # An implementation is one object library compiled from the student's files, from the solution's, or
-# from the solution's with one typical mistake patched in. The files are labs/FOLDER/NAME.cpp alone
-# or, for a lab in steps, labs/FOLDER/steps/*.cpp; the solution's have the same names. What a lab
+# from the solution's with one patch: a typical mistake, or a variant that is as right. The files are
+# labs/FOLDER/NAME.cpp alone or, for a lab in steps, labs/FOLDER/steps/*.cpp; the solution's have the same names. What a lab
 # gives to students and to probes stands in labs/FOLDER/given/. Each implementation is linked with
 #   - the lab's experiments (labs/FOLDER/*.cpp but for NAME.cpp)  -> lab01, lab01_solution
 #   - the lab's probes (tests/FOLDER/probes*.cpp)  -> lab01_worker, lab01_worker_solution,
-#                                                     lab01_worker_mistake_<patch>
+#                                                     lab01_worker_mistake_<patch>,
+#                                                     lab01_worker_variant_<patch>
 # What is judged is compiled once more, with the library's own checks: an index outside of a vector
 # or a span ends the program. And a local variable without a start value begins with a huge number
 # (NaN with clang), not with the 0 that happens to stand on a fresh stack. The experiments, which are
@@ -85,13 +86,14 @@ function(carlo_lab_program target part implementation)
 endfunction()
 
 # Well over a hundred small programs: one build type is enough for them.
-option(CARLO_MISTAKES "Build the labs' typical mistakes and test that each is caught" ON)
+option(CARLO_MISTAKES "Build the labs' typical mistakes and variants and test how each is judged" ON)
 
-# The patches of a lab's typical mistakes, into the variable RESULT: tests/FOLDER/mistakes/*.patch, or
-# for a lab in steps tests/FOLDER/mistakes/STEP/*.patch for the file steps/STEP.cpp.
-function(carlo_lab_patches result folder)
-  file(GLOB patches CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/${folder}/mistakes/*.patch"
-       "${PROJECT_SOURCE_DIR}/tests/${folder}/mistakes/*/*.patch")
+# The patches of a lab's solution, into the variable RESULT: KIND is "mistake", typical ones, or
+# "variant", others that are as right. They stand in tests/FOLDER/KINDs/*.patch, or for a lab in steps
+# in tests/FOLDER/KINDs/STEP/*.patch for the file steps/STEP.cpp. The folder may be missing.
+function(carlo_lab_patches result folder kind)
+  file(GLOB patches CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/${folder}/${kind}s/*.patch"
+       "${PROJECT_SOURCE_DIR}/tests/${folder}/${kind}s/*/*.patch")
   set(${result} "${patches}" PARENT_SCOPE)
 endfunction()
 
@@ -109,60 +111,71 @@ function(carlo_lab_headers_once target name sources)
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 endfunction()
 
-# The workers of the typical mistakes, each a patch applied to one file of the solution. The other
-# files come from an archive, of which the linker leaves out the file that is there already. A patch
-# that no longer applies fails the build.
-function(carlo_lab_mistakes lab folder name)
+# The worker of one patch, lab01_worker_KIND_<patch>. The other files of a lab in steps come from the
+# archive `others`, of which the linker leaves out the file that is there already. A patch that no
+# longer applies fails the build.
+function(carlo_lab_patched_worker lab folder name kind patch others)
+  get_filename_component(title "${patch}" NAME_WE)
+  cmake_path(GET patch PARENT_PATH step)
+  cmake_path(GET step FILENAME step)
+  if(step STREQUAL "${kind}s")
+    set(file ${name}.cpp)
+  else()
+    set(file steps/${step}.cpp)
+  endif()
+  set(solution "${PROJECT_SOURCE_DIR}/solutions/${folder}/${file}")
+  set(patched "${CMAKE_CURRENT_BINARY_DIR}/${kind}s/${folder}/${title}/${file}")
+  get_filename_component(patched_folder "${patched}" DIRECTORY)
+  add_custom_command(
+    OUTPUT "${patched}"
+    COMMAND ${CMAKE_COMMAND} -E make_directory "${patched_folder}"
+    COMMAND "${CARLO_PATCH}" --quiet --fuzz=0 --no-backup-if-mismatch --reject-file=-
+            "--output=${patched}" "${solution}" "${patch}"
+    DEPENDS "${solution}" "${patch}"
+    COMMENT "Putting ${kind} ${title} into lab ${folder}" VERBATIM)
+  set(worker ${lab}_worker_${kind}_${title})
+  carlo_lab_judged_implementation(${worker}_code ${folder} "${patched}" ${ARGN})
+  target_precompile_headers(${worker}_code REUSE_FROM ${lab}_worker_code_solution)
+  target_compile_options(${worker}_code PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+  # Hundreds of files. 2.5 judges speed: there as a student's is compiled.
+  if(NOT lab STREQUAL "lab02")
+    target_compile_options(${worker}_code PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
+  carlo_lab_program(${worker} ${lab}_probes ${worker}_code)
+  target_link_libraries(${worker} PRIVATE ${others})
+  if(CARLO_MOLD)
+    target_link_options(${worker} PRIVATE -fuse-ld=mold)
+  endif()
+  add_dependencies(${lab}_${kind}s ${worker})
+endfunction()
+
+# The workers of all patches of a lab, and the targets lab01_mistakes and lab01_variants for all of a
+# kind.
+function(carlo_lab_patched_workers lab folder name)
+  carlo_lab_patches(mistakes ${folder} mistake)
+  carlo_lab_patches(variants ${folder} variant)
+  add_custom_target(${lab}_mistakes)
+  add_custom_target(${lab}_variants)
+  if(NOT mistakes AND NOT variants)
+    return()
+  endif()
   find_program(CARLO_PATCH patch)
-  carlo_lab_patches(patches ${folder})
-  if(patches AND NOT CARLO_PATCH)
+  if(NOT CARLO_PATCH)
     message(FATAL_ERROR "patch was not found: ${carlo_hint} patch")
   endif()
   find_program(CARLO_MOLD mold)
-  if(patches)
-    carlo_lab_sources(solution "${PROJECT_SOURCE_DIR}/solutions/${folder}" ${name})
-    carlo_lab_headers_once(${lab}_worker_code_solution ${name} "${solution}")
-  endif()
+  carlo_lab_sources(solution "${PROJECT_SOURCE_DIR}/solutions/${folder}" ${name})
+  carlo_lab_headers_once(${lab}_worker_code_solution ${name} "${solution}")
   set(others "")
-  if(patches AND EXISTS "${PROJECT_SOURCE_DIR}/solutions/${folder}/steps")
+  if(EXISTS "${PROJECT_SOURCE_DIR}/solutions/${folder}/steps")
     set(others ${lab}_worker_archive_solution)
     add_library(${others} STATIC $<TARGET_OBJECTS:${lab}_worker_code_solution>)
   endif()
-  foreach(patch IN LISTS patches)
-    get_filename_component(mistake "${patch}" NAME_WE)
-    cmake_path(GET patch PARENT_PATH step)
-    cmake_path(GET step FILENAME step)
-    if(step STREQUAL "mistakes")
-      set(file ${name}.cpp)
-    else()
-      set(file steps/${step}.cpp)
-    endif()
-    set(solution "${PROJECT_SOURCE_DIR}/solutions/${folder}/${file}")
-    set(patched "${CMAKE_CURRENT_BINARY_DIR}/mistakes/${folder}/${mistake}/${file}")
-    get_filename_component(patched_folder "${patched}" DIRECTORY)
-    add_custom_command(
-      OUTPUT "${patched}"
-      COMMAND ${CMAKE_COMMAND} -E make_directory "${patched_folder}"
-      COMMAND "${CARLO_PATCH}" --quiet --fuzz=0 --no-backup-if-mismatch --reject-file=-
-              "--output=${patched}" "${solution}" "${patch}"
-      DEPENDS "${solution}" "${patch}"
-      COMMENT "Putting mistake ${mistake} into lab ${folder}" VERBATIM)
-    set(worker ${lab}_worker_mistake_${mistake})
-    carlo_lab_judged_implementation(${worker}_code ${folder} "${patched}" ${ARGN})
-    target_precompile_headers(${worker}_code REUSE_FROM ${lab}_worker_code_solution)
-    target_compile_options(${worker}_code PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
-    # Hundreds of files. 2.5 judges speed: there as a student's is compiled.
-    if(NOT lab STREQUAL "lab02")
-      target_compile_options(${worker}_code PRIVATE $<$<CONFIG:Release>:-O1>)
-    endif()
-    carlo_lab_program(${worker} ${lab}_probes ${worker}_code)
-    target_link_libraries(${worker} PRIVATE ${others})
-    if(CARLO_MOLD)
-      target_link_options(${worker} PRIVATE -fuse-ld=mold)
-    endif()
-    list(APPEND workers ${worker})
+  foreach(kind IN ITEMS mistake variant)
+    foreach(patch IN LISTS ${kind}s)
+      carlo_lab_patched_worker(${lab} ${folder} ${name} ${kind} "${patch}" "${others}" ${ARGN})
+    endforeach()
   endforeach()
-  add_custom_target(${lab}_mistakes DEPENDS ${workers})
 endfunction()
 
 function(add_lab folder name)
@@ -221,7 +234,7 @@ function(add_lab folder name)
       carlo_lab_program(${lab}_worker_solution ${lab}_probes ${lab}_worker_code_solution)
     endif()
     if(solution AND CARLO_MISTAKES)
-      carlo_lab_mistakes(${lab} ${folder} ${name} ${uses})
+      carlo_lab_patched_workers(${lab} ${folder} ${name} ${uses})
     endif()
   endif()
 

@@ -44,7 +44,8 @@ class Discrete {
  public:
   /// No numbers at all: size() is 0 and nothing can be drawn.
   Discrete() = default;
-  /// Any count >= 1 of finite weights >= 0 with a finite sum > 0; throws carlo::Error otherwise.
+  /// Any count >= 1 of finite weights >= 0, not all 0; throws carlo::Error otherwise. Where their
+  /// sum is above the largest double it may throw as well, or give them the shares that they have.
   /// 1e7 equal weights keep their probabilities to 1e-8 of their size; the last CDF entry is 1.
   explicit Discrete(std::span<const double> weights);
 

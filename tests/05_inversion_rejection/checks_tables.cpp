@@ -37,6 +37,9 @@ const Diagnosis not_stretched{"remainder-not-stretched",
 const Diagnosis cumulative{"cdf-for-probability",
                            "this is the CDF's entry; the probability is its distance from the one "
                            "before."};
+const Diagnosis sum_overflows{"sum-overflows",
+                              "weights that are finite may have a sum that is not: nothing divided "
+                              "by infinity is a probability. Look at the sum, too."};
 const Diagnosis at_the_edge{"samples-at-bin-edges",
                             "all samples of a bin fall on its edge or centre: what is left of u "
                             "places them within."};
@@ -189,6 +192,23 @@ TEST_CASE("Lab 5.4: ten million weights keep their probabilities", "[lab05][ex4]
 TEST_CASE("Lab 5.4: bad weights are refused", "[lab05][ex4]") {
   for (int kind = 0; kind < bad_weight_kinds; ++kind)
     judge_refusal("Lab 5.4 refusal", bad_weights_name(kind), kind);
+}
+
+// A sum in long double, or of weights made smaller first, does not overflow.
+TEST_CASE("Lab 5.4: weights whose sum overflows are refused, or have their shares",
+          "[lab05][ex4]") {
+  const std::vector<double> weights = huge_weights(), expected = probabilities(weights);
+  const Rows rows = probe(
+      "Lab 5.4 huge weights", {},
+      {.columns = 1 + weights.size(), .finite = false, .of = "the weights 1.5e308 0.5e308 1e308"});
+  const double answer = rows.at(0, 0);
+  bool shares = answer == 0;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    shares = shares && std::abs(rows.at(0, 1 + i) - expected[i]) <= 1e-14;
+  judge(
+      is_so("weights whose sum is above the largest double", answer == 1 || shares,
+            answer == 0 ? "other probabilities than their shares" : "an exception of another kind",
+            "carlo::Error, or their shares", {sum_overflows}));
 }
 
 TEST_CASE("Lab 5.4: random u give each number its share, and a fraction that is uniform",

@@ -146,6 +146,17 @@ PROBE("Lab 5.4 refusal", "refusal", refusal_codes) {
   return {1, {refusal([&] { (void)lab05::Discrete(list); })}};
 }
 
+PROBE("Lab 5.4 huge weights", "refusal", "probability ...", refusal_codes) {
+  const std::vector<double> list = huge_weights();
+  std::vector<double> row(1 + list.size());
+  row[0] = refusal([&] {
+    const lab05::Discrete discrete(list);
+    for (std::size_t i = 0; i < list.size(); ++i)
+      row[1 + i] = discrete.probability(i);
+  });
+  return {row.size(), row};
+}
+
 PROBE("Lab 5.5 inverse", "x", "density at x",
       "(for u from 0 to the last double below 1, both sides of each bin's edge among them)") {
   const std::vector<double> list = weights(params);

@@ -1,10 +1,12 @@
-# cmake -DJUDGE= -DLAB= -DWORKER= -DJSON= [-DPATCH=] [-DSEEDS= [-DFIRST=]] [-DPOINTS=] -P expect.cmake
+# cmake -DJUDGE= -DLAB= -DWORKER= -DJSON= [-DPATCH=] [-DSEEDS= [-DFIRST=] [-DVARIANT=]] [-DPOINTS=]
+#       -P expect.cmake
 # Runs the judge and compares its verdicts with what they must be:
 #   without PATCH and SEEDS  the untouched stub: every exercise "not implemented", no points
 #   with PATCH               a typical mistake: the exercise of its header fails with its diagnosis;
-#                            with the diagnosis "crash" its program is ended; with ALONE, no other
-#                            diagnosis is told
-#   with SEEDS               a right solution: full marks at seeds FIRST (1) to SEEDS
+#                            with the diagnosis "crash" its program is ended; with ALONE, or with
+#                            the line "Alone: yes" in its header, no other diagnosis is told
+#   with SEEDS               a right solution: full marks at seeds FIRST (1) to SEEDS; with VARIANT,
+#                            a patch that leaves it right, whose header says in what it differs
 #   with POINTS              points of each exercise in their order, as "3,0,1.5"; where some are
 #                            missing it is "failed", which no crash and no cut answer is
 
@@ -38,13 +40,26 @@ function(expect_stub)
   endif()
 endfunction()
 
-function(expect_mistake)
-  file(STRINGS "${PATCH}" header LIMIT_COUNT 2)
-  if(NOT header MATCHES "^Exercise: Lab ([0-9.]+);Diagnosis: ([a-z0-9-]+)$")
-    message(FATAL_ERROR "${PATCH}: expected the lines \"Exercise: Lab N.K\" and \"Diagnosis: id\"")
+# What stands above a mistake's patch: two lines, perhaps "Alone: yes", and a sentence, which is no other
+# line of the form "Word: ".
+function(read_mistake_header)
+  file(READ "${PATCH}" text)
+  if(NOT text MATCHES "^Exercise: Lab ([0-9.]+)\nDiagnosis: ([a-z0-9-]+)\n(Alone: yes\n)?([^\n]+[.])\n\n")
+    message(FATAL_ERROR "${PATCH}: expected the lines \"Exercise: Lab N.K\", \"Diagnosis: id\", perhaps "
+                        "\"Alone: yes\", and a sentence")
   endif()
-  set(exercise "${CMAKE_MATCH_1}")
-  set(diagnosis "${CMAKE_MATCH_2}")
+  set(exercise "${CMAKE_MATCH_1}" PARENT_SCOPE)
+  set(diagnosis "${CMAKE_MATCH_2}" PARENT_SCOPE)
+  if(CMAKE_MATCH_3)
+    set(ALONE ON PARENT_SCOPE)
+  endif()
+  if("${CMAKE_MATCH_4}" MATCHES "^[A-Za-z]+: ")
+    message(FATAL_ERROR "${PATCH}: \"${CMAKE_MATCH_0}\" is no line of its header")
+  endif()
+endfunction()
+
+function(expect_mistake)
+  read_mistake_header()
   run_judge(--exercise ${exercise})
   string(JSON status GET "${verdicts}" exercises 0 status)
   string(JSON named GET "${verdicts}" exercises 0 diagnoses)
@@ -68,6 +83,12 @@ function(expect_mistake)
 endfunction()
 
 function(expect_full_marks)
+  if(VARIANT)
+    file(READ "${VARIANT}" text)
+    if(NOT text MATCHES "^Variant: [^\n]+[.]\n\n")
+      message(FATAL_ERROR "${VARIANT}: expected the line \"Variant: one sentence.\"")
+    endif()
+  endif()
   if(NOT DEFINED FIRST)
     set(FIRST 1)
   endif()

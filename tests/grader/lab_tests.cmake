@@ -1,8 +1,10 @@
 # add_lab_tests(FOLDER NAME): the grader's tests of one lab, through CTest. The solution has full
-# marks, and at many seeds; the stub has no points and says "not implemented"; each mistake is caught
-# and named; what probes return has names for replay; lab.json, stub, handout, hints and tests agree.
+# marks, and at many seeds, and so has each variant of it; the stub has no points and says "not
+# implemented"; each mistake is caught and named; what probes return has names for replay; lab.json,
+# stub, handout, hints and tests agree.
 
-# Labs whose mistakes are all named alone, and shall stay so.
+# Labs whose mistakes are all named alone, and shall stay so. Elsewhere a patch asks for it by itself
+# (expect.cmake).
 set(labs_with_lone_diagnoses lab01 lab02)
 
 # One test that expect.cmake judges. CONFIGURATIONS thorough: only with ctest -C thorough.
@@ -34,6 +36,32 @@ function(add_forgery folder name points)
   carlo_lab_program(${lab}_worker_forged ${lab}_probes ${lab}_forged_code)
   add_expectation(${lab}.forged_answers ${lab} ${lab}_worker_forged -DPOINTS=${points})
   set_tests_properties(${lab}.forged_answers PROPERTIES LABELS fast TIMEOUT 120)
+endfunction()
+
+# The mistakes and the variants of a lab.
+function(add_patch_tests lab folder)
+  set(alone OFF)
+  if(lab IN_LIST labs_with_lone_diagnoses)
+    set(alone ON)
+  endif()
+  foreach(kind IN ITEMS mistake variant)
+    carlo_lab_patches(patches ${folder} ${kind})
+    foreach(patch IN LISTS patches)
+      get_filename_component(title "${patch}" NAME_WE)
+      if(NOT TARGET ${lab}_worker_${kind}_${title})
+        continue()
+      endif()
+      set(expected -DPATCH=${patch} -DALONE=${alone})
+      if(kind STREQUAL "variant")
+        set(expected -DVARIANT=${patch} -DSEEDS=3)
+      endif()
+      add_expectation(${lab}.${kind}.${title} ${lab} ${lab}_worker_${kind}_${title} ${expected})
+      set_tests_properties(${lab}.${kind}.${title} PROPERTIES TIMEOUT 120)
+      if(kind STREQUAL "variant")
+        set_tests_properties(${lab}.${kind}.${title} PROPERTIES TIMEOUT 600)
+      endif()
+    endforeach()
+  endforeach()
 endfunction()
 
 function(add_lab_tests folder name)
@@ -72,19 +100,7 @@ function(add_lab_tests folder name)
     set_tests_properties(${lab}.seeds PROPERTIES TIMEOUT 600)
     set_tests_properties(${lab}.seeds.many PROPERTIES TIMEOUT 3600)
   endif()
-  carlo_lab_patches(patches ${folder})
-  foreach(patch IN LISTS patches)
-    get_filename_component(mistake "${patch}" NAME_WE)
-    if(TARGET ${lab}_worker_mistake_${mistake})
-      set(alone OFF)
-      if(lab IN_LIST labs_with_lone_diagnoses)
-        set(alone ON)
-      endif()
-      add_expectation(${lab}.mistake.${mistake} ${lab} ${lab}_worker_mistake_${mistake}
-                      -DPATCH=${patch} -DALONE=${alone})
-      set_tests_properties(${lab}.mistake.${mistake} PROPERTIES TIMEOUT 120)
-    endif()
-  endforeach()
+  add_patch_tests(${lab} ${folder})
   # Tests of what a lab gives its students.
   if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/CMakeLists.txt")
     add_subdirectory(${folder})

@@ -23,7 +23,7 @@ ninja -C "$build" --quiet "${@:-all}" >&2
 awk -v wall="$((SECONDS - begun))" '
   function folder(path) {
     if (path !~ /\.(o|gch)$/) return "linking"
-    if (path ~ /worker_mistake/) return "typical mistakes"
+    if (path ~ /worker_(mistake|variant)/) return "mistakes and variants"
     if (path ~ /_experiments\.dir/) return "labs: experiments"
     if (path ~ /_judge\.dir|_probes\.dir/ && path ~ /^labs/) return "labs: checks and probes"
     sub(/\/?CMakeFiles.*/, "", path)

@@ -15,7 +15,7 @@ awk '
   /^Test time = / { print $4, name }
 ' "$log" | sort -rn | awk '
   { kind = $2
-    if (kind ~ /\.mistake\./) kind = "typical mistakes"
+    if (kind ~ /\.(mistake|variant)\./) kind = "mistakes and variants"
     else if (kind ~ /^lab[0-9]+\.seeds/) kind = "solutions, several seeds"
     else if (kind ~ /^lab[0-9]/) kind = "labs: all else"
     else sub(/[.:].*/, "", kind)
