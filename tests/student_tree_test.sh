@@ -36,6 +36,17 @@ must_not_hold() {
   done
 }
 
+# formulas_are_there TREE: what handouts, hints and sources cite of the slides can be looked up.
+formulas_are_there() {
+  local cited
+  cited=$(grep -rhoE 'slides [0-9]{2}:[a-z0-9-]+' "$1/labs" --include=README.md --include=lab.json \
+    --include=*.h --include=*.cpp | sed 's/^slides //' | sort -u)
+  [ "$(wc -l <<<"$cited")" -gt 10 ] || fail "few formulas are cited: $cited"
+  while read -r name; do
+    grep -qF "**$name**" "$1/labs/formulas.md" || fail "$name is cited and not in labs/formulas.md"
+  done <<<"$cited"
+}
+
 # expect_error TREE PATTERN CARLO_ARGUMENT...: one line on stderr, exit code 1.
 expect_error() {
   local tree=$1 pattern=$2 code=0 text
@@ -94,9 +105,10 @@ for last in 1 4 8; do
   unpacked "$last"
   tree=$scratch/$last/carlo
   must_not_hold "$tree" 'solutions/renderer' 'solutions/CMakeLists.txt' 'solutions/*bench*' \
-    'tests/*/mistakes' tests/renderer tests/references tests/hard_cases tests/common .ci \
+    'tests/*/mistakes' 'tests/*/variants' tests/renderer tests/references tests/hard_cases tests/common .ci \
     tests/grader/release tests/grader/grade tests/grader/attacks tests/grader/calibrate
   "$source/tests/grader/release/leaks.sh" "$source" "$tree" "$last" || fail "the archive tells answers"
+  formulas_are_there "$tree"
   [ "$(find "$tree/labs" -name lab.json | wc -l)" = "$last" ] || fail "labs beyond $last, or too few"
   expect_error "$tree" "a student's tree" starter --through 1
   expect_error "$tree" "a student's tree" test --hard

@@ -38,9 +38,14 @@ void hint(const Options& options, bool one) {
   const std::vector<Lab> labs = load_labs(options.labs());
   HintState seen(options.state("hints.json"));
   const Exercise& exercise = find_exercise(labs, options.exercise);
-  fmt::print("{}", wrapped(options.all ? seen_hints(exercise, seen)
-                           : one       ? seen_hint(exercise, options.step, seen)
-                                       : next_hint(exercise, seen)));
+  std::string text = options.all ? seen_hints(exercise, seen)
+                     : one       ? seen_hint(exercise, options.step, seen)
+                                 : next_hint(exercise, seen);
+  // A student's tree holds no slides, but their formulas.
+  if (text.find("(slides ") != std::string::npos && fs::exists(options.labs() / "formulas.md")) {
+    text += "\nThe slides' formulas, by these names: labs/formulas.md\n";
+  }
+  fmt::print("{}", wrapped(text));
 }
 
 void status(const Options& options) {

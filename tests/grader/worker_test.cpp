@@ -336,6 +336,21 @@ TEST_CASE("a worker that is no program is an error", "[worker]") {
   CHECK_THROWS_AS(Worker("/tmp", Level::limits), carlo::Error);
 }
 
+TEST_CASE("a worker whose libraries find no memory is the machine's failure", "[worker]") {
+  if (address_sanitizer()) SKIP("no limit of the address space then");
+  Limits limits;
+  limits.memory_bytes = std::size_t{3} << 20;
+  try {
+    run_probe(Worker(FIXTURE_WORKER, Level::limits), "good", {}, {}, limits);
+    FAIL("nothing was thrown");
+  } catch (const ProbeFailure& failure) {
+    FAIL("told as the student's: " << failure.what());
+  } catch (const Error& error) {
+    CHECK(has(error.what(), "the sandbox cannot begin a program"));
+    CHECK(has(error.what(), "loading shared libraries"));
+  }
+}
+
 TEST_CASE("seeds follow from the run, the test and the probe's place in it", "[run]") {
   const auto seeds = [](std::uint64_t seed, const std::string& test) {
     Run run(Worker(FIXTURE_WORKER, Level::limits), seed, {});

@@ -89,6 +89,13 @@ void tell_signal(Outcome& outcome) {
   outcome.code -= 128;
 }
 
+/// Whether the program's libraries could not be loaded, for want of memory or files: the loader
+/// says so before anything of the program runs, with the code that shells have for it.
+bool loader_failed(const Outcome& outcome, const std::string& program) {
+  return outcome.end == Outcome::End::exited && outcome.code == 127 && outcome.result.empty() &&
+         outcome.output.starts_with(program + ": error while loading shared libraries: ");
+}
+
 /// Programs that ended with less than this were not killed for what they took.
 constexpr std::size_t modest_bytes = std::size_t{512} << 20;
 
@@ -203,6 +210,7 @@ Outcome Sandbox::run(const std::vector<std::string>& argv, const View& view,
   for (int attempt = 1;; ++attempt) {
     const long kills = memory_kills();
     Outcome outcome = run_once(argv, view, limits);
+    if (loader_failed(outcome, argv.at(0))) outcome.end = End::not_started;
     if (outcome.end == End::starved) {
       throw Error(
           "the machine was too busy: a program did not get the processor time that it may "

@@ -9,8 +9,15 @@ usage() {
 usage: ./carlo starter --through K [-o FILE.tar.gz|FILE.zip] [--dirty]
 
 Writes the students' archive of labs 1 to K (default out/carlo_labs_1_to_K.tar.gz): these labs as
-stubs, the solutions of the labs before K (later labs build on them), the library, the judge. No
-solution of lab K or later is in it, no typical mistake, no reference, nothing of the class's grading.
+stubs, the solutions of the labs before K (later labs build on them), the library, the judge, and the
+slides' formulas that handouts and hints cite (labs/formulas.md). No solution of lab K or later is in
+it, no patch of a typical mistake, no reference image, nothing of the class's grading.
+
+The judge has to work out what is right, so tests/NN_name/*.h and *.cpp hold code that a student could
+learn an exercise from: of labs 1 to 8 that of 2.1, 2.3, 2.5 and 2.6 (tests/02_pi/reference.h), the
+inversions of 5.1 and 5.2, the density of 6.3, Phong's f and pdf (tests/08_path_tracer/theory.h), and
+everywhere the values that typical mistakes would give. Whoever reads these has looked an answer up.
+
 It is made from what is committed, and the same commit gives the same bytes.
 
   --dirty   take uncommitted changes too
@@ -44,6 +51,7 @@ mkdir "$tree"
 student_files "$root" "$last" | tar -C "$root" -c --files-from=- | tar -C "$tree" -x
 holds='lab 1'
 [ "$last" = 1 ] || holds="labs 1 to $last, and the solutions of the labs before lab $last"
+"$here/formulas.sh" "$root" "$last" >"$tree/labs/formulas.md"
 sed "s/@HOLDS@/$holds/" "$here/student_readme.md" >"$tree/README.md"
 plain_rights "$scratch"
 pack "$scratch" "$file" "$(git -C "$root" log -1 --format=%ct)"
