@@ -94,7 +94,8 @@ std::string command_line(int number, int argc, char** argv) {
 void run_experiments(const LabApp& lab, const std::optional<Predictions>& predictions,
                      Notebook& notebook) {
   for (std::size_t i = 0; i < lab.experiments.size(); ++i) {
-    notebook.set_experiment(static_cast<int>(i), static_cast<int>(lab.experiments.size()));
+    notebook.set_experiment(static_cast<int>(i), static_cast<int>(lab.experiments.size()),
+                            lab.experiments_before);
     lab.experiments[i](notebook);
   }
   notebook.finish();

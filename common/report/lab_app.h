@@ -22,6 +22,7 @@ struct LabApp {
   std::int64_t n = 1 << 18;        ///< largest number of points by default,
   std::int64_t quick_n = 1 << 14;  ///< and in a quick run
   std::vector<Experiment> experiments;
+  int experiments_before = 0;  ///< of the whole lab, when `experiments` are a part of it
   std::vector<std::string> what_you_should_see;  ///< the last section, a paragraph each
   /// The part of the lab that runs alone, if one does: its page is out/labNN_PART.html.
   std::string part = {};

@@ -69,10 +69,11 @@ void Notebook::leave_out(const std::string& reason) {
   page_.note(reason);
 }
 
-void Notebook::set_experiment(int index, int count) {
+void Notebook::set_experiment(int index, int count, int before) {
   experiment_ = index;
-  // What an experiment draws does not depend on which exercises the ones before it found done.
-  next_stream_ = static_cast<std::uint64_t>(index) << 32;
+  // What an experiment draws does not depend on which ones were run before it, nor on the exercises
+  // that those found done.
+  next_stream_ = static_cast<std::uint64_t>(before + index) << 32;
   experiments_ = count;
 }
 

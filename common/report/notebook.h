@@ -67,7 +67,8 @@ class Notebook {
 
   /// How far the run is: `done` of `total` steps of the current one of all experiments.
   void progress(double done, double total);
-  void set_experiment(int index, int count);
+  /// Of `count` that are run, behind `before` of the whole lab that are left out.
+  void set_experiment(int index, int count, int before = 0);
   /// For code that may never come back: the line of progress says when it stands still.
   void tell_stalls() { bar_.tell_stalls(); }
   void finish() { bar_.finish(); }

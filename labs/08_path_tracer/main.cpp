@@ -27,8 +27,7 @@ std::vector<Step> steps() {
        "directions get worse with n, sample()'s directions do not."},
       {{lab08::furnace_experiment},
        "d. The lecture's rule stays below 2 most of the time, with error bars that leave 2 out; "
-       "now "
-       "and then a single path throws it far above. Mended, the error falls with -1/2 and one "
+       "now and then a single path throws it far above. Mended, the error falls with -1/2 and one "
        "interval in twenty misses, as it should."},
       {{lab08::split_experiment},
        "e. One ray for the light and one for the rest: a fraction of the noise of uniform "
@@ -44,8 +43,7 @@ std::vector<Step> steps() {
       {{lab08::tracer_experiment},
        "h. On the diffuse Cornell box the two weighted techniques gain nothing over points of the "
        "lamp alone and cost a little; what pays are Sobol' points, at nearly the same price. On "
-       "the "
-       "plates neither technique is good everywhere, and both together are."}};
+       "the plates neither technique is good everywhere, and both together are."}};
 }
 
 }  // namespace
@@ -71,6 +69,8 @@ int main(int argc, char** argv) {
         for (const carlo::Experiment& experiment : step.experiments)
           lab.experiments.push_back(experiment);
         lab.what_you_should_see.push_back(step.seen);
+      } else if (letter < only[0]) {
+        lab.experiments_before += static_cast<int>(step.experiments.size());
       }
       ++letter;
     }

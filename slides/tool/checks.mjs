@@ -5,12 +5,14 @@ import fs from "node:fs";
 import path from "node:path";
 
 import { plots, recipe } from "./figures.mjs";
+import { checkHandouts } from "./handouts.mjs";
 import { markers, readSnippet, sources } from "./snippets.mjs";
 import { figureLine, numberMark, reference, snippetFence } from "./transform.mjs";
 import { walk } from "./deck.mjs";
 
 export function checkBook(book, problems) {
   checkSlides(book, book.decks, problems);
+  checkPhrases(book, problems);
   checkUse(book, problems);
   checkCitations(book, problems);
   checkDurations(book, problems);
@@ -41,6 +43,13 @@ function checkSnippet(book, name, next, wrong) {
   book.used.snippets.add(name);
 }
 
+/** The numbers of phrases in handouts exist, and the handouts say them. */
+function checkPhrases(book, problems) {
+  for (const { file, says } of book.definitions.handouts)
+    checkNumbers(book, says, (text) => problems.add(file, 0, text));
+  checkHandouts(book, problems);
+}
+
 function checkLine(book, line, wrong) {
   const figure = figureLine.exec(line);
   if (figure) checkFigure(book, figure[2], wrong);
@@ -48,6 +57,13 @@ function checkLine(book, line, wrong) {
     wrong("a figure stands on a line of its own: ![what one sees](figure:04-slopes)");
   else if (/!\[[^\]]*\]\(/.test(line))
     wrong("pictures are figures made by a command: ![...](figure:04-slopes)");
+  checkNumbers(book, line, wrong);
+  for (const [, , number, name] of line.matchAll(reference)) {
+    if (!book.labels.has(`${number}:${name}`)) wrong(`no deck ${number} has the label '${name}'`);
+  }
+}
+
+function checkNumbers(book, line, wrong) {
   for (const [, key] of line.matchAll(numberMark)) {
     const wanted = book.definitions.numbers.get(key);
     book.used.numbers.add(key);
@@ -56,9 +72,6 @@ function checkLine(book, line, wrong) {
     } else {
       checkKept(wanted, book.data.get(wanted.number)?.numbers?.[wanted.id], "number", wrong);
     }
-  }
-  for (const [, , number, name] of line.matchAll(reference)) {
-    if (!book.labels.has(`${number}:${name}`)) wrong(`no deck ${number} has the label '${name}'`);
   }
 }
 
@@ -98,7 +111,7 @@ function checkUse(book, problems) {
     if (!book.used.figures.has(id)) problems.add(file, 0, `figure "${id}" is on no slide`);
   }
   for (const [key, { file }] of book.definitions.numbers) {
-    if (!book.used.numbers.has(key)) problems.add(file, 0, `number "${key}" is on no slide`);
+    if (!book.used.numbers.has(key)) problems.add(file, 0, `number "${key}" is on no slide and in no handout`);
   }
   for (const { reference, file, line } of markers(book.root)) {
     if (!book.used.snippets.has(reference))

@@ -9,12 +9,14 @@ import { programOf, spoken } from "./runs.mjs";
 
 export const plots = ["loglog", "lines", "points", "bars"];
 const kinds = [...plots, "image", "picture", "drawing", "functions"];
-const digits = 4; // of every number that is kept
+const digits = 4; // of every point that is kept,
+const numberDigits = 6; // and of every number: texts round it once more
 
-/** {figures: Map(id -> definition), numbers: Map("04.slope.jittered" -> definition)}. */
+/** {figures: Map(id -> definition), numbers: Map("04.slope.jittered" -> definition), handouts: [{says}]}. */
 export function readDefinitions(root, problems) {
   const figures = new Map();
   const numbers = new Map();
+  const handouts = [];
   for (const [number, file, content] of jsonFiles(root, "figures", problems)) {
     const command = (words) => (typeof words === "string" ? content.commands?.[words] : words);
     for (const [id, given] of Object.entries(content.figures ?? {})) {
@@ -28,8 +30,9 @@ export function readDefinitions(root, problems) {
       checkNumber(wanted, problems);
       numbers.set(`${number}.${id}`, wanted);
     }
+    for (const says of content.handout ?? []) handouts.push({ number, file, says: String(says) });
   }
-  return { figures, numbers };
+  return { figures, numbers, handouts };
 }
 
 function* jsonFiles(root, folder, problems) {
@@ -100,7 +103,8 @@ export function recipe(wanted) {
   return crypto.createHash("sha256").update(text).digest("hex").slice(0, 8);
 }
 
-const rounded = (value) => (typeof value === "number" ? Number(value.toPrecision(digits)) : value);
+const rounded = (value, kept = digits) =>
+  typeof value === "number" ? Number(value.toPrecision(kept)) : value;
 
 /** Numbers to six digits: what a lab keeps in float is 0.00100000005. */
 const same = (one, other) =>
@@ -162,12 +166,12 @@ function slopeOf({ slopes, by, where }, name, tables) {
  * from the first of several rows, number or not. Throws UserError.
  */
 export function numberOf(wanted, tables) {
-  if (!wanted.over) return rounded(cellOf(wanted, tables));
+  if (!wanted.over) return rounded(cellOf(wanted, tables), numberDigits);
   const { over, ...above } = wanted;
   const value = cellOf(above, tables) / cellOf({ ...above, ...over }, tables);
   if (!Number.isFinite(value) && !wanted.any)
     throw new UserError(`the quotient is ${value}, expected a number`);
-  return rounded(value);
+  return rounded(value, numberDigits);
 }
 
 function cellOf(wanted, tables) {

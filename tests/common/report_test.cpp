@@ -2,6 +2,7 @@
 #include "cli/error.h"
 #include "cli/wrap.h"
 #include "report/format.h"
+#include "report/notebook.h"
 #include "report/page.h"
 #include "report/table.h"
 
@@ -200,6 +201,18 @@ TEST_CASE("A chart carries its points, its fitted line and a table of both", "[r
   }
   CHECK(html.find("<td class=\"number\">0.0625</td>") != std::string::npos);
   CHECK(html.find("aria-label=\"Chart: error.") != std::string::npos);
+}
+
+TEST_CASE("An experiment draws the same numbers alone as behind others", "[report]") {
+  carlo::Page page("title");
+  const auto first_word = [&page](int index, int count, int before) {
+    carlo::Notebook notebook("label", {.seed = 7}, page);
+    notebook.set_experiment(index, count, before);
+    return notebook.rng().next();
+  };
+  CHECK(first_word(0, 1, 3) == first_word(3, 9, 0));
+  CHECK(first_word(1, 2, 3) == first_word(4, 9, 0));
+  CHECK(first_word(0, 1, 3) != first_word(0, 9, 0));
 }
 
 TEST_CASE("A page needs nothing from outside and is the same each time", "[report]") {
