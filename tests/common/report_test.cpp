@@ -208,7 +208,7 @@ TEST_CASE("An experiment draws the same numbers alone as behind others", "[repor
   const auto first_word = [&page](int index, int count, int before) {
     carlo::Notebook notebook("label", {.seed = 7}, page);
     notebook.set_experiment(index, count, before);
-    return notebook.rng().next();
+    return notebook.rng().uniform();
   };
   CHECK(first_word(0, 1, 3) == first_word(3, 9, 0));
   CHECK(first_word(1, 2, 3) == first_word(4, 9, 0));
