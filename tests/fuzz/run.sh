@@ -52,7 +52,7 @@ seeds() {
     exr)
       "$build/bin/carlo_render" "$scene" --size 2x2 --spp 32 --quiet -o "$work/plain"
       "$build/bin/carlo_render" "$scene" --size 2x2 --target-error .5 --spp 64 --quiet -o "$work/adaptive"
-      cp "$work"/plain.exr "$work"/adaptive.exr "$to" ;;
+      cp "$work"/plain.exr "$work"/adaptive.exr "$here"/corpus/exr/* "$to" ;;
     archive)
       mkdir -p "$work/in/a"
       printf 'int main() {}\n' | tee "$work/in/a/integration.cpp" >"$work/in/pi.cpp"
