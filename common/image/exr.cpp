@@ -20,9 +20,6 @@ const std::array<std::string, 3> colour_channels = {"R", "G", "B"};
 const std::array<std::string, 3> error_channels = {"se.R", "se.G", "se.B"};
 const std::string attribute_prefix = "carlo:";
 
-/// As a film (scene/sensor.cpp).
-constexpr std::int64_t most_pixels = std::int64_t{1} << 25;
-
 /// OpenEXR files carry a date; a fixed one keeps equal images equal.
 constexpr const char* fixed_date = "2000:01:01 00:00:00";
 
@@ -164,8 +161,8 @@ void write_exr(const std::filesystem::path& path, const ExrFile& file) {
 }
 
 ExrFile read_exr(const std::filesystem::path& path, const std::vector<std::string>& counts) {
-  // By itself OpenImageIO sets room for 256 lines aside, however few a file has: 400 MB for two lines
-  // of many channels. Its other bound, 64 MB, stays.
+  // By itself OpenImageIO sets room for 256 lines aside, however few a file has: 400 MB for two
+  // lines of many channels. Its other bound, 64 MB, stays.
   OIIO::attribute("read_chunk", 1);
   require_honest_header(path);
   auto in = OIIO::ImageInput::open(path.string());

@@ -1,5 +1,6 @@
 #include "scene/sensor.h"
 
+#include "image/image.h"
 #include "scene/properties.h"
 #include "scene/sampler_kind.h"
 #include "scene/text.h"
@@ -9,8 +10,6 @@
 
 namespace carlo {
 namespace {
-
-constexpr std::int64_t most_pixels = std::int64_t{1} << 25;  // 8K UHD, 7680 x 4320, fits
 
 void require_type(const Properties& object, std::string_view kind,
                   const std::vector<std::string>& types) {

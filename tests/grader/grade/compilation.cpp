@@ -1,0 +1,263 @@
+#include "grader/grade/compilation.h"
+
+#include "cli/atomic_file.h"
+#include "cli/descriptor.h"
+#include "cli/error.h"
+#include "grader/grade/blame.h"
+#include "grader/judge/printed.h"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdint>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+namespace carlo::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr fs::perms readable_by_all =
+    fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read | fs::perms::others_read;
+constexpr fs::perms runnable =
+    readable_by_all | fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec;
+
+/// What one file may take, and all files of a lab together with their linking: the machine may be
+/// busy with others.
+constexpr std::chrono::milliseconds file_budget = std::chrono::minutes(3),
+                                    lab_budget = std::chrono::minutes(5);
+
+Limits compile_limits() {
+  Limits limits;
+  limits.deadline = file_budget;
+  limits.cpu = std::chrono::seconds(60);
+  limits.memory_bytes = std::size_t{1536} << 20;
+  limits.file_bytes = std::size_t{64} << 20;
+  limits.processes = 64;
+  limits.output_kept = std::size_t{16} << 10;
+  return limits;
+}
+
+/// A folder that is the sandbox's to write into; it goes with this object.
+class WorkFolder {
+ public:
+  explicit WorkFolder(fs::path path) : path_(std::move(path)) {
+    fs::remove_all(path_);
+    fs::create_directory(path_);
+    fs::permissions(path_, fs::perms::owner_all);
+  }
+  ~WorkFolder() {
+    std::error_code ec;
+    fs::remove_all(path_, ec);
+  }
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// Takes a file out of a folder that was the sandbox's, when it is what it should be: a regular
+/// file that begins with ELF's mark. A link in its place is not followed.
+bool take_elf(const fs::path& from, const fs::path& to, fs::perms permissions) {
+  const Descriptor file(::open(from.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  struct stat status {};
+  if (!file.open() || ::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode)) return false;
+  std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
+  std::size_t have = 0;
+  while (have < bytes.size()) {
+    const ssize_t got = ::read(file.get(), bytes.data() + have, bytes.size() - have);
+    if (got <= 0) return false;
+    have += static_cast<std::size_t>(got);
+  }
+  if (!bytes.starts_with("\x7F"
+                         "ELF"))
+    return false;
+  write_file(to, bytes);
+  fs::permissions(to, permissions);
+  return true;
+}
+
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+}
+
+/// Compilers quote what students wrote: control characters too.
+void add_harmless(std::string& messages, const std::string& said) {
+  std::istringstream lines(said);
+  for (std::string line; std::getline(lines, line);)
+    messages += harmless(line) + "\n";
+}
+
+/// Why a compiler was ended, for the student; "" when it ended itself.
+std::string cut_short(const Outcome& outcome) {
+  using End = Outcome::End;
+  switch (outcome.end) {
+    case End::deadline:
+      return "the compiler was not done in time";
+    case End::flooded_output:
+      return "the compiler printed without end";
+    case End::flooded_disk:
+      return "the compiler filled the disk";
+    case End::flooded_memory:
+      return "the compiler took too much memory";
+    case End::signalled:
+      return "the compiler was ended: " + signal_name(outcome.code);
+    default:
+      return outcome.succeeded() || !outcome.output.empty() ? "" : "the compiler failed";
+  }
+}
+
+bool has_ending(const std::string& text, const std::string& ending) {
+  return text.find(ending) != std::string::npos;
+}
+
+/// Whether what was read, and not the machine, is why nm failed.
+bool is_of_the_object(const Outcome& outcome) {
+  using End = Outcome::End;
+  return outcome.end == End::flooded_output || outcome.end == End::flooded_memory ||
+         outcome.end == End::exited;
+}
+
+}  // namespace
+
+Compilation::Compilation(const LabTools& tools, const Sandbox& sandbox, const fs::path& folder)
+    : tools_(tools), sandbox_(sandbox), folder_(folder), left_(lab_budget) {}
+
+bool Compilation::make(const std::string& name, const std::string& text, const fs::path& object,
+                       std::string& messages) {
+  return compile(name, text, object, messages) && keeps_apart(name, object, messages);
+}
+
+bool Compilation::compile(const std::string& name, const std::string& text, const fs::path& object,
+                          std::string& messages) {
+  const WorkFolder work(folder_ / "compile");
+  const fs::path source = work.path() / name;
+  if (source.parent_path() != work.path()) {
+    fs::create_directory(source.parent_path());
+    fs::permissions(source.parent_path(),
+                    fs::perms::owner_all | fs::perms::others_exec | fs::perms::others_read);
+  }
+  write_file(source, text);
+  fs::permissions(source, readable_by_all);
+  std::vector<std::string> argv{tools_.recipe.compiler};
+  argv.insert(argv.end(), tools_.recipe.flags.begin(), tools_.recipe.flags.end());
+  for (const fs::path& include : tools_.recipe.includes)
+    argv.push_back("-I" + include.string());
+  for (const char* flag : {"-fno-lto", "-fdiagnostics-color=never", "-o", "exercise.o", "-c"})
+    argv.emplace_back(flag);
+  // What the program prints of itself (__FILE__, an assertion) tells no path of ours.
+  argv.push_back("-ffile-prefix-map=" + work.path().string() + "/=");
+  for (const fs::path& header : tools_.headers)
+    argv.push_back("-ffile-prefix-map=" + header.string() + "/=");
+  argv.push_back(source.string());
+  const Outcome outcome = run(argv, {tools_.headers, work.path()});
+  std::string said = outcome.output;
+  if (!cut_short(outcome).empty()) said += cut_short(outcome) + "\n";
+  replace_all(said, work.path().string() + "/", "");
+  for (const fs::path& header : tools_.headers)
+    replace_all(said, header.string() + "/", "");
+  add_harmless(messages, said);
+  return outcome.succeeded() && take_elf(work.path() / "exercise.o", object, readable_by_all);
+}
+
+bool Compilation::keeps_apart(const std::string& name, const fs::path& object,
+                              std::string& messages) {
+  if (ours_.empty()) {
+    for (const Recipe::Word& word : tools_.recipe.link) {
+      if (!word.file || has_ending(word.text, ".so")) continue;
+      const Outcome outcome = symbols_in(word.text);
+      if (!outcome.succeeded()) throw Error("nm cannot read {}", word.text);
+      add_symbols(ours_, outcome.output);
+    }
+  }
+  const Outcome outcome = symbols_in(object);
+  std::string why = "it defines too many names, or such as cannot be read";
+  if (outcome.succeeded()) {
+    Symbols exercise;
+    add_symbols(exercise, outcome.output);
+    why = foreign_symbols(exercise, ours_, tools_.name_space);
+  } else if (!is_of_the_object(outcome)) {
+    throw Error("nm cannot read {}", object.string());
+  }
+  if (!why.empty()) messages += fmt::format("{}: {}\n", name, why);
+  return why.empty();
+}
+
+Symbols Compilation::symbols_of(const fs::path& object) {
+  const Outcome outcome = symbols_in(object);
+  Symbols symbols;
+  if (outcome.succeeded()) add_symbols(symbols, outcome.output);
+  return symbols;
+}
+
+void Compilation::rename(const fs::path& object, const std::string& redefinitions) {
+  const WorkFolder work(folder_ / "rename");
+  write_file(work.path() / "names.txt", redefinitions);
+  fs::permissions(work.path() / "names.txt", readable_by_all);
+  const fs::path renamed = work.path() / "renamed.o";
+  const Outcome outcome =
+      run({"/usr/bin/objcopy", "--redefine-syms=" + (work.path() / "names.txt").string(),
+           object.string(), renamed.string()},
+          {{object}, work.path()});
+  if (outcome.succeeded()) take_elf(renamed, object, readable_by_all);
+}
+
+bool Compilation::link(const std::vector<fs::path>& objects, const fs::path& worker,
+                       std::string& messages) {
+  const WorkFolder work(folder_ / "link");
+  std::vector<std::string> argv{tools_.recipe.compiler, "-fno-lto", "-fno-use-linker-plugin"};
+  for (std::size_t i = 0; i <= tools_.recipe.link.size(); ++i) {
+    if (i == tools_.recipe.objects_at) argv.insert(argv.end(), objects.begin(), objects.end());
+    if (i < tools_.recipe.link.size()) argv.push_back(tools_.recipe.link[i].text);
+  }
+  argv.insert(argv.end(), {"-o", "worker"});
+  View view{tools_.inputs, work.path()};
+  view.readable.insert(view.readable.end(), objects.begin(), objects.end());
+  const Outcome outcome = run(argv, view);
+  std::string said = outcome.output;
+  if (!cut_short(outcome).empty()) said += cut_short(outcome) + "\n";
+  for (const fs::path& object : objects)
+    replace_all(said, object.parent_path().string() + "/", "");
+  for (const fs::path& input : tools_.inputs)
+    replace_all(said, input.parent_path().string() + "/", "");
+  add_harmless(messages, said);
+  return outcome.succeeded() && take_elf(work.path() / "worker", worker, runnable);
+}
+
+Outcome Compilation::symbols_in(const fs::path& file) {
+  const WorkFolder work(folder_ / "symbols");
+  Limits limits = compile_limits();
+  limits.output_bytes = limits.output_kept = std::size_t{32} << 20;
+  return sandbox_.run(
+      {"/usr/bin/nm", "--plugin=/dev/null", "--extern-only", "--format=posix", file.string()},
+      {{file}, work.path()}, limits);
+}
+
+Outcome Compilation::run(const std::vector<std::string>& argv, const View& view) {
+  Outcome outcome;
+  outcome.end = Outcome::End::deadline;
+  if (left_.count() <= 0) return outcome;
+  Limits limits = compile_limits();
+  limits.deadline = std::min(limits.deadline, left_);
+  outcome = sandbox_.run(argv, view, limits);
+  left_ -= std::chrono::milliseconds(
+      static_cast<std::int64_t>(1000 * (outcome.seconds - outcome.waited)));
+  peak_ = std::max(peak_, outcome.peak_bytes);
+  // Over its own processor time a compiler gets another signal.
+  const bool killed = outcome.end == Outcome::End::signalled && outcome.code == SIGKILL;
+  const bool tells = tells_of_the_machine(outcome.output, outcome.peak_bytes, limits.memory_bytes);
+  in_doubt_ = !outcome.succeeded() && (killed || tells);
+  return outcome;
+}
+
+}  // namespace carlo::grader
