@@ -3,8 +3,9 @@
 #
 # An implementation is one object library compiled from the student's files, from the solution's, or
 # from the solution's with one patch: a typical mistake, or a variant that is as right. The files are
-# labs/FOLDER/NAME.cpp alone or, for a lab in steps, labs/FOLDER/steps/*.cpp; the solution's have the same names. What a lab
-# gives to students and to probes stands in labs/FOLDER/given/. Each implementation is linked with
+# labs/FOLDER/NAME.cpp alone or, for a lab in steps, labs/FOLDER/steps/*.cpp; the solution's have the
+# same names. What a lab gives to students and to probes stands in labs/FOLDER/given/. Each
+# implementation is linked with
 #   - the lab's experiments (labs/FOLDER/*.cpp but for NAME.cpp)  -> lab01, lab01_solution
 #   - the lab's probes (tests/FOLDER/probes*.cpp)  -> lab01_worker, lab01_worker_solution,
 #                                                     lab01_worker_mistake_<patch>,

@@ -2,12 +2,18 @@
 // sqrt(m) with power .999 (compare.h); the size is stated at each test.
 
 #include "01_integration/integrands.h"
+#include "01_integration/slips.h"
 #include "01_integration/theory.h"
 #include "grader/judge/draws.h"
 #include "grader/judge/judge.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
 
 using namespace carlo::grader;
 using namespace lab01_tests;
@@ -30,6 +36,13 @@ const Diagnosis wrong_points{"points-outside-interval",
                              "it."};
 const Diagnosis repeated{"one-point-repeated",
                          "the error does not fall as n grows: the n points are not independent."};
+
+const Diagnosis stratified{"points-stratified",
+                           "exactly one point falls into each n-th of the interval; n independent "
+                           "points leave some of these empty and others with several."};
+const Diagnosis even_points{"points-evenly-spaced",
+                            "the points stand at equal distances, as a rule's do: each of them has "
+                            "to be random by itself."};
 
 struct Interval {
   double a = 0, b = 1;
@@ -74,7 +87,8 @@ Verdict is_mean_of_values(const Record& of, int k, double scale) {
   const std::string what = "the estimate against the values of f at its points";
   // Of other terms, more than are known here, it is no mean of these in any way.
   if (of.count != n) return equals(what, of.value, expected, 1e-12 * std::abs(expected));
-  Suspects suspects{{expected * n / (n + 1), by_n_plus_one}, {expected * n, not_divided}};
+  Suspects suspects{
+      {expected * n / (n + 1), by_n_plus_one}, {expected * n, not_divided}, of_whole_division(n)};
   if (std::abs(scale - 1) > 1e-9) suspects.push_back({mean, width_missing});
   Verdict verdict = equals(what, of.value, expected, 1e-12 * std::abs(expected), suspects);
   const bool near = std::abs(of.value - expected) <= 1e-5 * std::abs(expected);
@@ -87,6 +101,37 @@ Verdict within(const std::vector<double>& points, Interval on) {
   return holds("the points that f is evaluated at", *lowest >= on.a && *highest < on.b,
                fmt::format("from {:.6g} to {:.6g}", *lowest, *highest),
                fmt::format("all within [{:g}, {:g})", on.a, on.b), {wrong_points});
+}
+
+/// `suspects` of a mean. But where the values scatter so much more than they should that this alone
+/// puts their mean elsewhere, it is told that they do.
+Suspects unless_scattered(std::span<const double> values, const Theory& theory,
+                          const Suspects& suspects) {
+  const auto count = static_cast<double>(values.size());
+  double mean = 0, squares = 0;
+  for (const double value : values)
+    mean += value / count;
+  for (const double value : values)
+    squares += (value - mean) * (value - mean) / count;
+  const bool wide = squares > 2 * theory.sd * theory.sd;
+  const bool near = std::abs(mean - theory.mean) <= 6 * std::sqrt(squares / count);
+  return wide && near ? Suspects{{theory.mean, repeated}} : suspects;
+}
+
+/// What points are that follow no random numbers, from their shares of the interval: of many,
+/// chance puts no two of any n-th into the same.
+std::vector<Diagnosis> not_independent(std::vector<double> shares) {
+  const auto n = static_cast<double>(shares.size());
+  if (n < 16) return {};
+  std::sort(shares.begin(), shares.end());
+  bool one_each = true, even = true;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const double place = shares[i] * n - static_cast<double>(i);
+    one_each = one_each && place >= 0 && place < 1;
+    even = even && std::abs(place - shares[0] * n) <= 1e-6;
+  }
+  if (even) return {even_points};
+  return one_each ? std::vector{stratified} : std::vector<Diagnosis>{};
 }
 
 /// With one term too many, everything that differs follows from that.
@@ -105,7 +150,9 @@ void judge_record(const Record& of, int k, Interval on) {
   std::vector<double> shares = of.points;
   for (double& x : shares)
     x = (x - on.a) / (on.b - on.a);
-  judge(made_of("where the points lie in the interval", shares, of.before));
+  Verdict places = made_of("where the points lie in the interval", shares, of.before);
+  if (!places.passed) places.diagnoses = not_independent(shares);
+  judge(places);
   judge(following(is_mean_of_values(of, k, on.b - on.a), of));
   judge(following(draws(of.before, of.next, n), of));
 }
@@ -128,9 +175,10 @@ void judge_integral(int k, Interval on, double n, double repetitions) {
     suspects.push_back({theory.mean * n / (n + 1), by_n_plus_one});
     suspects.push_back({theory.mean * (n + 1) / n, term_too_many});
     suspects.push_back({theory.mean * n, not_divided});
+    suspects.push_back(of_whole_division(n));
   }
   judge(mean_is(fmt::format("the integral of x^{} over [{:g}, {:g}], n = {:g}", k, on.a, on.b, n),
-                rows.values, theory, suspects));
+                rows.values, theory, unless_scattered(rows.values, theory, suspects)));
   const double variance = theory.sd * theory.sd;
   judge(variance_is("the variance of the estimates", rows.values, theory,
                     {{variance * n, repeated}}));
@@ -154,10 +202,12 @@ TEST_CASE("Lab 1.1: the average from 0 to 1 is unbiased", "[lab01][ex1]") {
         probe("Lab 1.1 estimates", {.n = 16, .numbers = {{"repetitions", 20'000}, {"k", k}}},
               {.rows = 20'000, .of = powers(k, 16)});
     const Theory theory = theory_of_mean(power_moments(k, 0, 1), 16);
+    const Suspects suspects{{theory.mean * 16 / 17, by_n_plus_one},
+                            {theory.mean * 17 / 16, term_too_many},
+                            {theory.mean * 16, not_divided},
+                            of_whole_division(16)};
     judge(mean_is(fmt::format("the average of x^{}, n = 16", k), rows.values, theory,
-                  {{theory.mean * 16 / 17, by_n_plus_one},
-                   {theory.mean * 17 / 16, term_too_many},
-                   {theory.mean * 16, not_divided}}));
+                  unless_scattered(rows.values, theory, suspects)));
   }
 }
 

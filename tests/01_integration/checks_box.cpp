@@ -3,6 +3,7 @@
 #include "01_integration/dimensions.h"
 #include "01_integration/integrands.h"
 #include "01_integration/points.h"
+#include "01_integration/slips.h"
 #include "01_integration/theory.h"
 #include "grader/judge/draws.h"
 #include "grader/judge/judge.h"
@@ -29,6 +30,13 @@ double box_volume(int d) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(d); ++i)
     product *= upper(i) - lower(i);
   return product;
+}
+
+double sum_of_box_sides(int d) {
+  double sum = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(d); ++i)
+    sum += upper(i) - lower(i);
+  return sum;
 }
 
 /// Of the product of the coordinates: raw moments of independent factors multiply.
@@ -83,7 +91,8 @@ void judge_box(BoxIntegrand integrand, int d) {
   const double volume = box_volume(d);
   const Theory theory =
       product ? theory_of_mean(product_moments(d), n, volume) : squares_theory(d, n);
-  Suspects suspects{{theory.mean / volume, volume_missing}};
+  Suspects suspects{{theory.mean / volume, volume_missing}, of_whole_division(n)};
+  add_sums_of_sides(suspects, theory.mean / volume, sum_of_box_sides(d), d);
   for (std::size_t i = 0; i < static_cast<std::size_t>(d) && d > 1; ++i) {
     suspects.push_back({theory.mean / volume * (upper(i) - lower(i)), one_side});
   }
@@ -116,8 +125,10 @@ void judge_box_record(int d) {
     sum += evaluate(BoxIntegrand::squares, points.at(i));
   const auto mean = static_cast<double>(sum / n);
   const double expected = box_volume(d) * mean;
+  Suspects suspects{{mean, volume_missing}, of_whole_division(n)};
+  add_sums_of_sides(suspects, mean, sum_of_box_sides(d), d);
   judge(equals("the estimate against the values of f at its points", rows.values[0], expected,
-               1e-12 * expected, {{mean, volume_missing}}));
+               1e-12 * expected, suspects));
   judge(draws(of.before, of.next, static_cast<double>(n * dimension)));
 }
 

@@ -1,10 +1,13 @@
 // Checks of exercise 1.3. All lists have exact answers.
 
 #include "01_integration/drawn.h"
+#include "01_integration/slips.h"
 #include "grader/judge/judge.h"
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 using namespace carlo::grader;
 using namespace lab01_tests;
@@ -32,6 +35,16 @@ const Diagnosis divided_by_all{"standard-error-divided-by-n",
 const Diagnosis between_missing{"merge-without-between-means",
                                 "merging adds the spreads within both parts, but their means "
                                 "differ too, and that is spread as well."};
+const Diagnosis mean_of_means{"mean-of-the-means",
+                              "the merged mean is half-way between the two means, as if as many "
+                              "numbers stood behind each of them."};
+const Diagnosis counted_late{"divided-by-the-count-before",
+                             "the mean of one number is no number: its distance is divided by 0, a "
+                             "count that does not hold the new number yet."};
+const Diagnosis few_numbers{
+    "statistics-of-too-few",
+    "no number has no mean, and fewer than two have no variance: the contract "
+    "wants 0 there, and 0 divided by 0 is not 0."};
 
 const Diagnosis nothing_merged{"merge-of-nothing",
                                "two parts without a number are merged into NaN: their counts add "
@@ -47,6 +60,7 @@ Rows list(int pattern, std::int64_t n, double offset = 0) {
   return probe(
       "Lab 1.3 list", {.n = n, .numbers = {{"pattern", pattern}, {"offset", offset}}},
       {.columns = 4,
+       .finite = false,
        .of = fmt::format("a list of {} {} around {:g}", n, n == 1 ? "number" : "numbers", offset)});
 }
 
@@ -64,38 +78,106 @@ Suspects same_distance_twice(const std::vector<double>& numbers) {
   return {{by_old / (n - 1), old_mean_twice}, {by_new / (n - 1), new_mean_twice}};
 }
 
-/// Judges row `row` of {count, mean, variance, standard error}.
+/// What slips would make of a list's mean and variance.
+struct Slips {
+  Suspects means, variances;
+};
+
+/// Of numbers that are added one by one.
+Slips slips_of(const std::vector<double>& numbers) {
+  Slips slips{{}, same_distance_twice(numbers)};
+  // (x - mean) * (1/n) of whole numbers moves the mean once.
+  if (numbers.size() > 1) slips.means.push_back({numbers[0], whole_division});
+  return slips;
+}
+
+double mean_of(const std::vector<double>& numbers) {
+  double sum = 0;
+  for (const double x : numbers)
+    sum += x;
+  return numbers.empty() ? 0 : sum / static_cast<double>(numbers.size());
+}
+
+/// The mean of parts that are merged one after the other, each time half-way between two means.
+/// `from_nothing`: also where nothing was there before; `with_nothing`: where nothing comes.
+double half_way(const std::vector<std::vector<double>>& parts, bool from_nothing,
+                bool with_nothing) {
+  double mean = mean_of(parts[0]);
+  bool nothing = parts[0].empty();
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    if (parts[i].empty() && !with_nothing) continue;
+    mean = nothing && !from_nothing ? mean_of(parts[i]) : (mean + mean_of(parts[i])) / 2;
+    nothing = nothing && parts[i].empty();
+  }
+  return mean;
+}
+
+/// What slips would make of the mean of parts that are merged.
+Slips slips_of_merging(const std::vector<std::vector<double>>& parts) {
+  Slips slips;
+  for (const bool from_nothing : {false, true}) {
+    for (const bool with_nothing : {false, true})
+      slips.means.push_back({half_way(parts, from_nothing, with_nothing), mean_of_means});
+  }
+  // n2/(n1 + n2) of whole numbers is 0 unless there is nothing to begin with.
+  for (const std::vector<double>& part : parts) {
+    if (part.empty()) continue;
+    slips.means.push_back({mean_of(part), whole_division});
+    break;
+  }
+  return slips;
+}
+
+/// The mean. Of numbers added one by one it is known what it is a sign of when it is no number.
+Verdict mean_verdict(const std::string& what, double mean, const Exact& exact, double tolerance,
+                     const Suspects& suspects, bool one_by_one) {
+  Verdict verdict = equals(what, mean, exact.mean, tolerance * std::abs(exact.mean), suspects);
+  if (one_by_one && !std::isfinite(mean)) {
+    verdict.diagnoses = {exact.count > 0 ? counted_late : few_numbers};
+  }
+  return verdict;
+}
+
+/// Judges row `row` of {count, mean, variance, standard error}. About a mean that is wrong the rest
+/// tells nothing.
 void judge_moments(const std::string& list_name, const Rows& rows, std::size_t row,
-                   const Exact& exact, double tolerance, const Suspects& variances = {}) {
+                   const Exact& exact, double tolerance, const Slips& slips = {},
+                   bool one_by_one = false) {
+  judge(equals("the count of " + list_name, rows.at(row, 0), exact.count, 0));
+  const Verdict mean = mean_verdict("the mean of " + list_name, rows.at(row, 1), exact, tolerance,
+                                    slips.means, one_by_one);
+  judge(mean);
   const double by_all = exact.variance * (exact.count - 1) / exact.count;
-  Suspects suspects = variances;
-  Suspects errors;
-  if (exact.count > 1) {
-    suspects.push_back({by_all, by_n});
+  Suspects variances, errors;
+  if (mean.passed && exact.count > 1) {
+    variances = slips.variances;
+    variances.push_back({by_all, by_n});
     errors = {{std::sqrt(exact.variance), not_a_mean},
               {std::sqrt(by_all), not_a_mean},
               {exact.variance / exact.count, no_root},
               {std::sqrt(exact.variance) / exact.count, divided_by_all}};
   }
-  judge(equals("the count of " + list_name, rows.at(row, 0), exact.count, 0));
-  judge(equals("the mean of " + list_name, rows.at(row, 1), exact.mean,
-               tolerance * std::abs(exact.mean)));
-  judge(equals("the variance of " + list_name, rows.at(row, 2), exact.variance,
-               tolerance * exact.variance, suspects));
-  judge(equals("the standard error of " + list_name, rows.at(row, 3), exact.standard_error(),
-               tolerance * exact.standard_error(), errors));
+  Verdict variance = equals("the variance of " + list_name, rows.at(row, 2), exact.variance,
+                            tolerance * exact.variance, variances);
+  Verdict error = equals("the standard error of " + list_name, rows.at(row, 3),
+                         exact.standard_error(), tolerance * exact.standard_error(), errors);
+  for (Verdict* verdict : {&variance, &error}) {
+    if (mean.passed && exact.count < 2 && !verdict->passed) verdict->diagnoses = {few_numbers};
+    judge(*verdict);
+  }
 }
 
 constexpr double rounding = 1e-12;
+constexpr bool one_by_one = true;
 
 }  // namespace
 
 TEST_CASE("Lab 1.3: mean, variance and standard error of a short list", "[lab01][ex3]") {
   judge_moments("2 4 4 4 5 5 7 9", list(0, 8), 0, {8, 5, 32.0 / 7}, rounding,
-                same_distance_twice({2, 4, 4, 4, 5, 5, 7, 9}));
-  judge_moments("2 4 4", list(0, 3), 0, {3, 10.0 / 3, 4.0 / 3}, rounding,
-                same_distance_twice({2, 4, 4}));
-  judge_moments("2 4", list(0, 2), 0, {2, 3, 2}, rounding, same_distance_twice({2, 4}));
+                slips_of({2, 4, 4, 4, 5, 5, 7, 9}), one_by_one);
+  judge_moments("2 4 4", list(0, 3), 0, {3, 10.0 / 3, 4.0 / 3}, rounding, slips_of({2, 4, 4}),
+                one_by_one);
+  judge_moments("2 4", list(0, 2), 0, {2, 3, 2}, rounding, slips_of({2, 4}), one_by_one);
 }
 
 // Whoever knows the other lists by heart does not know these.
@@ -103,22 +185,25 @@ TEST_CASE("Lab 1.3: lists of random numbers", "[lab01][ex3]") {
   for (const std::int64_t n : {5, 37}) {
     const Answer rows = probe("Lab 1.3 drawn list", {.n = n},
                               {.rows = 2, .columns = 4, .of = fmt::format("{} random numbers", n)});
-    const std::vector<double> numbers = drawn_list(rows.seed, n).numbers;
+    const DrawnList drawn = drawn_list(rows.seed, n);
+    const std::vector<double>& numbers = drawn.numbers;
+    const auto cut = numbers.begin() + static_cast<std::ptrdiff_t>(drawn.cut);
     double mean = 0, squares = 0;
     for (const double x : numbers)
       mean += x / static_cast<double>(n);
     for (const double x : numbers)
       squares += (x - mean) * (x - mean);
     const Exact exact{static_cast<double>(n), mean, squares / static_cast<double>(n - 1)};
-    judge_moments(fmt::format("{} random numbers", n), rows, 0, exact, rounding,
-                  same_distance_twice(numbers));
-    judge_moments(fmt::format("{} random numbers in two parts", n), rows, 1, exact, rounding);
+    judge_moments(fmt::format("{} random numbers", n), rows, 0, exact, rounding, slips_of(numbers),
+                  one_by_one);
+    judge_moments(fmt::format("{} random numbers in two parts", n), rows, 1, exact, rounding,
+                  slips_of_merging({{numbers.begin(), cut}, {cut, numbers.end()}}));
   }
 }
 
 TEST_CASE("Lab 1.3: one number has no variance, and no number has no mean", "[lab01][ex3]") {
-  judge_moments("the list of 2 alone", list(0, 1), 0, {1, 2, 0}, rounding);
-  judge_moments("the empty list", list(0, 0), 0, {0, 0, 0}, rounding);
+  judge_moments("the list of 2 alone", list(0, 1), 0, {1, 2, 0}, rounding, {}, one_by_one);
+  judge_moments("the empty list", list(0, 0), 0, {0, 0, 0}, rounding, {}, one_by_one);
 }
 
 // A million numbers 1e8 - 1 and 1e8 + 1 in turn: the variance is N / (N - 1). The sum of squares,
@@ -145,8 +230,10 @@ TEST_CASE("Lab 1.3: parts merged are the whole, however it is cut", "[lab01][ex3
       probe("Lab 1.3 merge", {.n = 8, .numbers = {{"pattern", 2}, {"offset", 0}}},
             {.rows = 45, .columns = 4, .finite = false, .of = "a list of 8 numbers, in parts"});
   // The first row's first two parts are empty.
+  const bool list_has_mean = std::isfinite(list(2, 8).at(0, 1));
   judge(is_so("a mean, where two empty parts are merged first", std::isfinite(rows.at(0, 1)),
-              "no number", "the mean of the other part", {nothing_merged}));
+              "no number", "the mean of the other part",
+              {list_has_mean ? nothing_merged : counted_late}));
   const auto spread = [](int first, int last) {
     double sum = 0, squares = 0;
     for (int i = first; i < last; ++i) {
@@ -155,14 +242,21 @@ TEST_CASE("Lab 1.3: parts merged are the whole, however it is cut", "[lab01][ex3
     }
     return first == last ? 0 : squares - sum * sum / (last - first);
   };
+  const auto squares_of = [](int first, int last) {
+    std::vector<double> numbers;
+    for (int i = first; i < last; ++i)
+      numbers.push_back(i * i);
+    return numbers;
+  };
   std::size_t row = 0;
   for (int first = 0; first <= 8; ++first) {
     for (int second = first; second <= 8; ++second) {
       const double within = spread(0, first) + spread(first, second) + spread(second, 8);
-      Suspects suspects;
-      if (within < 2225) suspects.push_back({within / 7, between_missing});
+      Slips slips = slips_of_merging(
+          {squares_of(0, first), squares_of(first, second), squares_of(second, 8)});
+      if (within < 2225) slips.variances.push_back({within / 7, between_missing});
       judge_moments(fmt::format("0 1 4 ... 49 cut after {} and {}", first, second), rows, row++,
-                    {8, 17.5, 318}, rounding, suspects);
+                    {8, 17.5, 318}, rounding, slips);
     }
   }
 }
@@ -174,8 +268,10 @@ TEST_CASE("Lab 1.3: many merges keep the variance at a mean of 1e8", "[lab01][ex
                           {.columns = 4, .of = "7000 numbers around 1e+08, in parts of 7"});
   const double variance = n / (n - 1);
   judge(equals("the count", rows.at(0, 0), n, 0));
-  judge(equals("the mean", rows.at(0, 1), 1e8, 1e-6));
+  const Verdict mean = equals("the mean", rows.at(0, 1), 1e8, 1e-6);
+  judge(mean);
   // Seven numbers -1 1 ... -1 lie 6/7 * 8 / 7 about their own mean.
   judge(equals("the variance of 1000 parts of 7 numbers 1e8 ± 1", rows.at(0, 2), variance, 1e-5,
-               {{1000 * (48.0 / 7) / (n - 1), between_missing}, {1, by_n}}));
+               mean.passed ? Suspects{{1000 * (48.0 / 7) / (n - 1), between_missing}, {1, by_n}}
+                           : Suspects{}));
 }

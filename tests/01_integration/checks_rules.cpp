@@ -5,13 +5,16 @@
 #include "01_integration/dimensions.h"
 #include "01_integration/drawn.h"
 #include "01_integration/integrands.h"
+#include "01_integration/slips.h"
 #include "01_integration/theory.h"
 #include "grader/judge/judge.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -120,6 +123,14 @@ Suspects count_suspects(Rule rule, double n) {
   return list;
 }
 
+/// Whether all points are ends of the interval, where they should not be: i/n of two whole numbers
+/// is 0, and so is a width h that is a multiple of 1/n.
+bool all_at_ends(std::span<const double> points, RuleInterval on, int n) {
+  return n > 1 && std::all_of(points.begin(), points.end(), [on](double x) {
+           return std::abs(x - on.a) <= 1e-12 || std::abs(x - on.b) <= 1e-12;
+         });
+}
+
 /// What each rule's slips would give for f, where it is evaluated as often as it should be.
 template <class F>
 Suspects suspects(Rule rule, const F& f, RuleInterval on, int n, double right) {
@@ -190,10 +201,19 @@ void judge_drawn(Rule rule) {
   }
 }
 
-/// Returns whether the rule evaluates f at the ends of its cells in place of their middles.
-/// `middles_at_ends`: the midpoint rule does so, and what is built on it inherits that.
-bool judge_points(Rule rule, bool middles_at_ends) {
-  bool at_ends = false;
+/// What mistake the places of the points, in order, are a sign of, if of a known one.
+std::optional<Diagnosis> sign_of(Rule rule, std::span<const double> points, RuleInterval on,
+                                 int n) {
+  if (all_at_ends(points, on, n)) return whole_division;
+  const double half = (on.b - on.a) / n / 2, off = std::abs(points[0] - on.a - half);
+  if (rule == midpoint && std::abs(off - half) <= 1e-12) return at_left_ends;
+  return std::nullopt;
+}
+
+/// Returns what mistake the points are a sign of. `inherited`: that of the rules before, which this
+/// one may be built on.
+std::optional<Diagnosis> judge_points(Rule rule, const std::optional<Diagnosis>& inherited = {}) {
+  std::optional<Diagnosis> seen;
   for (const int n : {1, 2, 7}) {
     const RuleInterval on{-1, 2.5};
     Params params = rule_params(rule, 1, on, n);
@@ -208,13 +228,14 @@ bool judge_points(Rule rule, bool middles_at_ends) {
                             {.rows = expected.size(),
                              .finite = false,
                              .of = fmt::format("{} over [-1, 2.5], n = {}", names[rule], n)});
-    const double off = rows.at(0, 0) - expected.front(), half = (on.b - on.a) / n / 2;
-    const bool ends = rule == midpoint && std::abs(std::abs(off) - half) <= 1e-12;
-    at_ends = at_ends || ends;
-    judge(all_equal(fmt::format("{}: the points for n = {}", names[rule], n), rows.values, expected,
-                    1e-12, {ends || middles_at_ends ? at_left_ends : wrong_rule_points}));
+    std::optional<Diagnosis> sign = sign_of(rule, rows.values, on, n);
+    if (!sign) sign = inherited;
+    Verdict verdict = all_equal(fmt::format("{}: the points for n = {}", names[rule], n),
+                                rows.values, expected, 1e-12, {sign.value_or(wrong_rule_points)});
+    if (!verdict.passed && !seen) seen = sign;
+    judge(verdict);
   }
-  return at_ends;
+  return seen;
 }
 
 /// The last point of a million cells on [0, 0.1]: to 1e-12 of the width it is where it should be.
@@ -279,6 +300,7 @@ double corner_mean(BoxIntegrand integrand, int d, double n, double sign) {
 Suspects nested_suspects(BoxIntegrand integrand, int d, int n, double right) {
   const double cells = std::pow(n, d);
   Suspects suspects{{right / volume(d), no_volume},
+                    of_whole_division(n),
                     {volume(d) * corner_mean(integrand, d, n, -1), at_corners},
                     {volume(d) * corner_mean(integrand, d, n, 1), at_corners}};
   if (n > 1) {
@@ -286,6 +308,10 @@ Suspects nested_suspects(BoxIntegrand integrand, int d, int n, double right) {
     suspects.push_back({right * cells, box_for_cell});
   }
   if (n > 1 && d > 1) suspects.push_back({right * cells / n, by_n_only});
+  double sides = 0;
+  for (int i = 0; i < d; ++i)
+    sides += side(i);
+  add_sums_of_sides(suspects, right / volume(d), sides, d);
   for (int i = 0; i < d && d > 1; ++i) {
     // One width in place of all; the sum runs over n^d points or its mean is taken.
     suspects.push_back({right / volume(d) * side(i), one_dimension});
@@ -338,9 +364,9 @@ void judge_nested_wave(int d, int n) {
 }  // namespace
 
 TEST_CASE("Lab 1.4: each rule evaluates f where it should, once", "[lab01][ex4]") {
-  const bool middles_at_ends = judge_points(midpoint, false);
-  judge_points(trapezoid, false);
-  judge_points(simpson, middles_at_ends);
+  const std::optional<Diagnosis> of_midpoint = judge_points(midpoint);
+  const std::optional<Diagnosis> of_trapezoid = judge_points(trapezoid);
+  judge_points(simpson, of_midpoint ? of_midpoint : of_trapezoid);
 }
 
 TEST_CASE("Lab 1.4: the midpoint rule is exact for lines and has its known error for x^2",

@@ -7,9 +7,12 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <ctime>
 
 using namespace carlo::grader;
+using lab02_tests::dart_of;
 using lab02_tests::hits_of;
 using lab02_tests::plain_loop;
 
@@ -27,10 +30,14 @@ const Diagnosis ragged{
 const Diagnosis cut_number{"dart-number-in-32-bits",
                            "far along the list the darts are others than they should be: a dart's "
                            "number is kept in 32 bits somewhere, which end at 2^32 - 1."};
-const Diagnosis cut_squares{
-    "squares-in-32-bits",
-    "every dart is counted as a hit: the sum of two squares needs more than "
-    "32 bits, and the bits above them are lost."};
+const Diagnosis cut_squares{"squares-in-32-bits",
+                            "bits are lost: the sum of two squares, or the square that it is "
+                            "compared with, needs more than "
+                            "32 of them, and a product of two numbers of 32 bits has no more."};
+const Diagnosis small_counter{
+    "counter-overflows",
+    "the hits are kept in too few bits: past the largest number that these "
+    "hold, the count begins again."};
 const Diagnosis slow{"not-faster",
                      "the count is right, but a dart takes too long: ./carlo hint 2.5 leads on."};
 
@@ -49,6 +56,7 @@ constexpr bool optimised = false;
 /// numbers are what 32 bits hold of them.
 struct Counted {
   double hits, expected, at_corner, number_cut;
+  std::uint64_t key;
 };
 
 Counted count(std::int64_t first, std::int64_t n) {
@@ -57,13 +65,46 @@ Counted count(std::int64_t first, std::int64_t n) {
   constexpr std::int64_t words = std::int64_t{1} << 32;
   const auto expected = static_cast<double>(hits_of(rows.seed, first, n));
   return {rows.at(0, 0), expected, static_cast<double>(hits_of(rows.seed, first, n, 0.0)),
-          first < words ? expected : static_cast<double>(hits_of(rows.seed, first % words, n))};
+          first < words ? expected : static_cast<double>(hits_of(rows.seed, first % words, n)),
+          rows.seed};
 }
 
 /// Whether a million darts are counted as they should be.
 bool million_right() {
   const Counted million = count(0, 1'048'576);
   return million.hits == million.expected;
+}
+
+/// The darts that hit where the sum of both squares is an int, which goes on below 0, and a number
+/// below 0 is no small one. Once with the squares of x and y, once with those of the cell's centre.
+void add_sums_in_int(Suspects& suspects, std::uint64_t key, std::int64_t first, std::int64_t n) {
+  double by_corner = 0, by_centre = 0;
+  for (std::int64_t i = first; i < first + n; ++i) {
+    const std::uint32_t dart = dart_of(key, i), x = dart & 0xFFFF, y = dart >> 16;
+    by_corner += (x * x + y * y) >> 31 == 0 ? 1 : 0;
+    by_centre += (x * (x + 1) + y * (y + 1)) >> 31 == 0 ? 1 : 0;
+  }
+  suspects.push_back({by_corner, cut_squares});
+  suspects.push_back({by_centre, cut_squares});
+}
+
+/// What counters of 8 and of 16 bits show.
+void add_small_counters(Suspects& suspects, double hits) {
+  for (const double range : {256.0, 65536.0}) {
+    const double rest = std::fmod(hits, range);
+    suspects.push_back({rest, small_counter});
+    if (rest >= range / 2) suspects.push_back({rest - range, small_counter});
+  }
+}
+
+/// None at all: of the first darts it is the squares; far along the list, where those are right,
+/// the numbers.
+void add_none(Suspects& suspects, std::int64_t first) {
+  if (first < std::int64_t{1} << 32) {
+    suspects.push_back({0, cut_squares});
+  } else if (million_right()) {
+    suspects.push_back({0, cut_number});
+  }
 }
 
 void judge_count(std::int64_t first, std::int64_t n) {
@@ -74,6 +115,11 @@ void judge_count(std::int64_t first, std::int64_t n) {
   if (n > 20'000'000) suspects.push_back({16777216, fast_float_counter});
   if (found.number_cut != found.expected) suspects.push_back({found.number_cut, cut_number});
   suspects.push_back({darts, cut_squares});
+  if (found.hits != found.expected) {
+    add_sums_in_int(suspects, found.key, first, n);
+    add_small_counters(suspects, found.expected);
+    add_none(suspects, first);
+  }
   judge(equals(fmt::format("the hits among {} from number {}", counted(darts, "dart"),
                            number_in_report(static_cast<double>(first))),
                found.hits, found.expected, 0, suspects));

@@ -58,12 +58,17 @@ inline Totals<long double> totals_of(Integrand which, std::int64_t n, carlo::Rng
 /// Where in its cell a dart of Lab 2.5 is taken to lie, as a share of the cell: the centre.
 constexpr double centre = 0.5;
 
+/// Dart i of `key`: x in the low 16 bits, y in the high ones.
+inline std::uint32_t dart_of(std::uint64_t key, std::int64_t i) {
+  const std::uint64_t word =
+      carlo::mix(key + static_cast<std::uint64_t>(i / 2) * 0x9E3779B97F4A7C15);
+  return static_cast<std::uint32_t>(i % 2 == 0 ? word : word >> 32);
+}
+
 /// Whether dart i of `key` hits. In units of half a cell every place is a whole number, so there is
 /// no rounding.
 inline bool hit(std::uint64_t key, std::int64_t i, double place = centre) {
-  const std::uint64_t word =
-      carlo::mix(key + static_cast<std::uint64_t>(i / 2) * 0x9E3779B97F4A7C15);
-  const std::uint64_t dart = i % 2 == 0 ? word & 0xFFFFFFFF : word >> 32;
+  const std::uint32_t dart = dart_of(key, i);
   const double x = static_cast<double>(dart & 0xFFFF) + place;
   const double y = static_cast<double>(dart >> 16) + place;
   return x * x + y * y < 65536.0 * 65536.0;

@@ -1,5 +1,6 @@
 // Checks of exercises 4.3 and 4.4.
 
+#include "04_stratification/slips.h"
 #include "04_stratification/theory.h"
 #include "grader/judge/judge.h"
 
@@ -32,6 +33,9 @@ const Diagnosis same_number{"same-number-for-x-and-y",
 
 const Diagnosis axis_not_stratified{"axis-not-stratified",
                                     "along an axis, some strata hold no point and others several."};
+const Diagnosis whole_strata{"whole-number-division",
+                             "all points lie in the first stratum of every axis: a quotient of two "
+                             "whole numbers is a whole number, 0."};
 const Diagnosis in_order{"axis-in-order",
                          "on an axis the strata are dealt out in order and not shuffled."};
 const Diagnosis same_order{"same-permutation-on-every-axis",
@@ -76,6 +80,14 @@ bool in_cell(double x, double y) {
   return x >= 0 && x < 1 && y >= 0 && y < 1;
 }
 
+/// Whether a point lies at 1 or above, on either axis.
+bool lies_beyond_one(const Rows& points) {
+  for (std::size_t i = 1; i < points.count(); ++i) {
+    if (points.at(i, 0) >= 1 || points.at(i, 1) >= 1) return true;
+  }
+  return false;
+}
+
 /// Whether all points lie where they would with the loops exchanged, or the two sides.
 bool is_exchanged(const Rows& points, const Grid& grid) {
   const auto columns = static_cast<double>(grid.columns), rows = static_cast<double>(grid.rows);
@@ -101,6 +113,22 @@ bool in_first_cell(const Rows& points, const Grid& grid) {
     }
   }
   return true;
+}
+
+/// Whether in all points one part of i + u was divided alone, in x and in y.
+bool is_one_part_divided(const Rows& points, const Grid& grid) {
+  const auto columns = static_cast<double>(grid.columns), rows = static_cast<double>(grid.rows);
+  bool share_alone = true, number_alone = true;
+  for (std::size_t i = 0; i + 1 < points.count(); ++i) {
+    const double x = points.at(i + 1, 0), y = points.at(i + 1, 1);
+    const auto column = static_cast<double>(i % grid.columns);
+    const auto row = static_cast<double>(lines_before(i, grid.columns));
+    share_alone = share_alone && is_share_divided_alone(x, column, columns) &&
+                  is_share_divided_alone(y, row, rows);
+    number_alone = number_alone && is_number_divided_alone(x, column, columns) &&
+                   is_number_divided_alone(y, row, rows);
+  }
+  return share_alone || (number_alone && lies_beyond_one(points));
 }
 
 Rows hypercubes(std::size_t n, std::size_t dimensions, std::size_t repetitions) {
@@ -145,6 +173,33 @@ std::vector<double> points_first(const std::vector<double>& row, std::size_t n, 
   return out;
 }
 
+/// Whether in all coordinates of one hypercube one part of i + u was divided alone. i + u/n: the
+/// whole parts are the strata. i/n + u: half of them lie beyond 1.
+bool is_one_part_divided(const std::vector<double>& row, std::size_t n, std::size_t d) {
+  const auto strata = static_cast<double>(n);
+  std::vector<double> scaled{row[0]};
+  double beyond = 0;
+  bool below_two = true, share_alone = n > 1;
+  for (std::size_t k = 1; k < row.size(); ++k) {
+    scaled.push_back(std::floor(row[k]) / strata);
+    share_alone = share_alone && is_share_divided_alone(row[k], std::floor(row[k]), strata);
+    beyond += row[k] >= 1 ? 1 : 0;
+    below_two = below_two && row[k] >= 0 && row[k] < 2;
+  }
+  if (share_alone && strata_missed(scaled, n, d) == 0) return true;
+  return below_two && n >= 7 && beyond >= 0.2 * static_cast<double>(n * d);
+}
+
+/// What strata without a point are a sign of.
+Diagnosis sign_of_missed_strata(const std::vector<double>& row, std::size_t n, std::size_t d) {
+  if (strata_missed(points_first(row, n, d), n, d) == 0) return axis_by_axis;
+  if (is_one_part_divided(row, n, d)) return one_part_divided;
+  const bool in_first = std::all_of(row.begin() + 1, row.end(), [n](double x) {
+    return x >= 0 && x * static_cast<double>(n) < 1;
+  });
+  return in_first ? whole_strata : axis_not_stratified;
+}
+
 }  // namespace
 
 TEST_CASE("Lab 4.3: each cell holds its point, in reading order", "[lab04][ex3]") {
@@ -160,9 +215,10 @@ TEST_CASE("Lab 4.3: each cell holds its point, in reading order", "[lab04][ex3]"
     const bool exchanged = is_exchanged(rows, grid);
     judge(holds("points outside of their cell, " + which, astray == 0, fmt::format("{}", astray),
                 "none",
-                {exchanged                   ? swapped
-                 : in_first_cell(rows, grid) ? whole_cells
-                                             : not_in_cell}));
+                {exchanged                         ? swapped
+                 : in_first_cell(rows, grid)       ? whole_cells
+                 : is_one_part_divided(rows, grid) ? one_part_divided
+                                                   : not_in_cell}));
   }
 }
 
@@ -180,8 +236,11 @@ TEST_CASE("Lab 4.3: within its cell a point may lie anywhere, equally likely", "
   std::vector<double> products;
   for (std::size_t i = 0; i < within.x.size(); ++i)
     products.push_back((within.x[i] - 0.5) * (within.y[i] - 0.5));
+  // Of points outside of their cells, which another test tells, these are no offsets.
+  const auto [lowest, highest] = std::minmax_element(within.y.begin(), within.y.end());
+  const bool all_within = *least >= 0 && *most < 1 && *lowest >= 0 && *highest < 1;
   judge(mean_is("the mean product of the offsets in x and y", products, {0, 1.0 / 12},
-                {{1.0 / 12, same_number}}));
+                all_within ? Suspects{{1.0 / 12, same_number}} : Suspects{}));
 }
 
 // Neighbouring cells: offsets that repeat from cell to cell would show here.
@@ -210,10 +269,8 @@ TEST_CASE("Lab 4.4: along every axis each stratum holds exactly one point", "[la
     judge(equals("the number of coordinates, " + which, rows.at(0, 0),
                  static_cast<double>(size.n * size.d), 0));
     const std::size_t missed = strata_missed(rows.values, size.n, size.d);
-    const bool axes_first =
-        strata_missed(points_first(rows.values, size.n, size.d), size.n, size.d) == 0;
     judge(holds("strata without a point, " + which, missed == 0, fmt::format("{}", missed), "none",
-                {axes_first ? axis_by_axis : axis_not_stratified}));
+                {sign_of_missed_strata(rows.values, size.n, size.d)}));
   }
 }
 
@@ -224,6 +281,7 @@ TEST_CASE("Lab 4.4: all orders of the strata are equally likely and independent 
           "[lab04][ex4]") {
   constexpr std::size_t repetitions = 60'000;
   const Rows rows = hypercubes(3, 2, repetitions);
+  bool all_orders = true;  // and no stratum twice
   const Theory sixth{1.0 / 6, std::sqrt(1.0 / 6 * 5 / 6)};
   std::vector<double> together(repetitions, 0);
   std::array<std::array<std::vector<double>, 6>, 2> is_order;
@@ -232,22 +290,24 @@ TEST_CASE("Lab 4.4: all orders of the strata are equally likely and independent 
   for (std::size_t row = 0; row < repetitions; ++row) {
     const auto first = strata_of(rows, row, 3, 2, 0), second = strata_of(rows, row, 3, 2, 1);
     together[row] = first == second ? 1 : 0;
+    all_orders = all_orders && std::count(orders.begin(), orders.end(), first) == 1 &&
+                 std::count(orders.begin(), orders.end(), second) == 1;
     for (std::size_t o = 0; o < 6; ++o) {
       is_order[0][o].push_back(first == orders[o] ? 1 : 0);
       is_order[1][o].push_back(second == orders[o] ? 1 : 0);
     }
   }
-  judge(mean_is("how often two axes have the same order", together, sixth, {{1, same_order}}));
+  judge(mean_is("how often two axes have the same order", together, sixth,
+                all_orders ? Suspects{{1, same_order}} : Suspects{}));
   for (std::size_t k = 0; k < 2; ++k) {
+    const auto& hits = is_order[k][0];
+    const bool always = std::all_of(hits.begin(), hits.end(), [](double hit) { return hit == 1; });
     for (std::size_t o = 0; o < 6; ++o) {
       Verdict verdict =
           mean_is(fmt::format("how often axis {} has the order {}", k, fmt::join(orders[o], " ")),
                   is_order[k][o], sixth);
-      const auto& hits = is_order[k][o];
-      const bool always =
-          std::all_of(hits.begin(), hits.end(), [](double hit) { return hit == 1; });
-      if (!verdict.passed)
-        verdict.diagnoses.push_back(o == 0 && always ? in_order : biased_shuffle);
+      if (!verdict.passed && all_orders)
+        verdict.diagnoses.push_back(always ? in_order : biased_shuffle);
       judge(verdict);
     }
   }

@@ -7,6 +7,7 @@
 #include "grader/judge/judge.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -24,6 +25,12 @@ const Diagnosis rows_only{"rows-drawn-uniformly",
 const Diagnosis columns_by_first{"one-column-table-for-all-rows",
                                  "the column is drawn without a look at the row: each row has "
                                  "column probabilities of its own."};
+
+const Diagnosis columns_only{"columns-drawn-uniformly",
+                             "the column has to be drawn by the weights in its row, not with equal "
+                             "probability."};
+const Diagnosis x_for_y{"x-and-y-swapped",
+                        "x and y have changed places: x runs along the columns, y along the rows."};
 
 /// The inverse that Lab 5.6 asks for, in the words of its docstring.
 struct GridInverse {
@@ -53,12 +60,92 @@ struct GridInverse {
   double density(std::size_t i, std::size_t j) const {
     return grid.at(i, j) / total * number(grid.width * grid.height);
   }
+  /// In the middle of each cell, row by row.
+  std::vector<double> densities() const {
+    std::vector<double> all;
+    for (std::size_t j = 0; j < grid.height; ++j) {
+      for (std::size_t i = 0; i < grid.width; ++i)
+        all.push_back(density(i, j));
+    }
+    return all;
+  }
+  /// The same, where x and y are taken for each other.
+  std::vector<double> exchanged_densities() const {
+    std::vector<double> all;
+    for (std::size_t j = 0; j < grid.height; ++j) {
+      for (std::size_t i = 0; i < grid.width; ++i) {
+        // The middle of cell i of `width` lies in this cell of `height`, and the other way round.
+        const std::size_t row = (2 * i + 1) * grid.height / (2 * grid.width);
+        const std::size_t column = (2 * j + 1) * grid.width / (2 * grid.height);
+        all.push_back(density(column, row));
+      }
+    }
+    return all;
+  }
 
   Grid grid;
   double total = 0;
   std::vector<double> rows;
   std::vector<std::vector<double>> columns;
 };
+
+/// The same weights, read column by column.
+Grid read_by_columns(const Grid& grid) {
+  Grid read = grid;
+  for (std::size_t j = 0; j < grid.height; ++j) {
+    for (std::size_t i = 0; i < grid.width; ++i)
+      read.weights[j * grid.width + i] = grid.weights[i * grid.height + j];
+  }
+  return read;
+}
+
+/// How many points are wrong, and how many are where a mistake would put them.
+struct GridCounts {
+  double judged = 0, wrong_x = 0, wrong_y = 0, empty = 0;
+  double u_exchanged = 0, misread = 0, rows_uniform = 0, u_again = 0, exchanged = 0;
+  double first_row = 0, columns_uniform = 0;
+
+  void add(const GridInverse& exact, const GridInverse& by_columns, std::array<double, 2> p,
+           double u_row, double u_column) {
+    const auto [x, y] = p;
+    const Place row = place_of(u_row, exact.rows);
+    const Place in_first = place_of(u_column, exact.columns[0]);
+    const double right_x = exact.x(u_row, u_column), right_y = exact.y(u_row);
+    const auto one = [](bool yes) { return yes ? 1.0 : 0.0; };
+    const auto near = [](double a, double b) { return std::abs(a - b) <= 1e-9; };
+    judged += 1;
+    wrong_y += one(!(std::abs(y - right_y) <= 1e-11));
+    wrong_x += one(!near(x, right_x));
+    exchanged += one(near(x, right_y) && near(y, right_x));
+    u_exchanged += one(near(y, exact.y(u_column)));
+    misread += one(near(y, by_columns.y(u_row)));
+    rows_uniform += one(near(y, u_row));
+    u_again += one(near(y, (row.index + u_row) / number(exact.grid.height)));
+    first_row += one(near(x, (in_first.index + in_first.fraction) / number(exact.grid.width)));
+    columns_uniform += one(near(x, u_column));
+  }
+  /// Nearly all: where u is in doubt a point may lie anywhere.
+  bool most(double count) const { return count >= 0.9 * judged; }
+
+  std::vector<Diagnosis> signs_of_y() const {
+    if (most(exchanged)) return {x_for_y};
+    std::vector<Diagnosis> signs;
+    if (most(u_exchanged) || most(misread)) signs.push_back(transposed);
+    if (most(rows_uniform)) signs.push_back(rows_only);
+    if (most(u_again)) signs.push_back(spent);
+    return signs;
+  }
+  std::vector<Diagnosis> signs_of_x() const {
+    if (most(exchanged)) return {x_for_y};
+    if (most(columns_uniform)) return {columns_only};
+    return most(first_row) ? std::vector{columns_by_first} : std::vector<Diagnosis>{};
+  }
+};
+
+bool are_near(const std::vector<double>& found, const std::vector<double>& other) {
+  return std::equal(found.begin(), found.end(), other.begin(), other.end(),
+                    [](double a, double b) { return std::abs(a - b) <= 1e-9 * (1 + b); });
+}
 
 const char* name_of(int smooth) {
   return smooth == 1 ? "16 x 12 smooth cells" : "3 x 4 cells, a row and a column empty";
@@ -71,58 +158,40 @@ const char* name_of(int smooth) {
 TEST_CASE("Lab 5.6: u_row decides the row, u_column the place in it", "[lab05][ex6]") {
   for (const int smooth : {0, 1}) {
     const GridInverse exact(smooth == 1 ? smooth_grid() : small_grid());
+    const GridInverse by_columns(read_by_columns(exact.grid));
     const std::vector<double> u = hard_numbers();
     const Rows rows = probe("Lab 5.6 inverse", {.numbers = {{"smooth", smooth}}},
                             {.rows = u.size() * u.size(), .columns = 3, .of = name_of(smooth)});
-    double wrong_x = 0, wrong_y = 0, empty = 0, swapped = 0, uniform = 0, u_again = 0,
-           first_row = 0;
-    double judged = 0;
-    std::size_t at = 0;
-    for (const double u_row : u) {
-      const double y = exact.y(u_row);
-      for (const double u_column : u) {
-        const double mx = rows.at(at, 0), my = rows.at(at, 1);
-        empty += rows.at(at, 2) > 0 ? 0 : 1;
-        ++at;
-        const auto j = static_cast<std::size_t>(place_of(u_row, exact.rows).index);
-        if (near_edge(u_row, exact.rows) || near_edge(u_column, exact.columns[j])) continue;
-        judged += 1;
-        wrong_y += std::abs(my - y) <= 1e-11 ? 0 : 1;
-        wrong_x += std::abs(mx - exact.x(u_row, u_column)) <= 1e-9 ? 0 : 1;
-        swapped += std::abs(my - exact.y(u_column)) <= 1e-11 ? 1 : 0;
-        uniform += std::abs(my - u_row) <= 1e-11 ? 1 : 0;
-        const double reused = (number(j) + u_row) / number(exact.grid.height);
-        u_again += std::abs(my - reused) <= 1e-11 ? 1 : 0;
-        const Place place = place_of(u_column, exact.columns[0]);
-        const double by_first = (place.index + place.fraction) / number(exact.grid.width);
-        first_row += std::abs(mx - by_first) <= 1e-9 ? 1 : 0;
+    GridCounts counts;
+    bool all_at_edges = true;
+    for (std::size_t at = 0; at < rows.count(); ++at) {
+      const double u_row = u[at / u.size()], u_column = u[at % u.size()];
+      const auto j = static_cast<std::size_t>(place_of(u_row, exact.rows).index);
+      if (!(rows.at(at, 2) > 0)) {
+        counts.empty += 1;
+        all_at_edges =
+            all_at_edges && (at_edge(u_row, exact.rows) || at_edge(u_column, exact.columns[j]));
       }
+      if (near_edge(u_row, exact.rows) || near_edge(u_column, exact.columns[j])) continue;
+      counts.add(exact, by_columns, {rows.at(at, 0), rows.at(at, 1)}, u_row, u_column);
     }
-    std::vector<Diagnosis> y_diagnoses, x_diagnoses;
-    if (swapped >= 0.9 * judged) y_diagnoses.push_back(transposed);
-    if (uniform >= 0.9 * judged) y_diagnoses.push_back(rows_only);
-    if (u_again >= 0.9 * judged) y_diagnoses.push_back(spent);
-    if (y_diagnoses.empty()) y_diagnoses.push_back(transposed);
-    if (first_row >= 0.9 * judged) x_diagnoses.push_back(columns_by_first);
     const char* name = smooth == 1 ? "16 x 12 cells" : "3 x 4 cells, one row 0";
-    judge(holds(fmt::format("values of y that are not as u_row says, {}", name), wrong_y == 0,
-                fmt::format("{:g} of {:g}", wrong_y, judged), "none", y_diagnoses));
-    judge(holds(fmt::format("values of x that are not as u_column says, {}", name), wrong_x == 0,
-                fmt::format("{:g} of {:g}", wrong_x, judged), "none", x_diagnoses));
-    judge(holds(fmt::format("samples whose density is 0, {}", name), empty == 0,
-                fmt::format("{:g} of {}", empty, u.size() * u.size()), "none", {slips}));
+    judge(holds(fmt::format("values of y that are not as u_row says, {}", name),
+                counts.wrong_y == 0, fmt::format("{:g} of {:g}", counts.wrong_y, counts.judged),
+                "none", counts.signs_of_y()));
+    judge(holds(fmt::format("values of x that are not as u_column says, {}", name),
+                counts.wrong_x == 0, fmt::format("{:g} of {:g}", counts.wrong_x, counts.judged),
+                "none", counts.signs_of_x()));
+    judge(holds(fmt::format("samples whose density is 0, {}", name), counts.empty == 0,
+                fmt::format("{:g} of {}", counts.empty, rows.count()), "none",
+                all_at_edges ? std::vector{slips} : std::vector<Diagnosis>{}));
   }
 }
 
 TEST_CASE("Lab 5.6: the density is that of each cell, and 0 outside the square", "[lab05][ex6]") {
   for (const int smooth : {0, 1}) {
     const GridInverse exact(smooth == 1 ? smooth_grid() : small_grid());
-    const Grid& grid = exact.grid;
-    std::vector<double> expected, transposed_density;
-    for (std::size_t j = 0; j < grid.height; ++j) {
-      for (std::size_t i = 0; i < grid.width; ++i)
-        expected.push_back(exact.density(i, j));
-    }
+    const std::vector<double> expected = exact.densities(), exchanged = exact.exchanged_densities();
     Rows rows = probe("Lab 5.6 density", {.numbers = {{"smooth", smooth}}},
                       {.rows = expected.size() + 4, .of = name_of(smooth)});
     const std::vector<double> outside(rows.values.end() - 4, rows.values.end());
@@ -131,8 +200,10 @@ TEST_CASE("Lab 5.6: the density is that of each cell, and 0 outside the square",
     const bool unscaled =
         std::equal(expected.begin(), expected.end(), rows.values.begin(),
                    [=](double a, double b) { return std::abs(a / cells - b) <= 1e-12; });
-    judge(all_equal("the density in each cell", rows.values, expected, 1e-11,
-                    unscaled ? std::vector{no_width} : std::vector<Diagnosis>{}));
+    std::vector<Diagnosis> diagnoses;
+    if (unscaled) diagnoses.push_back(no_width);
+    if (are_near(rows.values, exchanged)) diagnoses.push_back(x_for_y);
+    judge(all_equal("the density in each cell", rows.values, expected, 1e-11, diagnoses));
     judge(
         all_equal("the density outside the unit square", outside, std::vector<double>(4, 0.0), 0));
   }
@@ -151,9 +222,14 @@ TEST_CASE("Lab 5.6: ten million cells", "[lab05][ex6]") {
   judge(all_equal("their density", column(rows, 2), std::vector<double>(u.size(), 1.0), 1e-8));
 }
 
+// Whoever draws with other weights than those given may not have seen the bad ones.
 TEST_CASE("Lab 5.6: bad tables are refused", "[lab05][ex6]") {
+  const std::vector<double> expected = GridInverse(small_grid()).densities();
+  const Rows good = probe("Lab 5.6 density", {.numbers = {{"smooth", 0}}},
+                          {.rows = expected.size() + 4, .finite = false, .of = name_of(0)});
+  const bool weights_seen = are_near({good.values.begin(), good.values.end() - 4}, expected);
   for (int kind = 0; kind < bad_cell_kinds; ++kind)
-    judge_refusal("Lab 5.6 refusal", bad_cells_name(kind), kind);
+    judge_refusal("Lab 5.6 refusal", bad_cells_name(kind), kind, weights_seen);
 }
 
 TEST_CASE("Lab 5.6: samples fill every cell by its integral", "[lab05][ex6]") {
