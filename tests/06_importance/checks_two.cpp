@@ -30,6 +30,13 @@ const Diagnosis not_weighted_two{"heuristic-not-used",
                                  "twice where both techniques sample."};
 const Diagnosis others_pdf{"divided-by-the-other-pdf",
                            "a sample is divided by the pdf of the technique that drew it."};
+const Diagnosis others_weight{"weight-of-the-other",
+                              "a sample has the weight of the other technique: own's effort comes "
+                              "first, and own is the technique that drew the point."};
+const Diagnosis own_pdf_twice{
+    "own-pdf-for-both",
+    "the heuristic compares the sample's own density with itself: other's "
+    "effort holds the other technique's pdf at the same point."};
 const Diagnosis counts_not_given{"heuristic-without-numbers",
                                  "the heuristic has to be given the numbers of samples."};
 const Diagnosis order{"second-before-first", "first's samples are drawn before second's."};
@@ -105,6 +112,16 @@ void judge_record(const Plan& plan) {
     const double w = plain_weight(plan.kind, n_own, own.pdf_in(cell), n_other, p);
     return p > 0 ? w * step_f[cell] / p : 0;
   };
+  const Term exchanged = [&](const StepDensity& own, double n_own, const StepDensity& other,
+                             double n_other, std::size_t cell) {
+    const double p = own.pdf_in(cell);
+    return plain_weight(plan.kind, n_other, other.pdf_in(cell), n_own, p) * step_f[cell] / p;
+  };
+  const Term own_twice = [&](const StepDensity& own, double n_own, const StepDensity&,
+                             double n_other, std::size_t cell) {
+    const double p = own.pdf_in(cell);
+    return plain_weight(plan.kind, n_own, p, n_other, p) * step_f[cell] / p;
+  };
   const Term equal_counts = [&](const StepDensity& own, double, const StepDensity& other, double,
                                 std::size_t cell) {
     return step_contribution(plan.kind, own, 1, other, 1, cell);
@@ -113,7 +130,9 @@ void judge_record(const Plan& plan) {
   const auto all = static_cast<double>(n);
   Suspects suspects{{replay(plan, u, raw, true), not_weighted_two},
                     {replay(plan, u, raw, true) / 2, not_weighted_two},
-                    {replay(plan, u, by_other, true), others_pdf}};
+                    {replay(plan, u, by_other, true), others_pdf},
+                    {replay(plan, u, exchanged, true), others_weight},
+                    {replay(plan, u, own_twice, true), own_pdf_twice}};
   if (n > 2) suspects.push_back({sum, sum_not_divided});
   if (plan.n_first > 0 && plan.n_second > 0) {
     suspects.push_back({sum / all, divided_by_all});
@@ -141,6 +160,7 @@ struct OneSample {
   const StepDensity& first;
   double share;
   bool stretched = true, divided = true, chances_given = true, exchanged = false, weighted = true;
+  bool by_other = false, weight_exchanged = false, own_twice = false;
 
   double operator()(double u) const {
     const bool is_first = u < share;
@@ -151,7 +171,10 @@ struct OneSample {
     const std::size_t cell = own.choose(rest);
     const double y = chances_given ? step_contribution(kind, own, chance, other, 1 - chance, cell)
                                    : step_contribution(kind, own, 1, other, 1, cell);
-    const double raw = step_f[cell] / own.pdf_in(cell);
+    const double p = own.pdf_in(cell), q = other.pdf_in(cell), raw = step_f[cell] / p;
+    if (weight_exchanged) return plain_weight(kind, 1 - chance, q, chance, p) * raw / chance;
+    if (own_twice) return plain_weight(kind, chance, p, 1 - chance, p) * raw / chance;
+    if (by_other) return q > 0 ? y * p / q / chance : 0;
     return (weighted ? y : raw) / (divided ? chance : 1);
   }
 
@@ -200,7 +223,10 @@ void judge_one(Weighting kind, std::size_t index) {
   };
   std::vector<Alternative> others = {{but(&OneSample::stretched, false), reused},
                                      {but(&OneSample::divided, false), not_by_chance},
-                                     {but(&OneSample::weighted, false), not_weighted_two}};
+                                     {but(&OneSample::weighted, false), not_weighted_two},
+                                     {but(&OneSample::by_other, true), others_pdf},
+                                     {but(&OneSample::weight_exchanged, true), others_weight},
+                                     {but(&OneSample::own_twice, true), own_pdf_twice}};
   if (share != 0.5) {
     others.push_back({but(&OneSample::exchanged, true), chances_exchanged});
     others.push_back({but(&OneSample::chances_given, false), chance_not_given});

@@ -148,14 +148,17 @@ Drawn draw(const Subject& subject, std::size_t count) {
   return {directions_in(rows), column(rows, 3)};
 }
 
-void judge_drawn(const Subject& subject, const Drawn& drawn) {
+void judge_drawn(const Subject& subject, const Drawn& drawn,
+                 const std::vector<Diagnosis>& all_below) {
   judge(all_unit(drawn.directions));
   if (subject.sampler != Sampler::mirror) {
     std::size_t lost = 0;
     for (const Double3 w : drawn.directions)
       lost += w.z > 0 ? 0 : 1;
     judge(holds("directions of " + subject.name + " below the horizon", lost == 0,
-                fmt::format("{} of {}", lost, drawn.directions.size()), "none", {below_kept}));
+                fmt::format("{} of {}", lost, drawn.directions.size()), "none",
+                lost == drawn.directions.size() && !all_below.empty() ? all_below
+                                                                      : std::vector{below_kept}));
   }
   std::size_t wrong = 0;
   std::string example;

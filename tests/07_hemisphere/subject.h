@@ -210,6 +210,8 @@ struct Drawn {
 Drawn draw(const Subject& subject, std::size_t count);
 
 /// Length 1; none below the horizon but for the mirror's lobe; the density of each is theory's.
-void judge_drawn(const Subject& subject, const Drawn& drawn);
+/// `all_below`: what it is a sign of when none lies above.
+void judge_drawn(const Subject& subject, const Drawn& drawn,
+                 const std::vector<Diagnosis>& all_below = {});
 
 }  // namespace lab07_tests

@@ -2,9 +2,12 @@
 // the density's integrals (cells off by 6 % each, rms, are caught with power .999), the mean weight
 // against the reflectance in closed form.
 
-#include "08_path_tracer/theory.h"
+#include "08_path_tracer/phong_cells.h"
 #include "grader/judge/figures.h"
-#include "stats/distributions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
 
 using namespace carlo::grader;
 using namespace lab08_tests;
@@ -36,7 +39,20 @@ const Diagnosis never_absorbs{"never-absorbs",
                               "a direction is always returned: the rest of the chances is "
                               "absorption."};
 
-constexpr std::size_t draws = 100'000;
+const Diagnosis wo_not_local{
+    "wo-not-local",
+    "the lobe is drawn for wo as it is in the world: lab 07 has the normal along z, and wo has to "
+    "be brought into that frame first."};
+const Diagnosis not_turned{"direction-not-turned",
+                           "the direction stays in the frame in which the normal is z: it has to "
+                           "be turned to the world."};
+const Diagnosis drawn_about_normal{
+    "lobe-drawn-about-the-normal",
+    "the lobe's directions crowd about the normal: they should about "
+    "the mirror direction of wo."};
+const Diagnosis drawn_about_wo{"lobe-drawn-about-wo",
+                               "the lobe's directions crowd about wo itself: they should about its "
+                               "mirror direction."};
 
 struct SampleCase {
   std::size_t material;  ///< of phong_cases()
@@ -66,74 +82,35 @@ Double3 local(const Rows& rows, std::size_t i) {
           glm::dot(wi, Double3(frame.n))};
 }
 
-constexpr int rings = 8, sectors = 8;
-
-/// The part of the lobe, (n + 1)/(2 pi) cos^n about the mirror direction, that each cell holds.
-std::vector<double> lobe_masses(double n, double degrees) {
-  const double angle = degrees * pi / 180;
-  const Double3 mirror(-std::sin(angle), 0, std::cos(angle));
-  std::vector<double> mass(rings * sectors);
-  over_turns(800, [&](double u, double cosine, double sine, double weight) {
-    // The mirror direction has no y: what lies at -y is the same again.
-    if (sine < 0) return;
-    const double r = std::sqrt(1 - u * u), v = std::atan2(sine, cosine) / (2 * pi);
-    const auto ring = static_cast<std::size_t>(u * rings) * sectors;
-    const auto sector = static_cast<std::size_t>(v * sectors);
-    const double part = weight * (n + 1) * cos_power(mirror, {r * cosine, r * sine, u}, n);
-    mass[ring + sector] += part;
-    mass[ring + sectors - 1 - sector] += part;
-  });
-  return mass;
-}
-
-/// Of the density whose chances are the theory's kd and ks; the last is what no cell gets.
-std::vector<double> cell_masses(const PhongTheory& theory, const std::vector<double>& lobe) {
-  std::vector<double> mass;
-  mass.reserve(lobe.size() + 1);
-  double none = 1;
-  for (std::size_t i = 0; i < lobe.size(); ++i) {
-    const std::size_t whole = i / sectors;
-    const auto ring = static_cast<double>(whole);
-    const double diffuse = (2 * ring + 1) / (rings * rings) / sectors;
-    mass.push_back(theory.kd * diffuse + theory.ks * lobe[i]);
-    none -= mass.back();
-  }
-  mass.push_back(none);
-  return mass;
-}
-
-struct Fit {
-  double statistic = 0, freedom = -1;
-  bool good() const {
-    return carlo::chi_square_two_sided(statistic, freedom) >= comparison_alpha();
-  }
-};
-
-/// Chi-square of the counts; neighbouring cells are pooled to 100 expected samples.
-Fit fit_of(const std::vector<double>& counts, const std::vector<double>& mass) {
-  Fit fit;
-  double found = 0, expected = 0;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    found += counts[i];
-    expected += mass[i] * draws;
-    if (expected < 100 && i + 1 < counts.size()) continue;
-    if (expected > 0) {
-      fit.statistic += (found - expected) * (found - expected) / expected;
-      fit.freedom += 1;
-    }
-    found = expected = 0;
-  }
-  return fit;
+/// Where the lobe was drawn instead.
+std::vector<Diagnosis> of_place(const SampleCase& c, const PhongTheory& theory,
+                                const std::vector<double>& lobe,
+                                const std::vector<double>& counts) {
+  if (theory.ks == 0 || theory.n == 0) return {};
+  const auto fits = [&](const std::vector<double>& other) {
+    return fit_of(counts, cell_masses(theory, other)).good();
+  };
+  if (fits(lobe_masses(theory.n, 0))) return {drawn_about_normal};
+  std::vector<double> turned = lobe;
+  for (auto ring = turned.begin(); ring != turned.end(); ring += sectors)
+    std::rotate(ring, ring + sectors / 2, ring + sectors);
+  if (fits(turned)) return {drawn_about_wo};
+  // In which azimuth the lobe stands then, depends on the frame; how steeply, does not.
+  const double degrees = std::acos(world_wo(c.degrees).z) * 180 / pi;
+  const std::vector<double> mass = cell_masses(theory, lobe_masses(theory.n, degrees));
+  if (fit_of(by_rings(counts), by_rings(mass)).good()) return {wo_not_local};
+  return {};
 }
 
 /// What counts that do not fit `mass` fit instead.
 std::vector<Diagnosis> of_cells(const PhongTheory& right, const std::vector<double>& lobe,
                                 const std::vector<double>& counts,
                                 const std::vector<double>& mass) {
+  const double none = counts.back() / draws;
   double empty = 0;
   for (std::size_t i = 0; i < counts.size(); ++i)
     empty += counts[i] == 0 && mass[i] * draws > 50 ? 1 : 0;
-  if (empty >= 8) return {reused};
+  if (empty >= 8 && std::abs(none - mass.back()) < 0.1) return {reused};
   const double sum = right.kd + right.ks;
   const auto fits = [&](double diffuse, double specular) {
     PhongTheory other = right;
@@ -141,15 +118,57 @@ std::vector<Diagnosis> of_cells(const PhongTheory& right, const std::vector<doub
     other.ks = specular;
     return fit_of(counts, cell_masses(other, lobe)).good();
   };
-  if (fits(right.kd / sum, right.ks / sum)) return {never_absorbs};
+  if (fits(right.kd / sum, right.ks / sum) || fits(right.kd, 1 - right.kd)) return {never_absorbs};
   if (fits(right.kd, std::max(right.ks - right.kd, 0.0)) ||
       fits(right.kd, std::min(sum, 1 - right.kd)) || fits(right.ks, right.kd)) {
     return {lobes_confused};
   }
-  const double none = counts.back() / draws, absorbed = 1 - sum;
-  const double sd = std::sqrt(absorbed * (1 - absorbed) / draws);
+  const double absorbed = 1 - sum, sd = std::sqrt(absorbed * (1 - absorbed) / draws);
   if (std::abs(none - absorbed) <= 6 * sd && mass.back() > absorbed + 0.01) return {redrawn};
   return {};
+}
+
+/// Whether f and pdf() are right by themselves: where they are not, samples are wrong with them.
+bool functions_are_right(const SampleCase& c) {
+  const PhongTheory theory(phong_cases()[c.material]);
+  const std::vector<DirectionPair> pairs = direction_pairs(phong_cases()[c.material].n);
+  const Rows rows =
+      probe("Lab 8.3 values", {.numbers = {{"case", static_cast<double>(c.material)}}},
+            {.rows = pairs.size(),
+             .columns = 2,
+             .finite = false,
+             .of = name_of(phong_cases()[c.material])});
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const Double3 normal(pairs[i].normal), wo(pairs[i].wo), wi(pairs[i].wi);
+    // On the very edge of the hemisphere or of the lobe rounding decides.
+    if (std::abs(glm::dot(normal, wi)) < 1e-5) continue;
+    if (std::abs(glm::dot(PhongTheory::mirrored(normal, wo), wi)) < 1e-5) continue;
+    const auto is = [&](double measured, double value) {
+      return std::abs(measured - value) <= 1e-3 * value + 1e-6;
+    };
+    if (!is(rows.at(i, 0), theory.f(normal, wo, wi))) return false;
+    if (!is(rows.at(i, 1), theory.pdf(normal, wo, wi))) return false;
+  }
+  return true;
+}
+
+/// What cells that are wrong are a sign of, `unturned` where no direction lies below the world's
+/// horizon.
+void name_cells(Verdict& verdict, const SampleCase& c, const std::vector<double>& counts,
+                bool unturned) {
+  verdict.looked_for = {wo_not_local,   not_turned, drawn_about_normal, drawn_about_wo, reused,
+                        lobes_confused, redrawn,    never_absorbs};
+  if (!functions_are_right(c)) return;
+  const PhongTheory theory(phong_cases()[c.material]);
+  const std::vector<double> lobe = lobe_masses(theory.n, c.degrees);
+  // Of directions as wide as these the normal's hemisphere holds many that point down.
+  if (unturned && counts.back() < 0.9 * draws) {
+    verdict.diagnoses = {not_turned};
+    return;
+  }
+  verdict.diagnoses = of_place(c, theory, lobe, counts);
+  if (verdict.diagnoses.empty())
+    verdict.diagnoses = of_cells(theory, lobe, counts, cell_masses(theory, lobe));
 }
 
 /// Without the last cell, which counts what was absorbed.
@@ -169,7 +188,9 @@ Figure cells_picture(std::vector<double> counts, std::vector<double> mass) {
 void judge_cells(const SampleCase& c, const Rows& rows) {
   std::vector<double> counts(rings * sectors + 1);
   double below = 0;
+  bool unturned = true;
   for (std::size_t i = 0; i < draws; ++i) {
+    unturned = unturned && rows.at(i, 3) >= 0;
     if (rows.at(i, 0) == 0) {
       counts.back() += 1;
       continue;
@@ -194,7 +215,7 @@ void judge_cells(const SampleCase& c, const Rows& rows) {
   Verdict verdict = chi_square_fits("cells of directions, " + title(c), fit.statistic, fit.freedom);
   verdict.effect = effect_on_cells(fit.statistic, fit.freedom, draws);
   if (!verdict.passed) verdict.figure = cells_picture(counts, mass);
-  if (!verdict.passed && below == 0) verdict.diagnoses = of_cells(theory, lobe, counts, mass);
+  if (!verdict.passed && below == 0) name_cells(verdict, c, counts, unturned);
   judge(verdict);
 }
 
@@ -241,9 +262,10 @@ void judge_weights(const SampleCase& c, const Rows& rows) {
     wrong_pdf += std::abs(rows.at(i, 5) - density) <= tolerance * density ? 0 : 1;
   }
   // 1 sample in 1000 may lie where rounding makes much of a lobe's edge.
-  judge(holds("weights f cos/pdf, " + title(c), weights.wrong <= 1e-3 * weights.some,
+  const bool right = weights.wrong <= 1e-3 * weights.some;
+  judge(holds("weights f cos/pdf, " + title(c), right,
               fmt::format("{:g} of {:g} differ", weights.wrong, weights.some), "all equal",
-              weights.diagnoses()));
+              right || !functions_are_right(c) ? std::vector<Diagnosis>{} : weights.diagnoses()));
   judge(holds("densities that come with samples, " + title(c), wrong_pdf <= 1e-3 * weights.some,
               fmt::format("{:g} of {:g} differ", wrong_pdf, weights.some), "all equal to pdf()"));
 }

@@ -19,9 +19,9 @@ using Double2 = glm::dvec2;
 using Double3 = glm::dvec3;
 constexpr double pi = std::numbers::pi;
 
-/// Mean and mean square of one estimate.
+/// Mean and mean square of one estimate, and the chance that it is not 0, where that is asked for.
 struct Moments {
-  double mean = 0, square = 0;
+  double mean = 0, square = 0, lit = 0;
   double sd() const { return std::sqrt(std::max(square - mean * mean, 0.0)); }
   carlo::grader::Theory theory() const { return {mean, sd()}; }
 };
@@ -50,7 +50,7 @@ void over_turns(int n, const F& visit) {
   }
 }
 
-/// What one estimate by area leaves out, as a typical mistake.
+/// What one estimate by area leaves out or has upside down, as a typical mistake.
 enum class Slip {
   none,
   cos_surface,
@@ -58,9 +58,38 @@ enum class Slip {
   distance,
   distance_once,
   area,
+  area_divided,  ///< divided by the area, which is to be multiplied by
+  density,       ///< multiplied by the density per solid angle
   shadow,
   cosine_twice  ///< not left out: one more cosine at the surface
 };
+
+/// f cos(theta) over the density per solid angle, for a BRDF of 1/2 pi and radiance 1.
+inline double area_term(Slip slip, double cos_surface, double cos_light, double d, double area) {
+  const double f = 0.5 / pi, density = d * d / (cos_light * area);
+  switch (slip) {
+    case Slip::cos_surface:
+      return f / density;
+    case Slip::cos_light:
+      return f * cos_surface / (density * cos_light);
+    case Slip::distance:
+      return f * cos_surface * d * d / density;
+    case Slip::distance_once:
+      return f * cos_surface * d / density;
+    case Slip::area:
+      return f * cos_surface / (density * area);
+    case Slip::area_divided:
+      return f * cos_surface / (density * area * area);
+    case Slip::density:
+      return f * cos_surface * density;
+    case Slip::cosine_twice:
+      return f * cos_surface * cos_surface / density;
+    case Slip::none:
+    case Slip::shadow:
+      break;
+  }
+  return f * cos_surface / density;
+}
 
 /// One estimate of the radiance that a floor of albedo 1/2 at the origin reflects from a lamp of
 /// radiance 1, by a point of the lamp that is uniform by area. Points on the screened half (x > 0)
@@ -68,21 +97,14 @@ enum class Slip {
 inline Moments by_area(Lamp lamp, Slip slip = Slip::none) {
   Moments m;
   const auto add = [&](Double3 p, Double3 n, double area, double weight) {
-    const double d2 = glm::dot(p, p), d = std::sqrt(d2);
+    const double d = glm::length(p);
     const double cos_surface = p.z / d, cos_light = -glm::dot(n, p) / d;
     if (!(cos_surface > 0 && cos_light > 0)) return;
     if (lamp == Lamp::covered && p.x > 0 && slip != Slip::shadow) return;
-    const double value = 0.5 / pi *
-                         (slip == Slip::cos_surface    ? 1
-                          : slip == Slip::cosine_twice ? cos_surface * cos_surface
-                                                       : cos_surface) *
-                         (slip == Slip::cos_light ? 1 : cos_light) /
-                         (slip == Slip::distance        ? 1
-                          : slip == Slip::distance_once ? d
-                                                        : d2) *
-                         (slip == Slip::area ? 1 : area);
+    const double value = area_term(slip, cos_surface, cos_light, d, area);
     m.mean += value * weight;
     m.square += value * value * weight;
+    m.lit += weight;
   };
   constexpr int cells = 600;
   if (lamp == Lamp::disk) {

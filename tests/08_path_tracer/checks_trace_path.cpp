@@ -1,0 +1,185 @@
+// Checks of exercise 8.4: worlds with closed forms, 50 000 paths each.
+// The lecture's rule in a furnace of albedo 1/2 has infinite variance (the value is multiplied by
+// 10 with probability 1/20 each time), and no z test of its mean means anything: its values are
+// known one by one instead, and how often each must come.
+
+#include "08_path_tracer/paths.h"
+
+using namespace carlo::grader;
+using namespace lab08_tests;
+
+namespace {
+
+const Diagnosis emission_not_divided{"emission-not-divided",
+                                     "emission was chosen with probability p_emit: divide by it."};
+const Diagnosis reflection_not_divided{"reflection-not-divided",
+                                       "reflection was chosen with probability 1 - p_emit: divide "
+                                       "by it."};
+const Diagnosis mended_already{"lecture-rule-mended",
+                               "emission and reflection are added: word for word, the lecture's "
+                               "rule returns one of the two."};
+const Diagnosis chances_swapped{"emission-and-reflection-swapped",
+                                "emission is chosen with probability 1 - p_emit, and reflection "
+                                "with p_emit: it should be the other way about."};
+const Diagnosis still_the_lecture{"still-the-lectures-rule",
+                                  "this is the lecture's rule still: emission is to be added, "
+                                  "always, and divided by nothing."};
+const Diagnosis into_the_lecture{"recursion-into-the-lectures-rule",
+                                 "the first surface is right; from the second on it is the "
+                                 "lecture's rule: trace_path() has to call itself."};
+const Diagnosis no_weight{"weight-missing",
+                          "what arrives along sample()'s direction is multiplied by its weight."};
+const Diagnosis no_emission{"emission-missing", "what the surfaces emit is missing."};
+
+}  // namespace
+
+TEST_CASE("Lab 8.4: p_emit is 0, 1 or 0.9", "[lab08][ex4]") {
+  const Rows rows = probe("Lab 8.4 p_emit", {}, {.rows = 6});
+  judge(
+      all_equal("p_emit of a surface that reflects; emits; does both; in different channels; "
+                "neither; emits and is glossy",
+                rows.values, std::vector{0.0, 1.0, 0.9, 0.9, 0.0, 0.9}, 1e-6));
+}
+
+namespace {
+
+/// The lecture's p_emit.
+constexpr double p = 0.9;
+
+/// Whether more than 10 of the values are this one.
+bool has(const std::vector<double>& values, double value) {
+  return std::count_if(values.begin(), values.end(),
+                       [&](double v) { return std::abs(v - value) < 1e-3 * value; }) > 10;
+}
+
+/// In a furnace: emission came with the chance, or the division, of reflection.
+bool swapped(const std::vector<double>& values) {
+  const auto first = std::count_if(values.begin(), values.end(),
+                                   [](double v) { return std::abs(v * p - 1) < 1e-3; });
+  const double share = static_cast<double>(first) / static_cast<double>(values.size());
+  return first == 0 ? has(values, 1 / (1 - p)) && !has(values, 1)
+                    : std::abs(share - (1 - p)) < 0.01;
+}
+
+/// Whether about half of the rays get lost from the second bounce on, as those do that start on a
+/// surface: there a furnace whose albedo is q rho shows 1/(1 - q rho). The first bounce is the same
+/// one for all paths.
+bool loses_half(const Rows& rows) {
+  double red = 0, green = 0;
+  for (std::size_t i = 0; i < rows.count(); ++i) {
+    red += rows.at(i, 0) / static_cast<double>(rows.count());
+    green += rows.at(i, 1) / static_cast<double>(rows.count());
+  }
+  const auto share = [](double mean, double rho) { return (1 - rho / (mean - 1)) / rho; };
+  const auto half = [](double q) { return q > 0.3 && q < 0.7; };
+  return half(share(red, 0.5)) && half(share(green, 0.25));
+}
+
+/// By the lecture's rule emission comes as often as it must, and nothing from beyond the surface.
+bool nothing_from_beyond(const std::vector<double>& values) {
+  const auto first = std::count_if(values.begin(), values.end(),
+                                   [](double v) { return std::abs(v * p - 1) < 1e-3; });
+  const double share = static_cast<double>(first) / static_cast<double>(values.size());
+  return std::abs(share - p) < 0.01 && !has(values, 10 / p) && !has(values, 10);
+}
+
+std::vector<double> in_lectures_furnace() {
+  return column(trace(lecture, furnace_of(0.5, 0.5)), 0);
+}
+
+/// What a furnace shows that is wrong with the mended rule.
+std::vector<Diagnosis> of_mended(const Rows& rows) {
+  const std::vector<double> red = column(rows, 0);
+  if (has(red, 1 / p)) return {still_the_lecture};
+  if (has(red, 1 + 1 / p)) return {into_the_lecture};
+  if (ends_dark(red)) return {absorbed_dark};
+  if (std::all_of(red.begin(), red.end(), [](double x) { return x == 1; })) {
+    return {nothing_from_beyond(in_lectures_furnace()) ? self_hit : one_bounce};
+  }
+  if (loses_half(rows)) return {self_hit};
+  return {};
+}
+
+/// The same for either rule: what is wrong there is wrong in other worlds, too.
+std::vector<Diagnosis> seen_in_furnace(Method method) {
+  if (method == mended) return of_mended(trace(mended, furnace_of(0.5, 0.25)));
+  const std::vector<double> values = in_lectures_furnace();
+  if (swapped(values)) return {chances_swapped};
+  if (nothing_from_beyond(values)) return {self_hit};
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("Lab 8.4: the lecture's rule gives each value as often as it must", "[lab08][ex4]") {
+  constexpr double rho = 0.5;
+  const std::vector<double> values = column(trace(lecture, furnace_of(rho, rho)), 0);
+  std::vector<double> none, first, second;
+  double strange = 0;
+  for (const double v : values) {
+    const double steps = v > 0 ? std::log10(v * p) : 0;
+    strange += std::abs(steps - std::round(steps)) <= 1e-4 && steps > -0.5 ? 0 : 1;
+    none.push_back(v == 0 ? 1 : 0);
+    first.push_back(v > 0 && std::abs(v * p - 1) < 1e-3 ? 1 : 0);
+    second.push_back(std::abs(v * p - 10) < 1e-2 ? 1 : 0);
+  }
+  const auto bernoulli = [](double q) { return Theory{q, std::sqrt(q * (1 - q))}; };
+  std::vector<Diagnosis> diagnoses;
+  Suspects without_tens;
+  if (has(values, 1) && has(values, 2)) {
+    diagnoses.push_back(mended_already);
+  } else if (has(values, 1)) {
+    diagnoses.push_back(emission_not_divided);
+  } else if (swapped(values)) {
+    diagnoses.push_back(chances_swapped);
+  } else if (!has(values, 10 / p) && !has(values, 10) && !nothing_from_beyond(values)) {
+    without_tens.push_back({0, reflection_not_divided});
+  }
+  judge(holds("values of the lecture's TracePath in a furnace", strange == 0,
+              fmt::format("{:g} of {} are others", strange, paths), "0, 1/.9, 10/.9, 100/.9 ...",
+              diagnoses));
+  Verdict often = mean_is("how often it is 1/.9", first, bernoulli(p));
+  if (!often.passed && swapped(values)) often.diagnoses.push_back(chances_swapped);
+  judge(often);
+  judge(mean_is("how often it is 10/.9", second, bernoulli(p * (1 - p) * rho), without_tens));
+  judge(mean_is("how often it is 0", none, bernoulli((1 - p) * (1 - rho) / (1 - (1 - p) * rho))));
+}
+
+TEST_CASE("Lab 8.4: mended, a furnace shows 1/(1 - albedo)", "[lab08][ex4]") {
+  const Rows rows = trace(mended, furnace_of(0.5, 0.25));
+  const std::vector<double> red = column(rows, 0);
+  const std::vector<Diagnosis> values = of_mended(rows);
+  for (const bool dark : {false, true}) {
+    Verdict verdict = dark ? mean_is("radiance in a furnace of albedo .25", column(rows, 1),
+                                     series(0.5, 0.5), {{1, one_bounce}, {2, no_weight}})
+                           : mean_is("radiance in a furnace of albedo .5", red, series(0.5, 1),
+                                     {{1, one_bounce}, {0, no_emission}});
+    if (!verdict.passed && !values.empty()) verdict.diagnoses = values;
+    judge(verdict);
+  }
+  const Theory exact = series(0.5, 1);
+  // The number of bounces is geometric: its excess kurtosis is 6 + (1 - p)^2/p with p = 1/2.
+  Verdict spread =
+      variance_is("the variance in a furnace of albedo .5", red, {exact.mean, exact.sd, 6.5});
+  if (!spread.passed) spread.diagnoses = values;
+  judge(spread);
+}
+
+TEST_CASE("Lab 8.4: a lamp, and a ball under the sky", "[lab08][ex4]") {
+  for (const Method method : {lecture, mended}) {
+    const std::string name = method == lecture ? "by the lecture's rule, " : "mended, ";
+    const double share = 0.5 * lamp_share;
+    const auto judge_with = [&](Verdict verdict) {
+      const std::vector<Diagnosis> seen =
+          verdict.passed ? std::vector<Diagnosis>{} : seen_in_furnace(method);
+      if (!seen.empty()) verdict.diagnoses = seen;
+      judge(verdict);
+    };
+    judge_with(mean_is(name + "light from a lamp",
+                       column(trace(method, with(on_floor, {{"lamp", 0}})), 0),
+                       {share, std::sqrt(share * (1 - share))}, {{0, self_hit}}));
+    judge_with(mean_is(name + "a glossy ball under the sky",
+                       column(trace(method, ball_of(glossy)), 0), ball_theory(),
+                       {{0, sky_missing}}));
+  }
+}
