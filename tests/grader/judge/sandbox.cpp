@@ -159,7 +159,7 @@ Sandbox Sandbox::at(Level level, const View& view) {
   // of root's alone to another.
   const bool possible =
       root ? level == Level::limits || level == Level::bubblewrap : level != Level::user;
-  const Sandbox sandbox(level, std::nullopt);
+  Sandbox sandbox(level, std::nullopt);
   if (possible && sandbox.works(view)) return sandbox;
   throw Error("the sandbox level \"{}\" does not work on this machine", to_string(level));
 }
