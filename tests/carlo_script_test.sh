@@ -40,6 +40,7 @@ expect_error 'is for one exercise, got 2' test 1.1 1.2 --page x.html
 expect_error 'no lab 99' lab 99
 expect_error 'no lab 99' watch 99
 expect_error 'takes one lab' watch 1 2
+expect_error 'hint takes one exercise.* got 1.1 and 1.2' hint 1.1 1.2
 expect_error 'replay takes one exercise, got 1.1 and 1.2' replay 1.1 1.2
 expect_error "does not know '--frob'" watch --frob
 expect_error 'no lab labs/99_frob' test labs/99_frob/frob.cpp

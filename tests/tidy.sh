@@ -37,12 +37,13 @@ compiled() {
 
 # Those lines of compiled() of which a text has changed.
 changed() {
-  local base file command parts
+  local base file command parts holds
   base=$(git rev-parse -q --verify 'HEAD~10') || base=$(git rev-list --max-parents=0 HEAD | tail -n 1)
   parts=$(git diff --name-only --diff-filter=d "$base" -- '*.cpp')
   while IFS=$'\t' read -r file command; do
-    { sed -n 's/^#include "\([^"]*\.cpp\)".*/\1/p' "$file"; printf '%s\n' "${file#"$root/"}"; } |
-      grep -qxF "$parts" && printf '%s\t%s\n' "$file" "$command"
+    # Not by a pipe: grep ends at the first line that fits, and whoever writes to it then has failed.
+    holds=$(sed -n 's/^#include "\([^"]*\.cpp\)".*/\1/p' "$file" && printf '%s\n' "${file#"$root/"}")
+    if grep -qxF "$parts" <<<"$holds"; then printf '%s\t%s\n' "$file" "$command"; fi
   done
   return 0
 }

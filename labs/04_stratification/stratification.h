@@ -74,15 +74,15 @@ struct Stratum {
 /// stratification: a box is halved along one axis, chosen with the help of a few points of its own,
 /// the half that varies more gets more of the points that are left, and each half is treated
 /// likewise until few points are left. Points that chose a split are not used again, so that the
-/// estimate is unbiased. At most n evaluations of f, at least n/4 of them in the estimate;
-/// n >= 16, dimensions >= 1. Where `strata` is not null, the boxes that the cube ended up in are
-/// appended to it; together they fill the cube, each with two points or more.
-/// Its mean squared error, as a share of that of n plain points: at most .85 on a quarter disc in
-/// the square and on exp(-|x|^2) in four dimensions, at most .5 on the latter in two (n = 1024
-/// each) and on a narrow peak (n = 4096); never more than 3, not even where strata gain nothing. Of
-/// the points on a square where f varies in a corner of 1/16 alone, at least .13 lie there (n =
-/// 16384). Where f varies along one axis of three alone, that one is halved at least 1.3 times as
-/// often as each other (n = 65536).
+/// estimate is unbiased. At most n evaluations of f; up to n = 65536 at least n/4 of them in the
+/// estimate; n >= 16, dimensions >= 1. Where `strata` is not null, the boxes that the cube ended up
+/// in are appended to it; together they fill the cube, each with two points or more. Its mean
+/// squared error, as a share of that of n plain points: at most 1 on a quarter disc in the square
+/// and on exp(-|x|^2) in four dimensions, at most .5 on the latter in two (n = 1024 each) and on a
+/// narrow peak (n = 4096); never more than 3, not even where strata gain nothing. Of the points on
+/// a square where f varies in a corner of 1/16 alone, at least .13 lie there (n = 16384). Where f
+/// varies along one axis of three alone, that one is halved at least 1.3 times as often as each
+/// other (n = 65536).
 Estimate recursive_stratification(const FunctionNd& f, std::int64_t dimensions, std::int64_t n,
                                   carlo::Rng& rng, std::vector<Stratum>* strata = nullptr);
 

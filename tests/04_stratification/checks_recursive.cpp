@@ -44,7 +44,9 @@ const Diagnosis not_split{"no-gain",
 const Diagnosis too_bold{"shares-too-bold",
                          "points are shared out on thin evidence: a half in which a few exploring "
                          "points saw little is left with so few that its error spoils the whole. "
-                         "Keep the shares nearer to one half, or explore with more."};
+                         "Keep the shares nearer to one half."};
+const Diagnosis explored_away{"too-many-explore",
+                              "so many points explore that too few are left for the estimate."};
 const Diagnosis does_not_tile{"strata-do-not-fill-the-cube",
                               "the boxes given overlap, or leave a part of the cube out."};
 
@@ -208,25 +210,48 @@ void judge_boxes(const Case& of, std::int64_t n) {
               fmt::format("{:g}", points), fmt::format("n/4 = {} at least", n / 4), {too_few}));
 }
 
+// Corner: f varies only on 1/16 of the square. An even spread leaves 6 % of the points there; the
+// wanted half is not starved even where shares are kept between 1/4 and 3/4 (.3 then).
+constexpr double least_in_corner = 0.13;
+
+double corner_share() {
+  const Case corner{"waves in a corner", CubeIntegrand::corner, 2, 1.0 / 64, 0};
+  return record(corner, 16'384).at(0, 4);
+}
+
+/// Why the error of the disc, or of another case while the disc's is right, may be too large, where
+/// the boxes are all right: too little in the estimate, or shares that trust a few points. Points
+/// that do not gather where f varies are another test's to tell.
+std::vector<Diagnosis> reasons(bool disc_fails) {
+  double in_estimate = 0;
+  for (const Box& box : strata(disc(), 1024))
+    in_estimate += box.points / 1024;
+  if (corner_share() < least_in_corner) return {};
+  if (in_estimate < (disc_fails ? 1. / 3 : 0.5)) return {explored_away};
+  return disc_fails ? std::vector{too_bold} : std::vector<Diagnosis>{};
+}
+
 }  // namespace
 
-// 2000 estimates of n = 1024: a bias is caught at .0064 (.2 %) for the disc, .002 (.4 %) for the
+// 2000 estimates of n = 1024: a bias is caught at .007 (.22 %) for the disc, .002 (.4 %) for the
 // bell in 2D, .0063 for the chessboard, whose halves hold 1 and 0. The limits leave room for other
 // ways than the solution's: leaves of 16 to 256 points, 3 to 10 % that explore (8 points at least),
 // exponents of 2/3 and 1, shares kept between .2 and .8 reach .60 (disc), .25, .83 (bells), .21
-// (peak) and 1.6 (chessboard). Shares between .05 and .95 have 1.3 and more on the disc: worse
-// than plain points.
+// (peak) and 1.6 (chessboard); between .1 and .9 the disc has up to .93. Shares between .05 and .95
+// have 1.3 and more on the disc: worse than plain points.
 TEST_CASE("Lab 4.6: the estimate is unbiased, better than plain points, and its error bar honest",
           "[lab04][ex6]") {
   // Smooth in two dimensions: what is halved at all gains, whatever the shares. It tells whether
   // what fails elsewhere lies in the boxes or in how points are shared among them.
-  const bool gains = judge_case(bell(2), 1024, 0.5, {not_split}) <= 0.5;
-  const std::vector<Diagnosis> why = {gains ? too_bold : not_split};
-  judge_case(disc(), 1024, 0.85, why);
-  judge_case(bell(4), 1024, 0.85, why);
-  judge_case(peak(), 4096, 0.5, why);
+  const std::vector<Diagnosis> no_boxes = {not_split};
+  const bool gains = judge_case(bell(2), 1024, 0.5, no_boxes) <= 0.5;
+  const std::vector<Diagnosis> of_disc = gains ? reasons(true) : no_boxes;
+  const bool disc_fails = judge_case(disc(), 1024, 1, of_disc) > 1;
+  const std::vector<Diagnosis> of_others = gains ? reasons(disc_fails) : no_boxes;
+  judge_case(bell(4), 1024, 1, of_others);
+  judge_case(peak(), 4096, 0.5, of_others);
   // Strata gain nothing here; points can, on the half that is not 0.
-  judge_case(half(), 1024, 3, why);
+  judge_case(half(), 1024, 3, of_others);
 }
 
 TEST_CASE("Lab 4.6: f is evaluated n times at most, and in the cube", "[lab04][ex6]") {
@@ -251,12 +276,9 @@ TEST_CASE("Lab 4.6: the strata fill the cube, each with points enough for a vari
   judge_boxes(half(), 4096);
 }
 
-// Corner: f varies only on 1/16 of the square. An even spread leaves 6 % of the points there; the
-// wanted half is not starved even where shares are kept between 1/4 and 3/4 (.3 then).
 TEST_CASE("Lab 4.6: points gather where f varies", "[lab04][ex6]") {
-  const Case corner{"waves in a corner", CubeIntegrand::corner, 2, 1.0 / 64, 0};
-  const double share = record(corner, 16'384).at(0, 4);
-  judge(holds("the share of the points in the corner where f varies", share >= 0.13,
+  const double share = corner_share();
+  judge(holds("the share of the points in the corner where f varies", share >= least_in_corner,
               fmt::format("{:.3g}", share), ".13 at least; 1/16 is blind",
               {share < 0.05 ? backwards : not_adaptive}));
 }
