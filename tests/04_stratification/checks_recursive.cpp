@@ -219,17 +219,27 @@ double corner_share() {
   return record(corner, 16'384).at(0, 4);
 }
 
-/// Why the error of the disc, or of another case while the disc's is right, may be too large, where
-/// the boxes are all right: too little in the estimate, or shares that trust a few points. Points
-/// that do not gather where f varies are another test's to tell.
-std::vector<Diagnosis> reasons(bool disc_fails) {
+/// Where the points go: into the corner where f varies, and into the estimate of the disc (0 where
+/// no strata are told, which another test tells).
+struct Spending {
+  double in_corner = corner_share();
   double in_estimate = 0;
-  for (const Box& box : strata(disc(), 1024))
-    in_estimate += box.points / 1024;
-  if (corner_share() < least_in_corner) return {};
-  if (in_estimate < (disc_fails ? 1. / 3 : 0.5)) return {explored_away};
-  return disc_fails ? std::vector{too_bold} : std::vector<Diagnosis>{};
-}
+
+  Spending() {
+    for (const Box& box : strata(disc(), 1024))
+      in_estimate += box.points / 1024;
+  }
+
+  /// Why the error of the disc, or of another case while the disc's is right, may be too large
+  /// where the boxes are all right: too little in the estimate, or shares that trust a few points.
+  /// Points that do not gather where f varies are another test's to tell.
+  std::vector<Diagnosis> reasons(bool disc_fails) const {
+    if (in_corner < least_in_corner) return {};
+    const bool spent = in_estimate > 0 && in_estimate < (disc_fails ? 1. / 3 : 0.5);
+    if (spent) return {explored_away};
+    return disc_fails ? std::vector{too_bold} : std::vector<Diagnosis>{};
+  }
+};
 
 }  // namespace
 
@@ -245,9 +255,10 @@ TEST_CASE("Lab 4.6: the estimate is unbiased, better than plain points, and its 
   // what fails elsewhere lies in the boxes or in how points are shared among them.
   const std::vector<Diagnosis> no_boxes = {not_split};
   const bool gains = judge_case(bell(2), 1024, 0.5, no_boxes) <= 0.5;
-  const std::vector<Diagnosis> of_disc = gains ? reasons(true) : no_boxes;
-  const bool disc_fails = judge_case(disc(), 1024, 1, of_disc) > 1;
-  const std::vector<Diagnosis> of_others = gains ? reasons(disc_fails) : no_boxes;
+  const Spending spending;
+  const auto why = [&](bool disc_fails) { return gains ? spending.reasons(disc_fails) : no_boxes; };
+  const bool disc_fails = judge_case(disc(), 1024, 1, why(true)) > 1;
+  const std::vector<Diagnosis> of_others = why(disc_fails);
   judge_case(bell(4), 1024, 1, of_others);
   judge_case(peak(), 4096, 0.5, of_others);
   // Strata gain nothing here; points can, on the half that is not 0.
