@@ -31,8 +31,26 @@ std::string heading(const Exercise& exercise) {
   return fmt::format("{}: {} (lecture: {})\n", exercise.tag, exercise.title, exercise.lecture);
 }
 
-const std::string& text_of(const Exercise& exercise, int step) {
-  return exercise.hints[static_cast<std::size_t>(step - 1)];
+/// The hint without its exercise.
+std::string body(const Hint& hint, const std::string& remark) {
+  return fmt::format("hint {} of {}{}\n\n{}\n", hint.step, hint.count, remark,
+                     hint.exercise->hints[static_cast<std::size_t>(hint.step - 1)]);
+}
+
+std::string remark(const Hint& hint, Help help) {
+  switch (hint.more) {
+    case Hint::More::unsaid:
+      return "";
+    case Hint::More::another:
+      return help == Help::by_key ? "; h shows the next" : "; run again for the next";
+    case Hint::More::none_left:
+      return "; the last";
+    case Hint::More::was_the_last:
+      return fmt::format(
+          "; there are no more (all: ./carlo hint {} --all); see the handout and the header",
+          hint.exercise->number());
+  }
+  return "";
 }
 
 }  // namespace
@@ -73,24 +91,19 @@ const Exercise& find_exercise(const std::vector<Lab>& labs, const std::string& t
   throw Error("there is no exercise {}; lab {} has {}", typed, lab.number, numbers(lab));
 }
 
-std::string next_hint(const Exercise& exercise, HintState& state) {
+Hint next_hint(const Exercise& exercise, HintState& state) {
   const int count = static_cast<int>(exercise.hints.size());
   if (count == 0) throw Error("{} has no hints", exercise.tag);
   const int seen = state.seen(exercise);
   const int shown = std::min(seen + 1, count);
   if (shown != seen) state.set_seen(exercise, shown);
-  const std::string next =
-      seen >= count ? fmt::format(
-                          "there are no more (all: ./carlo hint {} --all); see the handout "
-                          "and the header",
-                          exercise.number())
-      : shown == count ? "the last"
-                       : "run again for the next";
-  return fmt::format("{}hint {} of {}; {}\n\n{}\n", heading(exercise), shown, count, next,
-                     text_of(exercise, shown));
+  return {&exercise, shown, count,
+          seen >= count    ? Hint::More::was_the_last
+          : shown == count ? Hint::More::none_left
+                           : Hint::More::another};
 }
 
-std::string seen_hint(const Exercise& exercise, int step, const HintState& state) {
+Hint seen_hint(const Exercise& exercise, int step, const HintState& state) {
   const int count = static_cast<int>(exercise.hints.size());
   if (step < 1 || step > count) {
     throw Error("{} has hints 1 to {}, got {}", exercise.tag, count, step);
@@ -100,22 +113,30 @@ std::string seen_hint(const Exercise& exercise, int step, const HintState& state
     throw Error("hint {} of {} has not been seen yet; ./carlo hint {} shows hint {}", step,
                 exercise.tag, exercise.number(), seen + 1);
   }
-  return fmt::format("{}hint {} of {}\n\n{}\n", heading(exercise), step, count,
-                     text_of(exercise, step));
+  return {&exercise, step, count};
 }
 
-std::string seen_hints(const Exercise& exercise, const HintState& state) {
+std::vector<Hint> seen_hints(const Exercise& exercise, const HintState& state) {
   const int count = static_cast<int>(exercise.hints.size());
   const int seen = std::min(state.seen(exercise), count);
   if (seen == 0) {
     throw Error("no hint of {} has been seen yet; ./carlo hint {} shows the first", exercise.tag,
                 exercise.number());
   }
-  std::string out = heading(exercise);
-  for (int step = 1; step <= seen; ++step) {
-    out += fmt::format("{}hint {} of {}\n\n{}\n", step > 1 ? "\n" : "", step, count,
-                       text_of(exercise, step));
-  }
+  std::vector<Hint> list;
+  for (int step = 1; step <= seen; ++step)
+    list.push_back({&exercise, step, count});
+  return list;
+}
+
+std::string hint_text(const Hint& hint, Help help) {
+  return heading(*hint.exercise) + body(hint, remark(hint, help));
+}
+
+std::string hint_text(const std::vector<Hint>& hints) {
+  std::string out = heading(*hints.front().exercise);
+  for (const Hint& hint : hints)
+    out += (hint.step > 1 ? "\n" : "") + body(hint, "");
   return out;
 }
 

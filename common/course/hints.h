@@ -1,9 +1,11 @@
 #pragma once
 
 #include "course/exercises.h"
+#include "verdict/verdict_text.h"
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace carlo {
 
@@ -26,14 +28,28 @@ class HintState {
 /// The exercise that a person means by "1.2" or "Lab 1.2". Throws Error that says which there are.
 const Exercise& find_exercise(const std::vector<Lab>& labs, const std::string& typed);
 
-/// The next hint, or the last again when all have been seen, with its number and what to do next.
-/// Notes it in `state`. Throws Error when the exercise has none.
-std::string next_hint(const Exercise& exercise, HintState& state);
+/// A hint as it is shown.
+struct Hint {
+  const Exercise* exercise = nullptr;
+  int step = 1;   ///< from 1
+  int count = 1;  ///< how many the exercise has
+  /// What it says of those behind it.
+  enum class More { unsaid, another, none_left, was_the_last } more = More::unsaid;
+};
+
+/// The next hint, or the last again when all have been seen. Notes it in `state`. Throws Error when
+/// the exercise has none.
+Hint next_hint(const Exercise& exercise, HintState& state);
 
 /// Hint `step` (from 1) once more. Throws Error when it has not been seen yet or does not exist.
-std::string seen_hint(const Exercise& exercise, int step, const HintState& state);
+Hint seen_hint(const Exercise& exercise, int step, const HintState& state);
 
 /// All hints that have been seen. Throws Error when none has.
-std::string seen_hints(const Exercise& exercise, const HintState& state);
+std::vector<Hint> seen_hints(const Exercise& exercise, const HintState& state);
+
+/// For people: the exercise, the hint's number, how to come to the next, the hint.
+std::string hint_text(const Hint& hint, Help help = Help::typed);
+/// Of several hints of one exercise, which is named once. There is at least one.
+std::string hint_text(const std::vector<Hint>& hints);
 
 }  // namespace carlo

@@ -9,6 +9,7 @@
 #include "course/hints.h"
 #include "course/status.h"
 #include "course/verdicts.h"
+#include "verdict/verdict_json.h"
 
 #include <fmt/core.h>
 
@@ -38,9 +39,9 @@ void hint(const Options& options, bool one) {
   const std::vector<Lab> labs = load_labs(options.labs());
   HintState seen(options.state("hints.json"));
   const Exercise& exercise = find_exercise(labs, options.exercise);
-  std::string text = options.all ? seen_hints(exercise, seen)
-                     : one       ? seen_hint(exercise, options.step, seen)
-                                 : next_hint(exercise, seen);
+  std::string text = options.all ? hint_text(seen_hints(exercise, seen))
+                     : one       ? hint_text(seen_hint(exercise, options.step, seen))
+                                 : hint_text(next_hint(exercise, seen));
   // A student's tree holds no slides, but their formulas.
   if (text.find("(slides ") != std::string::npos && fs::exists(options.labs() / "formulas.md")) {
     text += "\nThe slides' formulas, by these names: labs/formulas.md\n";
@@ -71,7 +72,7 @@ void keep(const Options& options) {
   const std::vector<Lab> labs = load_labs(options.labs());
   const Lab& lab = find_lab(labs, options.lab);
   VerdictBook book(options.state("verdicts.json"));
-  book.take(read_file(options.file), lab, OwnCode(options.labs(), lab));
+  book.take(lab_result_from_text(read_file(options.file)), lab, OwnCode(options.labs(), lab));
   book.save();
 }
 

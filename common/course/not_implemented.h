@@ -11,25 +11,32 @@ namespace carlo {
 /// a failure: the exercise is named and left out, the others still run.
 class NotImplemented : public std::logic_error {
  public:
-  explicit NotImplemented(const std::string& message, std::string function = {})
-      : std::logic_error(message), function_(std::move(function)) {}
+  /// `tag` is the exercise's ("Lab 1.2"), `lecture` the heading of the lecture's section;
+  /// `function` is what is to be written, without its class, or nothing.
+  NotImplemented(std::string tag, std::string_view lecture, std::string function = {})
+      : std::logic_error(in_words(tag, lecture)),
+        tag_(std::move(tag)),
+        function_(std::move(function)) {}
 
-  /// The name of the function that is to be written, without its class; may be empty.
+  const std::string& tag() const { return tag_; }
   const std::string& function() const { return function_; }
 
  private:
-  std::string function_;
+  static std::string in_words(std::string_view tag, std::string_view lecture) {
+    const std::string_view number = tag.substr(tag.find_last_of(' ') + 1);
+    std::string words(tag);
+    words.append(" is not implemented yet: run ./carlo hint ").append(number);
+    return words.append(" (lecture: ").append(lecture).append(")");
+  }
+
+  std::string tag_, function_;
 };
 
-/// The body of every exercise until it is done. `tag` is the exercise's ("Lab 1.2"), `lecture` the
-/// heading of the lecture's section; `function` is the caller. Throws NotImplemented, always.
+/// The body of every exercise until it is done; `function` is the caller. Throws NotImplemented,
+/// always.
 [[noreturn]] inline void not_implemented(std::string_view tag, std::string_view lecture,
                                          const char* function = __builtin_FUNCTION()) {
-  const std::string_view number = tag.substr(tag.find_last_of(' ') + 1);
-  std::string message(tag);
-  message.append(" is not implemented yet: run ./carlo hint ").append(number);
-  message.append(" (lecture: ").append(lecture).append(")");
-  throw NotImplemented(message, function);
+  throw NotImplemented(std::string(tag), lecture, function);
 }
 
 }  // namespace carlo

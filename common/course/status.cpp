@@ -2,6 +2,7 @@
 
 #include "cli/terminal.h"
 #include "cli/wrap.h"
+#include "verdict/verdict_text.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -52,10 +53,10 @@ Stage stage_of(const ExerciseStatus& status, const KeptVerdict* verdict) {
   // Whatever an older verdict says: the stub is back.
   if (status.open > 0 && status.open >= functions) return Stage::untouched;
   if (verdict == nullptr) return Stage::begun;
-  if (verdict->status == "not_implemented" || (status.changed && status.open > 0)) {
+  if (verdict->result.status == Status::not_implemented || (status.changed && status.open > 0)) {
     return Stage::begun;
   }
-  if (verdict->status == "passed") return Stage::passed;
+  if (verdict->passed()) return Stage::passed;
   return status.changed ? Stage::edited : Stage::failed;
 }
 
@@ -161,8 +162,8 @@ LabStatus status_of(const Lab& lab, const fs::path& labs, const VerdictBook& boo
     status.stage = stage_of(status, verdict);
     const bool counts = status.stage != Stage::untouched && status.stage != Stage::begun;
     if (verdict != nullptr && counts) {
-      status.points = std::min(verdict->points, static_cast<double>(exercise.points));
-      status.message = status.stage == Stage::failed ? verdict->message : "";
+      status.points = std::min(verdict->result.points, static_cast<double>(exercise.points));
+      status.message = status.stage == Stage::failed ? message(verdict->result) : "";
     }
     result.exercises.push_back(std::move(status));
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "course/own_files.h"
+#include "verdict/verdict.h"
 
 #include <filesystem>
 #include <map>
@@ -11,11 +12,10 @@ namespace carlo {
 
 /// What the judge said last about one exercise, and about which text.
 struct KeptVerdict {
-  double points = 0;
-  std::string status;    ///< the judge's: passed, failed, crashed, timeout, not_implemented
-  std::string message;   ///< what is wrong, in one line; empty when it passed
-  std::string text;      ///< the same in full
-  std::string exercise;  ///< OwnCode::digest() of the exercise
+  ExerciseResult result;  ///< without figures
+  std::string exercise;   ///< OwnCode::digest() of the exercise
+
+  bool passed() const { return result.status == Status::passed; }
 };
 
 /// The last verdicts of all exercises, kept in a small JSON file that is made when it is not there.
@@ -27,9 +27,9 @@ class VerdictBook {
   /// The last verdict, or null.
   const KeptVerdict* find(const Exercise& exercise) const;
 
-  /// Takes the verdicts of one run of the judge (the text of its --json) about `code`. Throws Error
-  /// when that is no such text or of another lab.
-  void take(const std::string& judged, const Lab& lab, const OwnCode& code);
+  /// Takes the verdicts of one run of the judge about `code`. Throws Error when they are of another
+  /// lab.
+  void take(const LabResult& judged, const Lab& lab, const OwnCode& code);
 
   /// Throws Error when the file cannot be written.
   void save() const;

@@ -2,6 +2,8 @@
 
 #include "cli/error.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <fstream>
 #include <map>
@@ -33,12 +35,40 @@ const std::map<std::string, std::uint32_t> sizes = {
     {"v2f", 8},         {"v2i", 8},      {"v3d", 24},
     {"v3f", 12},        {"v3i", 12},     {"deepImageState", 1}};
 
-/// The bytes of a list of channels (name, 0, 16 more), which ends with an empty name.
-std::uintmax_t size_of_channels(std::istream& in) {
+/// What OpenEXR sets aside for one block of lines, which follows from three of the attributes. Of a
+/// part that is tiled it is too much; none of such files is read here.
+struct Block {
+  std::uintmax_t width = 0, bytes_of_pixel = 0, lines = 1;
+
+  std::uintmax_t bytes_of_column() const { return bytes_of_pixel * lines; }
+};
+
+/// OpenEXR takes as much for each of several threads.
+constexpr std::uintmax_t most_block_bytes = std::uintmax_t{128} << 20;
+
+/// How many lines are packed together, by the number of the method.
+std::uintmax_t lines_of(int compression) {
+  constexpr std::array<std::uintmax_t, 10> lines{1, 1, 1, 16, 32, 16, 32, 32, 32, 256};
+  const auto place = static_cast<std::size_t>(compression);
+  return place < lines.size() ? lines[place] : 1;
+}
+
+/// Left and right ends, both within, as signed words; top and bottom follow.
+std::uintmax_t width_of_window(std::istream& in) {
+  const auto left = static_cast<std::int32_t>(read_word(in));
+  (void)read_word(in);
+  const auto right = static_cast<std::int32_t>(read_word(in));
+  return right < left ? 0 : static_cast<std::uintmax_t>(std::int64_t{right} - left + 1);
+}
+
+/// The bytes of a list of channels (name, 0, type, 12 more), which ends with an empty name. Adds
+/// what they take to a pixel: two bytes for halves (type 1), four for others.
+std::uintmax_t size_of_channels(std::istream& in, std::uintmax_t& bytes_of_pixel) {
   std::uintmax_t size = 1;
   for (std::string name; std::getline(in, name, '\0') && !name.empty();) {
     size += name.size() + 1 + 16;
-    in.seekg(16, std::ios::cur);
+    bytes_of_pixel += read_word(in) == 1 ? 2 : 4;
+    in.seekg(12, std::ios::cur);
   }
   return size;
 }
@@ -49,10 +79,14 @@ std::uintmax_t size_of_preview(std::istream& in) {
   return 8 + 4 * width * height;
 }
 
-/// What a value of the type that starts here will be read from, of `claimed` bytes.
-std::uintmax_t size_of_value(std::istream& in, const std::string& type, std::uint32_t claimed) {
-  if (type == "chlist") return size_of_channels(in);
+/// What a value of the type that starts here will be read from, of `claimed` bytes. What it says of
+/// blocks goes there.
+std::uintmax_t size_of_value(std::istream& in, const std::string& name, const std::string& type,
+                             std::uint32_t claimed, Block& block) {
+  if (type == "chlist") return size_of_channels(in, block.bytes_of_pixel);
   if (type == "preview") return size_of_preview(in);
+  if (type == "compression") block.lines = lines_of(in.get());
+  if (name == "dataWindow" && type == "box2i") block.width = width_of_window(in);
   const auto known = sizes.find(type);
   return known == sizes.end() ? claimed : known->second;
 }
@@ -68,10 +102,19 @@ void require_honest_header(const std::filesystem::path& path) {
   if (missing || read_word(in) != magic) return;
   const bool many = (read_word(in) & of_many_parts) != 0;
   bool first_of_header = true;
+  Block block;
   for (std::string name, type; std::getline(in, name, '\0');) {
     if (name.empty()) {
+      if (block.bytes_of_column() > 0 && block.width > most_block_bytes / block.bytes_of_column()) {
+        throw Error(
+            "cannot read {}: it packs {} lines of {} pixels together, with {} bytes a pixel; "
+            "expected "
+            "{} MB at most",
+            path.string(), block.lines, block.width, block.bytes_of_pixel, most_block_bytes >> 20);
+      }
       if (!many || first_of_header) return;
       first_of_header = true;
+      block = {};
       continue;
     }
     first_of_header = false;
@@ -84,7 +127,7 @@ void require_honest_header(const std::filesystem::path& path) {
       throw Error("cannot read {}: one of its attributes claims {} bytes where {} are left",
                   path.string(), bytes, left);
     }
-    const std::uintmax_t needed = size_of_value(in, type, bytes);
+    const std::uintmax_t needed = size_of_value(in, name, type, bytes, block);
     if (needed != bytes) {
       throw Error("cannot read {}: one of its attributes claims {} bytes, expected {}",
                   path.string(), bytes, needed);

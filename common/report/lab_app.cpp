@@ -110,11 +110,8 @@ void run_experiments(const LabApp& lab, const std::optional<Predictions>& predic
 }
 
 /// Which exercises wait to be done; each experiment that misses one has said what to do.
-std::string left_out_text(const std::set<std::string>& reasons) {
-  std::string tags;
-  for (const std::string& reason : reasons)
-    tags += (tags.empty() ? "" : ", ") + reason.substr(0, reason.find(" is not implemented"));
-  return fmt::format("Left out, as not implemented yet: {}", tags);
+std::string left_out_text(const std::set<std::string>& tags) {
+  return fmt::format("Left out, as not implemented yet: {}", fmt::join(tags, ", "));
 }
 
 nlohmann::json results(const LabApp& lab, const Notebook& notebook, double seconds) {

@@ -61,9 +61,10 @@ void Notebook::print_table(const std::string& key, const Table& table, std::stri
   (*results_)[key] = table.json();
 }
 
-void Notebook::leave_out(const std::string& reason) {
-  left_out_.insert(reason);
-  if (!left_out_here_.insert(reason).second) return;
+void Notebook::leave_out(const NotImplemented& missing) {
+  left_out_.insert(missing.tag());
+  if (!left_out_here_.insert(missing.tag()).second) return;
+  const std::string reason = missing.what();
   bar_.clear();
   fmt::print("{}\n\n", wrapped(coloured(Colour::yellow, reason)));
   page_.note(reason);

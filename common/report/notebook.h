@@ -60,7 +60,7 @@ class Notebook {
       work();
       return true;
     } catch (const NotImplemented& missing) {
-      leave_out(missing.what());
+      leave_out(missing);
       return false;
     }
   }
@@ -73,12 +73,13 @@ class Notebook {
   void tell_stalls() { bar_.tell_stalls(); }
   void finish() { bar_.finish(); }
 
-  /// What was left out, for the last lines of the run; and everything measured.
+  /// The tags of exercises that were left out, for the last lines of the run; and everything
+  /// measured.
   const std::set<std::string>& left_out() const { return left_out_; }
   const nlohmann::json& results() const { return *results_; }
 
  private:
-  void leave_out(const std::string& reason);
+  void leave_out(const NotImplemented& missing);
   void print_table(const std::string& key, const Table& table, std::string_view caption);
 
   LabOptions options_;

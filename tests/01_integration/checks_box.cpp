@@ -18,6 +18,9 @@ using namespace lab01_tests;
 
 namespace {
 
+/// Of all probes of this lab.
+const Unsaid unsaid{"domain", "integrand", "pattern", "rule"};
+
 const Diagnosis one_side{"volume-of-one-dimension",
                          "the average is multiplied by one side of the box and not by all."};
 const Diagnosis same_number{"same-number-in-every-dimension",

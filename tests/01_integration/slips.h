@@ -2,7 +2,7 @@
 
 // Slips that several exercises share.
 
-#include "grader/judge/verdict.h"
+#include "grader/judge/suspect.h"
 
 #include <limits>
 

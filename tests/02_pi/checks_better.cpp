@@ -15,6 +15,8 @@ using namespace lab02_tests;
 
 namespace {
 
+const Unsaid unsaid{"integrand"};
+
 const Diagnosis factor_missing{"factor-four-missing",
                                "the integrand lacks its factor 4: its integral is π/4."};
 const Diagnosis squares_of_sum{"squares-is-not-the-sum-of-squares",

@@ -13,6 +13,8 @@ using namespace lab03_tests;
 
 namespace {
 
+const Unsaid unsaid{"combine"};
+
 const Diagnosis operands_swapped{"operands-swapped",
                                  "x_{n-k} - x_{n-j} is computed; it is x_{n-j} - x_{n-k}."};
 const Diagnosis wrong_place{

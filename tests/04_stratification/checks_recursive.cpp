@@ -15,6 +15,8 @@ using namespace lab04_tests;
 
 namespace {
 
+const Unsaid unsaid{"integrand"};
+
 const Diagnosis by_points{"halves-weighed-by-points",
                           "the half with more points counts for more: both are half of the box, "
                           "however many points they got."};

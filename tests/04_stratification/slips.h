@@ -2,7 +2,7 @@
 
 // Slips that several exercises share: what n strata make of a place x in stratum i.
 
-#include "grader/judge/verdict.h"
+#include "grader/judge/suspect.h"
 
 namespace lab04_tests {
 

@@ -15,6 +15,8 @@ using namespace lab05_tests;
 
 namespace {
 
+const Unsaid unsaid{"kind", "target"};
+
 constexpr double pi = std::numbers::pi;
 
 const Diagnosis last_not_counted{"accepted-dart-not-counted",

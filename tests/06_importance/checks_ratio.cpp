@@ -15,6 +15,9 @@ using namespace lab06_tests;
 
 namespace {
 
+/// Of all probes of this lab.
+const Unsaid unsaid{"kind", "list", "weighting"};
+
 const Diagnosis not_divided{"not-divided-by-the-pdf",
                             "f(x) alone: a point drawn more often has to count less, by 1/p(x)."};
 const Diagnosis weights_normalised{

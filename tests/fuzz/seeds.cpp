@@ -22,7 +22,11 @@ std::vector<std::string> frame_seeds() {
   constexpr double inf = std::numeric_limits<double>::infinity();
   return {encode({.rows = {2, {1, 2, inf, -0.0}}, .text = {}}),
           encode({.status = Frame::Status::error, .rows = {}, .text = "what went wrong"}),
-          encode({.status = Frame::Status::not_implemented, .rows = {}, .text = "Lab 1.1"})};
+          encode({.status = Frame::Status::not_implemented,
+                  .rows = {},
+                  .text = "it is not done",
+                  .tag = "Lab 1.1",
+                  .function = "average"})};
 }
 
 std::vector<std::string> params_seeds() {

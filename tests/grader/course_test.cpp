@@ -94,7 +94,7 @@ TEST_CASE("hints come one at a time and are remembered", "[course]") {
   const std::vector<Lab> labs = load_labs(folder.labs());
   const auto next = [&] {
     HintState state(folder.state());
-    return next_hint(find_exercise(labs, "1.1"), state);
+    return hint_text(next_hint(find_exercise(labs, "1.1"), state));
   };
   const std::string first = next();
   CHECK(has(first, "hint 1 of 2; run again for the next"));
@@ -112,15 +112,15 @@ TEST_CASE("hints that were seen are shown again, others are not", "[course]") {
   CHECK_THROWS_AS(seen_hints(shown, state), Error);
   CHECK_THROWS_AS(seen_hint(shown, 1, state), Error);
   next_hint(shown, state);
-  CHECK(has(seen_hint(shown, 1, state), "nudge"));
-  CHECK(has(seen_hints(shown, state), "nudge"));
-  CHECK_FALSE(has(seen_hints(shown, state), "plan"));
+  CHECK(has(hint_text(seen_hint(shown, 1, state)), "nudge"));
+  CHECK(has(hint_text(seen_hints(shown, state)), "nudge"));
+  CHECK_FALSE(has(hint_text(seen_hints(shown, state)), "plan"));
   for (const int step : {-1, 0, 2, 3})
     CHECK_THROWS_AS(seen_hint(shown, step, state), Error);
   CHECK(state.seen(shown) == 1);
   next_hint(shown, state);
-  CHECK(has(seen_hints(shown, state), "nudge"));
-  CHECK(has(seen_hints(shown, state), "plan"));
+  CHECK(has(hint_text(seen_hints(shown, state)), "nudge"));
+  CHECK(has(hint_text(seen_hints(shown, state)), "plan"));
 }
 
 TEST_CASE("an exercise builds on earlier ones only", "[course]") {

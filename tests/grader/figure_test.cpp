@@ -1,10 +1,8 @@
 #include "cli/error.h"
 #include "grader/judge/compare.h"
-#include "grader/judge/details.h"
-#include "grader/judge/figure_json.h"
 #include "grader/judge/figures.h"
-#include "grader/judge/report.h"
 #include "random/rng.h"
+#include "verdict/figure_json.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <nlohmann/json.hpp>
@@ -13,6 +11,7 @@
 #include <limits>
 #include <string>
 
+using namespace carlo;
 using namespace carlo::grader;
 using nlohmann::json;
 
@@ -214,46 +213,4 @@ TEST_CASE("comparisons that fail bring their figures, those that pass bring none
   CHECK_FALSE(all_equal("", values, values, 0).figure);
   CHECK(all_equal("", values, shifted, 0).figure);
   CHECK_FALSE(equals("", 1, 2, 0).figure);
-}
-
-TEST_CASE("the verdicts of a lab stay below two megabytes in JSON", "[details]") {
-  const std::vector<double> cells(1024, 1e-7 / 3), right(1024, 2.0 / 3);
-  Verdict large = holds("it", false, std::string(50'000, 'x'), "2");
-  large.figure = tiles_figure(32, cells, right, right);
-  TestRecord test{"Lab 1.1", "it holds", {}, Status::failed, "", ""};
-  test.verdicts = std::vector<Verdict>(50, large);
-  test.problem = std::string(100'000, '\x01');
-  test.printed = std::string(100'000, '\xFF');
-  carlo::Lab lab{1, "demo", "Demo", {{"Lab 1.1", "First", 2, "L", {"f"}, {"a", "b"}}}};
-  const std::string text = report_json(collect(lab, std::vector<TestRecord>(40, test), ""));
-  CHECK(text.size() <= most_json_bytes);
-  const json tests = json::parse(text)["exercises"][0]["tests"];
-  CHECK(tests.size() == 40);
-  CHECK_NOTHROW(figure_from_json(tests[0]["verdicts"][0]["figure"]));
-  CHECK_FALSE(tests[39].contains("figure"));
-}
-
-TEST_CASE("the details name tests, verdicts and what an exercise builds on", "[details]") {
-  carlo::Lab lab{1,
-                 "demo",
-                 "Demo",
-                 {{"Lab 1.1", "First", 2, "L", {"f"}, {"a", "b"}},
-                  {"Lab 1.2", "Second", 3, "L", {"g"}, {"a", "b"}}}};
-  lab.exercises[1].uses = {"Lab 1.1"};
-  const Verdict wrong = holds("it", false, "1", "2", {{"off-by-one", "one is missing."}});
-  const std::vector<double> values = uniform_values(100);
-  const TestRecord first{"Lab 1.1", "it holds", {wrong}, Status::failed, "", ""};
-  const TestRecord second{
-      "Lab 1.2", "it is right", {mean_is("m", values, {0.5, 0.3, 0})}, Status::passed, "", ""};
-  const json document = json::parse(report_json(collect(lab, {first, second}, "")));
-  CHECK(document["title"] == "Demo");
-  CHECK(document["whole"] == true);
-  CHECK(document["exercises"][1]["unsound"] == json{"Lab 1.1"});
-  const json verdict = document["exercises"][0]["tests"][0]["verdicts"][0];
-  CHECK(verdict["measured"] == "1");
-  CHECK(verdict["diagnoses"][0]["sentence"] == "one is missing.");
-  CHECK_FALSE(verdict.contains("p"));
-  const json passed = document["exercises"][1]["tests"][0]["verdicts"][0];
-  CHECK(passed["p"].is_number());
-  CHECK_FALSE(passed.contains("figure"));
 }

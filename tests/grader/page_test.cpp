@@ -1,10 +1,10 @@
 #include "grader/has.h"
 #include "grader/judge/compare.h"
-#include "grader/judge/figure_json.h"
 #include "grader/judge/figures.h"
-#include "grader/judge/report.h"
+#include "grader/judge/results.h"
 #include "grader/page/figure_svg.h"
 #include "grader/page/grade_page.h"
+#include "verdict/verdict_json.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <nlohmann/json.hpp>
@@ -13,6 +13,7 @@
 #include <limits>
 #include <string>
 
+using namespace carlo;
 using namespace carlo::grader;
 using nlohmann::json;
 
@@ -64,7 +65,12 @@ std::vector<Figure> every_kind() {
       hostile_listing()};
 }
 
-json demo_lab(const Verdict& verdict, const std::string& problem = "") {
+/// As a page gets it: of bounded size, in valid UTF-8.
+LabResult read_back(const LabResult& result) {
+  return lab_result_from_text(to_text(result));
+}
+
+LabPage demo_lab(const Verdict& verdict, const std::string& problem = "") {
   const carlo::Lab lab{7,
                        "demo",
                        "Demo",
@@ -76,7 +82,7 @@ json demo_lab(const Verdict& verdict, const std::string& problem = "") {
       "Lab 7.2", "it is right", {holds("it", true, "1", "1")}, Status::passed, "", ""};
   TestRecord open{"Lab 7.3", "it is done", {}, Status::not_implemented, "not implemented yet", ""};
   open.needs = "Lab 7.1";
-  return json::parse(report_json(collect(lab, {failed, passed, open}, "")));
+  return {read_back(collect(lab, {failed, passed, open}, ""))};
 }
 
 Verdict wrong_mean() {
@@ -88,7 +94,7 @@ Verdict wrong_mean() {
 }  // namespace
 
 TEST_CASE("the page shows points, diagnosis, numbers, figure and the hint's command", "[page]") {
-  const std::string page = grade_page(demo_lab(wrong_mean()), {"Lab 07"});
+  const std::string page = grade_page({demo_lab(wrong_mean())}, {"Lab 07"});
   check_balanced(page);
   CHECK(has(page, "3 of 6 points"));
   CHECK(has(page, "It looks like this:"));
@@ -106,9 +112,9 @@ TEST_CASE("a crash stands first on the page, with how to find its line", "[page]
   const carlo::Lab lab{1, "demo", "Demo", {{"Lab 1.1", "First", 2, "L", {"f"}, {"a", "b"}}}};
   const TestRecord wrong{"Lab 1.1",      "small", {holds("it", false, "1", "2")},
                          Status::failed, "",      ""};
-  const TestRecord crash{"Lab 1.1", "empty", {}, Status::crashed, "it crashed: abort", ""};
-  const json verdicts = json::parse(report_json(collect(lab, {wrong, crash}, "")));
-  const std::string page = grade_page(verdicts, {"Lab 01"});
+  TestRecord crash{"Lab 1.1", "empty", {}, Status::crashed, "it crashed: abort", ""};
+  crash.lacks_line = true;
+  const std::string page = grade_page({{collect(lab, {wrong, crash}, "")}}, {"Lab 01"});
   CHECK(page.find("✗ empty") < page.find("✗ small"));
   CHECK(has(page,
             "In which line it crashes (it builds for minutes, once): <code>CARLO_PRESET=debug "
@@ -120,12 +126,14 @@ TEST_CASE("nothing that a student's program says becomes markup", "[page]") {
   verdict.certainty = hostile;
   for (const Figure& figure : every_kind()) {
     verdict.figure = figure;
-    json lab = demo_lab(verdict, hostile);
-    lab["title"] = lab["compiler"] = lab["note"] = lab["sandbox"] = hostile;
-    lab["exercises"][0]["title"] = lab["exercises"][0]["tag"] = hostile;
-    lab["exercises"][0]["status"] = hostile;
-    lab["exercises"][2]["tests"][0]["needs"] = "Lab " + hostile;
-    lab["exercises"][0]["unsound"] = {hostile};
+    LabPage lab = demo_lab(verdict, hostile);
+    lab.compiler = lab.note = hostile;
+    lab.result.title = lab.result.sandbox = hostile;
+    lab.result.exercises[0].title = hostile;
+    lab.result.exercises[0].tag = "Lab " + hostile;
+    lab.result.exercises[2].tests[0].needs = "Lab " + hostile;
+    lab.result.exercises[0].unsound = {hostile};
+    lab.result = read_back(lab.result);
     const std::string page = grade_page({lab, lab}, {hostile, hostile, {{hostile, hostile}}});
     check_balanced(page);
     CHECK_FALSE(has(page, "<script"));
@@ -155,57 +163,38 @@ TEST_CASE("numbers that are none are drawn nowhere", "[page]") {
 }
 
 TEST_CASE("the aspects that are judged apart have a mark each", "[page]") {
-  json lab = demo_lab(wrong_mean());
-  lab["exercises"][0]["aspects"] = {{"correctness", true}, {"variance", false}};
-  lab["exercises"][0]["points"] = 1.5;
-  const std::string page = grade_page(lab, {"Lab 07"});
+  LabPage lab = demo_lab(wrong_mean());
+  ExerciseResult& first = lab.result.exercises[0];
+  const TestRecord good{"Lab 7.1", "it is right", {}, Status::passed, "", ""};
+  TestRecord noisy = first.tests[0];
+  noisy.aspect = Aspect::variance;
+  first.tests = {good, noisy};
+  first.points = 1.5;
+  const std::string page = grade_page({lab}, {"Lab 07"});
   CHECK(has(page, "<span class=\"chip passed\">✓ correctness</span>"));
   CHECK(has(page, "<span class=\"chip failed\">✗ variance</span>"));
   CHECK(has(page, "◐<span class=\"words\"> in part</span>"));
   CHECK_FALSE(has(page, "efficiency"));
   CHECK(has(page, "1.5 of 2 points"));
-  lab["exercises"][0]["aspects"] = {{"correctness", true}};
-  CHECK_FALSE(has(grade_page(lab, {"Lab 07"}), "correctness"));
-}
-
-TEST_CASE("verdicts that lack something make a page without it", "[page]") {
-  for (const json& labs : {json(), json(3), json::array(), json::object(), json{{"lab", 1}},
-                           json{{{"lab", 1}, {"note", "did not compile"}}, 7},
-                           json{{"exercises", {1, json::object(), {{"tests", {3}}}}}},
-                           json{{"exercises",
-                                 {{{"status", "failed"},
-                                   {"diagnoses", {3, "x"}},
-                                   {"tests", {{{"verdicts", {1, json::object()}}}}}}}}}}) {
-    INFO(labs.dump());
-    check_balanced(grade_page(labs, {"x"}));
-  }
-  json lab = demo_lab(wrong_mean());
-  lab["exercises"][0]["tests"][0]["verdicts"][0]["figure"] = "none";
-  CHECK(has(grade_page(lab, {"x"}), "cannot be read"));
-  CHECK(has(grade_page({{{"lab", 1}, {"note", "did not compile"}}, {{"lab", 2}}}, {"x"}),
-            "did not compile"));
+  first.tests = {good};
+  CHECK_FALSE(has(grade_page({lab}, {"Lab 07"}), "correctness"));
 }
 
 TEST_CASE("a grading's record shows what was not judged", "[page]") {
-  const json judged{
-      {"lab", 7}, {"note", ""}, {"compiler", ""}, {"verdict", demo_lab(wrong_mean())}};
-  const json broken{{"lab", 8},
-                    {"title", "Broken"},
-                    {"note", "does not compile"},
-                    {"compiler", "path.cpp:3: error: expected ';'"},
-                    {"verdict", nullptr},
-                    {"exercises",
-                     {{{"tag", "Lab 8.1"},
-                       {"title", "A"},
-                       {"points", 0},
-                       {"max", 3},
-                       {"status", "does_not_compile"}},
-                      {{"tag", "Lab 8.2"},
-                       {"title", "B"},
-                       {"points", nullptr},
-                       {"max", 1},
-                       {"status", "grader_error"}}}}};
-  const std::string page = grade_page({judged, broken}, {"Ada"});
+  LabPage broken;
+  broken.result.lab = 8;
+  broken.result.title = "Broken";
+  broken.note = "does not compile";
+  broken.compiler = "path.cpp:3: error: expected ';'";
+  ExerciseResult first, second;
+  first.tag = "Lab 8.1";
+  first.max = 3;
+  first.status = Status::does_not_compile;
+  second.tag = "Lab 8.2";
+  second.max = 1;
+  second.status = Status::grader_error;
+  broken.result.exercises = {first, second};
+  const std::string page = grade_page({demo_lab(wrong_mean()), broken}, {"Ada"});
   check_balanced(page);
   CHECK(has(page, "3 of 10 points"));
   CHECK(has(page, "Lab 07: Demo – 3 of 6 points"));
@@ -217,12 +206,12 @@ TEST_CASE("a grading's record shows what was not judged", "[page]") {
 }
 
 TEST_CASE("a page is offered when something failed, not when nothing is done", "[page]") {
-  json lab = demo_lab(wrong_mean());
+  LabResult lab = demo_lab(wrong_mean()).result;
   CHECK(something_failed(lab));
-  lab["exercises"][0]["status"] = "not_implemented";
-  CHECK_FALSE(something_failed(lab));
-  lab["exercises"][0]["status"] = "passed";
-  CHECK_FALSE(something_failed(lab));
-  lab["exercises"][0]["status"] = "crashed";
-  CHECK(something_failed(lab));
+  for (const auto& [status, failed] :
+       {std::pair{Status::not_implemented, false}, std::pair{Status::passed, false},
+        std::pair{Status::crashed, true}}) {
+    lab.exercises[0].status = status;
+    CHECK(something_failed(lab) == failed);
+  }
 }

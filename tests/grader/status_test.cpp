@@ -69,15 +69,15 @@ class Tree {
   Stage stage(std::size_t i) const { return status().exercises.at(i).stage; }
   void judge(const std::string& number, const std::string& status, double points) const {
     VerdictBook book(kept());
-    book.take(nlohmann::json{{"lab", 1},
-                             {"exercises",
-                              {{{"tag", "Lab " + number},
-                                {"points", points},
-                                {"status", status},
-                                {"message", "off by one"},
-                                {"text", "  off by one\n"}}}}}
-                  .dump(),
-              lab(), code());
+    ExerciseResult result;
+    result.tag = "Lab " + number;
+    result.points = points;
+    result.status = status_named(status);
+    result.tests = {{result.tag, "it holds", {}, result.status, "off by one", ""}};
+    LabResult judged;
+    judged.lab = 1;
+    judged.exercises = {result};
+    book.take(judged, lab(), code());
     book.save();
   }
 
@@ -183,12 +183,12 @@ TEST_CASE("status for people has no escapes when piped; for programs it is JSON"
   CHECK(json["points"] == 1);
 }
 
-TEST_CASE("a file of verdicts that is none, and a judge's words that are none, are errors",
-          "[course]") {
+TEST_CASE("a file of verdicts that is none, and verdicts of another lab, are errors", "[course]") {
   const Tree tree;
   VerdictBook book(tree.kept());
-  CHECK_THROWS_AS(book.take("{", tree.lab(), tree.code()), Error);
-  CHECK_THROWS_AS(book.take(R"({"lab": 2, "exercises": []})", tree.lab(), tree.code()), Error);
+  LabResult other;
+  other.lab = 2;
+  CHECK_THROWS_AS(book.take(other, tree.lab(), tree.code()), Error);
   fs::create_directories(tree.kept().parent_path());
   write_file(tree.kept(), "[]");
   CHECK_THROWS_AS(VerdictBook(tree.kept()), Error);

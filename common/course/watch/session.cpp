@@ -3,6 +3,7 @@
 #include "cli/atomic_file.h"
 #include "cli/error.h"
 #include "cli/terminal.h"
+#include "verdict/verdict_json.h"
 
 #include <fmt/core.h>
 
@@ -152,7 +153,7 @@ void WatchSession::judged() {
   // Of several, the one to go on with.
   const auto passed = [&](const Exercise& exercise) {
     const KeptVerdict* verdict = book_.find(exercise);
-    return verdict != nullptr && verdict->status == "passed";
+    return verdict != nullptr && verdict->passed();
   };
   if (all_) {
     const auto open = std::find_if_not(lab_.exercises.begin(), lab_.exercises.end(), passed);
@@ -168,7 +169,7 @@ void WatchSession::take_verdicts() {
   try {
     // Another ./carlo may have noted something meanwhile.
     book_ = VerdictBook(places_.state("verdicts.json"));
-    book_.take(read_file(judged_file()), lab_, code_);
+    book_.take(lab_result_from_text(read_file(judged_file())), lab_, code_);
     book_.save();
   } catch (const Error& error) {
     trouble_ = fmt::format("the verdict is not kept: {}\n", error.what());
@@ -201,13 +202,9 @@ void WatchSession::go_on(int step) {
 void WatchSession::show_hint() {
   try {
     hints_ = HintState(places_.state("hints.json"));
-    hint_ = next_hint(*current_, hints_);
+    hint_ = hint_text(next_hint(*current_, hints_), Help::by_key);
   } catch (const Error& error) {
     hint_ = fmt::format("{}\n", error.what());
-  }
-  const std::string again = "run again for the next";
-  if (const std::size_t at = hint_.find(again); at != std::string::npos) {
-    hint_.replace(at, again.size(), "h shows the next");
   }
   panel_ = Panel::hint;
   whole_ = false;

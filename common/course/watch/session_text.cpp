@@ -2,6 +2,7 @@
 
 #include "cli/terminal.h"
 #include "course/watch/session.h"
+#include "verdict/verdict_text.h"
 
 #include <fmt/core.h>
 
@@ -87,21 +88,18 @@ std::string WatchSession::verdict_text(const Exercise& exercise) const {
   const KeptVerdict* verdict = book_.find(exercise);
   const std::string title = fmt::format("{}, {}", exercise.tag, exercise.title);
   if (verdict == nullptr) return title + "\n";
-  std::string points = fmt::format("{:g} of {} points", verdict->points, exercise.points);
+  std::string points = fmt::format("{:g} of {} points", verdict->result.points, exercise.points);
   const bool changed = changed_since(exercise);
   if (changed) points += coloured(Colour::dim, ", before this change");
-  if (verdict->status == "passed") {
+  if (verdict->passed()) {
     return fmt::format("{} {}: {}\n", coloured(changed ? Colour::dim : Colour::green, "✓"), title,
                        points);
   }
-  const bool open = verdict->status == "not_implemented";
+  const bool open = verdict->result.status == Status::not_implemented;
   const std::string mark = open ? coloured(Colour::yellow, "–") : coloured(Colour::red, "✗");
-  std::string text = verdict->text;
-  const std::string typed = fmt::format("./carlo hint {}\n", current_->number());
-  if (const std::size_t at = text.rfind(typed); at != std::string::npos) {
-    text.replace(at, typed.size(), "press h\n");
-  }
-  return fmt::format("{} {}: {}\n{}", mark, title, points, text);
+  // The key shows the hint of the current one.
+  const Help help = &exercise == current_ ? Help::by_key : Help::typed;
+  return fmt::format("{} {}: {}\n{}", mark, title, points, shortfall(verdict->result, help));
 }
 
 std::string WatchSession::verdicts_text() const {
@@ -110,7 +108,7 @@ std::string WatchSession::verdicts_text() const {
   bool passed = true;
   for (const Exercise* exercise : which_) {
     const KeptVerdict* verdict = book_.find(*exercise);
-    passed = passed && verdict != nullptr && verdict->status == "passed";
+    passed = passed && verdict != nullptr && verdict->passed();
     text += verdict_text(*exercise);
   }
   return text + (passed ? what_next() : "");

@@ -2,6 +2,7 @@
 
 #include "grader/judge/compare.h"
 #include "stats/distributions.h"
+#include "verdict/verdict_text.h"
 
 #include <fmt/core.h>
 
@@ -41,10 +42,11 @@ void add_costs(const Judged& judged, LabFinding& finding) {
 
 void add_failure(const Record& record, LabFinding& finding) {
   ++finding.false_failures;
-  for (const Judgement& judgement : record.exercises) {
-    if (judgement.status == "passed") continue;
+  for (const ExerciseResult& exercise : record.result.exercises) {
+    if (exercise.status == Status::passed) continue;
     finding.failures.push_back(fmt::format("seed {}, {} is \"{}\": {}", record.key.seed,
-                                           judgement.tag, judgement.status, judgement.message));
+                                           exercise.tag, to_string(exercise.status),
+                                           message(exercise)));
   }
 }
 
@@ -91,13 +93,13 @@ LabFinding lab_finding(const Judged& solution) {
   std::map<ComparisonName, std::size_t> places;
   for (const Record* record : solution.records) {
     if (record->exit_code != 0) add_failure(*record, finding);
-    for (const auto& [name, comparison] : comparisons(*record)) {
+    for (const auto& [name, p, effect] : comparisons(*record)) {
       const auto [place, fresh] = places.emplace(name, finding.comparisons.size());
       if (fresh) {
         finding.comparisons.push_back(
-            {name, {}, comparison->resolution, comparison->unit, {}, comparison->spread});
+            {name, {}, effect.resolution, effect.unit, {}, effect.spread});
       }
-      finding.comparisons[place->second].p_values.push_back(comparison->p);
+      finding.comparisons[place->second].p_values.push_back(p);
     }
   }
   add_uniformity(finding);
@@ -108,21 +110,24 @@ LabFinding lab_finding(const Judged& solution) {
 namespace {
 
 /// How far below the level the clearest failing comparison of a run lies, in orders of magnitude.
-double margin(const Judgement& judgement) {
-  if (judgement.exact_failures > 0) return infinite;
+double margin(const Record& record) {
+  if (exact_failures(record.result.exercises.front()) > 0) return infinite;
   double best = -infinite;
-  for (const Comparison& comparison : judgement.comparisons) {
+  for (const Comparison& comparison : comparisons(record)) {
     const double p = std::isnan(comparison.p) ? 0 : comparison.p;
     best = std::max(best, std::log10(comparison_alpha()) - std::log10(p));
   }
   return best;
 }
 
-bool is_named(const Subject& subject, const Judgement& judgement) {
-  if (subject.diagnosis == "crash") return judgement.status == "crashed";
-  const auto& ids = judgement.diagnoses;
-  const auto end = ids.begin() + static_cast<std::ptrdiff_t>(std::min(ids.size(), shown_diagnoses));
-  return judgement.status == "failed" && std::find(ids.begin(), end, subject.diagnosis) != end;
+bool is_named(const Subject& subject, const ExerciseResult& exercise) {
+  if (subject.diagnosis == "crash") return exercise.status == Status::crashed;
+  const auto& told = exercise.diagnoses;
+  const auto end =
+      told.begin() + static_cast<std::ptrdiff_t>(std::min(told.size(), shown_diagnoses));
+  return exercise.status == Status::failed && std::any_of(told.begin(), end, [&](const auto& one) {
+           return one.id == subject.diagnosis;
+         });
 }
 
 }  // namespace
@@ -132,20 +137,21 @@ MistakeFinding mistake_finding(const Judged& mistake) {
   finding.subject = mistake.subject;
   finding.margin = infinite;
   for (const Record* record : mistake.records) {
-    if (record->exercises.empty()) continue;
-    const Judgement& judgement = record->exercises.front();
-    const bool failed = judgement.status != "passed";
-    const bool named = is_named(mistake.subject, judgement);
+    if (record->result.exercises.empty()) continue;
+    const ExerciseResult& exercise = record->result.exercises.front();
+    const bool failed = exercise.status != Status::passed;
+    const bool named = is_named(mistake.subject, exercise);
     ++finding.runs;
     finding.caught += failed ? 1 : 0;
-    const bool alone = named && judgement.diagnoses.size() <= 1;
+    const bool alone = named && exercise.diagnoses.size() <= 1;
     finding.named += named ? 1 : 0;
     finding.alone += alone ? 1 : 0;
-    finding.margin = std::min(finding.margin, margin(judgement));
+    finding.margin = std::min(finding.margin, margin(*record));
     if (!alone && finding.first_missed.empty()) {
-      finding.first_missed = fmt::format("seed {}: {}", record->key.seed, judgement.status);
-      for (const std::string& id : judgement.diagnoses)
-        finding.first_missed += ", " + id;
+      finding.first_missed =
+          fmt::format("seed {}: {}", record->key.seed, to_string(exercise.status));
+      for (const Diagnosis& diagnosis : exercise.diagnoses)
+        finding.first_missed += ", " + diagnosis.id;
     }
   }
   return finding;

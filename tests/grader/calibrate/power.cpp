@@ -13,14 +13,14 @@ namespace {
 std::map<ComparisonName, Sight> sights(const Judged& mistake) {
   std::map<ComparisonName, Sight> result;
   for (const Record* record : mistake.records) {
-    for (const auto& [name, comparison] : comparisons(*record)) {
+    for (const auto& [name, p, seen] : comparisons(*record)) {
       Sight& sight = result[name];
-      const double effect = std::abs(comparison->effect);
+      const double effect = std::abs(seen.measured);
       sight.mistake = mistake.subject.what;
       // Values that are no numbers are as wrong as can be.
       sight.effect += std::isnan(effect) ? std::numeric_limits<double>::infinity() : effect;
       sight.runs += 1;
-      sight.caught += comparison->p >= comparison_alpha() ? 0 : 1;
+      sight.caught += p >= comparison_alpha() ? 0 : 1;
     }
   }
   for (auto& [name, sight] : result)

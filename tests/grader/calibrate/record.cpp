@@ -1,82 +1,73 @@
 #include "grader/calibrate/record.h"
 
 #include "cli/error.h"
+#include "verdict/verdict_json.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 
 namespace carlo::grader {
-namespace {
 
 using nlohmann::json;
 
-double number(const json& entry, const char* name) {
-  const auto found = entry.find(name);
-  if (found == entry.end() || found->is_null()) return std::numeric_limits<double>::quiet_NaN();
-  return found->get<double>();
-}
-
-Comparison comparison_from(const json& entry) {
-  return {entry.at("test"),
-          entry.at("what"),
-          number(entry, "p"),
-          number(entry, "effect"),
-          number(entry, "resolution"),
-          entry.value("unit", ""),
-          number(entry, "spread")};
-}
-
-Judgement judgement_from(const json& entry) {
-  Judgement judgement{
-      entry.at("tag"),           entry.at("status"), entry.at("message"), entry.at("diagnoses"), {},
-      entry.at("exact_failures")};
-  for (const json& comparison : entry.at("comparisons"))
-    judgement.comparisons.push_back(comparison_from(comparison));
-  return judgement;
-}
-
-json to_json(const Judgement& judgement) {
-  json comparisons = json::array();
-  for (const Comparison& c : judgement.comparisons) {
-    comparisons.push_back({{"test", c.test},
-                           {"what", c.what},
-                           {"p", c.p},
-                           {"effect", c.effect},
-                           {"resolution", c.resolution},
-                           {"unit", c.unit},
-                           {"spread", c.spread}});
-  }
-  return {{"tag", judgement.tag},         {"status", judgement.status},
-          {"message", judgement.message}, {"diagnoses", judgement.diagnoses},
-          {"comparisons", comparisons},   {"exact_failures", judgement.exact_failures}};
-}
-
-}  // namespace
-
-std::vector<std::pair<ComparisonName, const Comparison*>> comparisons(const Record& record) {
-  std::vector<std::pair<ComparisonName, const Comparison*>> list;
+std::vector<Comparison> comparisons(const Record& record) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Comparison> list;
   std::map<ComparisonName, int> seen;
-  for (const Judgement& judgement : record.exercises) {
-    for (const Comparison& comparison : judgement.comparisons) {
-      ComparisonName name{judgement.tag, comparison.test, comparison.what, 0};
-      const int place = seen[name]++;
-      std::get<3>(name) = place;
-      list.emplace_back(name, &comparison);
+  for (const ExerciseResult& exercise : record.result.exercises) {
+    for (const TestRecord& test : exercise.tests) {
+      for (const Verdict& verdict : test.verdicts) {
+        if (!verdict.p) continue;
+        ComparisonName name{exercise.tag, test.sentence, verdict.what, 0};
+        const int place = seen[name]++;
+        std::get<3>(name) = place;
+        list.push_back(
+            {name, *verdict.p, verdict.effect.value_or(Effect{unknown, unknown, "", unknown})});
+      }
     }
   }
   return list;
 }
 
+int exact_failures(const ExerciseResult& exercise) {
+  int count = 0;
+  for (const TestRecord& test : exercise.tests) {
+    count += test.problem.empty() ? 0 : 1;
+    count += static_cast<int>(
+        std::count_if(test.verdicts.begin(), test.verdicts.end(),
+                      [](const Verdict& verdict) { return !verdict.p && !verdict.passed; }));
+  }
+  return count;
+}
+
+LabResult kept_of(LabResult result) {
+  for (ExerciseResult& exercise : result.exercises) {
+    for (TestRecord& test : exercise.tests) {
+      test.printed.clear();
+      std::erase_if(test.verdicts,
+                    [](const Verdict& verdict) { return !verdict.p && verdict.passed; });
+      for (Verdict& verdict : test.verdicts) {
+        verdict.figure.reset();
+        verdict.certainty.clear();
+        if (verdict.passed) verdict.measured = verdict.expected = "";
+      }
+    }
+  }
+  return result;
+}
+
 std::string to_line(const Record& record) {
-  json document{{"lab", record.key.lab},         {"what", record.key.what},
-                {"seed", record.key.seed},       {"programs", record.key.programs},
-                {"exit", record.exit_code},      {"cpu_seconds", record.cpu_seconds},
-                {"megabytes", record.megabytes}, {"exercises", json::array()}};
-  for (const Judgement& judgement : record.exercises)
-    document["exercises"].push_back(to_json(judgement));
-  return document.dump(-1, ' ', false, json::error_handler_t::replace);
+  return dumped({{"lab", record.key.lab},
+                 {"what", record.key.what},
+                 {"seed", record.key.seed},
+                 {"programs", record.key.programs},
+                 {"exit", record.exit_code},
+                 {"cpu_seconds", record.cpu_seconds},
+                 {"megabytes", record.megabytes},
+                 {"result", to_json(record.result)}});
 }
 
 std::optional<Record> record_from(const std::string& line) {
@@ -88,24 +79,12 @@ std::optional<Record> record_from(const std::string& line) {
     record.exit_code = document.at("exit");
     record.cpu_seconds = document.at("cpu_seconds");
     record.megabytes = document.at("megabytes");
-    for (const json& entry : document.at("exercises"))
-      record.exercises.push_back(judgement_from(entry));
+    record.result = lab_result_from_json(document.at("result"));
     return record;
   } catch (const json::exception&) {
     return std::nullopt;
-  }
-}
-
-std::vector<Judgement> judgements_from(const std::string& verdicts) {
-  try {
-    const json document = json::parse(verdicts);
-    std::vector<Judgement> list;
-    for (const json& entry : document.at("exercises"))
-      list.push_back(judgement_from(entry));
-    if (list.empty()) throw Error("the judge's verdicts hold no exercise");
-    return list;
-  } catch (const json::exception& error) {
-    throw Error("the judge's verdicts: {}", error.what());
+  } catch (const Error&) {
+    return std::nullopt;
   }
 }
 

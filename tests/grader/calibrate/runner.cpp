@@ -3,6 +3,7 @@
 #include "cli/atomic_file.h"
 #include "cli/error.h"
 #include "cli/scratch_folder.h"
+#include "verdict/verdict_json.h"
 
 #include <fcntl.h>
 #include <sys/prctl.h>
@@ -116,8 +117,10 @@ Record record_of(const Job& job, int status, const rusage& usage, const fs::path
   if (code != 0 && code != 1) throw Error("a judge ended badly: {}", read_file(said));
   if (!fs::exists(verdicts)) throw Error("a judge gave no verdicts: {}", read_file(said));
   constexpr double kilobytes = 1024;
+  LabResult result = lab_result_from_text(read_file(verdicts));
+  if (result.cut) throw Error("a judge's verdicts are too large to be kept whole");
   return {job.key, code, seconds(usage.ru_utime) + seconds(usage.ru_stime),
-          static_cast<double>(usage.ru_maxrss) / kilobytes, judgements_from(read_file(verdicts))};
+          static_cast<double>(usage.ru_maxrss) / kilobytes, kept_of(std::move(result))};
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <fstream>
 #include <limits>
 
+using namespace carlo;
 using namespace carlo::grader;
 
 namespace {
@@ -37,48 +38,66 @@ Record record(int lab, std::uint64_t seed, double p = .5, double effect = 0) {
   made.key = {lab, the_solution, seed, "feed"};
   made.cpu_seconds = 1.5;
   made.megabytes = 20;
-  made.exercises = {{"Lab 1.1",
-                     "passed",
-                     "",
-                     {},
-                     {{"it is right", "the mean of \"x\"", p, effect, .25, "of all"}},
-                     0}};
+  Verdict verdict;
+  verdict.passed = true;
+  verdict.what = "the mean of \"x\"";
+  verdict.p = p;
+  verdict.effect = Effect{effect, .25, "of all"};
+  ExerciseResult exercise;
+  exercise.tag = "Lab 1.1";
+  exercise.status = Status::passed;
+  exercise.tests = {{"Lab 1.1", "it is right", {verdict}, Status::passed, "", ""}};
+  made.result.exercises = {exercise};
   return made;
+}
+
+ExerciseResult& only(Record& record) {
+  return record.result.exercises.front();
+}
+
+std::vector<Diagnosis> told(const std::vector<std::string>& ids) {
+  std::vector<Diagnosis> list;
+  for (const std::string& id : ids)
+    list.push_back({id, "it is so."});
+  return list;
 }
 
 }  // namespace
 
 TEST_CASE("a record survives its line", "[calibrate]") {
   Record made = record(3, 18'446'744'073'709'551'615U, 1e-300);
-  made.exercises[0].status = "failed";
-  made.exercises[0].diagnoses = {"a", "b"};
-  made.exercises[0].comparisons[0].effect = std::nan("");
+  only(made).status = Status::failed;
+  only(made).diagnoses = told({"a", "b"});
+  only(made).tests[0].verdicts[0].effect->measured = std::nan("");
   const std::string line = to_line(made);
   CHECK(line.find('\n') == std::string::npos);
   const auto back = record_from(line);
   REQUIRE(back);
   CHECK(to_line(*back) == line);
   CHECK(back->key.seed == made.key.seed);
-  CHECK(back->exercises[0].comparisons[0].p == 1e-300);
-  CHECK(std::isnan(back->exercises[0].comparisons[0].effect));
+  CHECK(comparisons(*back)[0].p == 1e-300);
+  CHECK(std::isnan(comparisons(*back)[0].effect.measured));
   for (std::size_t length = 0; length < line.size(); ++length)
     CHECK_FALSE(record_from(line.substr(0, length)));
 }
 
-TEST_CASE("a judge's verdicts are read, and nothing else is", "[calibrate]") {
-  const std::vector<Judgement> read = judgements_from(
-      R"({"exercises": [{"tag": "Lab 1.2", "status": "failed", "message": "off", "points": 0,
-          "diagnoses": ["a"], "exact_failures": 2,
-          "comparisons": [{"test": "t", "what": "w", "p": null}]}]})");
-  REQUIRE(read.size() == 1);
-  CHECK(read[0].tag == "Lab 1.2");
-  CHECK(read[0].exact_failures == 2);
-  CHECK(read[0].diagnoses == std::vector<std::string>{"a"});
-  REQUIRE(read[0].comparisons.size() == 1);
-  CHECK(std::isnan(read[0].comparisons[0].p));
-  CHECK(std::isnan(read[0].comparisons[0].resolution));
-  for (const char* text : {"", "{}", R"({"exercises": []})", R"({"exercises": [{}]})"})
-    CHECK_THROWS_AS(judgements_from(text), carlo::Error);
+TEST_CASE("of verdicts is kept what calibration needs", "[calibrate]") {
+  Record made = record(1, 1);
+  Verdict exact;
+  exact.what = "an exact one";
+  exact.measured = "1";
+  TestRecord& test = only(made).tests[0];
+  test.verdicts.push_back(exact);
+  exact.passed = true;
+  test.verdicts.push_back(exact);
+  test.printed = "words";
+  const LabResult kept = kept_of(made.result);
+  CHECK(kept.exercises[0].tests[0].printed.empty());
+  CHECK(kept.exercises[0].tests[0].verdicts.size() == 2);
+  CHECK(exact_failures(kept.exercises[0]) == 1);
+  CHECK(comparisons(Record{made.key, 0, 0, 0, kept}).size() == 1);
+  test.problem = "it crashed";
+  CHECK(exact_failures(only(made)) == 2);
 }
 
 TEST_CASE("the store goes on where a killed run stopped", "[calibrate]") {
@@ -121,8 +140,9 @@ TEST_CASE("what other programs gave is no answer about these", "[calibrate]") {
 TEST_CASE("findings count false failures and the p-values of each comparison", "[calibrate]") {
   std::vector<Record> records{record(1, 1, .3), record(1, 2, .6), record(1, 3, 1e-9)};
   records[2].exit_code = 1;
-  records[2].exercises[0].status = "failed";
-  records[2].exercises[0].message = "off";
+  only(records[2]).status = Status::failed;
+  only(records[2]).tests[0].status = Status::failed;
+  only(records[2]).tests[0].problem = "off";
   Judged solution;
   solution.subject.lab = 1;
   for (const Record& one : records)
@@ -131,7 +151,7 @@ TEST_CASE("findings count false failures and the p-values of each comparison", "
   CHECK(found.gradings == 3);
   CHECK(found.false_failures == 1);
   REQUIRE(found.failures.size() == 1);
-  CHECK(found.failures[0] == "seed 3, Lab 1.1 is \"failed\": off");
+  CHECK(found.failures[0] == "seed 3, Lab 1.1 is \"failed\": it is right: off");
   REQUIRE(found.comparisons.size() == 1);
   CHECK(found.comparisons[0].p_values == std::vector<double>{.3, .6, 1e-9});
   CHECK(found.all.smallest == 1e-9);
@@ -155,8 +175,8 @@ TEST_CASE("a cautious comparison says why", "[calibrate]") {
 
 TEST_CASE("findings tell a mistake's margin and what the comparisons saw of it", "[calibrate]") {
   std::vector<Record> records{record(1, 1, 1e-20, .5), record(1, 2, 1e-3, -.3)};
-  records[0].exercises[0].status = records[1].exercises[0].status = "failed";
-  records[0].exercises[0].diagnoses = {"first", "second", "third"};
+  only(records[0]).status = only(records[1]).status = Status::failed;
+  only(records[0]).diagnoses = told({"first", "second", "third"});
   Judged mistake;
   mistake.subject = {1, "wrong", "1.1", "second"};
   for (const Record& one : records)
@@ -170,7 +190,7 @@ TEST_CASE("findings tell a mistake's margin and what the comparisons saw of it",
   CHECK(std::abs(found.margin - (std::log10(1.5625e-8) + 3)) <= 1e-3);
   mistake.subject.diagnosis = "third";
   CHECK(mistake_finding(mistake).named == 0);
-  records[0].exercises[0].diagnoses = {"third"};
+  only(records[0]).diagnoses = told({"third"});
   CHECK(mistake_finding(mistake).alone == 1);
   CHECK(mistake_finding(mistake).first_missed == "seed 2: failed");
 
@@ -188,6 +208,6 @@ TEST_CASE("findings tell a mistake's margin and what the comparisons saw of it",
   CHECK(power[0].caught_in_sight == 1);
 
   for (Record& one : records)
-    one.exercises[0].exact_failures = 1;
+    only(one).tests[0].problem = "it crashed";
   CHECK(mistake_finding(mistake).margin == std::numeric_limits<double>::infinity());
 }

@@ -4,7 +4,7 @@
 #include "cli/descriptor.h"
 #include "cli/error.h"
 #include "grader/grade/blame.h"
-#include "grader/judge/printed.h"
+#include "verdict/printed.h"
 
 #include <fcntl.h>
 #include <fmt/core.h>

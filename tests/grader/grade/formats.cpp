@@ -1,4 +1,5 @@
 #include "grader/grade/outputs.h"
+#include "verdict/verdict_json.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -15,31 +16,30 @@ double seconds_of(const LabGrade& lab) {
   return lab.compile_seconds + lab.judge_seconds;
 }
 
-std::string text_of(const LabGrade& lab, const ExerciseGrade& exercise) {
-  std::string text = exercise.text;
-  if (lab.state != LabState::judged && !lab.compiler.empty()) text += "\n" + lab.compiler;
+/// The text for the student; where nothing was judged, what the compiler said too.
+std::string output_of(const LabGrade& lab, const ExerciseResult& exercise) {
+  std::string text = text_of(lab, exercise);
+  if (lab.unjudged && !lab.compiler.empty()) text += "\n" + lab.compiler;
   return text;
 }
 
-json test_json(const LabGrade& lab, const ExerciseGrade& exercise) {
+json test_json(const LabGrade& lab, const ExerciseResult& exercise) {
   json test{{"name", exercise.tag + " " + exercise.title},
-            {"number", exercise.tag.substr(4)},
+            {"number", exercise.number()},
             {"max_score", exercise.max},
-            {"status", exercise.points == exercise.max ? "passed" : "failed"},
-            {"output", text_of(lab, exercise)},
+            {"status", points_of(exercise) == exercise.max ? "passed" : "failed"},
+            {"output", output_of(lab, exercise)},
             {"output_format", "text"},
             {"visibility", "visible"},
-            {"extra_data", {{"status", exercise.status}}}};
-  if (exercise.points) test["score"] = *exercise.points;
+            {"extra_data", {{"status", to_string(exercise.status)}}}};
+  if (const auto points = points_of(exercise)) test["score"] = *points;
   return test;
 }
 
 /// XML 1.0 has no place for most control characters, for U+FFFE and U+FFFF, nor for bytes that are
 /// no UTF-8: a student's program may have said any of them.
 std::string xml_text(const std::string& text) {
-  // The JSON library replaces what is no UTF-8.
-  const std::string dumped = json(text).dump(-1, ' ', false, json::error_handler_t::replace);
-  std::string clean = json::parse(dumped).get<std::string>();
+  std::string clean = valid_utf8(text);
   for (char& c : clean) {
     if (static_cast<unsigned char>(c) < 32 && c != '\n' && c != '\t') c = ' ';
   }
@@ -50,14 +50,14 @@ std::string xml_text(const std::string& text) {
   return clean;
 }
 
-void add_case(pugi::xml_node& suite, const LabGrade& lab, const ExerciseGrade& exercise) {
+void add_case(pugi::xml_node& suite, const LabGrade& lab, const ExerciseResult& exercise) {
   pugi::xml_node entry = suite.append_child("testcase");
-  entry.append_attribute("classname") = fmt::format("lab{:02}", lab.number).c_str();
+  entry.append_attribute("classname") = fmt::format("lab{:02}", lab.result.lab).c_str();
   entry.append_attribute("name") = xml_text(exercise.tag + " " + exercise.title).c_str();
-  if (exercise.points == exercise.max) return;
-  pugi::xml_node problem = entry.append_child(exercise.points ? "failure" : "error");
-  problem.append_attribute("message") = exercise.status.c_str();
-  problem.append_child(pugi::node_pcdata).set_value(xml_text(text_of(lab, exercise)).c_str());
+  if (points_of(exercise) == exercise.max) return;
+  pugi::xml_node problem = entry.append_child(points_of(exercise) ? "failure" : "error");
+  problem.append_attribute("message") = to_string(exercise.status).c_str();
+  problem.append_child(pugi::node_pcdata).set_value(xml_text(output_of(lab, exercise)).c_str());
 }
 
 }  // namespace
@@ -68,9 +68,9 @@ std::string gradescope_json(const Record& record) {
   json tests = json::array();
   for (const LabGrade& lab : record.labs) {
     seconds += seconds_of(lab);
-    if (!lab.note.empty()) summary += fmt::format("Lab {:02}: {}\n", lab.number, lab.note);
+    if (!lab.note.empty()) summary += fmt::format("Lab {:02}: {}\n", lab.result.lab, lab.note);
     if (!lab.compiler.empty()) summary += lab.compiler + "\n";
-    for (const ExerciseGrade& exercise : lab.exercises)
+    for (const ExerciseResult& exercise : lab.result.exercises)
       tests.push_back(test_json(lab, exercise));
   }
   for (const std::string& file : record.ignored)
@@ -79,7 +79,7 @@ std::string gradescope_json(const Record& record) {
                 {"output_format", "text"},       {"visibility", "visible"},
                 {"stdout_visibility", "hidden"}, {"tests", tests}};
   if (record.complete()) document["score"] = *record.points();
-  return document.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+  return dumped(document, 1) + "\n";
 }
 
 std::string junit_xml(const Record& record) {
@@ -88,17 +88,19 @@ std::string junit_xml(const Record& record) {
   suites.append_attribute("name") = xml_text(record.name).c_str();
   for (const LabGrade& lab : record.labs) {
     int failures = 0, errors = 0;
-    for (const ExerciseGrade& exercise : lab.exercises) {
-      errors += exercise.points ? 0 : 1;
-      failures += exercise.points && *exercise.points < exercise.max ? 1 : 0;
+    for (const ExerciseResult& exercise : lab.result.exercises) {
+      const std::optional<double> points = points_of(exercise);
+      errors += points ? 0 : 1;
+      failures += points && *points < exercise.max ? 1 : 0;
     }
     pugi::xml_node suite = suites.append_child("testsuite");
-    suite.append_attribute("name") = fmt::format("Lab {:02} {}", lab.number, lab.title).c_str();
-    suite.append_attribute("tests") = static_cast<int>(lab.exercises.size());
+    suite.append_attribute("name") =
+        fmt::format("Lab {:02} {}", lab.result.lab, lab.result.title).c_str();
+    suite.append_attribute("tests") = static_cast<int>(lab.result.exercises.size());
     suite.append_attribute("failures") = failures;
     suite.append_attribute("errors") = errors;
     suite.append_attribute("time") = fmt::format("{:.2f}", seconds_of(lab)).c_str();
-    for (const ExerciseGrade& exercise : lab.exercises)
+    for (const ExerciseResult& exercise : lab.result.exercises)
       add_case(suite, lab, exercise);
   }
   std::ostringstream out;

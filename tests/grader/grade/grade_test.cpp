@@ -26,13 +26,23 @@ Lab demo_lab() {
            {"Lab 1.2", "Second", 3, "L", {"g"}, {"a", "b"}}}};
 }
 
-json verdict(double first, double second) {
-  const auto entry = [](const char* tag, double points, const char* text) {
-    return json{{"tag", tag}, {"points", points}, {"status", "x"}, {"text", text}};
+LabResult verdict(double first, double second) {
+  LabResult result;
+  result.lab = 1;
+  result.title = "Demo";
+  result.sandbox = "s";
+  const auto add = [&](const char* tag, double points, int max, const char* problem) {
+    ExerciseResult exercise;
+    exercise.tag = tag;
+    exercise.points = points;
+    exercise.max = max;
+    exercise.status = points == max ? Status::passed : Status::failed;
+    exercise.tests = {{tag, "it holds", {}, exercise.status, problem, ""}};
+    result.exercises.push_back(exercise);
   };
-  return {{"lab", 1},
-          {"sandbox", "s"},
-          {"exercises", {entry("Lab 1.1", first, ""), entry("Lab 1.2", second, "wrong \x1b[2J")}}};
+  add("Lab 1.1", first, 2, "");
+  add("Lab 1.2", second, 3, "wrong \x1b[2J\xFF]]>&\xEF\xBF\xBE");  // the last is U+FFFE
+  return result;
 }
 
 Record record(const std::string& name, const LabGrade& lab) {
@@ -91,15 +101,15 @@ TEST_CASE("marks come from the judge's verdict, and only if it makes sense", "[g
   CHECK_THROWS_AS(judged(demo_lab(), verdict(3, 1)), Error);
   CHECK_THROWS_AS(judged(demo_lab(), verdict(-1, 1)), Error);
   CHECK_THROWS_AS(judged(demo_lab(), verdict(1.1, 1)), Error);
-  CHECK_THROWS_AS(judged(demo_lab(), json(nullptr)), Error);
-  json other = verdict(1, 1);
-  other["exercises"][0]["tag"] = "Lab 1.2";
+  CHECK_THROWS_AS(judged(demo_lab(), {}), Error);
+  LabResult other = verdict(1, 1);
+  other.exercises[0].tag = "Lab 1.2";
   CHECK_THROWS_AS(judged(demo_lab(), other), Error);
 }
 
 TEST_CASE("an error of the grader has no marks, a missing file has 0", "[grade]") {
-  CHECK(unjudged(demo_lab(), LabState::not_submitted, "").points() == 0);
-  const LabGrade ours = unjudged(demo_lab(), LabState::grader_error, "the disk is full");
+  CHECK(unjudged(demo_lab(), Status::not_submitted, "").points() == 0);
+  const LabGrade ours = unjudged(demo_lab(), Status::grader_error, "the disk is full");
   CHECK_FALSE(ours.points().has_value());
   const Record failed = record("a", ours);
   CHECK_FALSE(failed.complete());
@@ -113,7 +123,7 @@ TEST_CASE("the class's CSV is sorted and holds points alone", "[grade]") {
   LabGrade slow = judged(demo_lab(), verdict(2, 1.5));
   slow.judge_seconds = 100;
   const LabGrade fast = judged(demo_lab(), verdict(2, 1.5));
-  const LabGrade none = unjudged(demo_lab(), LabState::not_submitted, "");
+  const LabGrade none = unjudged(demo_lab(), Status::not_submitted, "");
   Record odd = record("a", none);
   odd.source = "=1+\"a\",\n.zip";
   const std::string csv = class_csv({record("b", slow), odd});
@@ -127,7 +137,6 @@ TEST_CASE("the class's CSV is sorted and holds points alone", "[grade]") {
 TEST_CASE("Gradescope's and JUnit's files are well formed whatever a program said", "[grade]") {
   LabGrade lab = judged(demo_lab(), verdict(2, 1.5));
   lab.compiler = "warning: \xFF <b> \x01";
-  lab.exercises[1].text += "\xFF]]>&\xEF\xBF\xBE";  // U+FFFE
   const Record graded = record("a", lab);
   const json results = json::parse(gradescope_json(graded));
   CHECK(results["score"] == 3.5);

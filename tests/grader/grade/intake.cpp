@@ -5,7 +5,7 @@
 #include "grader/grade/apart.h"
 #include "grader/grade/archive.h"
 #include "grader/grade/sha256.h"
-#include "grader/judge/printed.h"
+#include "verdict/printed.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

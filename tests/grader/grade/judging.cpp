@@ -5,7 +5,8 @@
 #include "grader/grade/compile.h"
 #include "grader/grade/own_disk.h"
 #include "grader/grade/sha256.h"
-#include "grader/judge/printed.h"
+#include "verdict/printed.h"
+#include "verdict/verdict_json.h"
 
 #include <fmt/core.h>
 
@@ -18,7 +19,6 @@ namespace carlo::grader {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 /// The judge is ours: its limits only end what hangs.
 Limits judge_limits() {
@@ -64,7 +64,7 @@ LabGrade judge_once(const Desk& desk, const CourseLab& lab, const fs::path& work
   if (!ended || !fs::exists(verdict)) {
     throw Error("the judge of lab {} came to no verdict ({})", lab.number(), end_in_words(outcome));
   }
-  LabGrade grade = judged(lab.lab, json::parse(read_file(verdict), nullptr, false));
+  LabGrade grade = judged(lab.lab, lab_result_from_text(read_file(verdict)));
   grade.report = outcome.output;
   grade.judge_seconds = outcome.seconds;
   grade.judge_peak_bytes = outcome.peak_bytes;
@@ -79,7 +79,7 @@ LabGrade build_and_judge(const Desk& desk, const CourseLab& lab, const LabFiles&
   if (compiled.linked) {
     grade = judge_once(desk, lab, worker);
   } else {
-    grade = unjudged(lab.lab, LabState::does_not_compile, "the code does not compile");
+    grade = unjudged(lab.lab, Status::does_not_compile, "the code does not compile");
   }
   for (const std::string& file : lab.files) {
     if (compiled.linked && files.files.count(file) == 0) grade.note += file + ": not handed in\n";
@@ -105,10 +105,10 @@ LabGrade grade_lab(const Desk& desk, const CourseLab& lab, const LabFiles& files
     std::string note;
     for (const std::string& problem : files.problems)
       note += problem + "\n";
-    return unjudged(lab.lab, LabState::refused, note);
+    return unjudged(lab.lab, Status::refused, note);
   }
   if (files.files.empty()) {
-    return unjudged(lab.lab, LabState::not_submitted,
+    return unjudged(lab.lab, Status::not_submitted,
                     fmt::format("{} was not handed in",
                                 lab.files.size() == 1 ? lab.files.front() : "none of its files"));
   }
@@ -117,7 +117,7 @@ LabGrade grade_lab(const Desk& desk, const CourseLab& lab, const LabFiles& files
     try {
       return build_and_judge(desk, lab, files);
     } catch (const std::exception& error) {
-      if (attempt == attempts) return unjudged(lab.lab, LabState::grader_error, error.what());
+      if (attempt == attempts) return unjudged(lab.lab, Status::grader_error, error.what());
       std::this_thread::sleep_for(std::chrono::seconds(2));  // for what the machine lacks to pass
     }
   }
@@ -171,7 +171,7 @@ std::string course_digest(const Course& course) {
 Record failed_record(const Course& course, const std::string& name, const std::string& why) {
   Record record{name, "", {}, {}};
   for (const CourseLab& lab : course.labs)
-    record.labs.push_back(unjudged(lab.lab, LabState::grader_error, why));
+    record.labs.push_back(unjudged(lab.lab, Status::grader_error, why));
   return record;
 }
 

@@ -10,8 +10,8 @@
 #include "grader/grade/class.h"
 #include "grader/grade/machine.h"
 #include "grader/grade/outputs.h"
-#include "grader/judge/printed.h"
-#include "grader/judge/results.h"
+#include "verdict/printed.h"
+#include "verdict/verdict.h"
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -139,7 +139,7 @@ std::string costs(const std::vector<Record>& records, const CourseLab& lab) {
   int count = 0;
   for (const Record& record : records) {
     for (const LabGrade& grade : record.labs) {
-      if (grade.number != lab.lab.number || grade.state != LabState::judged) continue;
+      if (grade.result.lab != lab.lab.number || grade.unjudged) continue;
       const double seconds = grade.compile_seconds + grade.judge_seconds;
       worst = std::max(worst, seconds);
       sum += seconds;

@@ -1,12 +1,10 @@
 #include "grader/grade/outputs.h"
 
 #include "cli/atomic_file.h"
-#include "grader/judge/printed.h"
-#include "grader/judge/results.h"
 #include "grader/page/grade_page.h"
+#include "verdict/printed.h"
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <sstream>
@@ -33,12 +31,12 @@ std::string quoted(const std::string& text) {
 
 std::string lab_report(const LabGrade& lab) {
   std::string out;
-  if (lab.state == LabState::judged) {
+  if (!lab.unjudged) {
     out = lab.report;
     if (!lab.note.empty()) out += quoted(lab.note);
   } else {
-    out = fmt::format("Lab {:02}  {}\n", lab.number, lab.title) + quoted(lab.note) +
-          fmt::format("Lab {:02}: {}\n", lab.number, of_points(lab.points(), lab.max()));
+    out = fmt::format("Lab {:02}  {}\n", lab.result.lab, lab.result.title) + quoted(lab.note) +
+          fmt::format("Lab {:02}: {}\n", lab.result.lab, of_points(lab.points(), lab.max()));
   }
   if (!lab.compiler.empty()) out += "The compiler says:\n" + quoted(lab.compiler);
   return out + "\n";
@@ -52,9 +50,9 @@ void sort_by_name(std::vector<Record>& records) {
 std::string heading(const Record& record) {
   std::string line = "name";
   for (const LabGrade& lab : record.labs) {
-    for (const ExerciseGrade& exercise : lab.exercises)
-      line += fmt::format(",{}", exercise.tag.substr(4));
-    line += fmt::format(",lab {}", lab.number);
+    for (const ExerciseResult& exercise : lab.result.exercises)
+      line += fmt::format(",{}", exercise.number());
+    line += fmt::format(",lab {}", lab.result.lab);
   }
   return line + ",total,max,status,source\n";
 }
@@ -89,8 +87,8 @@ std::string class_csv(std::vector<Record> records) {
   for (const Record& record : records) {
     out += record.name;
     for (const LabGrade& lab : record.labs) {
-      for (const ExerciseGrade& exercise : lab.exercises)
-        out += fmt::format(",{}", cell(exercise.points));
+      for (const ExerciseResult& exercise : lab.result.exercises)
+        out += fmt::format(",{}", cell(points_of(exercise)));
       out += fmt::format(",{}", cell(lab.points()));
     }
     out += fmt::format(",{},{},{},{}\n", cell(record.points()), record.max(), record.status(),
@@ -104,9 +102,9 @@ std::string timing_csv(std::vector<Record> records) {
   std::string out = "name,lab,compile seconds,judge seconds,compile peak MB,judge peak MB\n";
   for (const Record& record : records) {
     for (const LabGrade& lab : record.labs) {
-      out +=
-          fmt::format("{},{},{:.2f},{:.2f},{},{}\n", record.name, lab.number, lab.compile_seconds,
-                      lab.judge_seconds, lab.compile_peak_bytes >> 20, lab.judge_peak_bytes >> 20);
+      out += fmt::format("{},{},{:.2f},{:.2f},{},{}\n", record.name, lab.result.lab,
+                         lab.compile_seconds, lab.judge_seconds, lab.compile_peak_bytes >> 20,
+                         lab.judge_peak_bytes >> 20);
     }
   }
   return out;
@@ -117,10 +115,11 @@ void write_outputs(const Record& record, const std::filesystem::path& folder) {
   write_file(folder / "results.json", gradescope_json(record));
   write_file(folder / "junit.xml", junit_xml(record));
   write_file(folder / "report.txt", report_text(record));
-  const std::string all = to_json(record);
-  write_file(folder / "report.html",
-             grade_page(nlohmann::json::parse(all)["labs"], {.title = record.name}));
-  write_file(folder / "record.json", all);
+  std::vector<LabPage> labs;
+  for (const LabGrade& lab : record.labs)
+    labs.push_back({lab.result, lab.note, lab.compiler});
+  write_file(folder / "report.html", grade_page(labs, {.title = record.name}));
+  write_file(folder / "record.json", to_json(record));
 }
 
 }  // namespace carlo::grader

@@ -1,13 +1,15 @@
 #include "grader/grade/record.h"
 
 #include "cli/error.h"
+#include "cli/terminal.h"
+#include "verdict/verdict_text.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace carlo::grader {
 namespace {
-
-using nlohmann::json;
 
 /// Points that the rules of results.h can give: quarters of whole numbers, from 0 to the most.
 bool possible_points(double points, int max) {
@@ -16,45 +18,41 @@ bool possible_points(double points, int max) {
          quarters == static_cast<double>(static_cast<int>(quarters));
 }
 
-std::string in_words(LabState state) {
-  switch (state) {
-    case LabState::judged:
-      return "judged";
-    case LabState::not_submitted:
-      return "not submitted";
-    case LabState::refused:
-      return "refused";
-    case LabState::does_not_compile:
-      return "does not compile";
-    case LabState::grader_error:
-      return "not graded: an error of the grader";
-  }
-  throw Error("unknown state");
+std::string in_words(Status unjudged) {
+  if (unjudged == Status::grader_error) return "not graded: an error of the grader";
+  std::string words = to_string(unjudged);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
 }
+
+/// The longest text for a student: a program can make what is said of it long.
+constexpr std::size_t most_text = 20'000;
 
 }  // namespace
 
-std::string to_string(LabState state) {
-  return state == LabState::judged             ? "judged"
-         : state == LabState::not_submitted    ? "not_submitted"
-         : state == LabState::refused          ? "refused"
-         : state == LabState::does_not_compile ? "does_not_compile"
-                                               : "grader_error";
+std::string state_of(const LabGrade& lab) {
+  return lab.unjudged ? to_string(*lab.unjudged) : "judged";
+}
+
+std::optional<double> points_of(const ExerciseResult& exercise) {
+  if (exercise.status == Status::grader_error) return {};
+  return exercise.points;
+}
+
+std::string text_of(const LabGrade& lab, const ExerciseResult& exercise) {
+  if (lab.unjudged) return lab.note;
+  std::string text = without_colours(shortfall(exercise));
+  if (text.size() > most_text) text = text.substr(0, most_text) + " ...\n";
+  return text;
 }
 
 std::optional<double> LabGrade::points() const {
   double sum = 0;
-  for (const ExerciseGrade& exercise : exercises) {
-    if (!exercise.points) return {};
-    sum += *exercise.points;
+  for (const ExerciseResult& exercise : result.exercises) {
+    const std::optional<double> points = points_of(exercise);
+    if (!points) return {};
+    sum += *points;
   }
-  return sum;
-}
-
-int LabGrade::max() const {
-  int sum = 0;
-  for (const ExerciseGrade& exercise : exercises)
-    sum += exercise.max;
   return sum;
 }
 
@@ -78,48 +76,44 @@ int Record::max() const {
 std::string Record::status() const {
   std::string text;
   for (const LabGrade& lab : labs) {
-    if (lab.state == LabState::judged) continue;
-    text += fmt::format("{}lab {} {}", text.empty() ? "" : "; ", lab.number, in_words(lab.state));
+    if (!lab.unjudged) continue;
+    text += fmt::format("{}lab {} {}", text.empty() ? "" : "; ", lab.result.lab,
+                        in_words(*lab.unjudged));
   }
   return text.empty() ? "graded" : text;
 }
 
-LabGrade unjudged(const Lab& lab, LabState state, const std::string& note) {
+LabGrade unjudged(const Lab& lab, Status why, const std::string& note) {
   LabGrade grade;
-  grade.number = lab.number;
-  grade.title = lab.title;
-  grade.state = state;
+  grade.result.lab = lab.number;
+  grade.result.title = lab.title;
+  grade.unjudged = why;
   grade.note = note;
   for (const Exercise& exercise : lab.exercises) {
-    ExerciseGrade entry{exercise.tag, exercise.title, 0.0, exercise.points, to_string(state), note};
-    if (state == LabState::grader_error) entry.points.reset();
-    grade.exercises.push_back(entry);
+    ExerciseResult result;
+    result.tag = exercise.tag;
+    result.title = exercise.title;
+    result.max = exercise.points;
+    result.status = why;
+    grade.result.exercises.push_back(result);
   }
   return grade;
 }
 
-LabGrade judged(const Lab& lab, const json& verdict) {
-  LabGrade grade = unjudged(lab, LabState::judged, "");
-  try {
-    const json& list = verdict.at("exercises");
-    if (verdict.at("lab") != lab.number || list.size() != lab.exercises.size()) {
-      throw Error("the judge's verdict is of another lab");
-    }
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      ExerciseGrade& entry = grade.exercises[i];
-      const auto points = list[i].at("points").get<double>();
-      if (list[i].at("tag") != entry.tag || !possible_points(points, entry.max)) {
-        throw Error("the judge's verdict of {} makes no sense", entry.tag);
-      }
-      entry.points = points;
-      entry.status = list[i].at("status").get<std::string>();
-      entry.text = list[i].at("text").get<std::string>();
-    }
-    grade.sandbox = verdict.at("sandbox").get<std::string>();
-  } catch (const json::exception& error) {
-    throw Error("the judge's verdict of lab {} is no verdict: {}", lab.number, error.what());
+LabGrade judged(const Lab& lab, const LabResult& result) {
+  const std::vector<ExerciseResult>& list = result.exercises;
+  if (result.lab != lab.number || list.size() != lab.exercises.size()) {
+    throw Error("the judge's verdict is of another lab");
   }
-  grade.verdict = verdict;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Exercise& exercise = lab.exercises[i];
+    if (list[i].tag != exercise.tag || list[i].max != exercise.points ||
+        !possible_points(list[i].points, exercise.points)) {
+      throw Error("the judge's verdict of {} makes no sense", exercise.tag);
+    }
+  }
+  LabGrade grade;
+  grade.result = result;
   return grade;
 }
 

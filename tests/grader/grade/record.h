@@ -1,8 +1,7 @@
 #pragma once
 
 #include "course/exercises.h"
-
-#include <nlohmann/json.hpp>
+#include "verdict/verdict.h"
 
 #include <filesystem>
 #include <optional>
@@ -11,36 +10,28 @@
 
 namespace carlo::grader {
 
-/// What became of one lab of a submission. `grader_error` is our fault: it has no marks, not 0.
-enum class LabState { judged, not_submitted, refused, does_not_compile, grader_error };
-std::string to_string(LabState state);
-
-/// The marks of one exercise.
-struct ExerciseGrade {
-  std::string tag, title;
-  std::optional<double> points;  ///< none: it could not be judged
-  int max = 0;
-  std::string status;  ///< the judge's, or the lab's state
-  std::string text;    ///< for the student: what failed and how; empty when it passed
-};
-
 struct LabGrade {
-  int number = 0;
-  std::string title;
-  LabState state = LabState::grader_error;
-  std::string note;                  ///< for the student: why it was not judged, or files left out
-  std::string compiler;              ///< the compiler's messages, warnings too
-  std::string report;                ///< the judge's, for the student
-  nlohmann::json verdict = nullptr;  ///< the judge's JSON, when it came to one
-  std::vector<ExerciseGrade> exercises;
-  std::string sandbox;
+  LabResult result;  ///< of one that was not judged: every exercise with the reason as its status
+  std::optional<Status> unjudged = {};  ///< why there are no verdicts; nothing: there are
+  std::string note;                     ///< for the student: why, or files left out
+  std::string compiler;                 ///< the compiler's messages, warnings too
+  std::string report;                   ///< the judge's, for the student
   double compile_seconds = 0, judge_seconds = 0;
   std::size_t compile_peak_bytes = 0, judge_peak_bytes = 0;
 
-  /// The sum; none when an exercise has no marks.
+  /// The sum; none when it is not known because the grader failed.
   std::optional<double> points() const;
-  int max() const;
+  int max() const { return result.possible(); }
 };
+
+/// "judged", or the name of the reason why not.
+std::string state_of(const LabGrade& lab);
+
+/// The marks of one exercise; none when the grader failed.
+std::optional<double> points_of(const ExerciseResult& exercise);
+
+/// For the student: what keeps an exercise of this lab from all its points, without colours.
+std::string text_of(const LabGrade& lab, const ExerciseResult& exercise);
 
 /// Everything about the grading of one submission.
 struct Record {
@@ -57,11 +48,11 @@ struct Record {
   std::string status() const;
 };
 
-/// A lab that was not judged: every exercise with `points` and the state as its status.
-LabGrade unjudged(const Lab& lab, LabState state, const std::string& note);
+/// A lab that was not judged, and why: no points, and no marks at all where the grader failed.
+LabGrade unjudged(const Lab& lab, Status why, const std::string& note);
 
-/// A judged lab, from the judge's verdict. Throws Error when that is not one of this lab.
-LabGrade judged(const Lab& lab, const nlohmann::json& verdict);
+/// A judged lab, from the judge's verdicts. Throws Error when they are not of this lab.
+LabGrade judged(const Lab& lab, const LabResult& result);
 
 std::string to_json(const Record& record);
 /// Throws Error when the text is no record.

@@ -1,73 +1,39 @@
 #include "cli/atomic_file.h"
 #include "cli/error.h"
 #include "grader/grade/record.h"
+#include "verdict/verdict_json.h"
+
+#include <nlohmann/json.hpp>
 
 namespace carlo::grader {
 namespace {
 
 using nlohmann::json;
 
-LabState state_of(const std::string& name) {
-  for (const LabState state : {LabState::judged, LabState::not_submitted, LabState::refused,
-                               LabState::does_not_compile, LabState::grader_error}) {
-    if (to_string(state) == name) return state;
-  }
-  throw Error("unknown state \"{}\"", name);
-}
-
-json exercise_json(const ExerciseGrade& exercise) {
-  json entry{{"tag", exercise.tag}, {"title", exercise.title},   {"points", nullptr},
-             {"max", exercise.max}, {"status", exercise.status}, {"text", exercise.text}};
-  if (exercise.points) entry["points"] = *exercise.points;
-  return entry;
-}
-
-ExerciseGrade exercise_from(const json& entry) {
-  ExerciseGrade exercise;
-  entry.at("tag").get_to(exercise.tag);
-  entry.at("title").get_to(exercise.title);
-  if (!entry.at("points").is_null()) exercise.points = entry.at("points").get<double>();
-  entry.at("max").get_to(exercise.max);
-  entry.at("status").get_to(exercise.status);
-  entry.at("text").get_to(exercise.text);
-  return exercise;
-}
-
 json lab_json(const LabGrade& lab) {
-  json entry{{"lab", lab.number},
-             {"title", lab.title},
-             {"state", to_string(lab.state)},
-             {"note", lab.note},
-             {"compiler", lab.compiler},
-             {"report", lab.report},
-             {"verdict", lab.verdict},
-             {"sandbox", lab.sandbox},
-             {"compile_seconds", lab.compile_seconds},
-             {"judge_seconds", lab.judge_seconds},
-             {"compile_peak_bytes", lab.compile_peak_bytes},
-             {"judge_peak_bytes", lab.judge_peak_bytes},
-             {"exercises", json::array()}};
-  for (const ExerciseGrade& exercise : lab.exercises)
-    entry["exercises"].push_back(exercise_json(exercise));
-  return entry;
+  return {{"state", state_of(lab)},
+          {"result", to_json(lab.result)},
+          {"note", lab.note},
+          {"compiler", lab.compiler},
+          {"report", lab.report},
+          {"compile_seconds", lab.compile_seconds},
+          {"judge_seconds", lab.judge_seconds},
+          {"compile_peak_bytes", lab.compile_peak_bytes},
+          {"judge_peak_bytes", lab.judge_peak_bytes}};
 }
 
 LabGrade lab_from(const json& entry) {
   LabGrade lab;
-  entry.at("lab").get_to(lab.number);
-  entry.at("title").get_to(lab.title);
-  lab.state = state_of(entry.at("state").get<std::string>());
+  const auto state = entry.at("state").get<std::string>();
+  if (state != state_of({})) lab.unjudged = status_named(state);
+  lab.result = lab_result_from_json(entry.at("result"));
   entry.at("note").get_to(lab.note);
   entry.at("compiler").get_to(lab.compiler);
   entry.at("report").get_to(lab.report);
-  lab.verdict = entry.at("verdict");
-  entry.at("sandbox").get_to(lab.sandbox);
   entry.at("compile_seconds").get_to(lab.compile_seconds);
   entry.at("judge_seconds").get_to(lab.judge_seconds);
   entry.at("compile_peak_bytes").get_to(lab.compile_peak_bytes);
   entry.at("judge_peak_bytes").get_to(lab.judge_peak_bytes);
-  for (const json& exercise : entry.at("exercises"))
-    lab.exercises.push_back(exercise_from(exercise));
   return lab;
 }
 
@@ -81,7 +47,7 @@ std::string to_json(const Record& record) {
   for (const LabGrade& lab : record.labs)
     document["labs"].push_back(lab_json(lab));
   // Names of files and the compiler's words may hold bytes that are no UTF-8.
-  return document.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+  return dumped(document, 1) + "\n";
 }
 
 Record record_from_json(const std::string& text) {

@@ -4,21 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include <array>
-
 namespace carlo::grader {
 namespace {
 
 using nlohmann::json;
-
-Status status_of(const std::string& text) {
-  constexpr std::array all{Status::passed, Status::failed, Status::crashed, Status::timeout,
-                           Status::not_implemented};
-  for (const Status status : all) {
-    if (to_string(status) == text) return status;
-  }
-  throw Error("unknown status \"{}\"", text);
-}
 
 json to_document(const Asked& asked) {
   return {{"tag", asked.tag},           {"test", asked.sentence},
@@ -37,7 +26,7 @@ Asked asked_of(const json& document) {
   document.at("question").get_to(asked.question);
   document.at("rows").get_to(asked.rows);
   document.at("columns").get_to(asked.columns);
-  asked.status = status_of(document.at("status").get<std::string>());
+  asked.status = status_named(document.at("status").get<std::string>());
   document.at("problem").get_to(asked.problem);
   return asked;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "grader/judge/verdict.h"
+#include "grader/judge/effect.h"
+#include "grader/judge/suspect.h"
 
 #include <span>
 #include <string>

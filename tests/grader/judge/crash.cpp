@@ -108,6 +108,10 @@ bool has_report(const std::string& said) {
          said.find(undefined_report) != std::string::npos;
 }
 
+std::string place_in_report(const std::string& said) {
+  return has_report(said) ? place_in(said) : "";
+}
+
 std::string without_reports(const std::string& said) {
   std::string out;
   std::istringstream lines(said);
@@ -124,7 +128,7 @@ std::string without_reports(const std::string& said) {
 }
 
 std::string crash_cause(const Outcome& outcome) {
-  const std::string place = has_report(outcome.output) ? place_in(outcome.output) : "";
+  const std::string place = place_in_report(outcome.output);
   return cause_of(outcome) + (place.empty() ? "" : ", in " + place);
 }
 

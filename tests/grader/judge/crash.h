@@ -10,6 +10,9 @@ namespace carlo::grader {
 /// "labs/01_integration/integration.cpp:27"; empty when there is none.
 std::string place_in(const std::string& said);
 
+/// The same where a sanitizer has reported anything at all.
+std::string place_in_report(const std::string& said);
+
 /// Whether a sanitizer has reported something in what a program said.
 bool has_report(const std::string& said);
 

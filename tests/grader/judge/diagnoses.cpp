@@ -33,9 +33,9 @@ bool names(const std::vector<Diagnosis>& diagnoses, const std::string& id) {
                      [&](const Diagnosis& diagnosis) { return diagnosis.id == id; });
 }
 
-std::vector<const Verdict*> failures(const ExerciseResult& result) {
+std::vector<const Verdict*> failures(const std::vector<TestRecord>& tests) {
   std::vector<const Verdict*> list;
-  for (const TestRecord& test : result.tests) {
+  for (const TestRecord& test : tests) {
     for (const Verdict& verdict : test.verdicts) {
       if (!verdict.passed) list.push_back(&verdict);
     }
@@ -65,8 +65,8 @@ std::vector<Candidate> candidates(const std::vector<const Verdict*>& failures) {
 
 }  // namespace
 
-std::vector<Diagnosis> diagnoses(const ExerciseResult& result) {
-  const std::vector<const Verdict*> failed = failures(result);
+std::vector<Diagnosis> diagnoses(const std::vector<TestRecord>& tests) {
+  const std::vector<const Verdict*> failed = failures(tests);
   std::vector<Candidate> likely = candidates(failed);
   std::stable_sort(likely.begin(), likely.end(),
                    [](const Candidate& a, const Candidate& b) { return a.merit() > b.merit(); });

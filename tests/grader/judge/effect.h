@@ -1,19 +1,8 @@
 #pragma once
 
-#include <string>
+#include "verdict/verdict.h"
 
 namespace carlo::grader {
-
-/// What a statistical comparison has seen and how little it can see, both in `unit`. `resolution`
-/// is the smallest effect that it catches with power .999 at the level of one comparison.
-struct Effect {
-  double measured = 0;
-  double resolution = 0;
-  std::string unit;  ///< empty: that of the values compared
-  /// Of a mean: the variance of the values as a part of theory's. Well below 1 where theory gives
-  /// an upper bound, and so p-values that are too large. 1 where that is no question.
-  double spread = 1;
-};
 
 constexpr double claimed_power = .999;
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "verdict/verdict.h"
+
 #include <string>
 
 namespace carlo::grader {
@@ -10,8 +12,7 @@ struct PageFiles {
   std::string on_failure;  ///< only when something has failed, or an older run's page stands there
 };
 
-/// Writes the page of a lab's verdicts (what report_json() gives), making its folder, and says
-/// where it is. Throws Error.
-void write_feedback_page(const std::string& verdicts, const PageFiles& files);
+/// Writes the page of a lab's verdicts, making its folder, and says where it is. Throws Error.
+void write_feedback_page(const LabResult& lab, const PageFiles& files);
 
 }  // namespace carlo::grader

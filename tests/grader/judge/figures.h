@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/judge/figure.h"
+#include "verdict/figure.h"
 
 #include <functional>
 #include <optional>
@@ -9,6 +9,9 @@
 #include <vector>
 
 namespace carlo::grader {
+
+// What checks name as the grader's.
+using carlo::Figure;
 
 // Figures made from what a comparison compared. All keep to the sizes of figure.h whatever they are
 // given; values that are no numbers are left out and counted in the note.

@@ -8,8 +8,10 @@
 #include "grader/judge/consistency.h"
 #include "grader/judge/current_run.h"
 #include "grader/judge/feedback_page.h"
-#include "grader/judge/report.h"
+#include "grader/judge/results.h"
 #include "random/hash.h"
+#include "verdict/verdict_json.h"
+#include "verdict/verdict_text.h"
 
 #include <catch2/catch_session.hpp>
 #include <catch2/catch_test_case_info.hpp>
@@ -120,11 +122,13 @@ int judge_lab(const Options& options) {
 
   LabResult result = collect(lab, current_run()->records(), tag);
   result.seed = current_run()->seed();
+  result.usual_seed = result.seed == local_seed();
   result.sandbox = current_run()->sandbox().description();
   fmt::print("{}", wrapped(report_text(result, options.verbose)));
-  const std::string verdicts = report_json(result);
+  const std::string verdicts = to_text(result);
   if (!options.json.empty()) write_file(options.json, verdicts);
-  write_feedback_page(verdicts, options.page);
+  // As others read them: of bounded size, in valid UTF-8.
+  write_feedback_page(lab_result_from_text(verdicts), options.page);
   return result.earned() == result.possible() ? 0 : 1;
 }
 

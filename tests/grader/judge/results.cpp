@@ -4,136 +4,104 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
+#include <map>
 
 namespace carlo::grader {
+namespace {
 
-std::string to_string(Status status) {
-  switch (status) {
-    case Status::passed:
-      return "passed";
-    case Status::failed:
-      return "failed";
-    case Status::crashed:
-      return "crashed";
-    case Status::timeout:
-      return "timeout";
-    case Status::not_implemented:
-      return "not_implemented";
-  }
-  throw Error("unknown status");
-}
-
-std::string to_string(Aspect aspect) {
-  switch (aspect) {
-    case Aspect::correctness:
-      return "correctness";
-    case Aspect::variance:
-      return "variance";
-    case Aspect::efficiency:
-      return "efficiency";
-  }
-  throw Error("unknown aspect");
-}
-
-Aspect aspect_of(const std::vector<std::string>& tags) {
-  const auto named = [&](Aspect aspect) {
-    return std::find(tags.begin(), tags.end(), to_string(aspect)) != tags.end();
-  };
-  const bool variance = named(Aspect::variance), efficiency = named(Aspect::efficiency);
-  if (variance && efficiency) throw Error("a test judges variance or efficiency, not both");
-  return variance ? Aspect::variance : efficiency ? Aspect::efficiency : Aspect::correctness;
-}
-
-bool ExerciseResult::has(Aspect aspect) const {
-  return std::any_of(tests.begin(), tests.end(),
-                     [&](const TestRecord& test) { return test.aspect == aspect; });
-}
-
-bool ExerciseResult::passed(Aspect aspect) const {
-  return has(aspect) && std::all_of(tests.begin(), tests.end(), [&](const TestRecord& test) {
-           return test.aspect != aspect || test.status == Status::passed;
-         });
-}
-
-double ExerciseResult::earned() const {
-  if (!passed(Aspect::correctness)) return 0;
+double points_of(const ExerciseResult& result) {
+  if (!result.passed(Aspect::correctness)) return 0;
   int judged = 0, reached = 0;
   for (const Aspect aspect : {Aspect::variance, Aspect::efficiency}) {
-    judged += has(aspect) ? 1 : 0;
-    reached += passed(aspect) ? 1 : 0;
+    judged += result.has(aspect) ? 1 : 0;
+    reached += result.passed(aspect) ? 1 : 0;
   }
-  const double points = exercise.points;
+  const double points = result.max;
   return judged == 0 ? points : points / 2 + points / 2 * reached / judged;
 }
 
-std::string points_text(double points) {
-  return fmt::format("{:.10g}", points);
-}
-
-double LabResult::earned() const {
-  return std::accumulate(exercises.begin(), exercises.end(), 0.0,
-                         [](double sum, const ExerciseResult& e) { return sum + e.earned(); });
-}
-
-int LabResult::possible() const {
-  return std::accumulate(exercises.begin(), exercises.end(), 0,
-                         [](int sum, const ExerciseResult& e) { return sum + e.exercise.points; });
-}
-
-std::vector<std::string> missing_functions(const ExerciseResult& result) {
+std::vector<std::string> missing_functions(const Exercise& exercise,
+                                           const std::vector<TestRecord>& tests) {
   // "Moments::merge" in lab.json, "merge" in what the worker says: a name of ours or none.
   const auto is_missing = [&](const std::string& function) {
     const std::size_t colon = function.rfind(':');
     const std::string name = colon == std::string::npos ? function : function.substr(colon + 1);
-    return std::any_of(result.tests.begin(), result.tests.end(), [&](const TestRecord& test) {
+    return std::any_of(tests.begin(), tests.end(), [&](const TestRecord& test) {
       return !test.skipped && test.needs.empty() && test.missing == name;
     });
   };
   std::vector<std::string> list;
-  std::copy_if(result.exercise.functions.begin(), result.exercise.functions.end(),
-               std::back_inserter(list), is_missing);
+  std::copy_if(exercise.functions.begin(), exercise.functions.end(), std::back_inserter(list),
+               is_missing);
   return list;
 }
 
-bool begun(const ExerciseResult& result) {
+bool is_begun(const ExerciseResult& result, const Exercise& exercise) {
   if (result.status != Status::not_implemented) return false;
   const bool found_values =
       std::any_of(result.tests.begin(), result.tests.end(), [](const TestRecord& test) {
         return !test.skipped && test.status != Status::not_implemented;
       });
   // Where nothing is written, every test comes upon the first function.
-  const std::vector<std::string> missing = missing_functions(result);
+  const std::vector<std::string>& missing = result.missing;
   const bool beyond_the_first =
       !missing.empty() &&
-      std::find(missing.begin(), missing.end(), result.exercise.functions.front()) == missing.end();
+      std::find(missing.begin(), missing.end(), exercise.functions.front()) == missing.end();
   return found_values || beyond_the_first;
 }
 
-LabResult collect(const Lab& lab, const std::vector<TestRecord>& records, const std::string& only) {
-  LabResult result;
-  result.lab = lab;
-  for (const Exercise& exercise : lab.exercises) {
-    if (!only.empty() && exercise.tag != only) continue;
-    result.exercises.push_back({exercise, Status::passed, {}});
+/// Exercises judged here that this one builds on and that are not right.
+std::vector<std::string> unsound_ground(const Exercise& exercise, const LabResult& lab) {
+  std::vector<std::string> tags;
+  for (const ExerciseResult& other : lab.exercises) {
+    const bool used =
+        std::find(exercise.uses.begin(), exercise.uses.end(), other.tag) != exercise.uses.end();
+    if (used && other.status != Status::passed) tags.push_back(other.tag);
   }
+  return tags;
+}
+
+}  // namespace
+
+ExerciseResult result_of(const Exercise& exercise, const std::vector<TestRecord>& tests) {
+  ExerciseResult result;
+  result.tag = exercise.tag;
+  result.title = exercise.title;
+  result.max = exercise.points;
+  result.tests = tests;
+  if (!result.has(Aspect::correctness)) {
+    throw Error("no test has judged whether {} is right", exercise.tag);
+  }
+  result.status = Status::passed;
+  for (const TestRecord& test : tests)
+    result.status = std::max(result.status, test.status);
+  result.points = points_of(result);
+  result.diagnoses = diagnoses(tests);
+  result.missing = missing_functions(exercise, tests);
+  result.begun = is_begun(result, exercise);
+  return result;
+}
+
+LabResult collect(const Lab& lab, const std::vector<TestRecord>& records, const std::string& only) {
+  std::map<std::string, std::vector<TestRecord>> tests;
   for (const TestRecord& record : records) {
-    const auto found =
-        std::find_if(result.exercises.begin(), result.exercises.end(),
-                     [&](const ExerciseResult& entry) { return entry.exercise.tag == record.tag; });
-    if (found == result.exercises.end()) {
+    if (lab.find(record.tag) == nullptr || (!only.empty() && record.tag != only)) {
       throw Error("the test \"{}: {}\" belongs to no exercise judged here", record.tag,
                   record.sentence);
     }
-    found->status = std::max(found->status, record.status);
-    found->tests.push_back(record);
+    tests[record.tag].push_back(record);
   }
-  for (const ExerciseResult& entry : result.exercises) {
-    if (!entry.has(Aspect::correctness)) {
-      throw Error("no test has judged whether {} is right", entry.exercise.tag);
-    }
+  LabResult result;
+  result.lab = lab.number;
+  result.title = lab.title;
+  for (const Exercise& exercise : lab.exercises) {
+    if (!only.empty() && exercise.tag != only) continue;
+    result.exercises.push_back(result_of(exercise, tests[exercise.tag]));
   }
   if (result.exercises.empty()) throw Error("no exercise was judged");
+  result.whole = result.exercises.size() == lab.exercises.size();
+  for (ExerciseResult& entry : result.exercises)
+    entry.unsound = unsound_ground(*lab.find(entry.tag), result);
   return result;
 }
 

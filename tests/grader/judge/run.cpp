@@ -4,11 +4,10 @@
 #include "grader/judge/compare.h"
 #include "grader/judge/crash.h"
 #include "grader/judge/numbers.h"
-#include "grader/judge/printed.h"
 #include "random/hash.h"
+#include "verdict/printed.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -27,6 +26,69 @@ ProbeFailure printing(ProbeFailure failure, const Outcome& outcome) {
   return failure;
 }
 
+void check_rows(const Rows& rows, const Shape& shape) {
+  if (rows.count() != shape.rows || rows.columns != shape.columns) {
+    throw ProbeFailure(Status::failed, fmt::format("it returned {}, expected {}",
+                                                   shape_text(rows.count(), rows.columns),
+                                                   shape_text(shape.rows, shape.columns)));
+  }
+  if (!shape.finite) return;
+  const auto bad = std::find_if(rows.values.begin(), rows.values.end(),
+                                [](double value) { return !std::isfinite(value); });
+  if (bad == rows.values.end()) return;
+  const auto row = static_cast<std::size_t>(bad - rows.values.begin()) / rows.columns;
+  throw ProbeFailure(
+      Status::failed,
+      fmt::format(
+          "it returned {}{}", std::isnan(*bad) ? "NaN, which is no number" : "an infinite value",
+          rows.count() > 1 ? fmt::format(", in answer {} of {}", row + 1, rows.count()) : ""));
+}
+
+/// The names of parameters that tell a student nothing.
+std::set<std::string>& unsaid() {
+  static std::set<std::string> names{"repetitions", "points"};
+  return names;
+}
+
+/// What a probe was asked, in words: what the check calls it, or its parameters.
+std::string question(const Params& params, const Shape& shape) {
+  if (!shape.of.empty()) return shape.of;
+  std::string text;
+  const auto add = [&](const std::string& name, const std::string& value) {
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, value);
+  };
+  for (const auto& [name, value] : params.numbers) {
+    if (unsaid().count(name) == 0) add(name, number_in_report(value));
+  }
+  if (params.n != 0) add("n", number_in_report(static_cast<double>(params.n)));
+  return text;
+}
+
+/// Why the tests after one that ended so are not run.
+std::string why_hopeless(Status status) {
+  return status == Status::not_implemented ? "your code came upon what is not implemented yet"
+                                           : "your code took too long";
+}
+
+/// Of a function: whoever names it chooses how long it is.
+constexpr std::size_t longest_name = 200;
+
+ProbeFailure undone(const Frame& frame) {
+  ProbeFailure failure(Status::not_implemented, "not implemented yet");
+  constexpr std::size_t longest_tag = 20;
+  const bool named = frame.tag.starts_with("Lab ") && frame.tag.size() < longest_tag;
+  failure.not_implemented = named ? frame.tag : "";
+  failure.function = clipped(frame.function, longest_name);
+  return failure;
+}
+
+/// A crash; of most the reports of sanitizers, which tell the line, are not there.
+ProbeFailure crashed(const Outcome& outcome) {
+  ProbeFailure failure(Status::crashed, fmt::format("it crashed: {}", crash_cause(outcome)));
+  failure.lacks_line = place_in_report(outcome.output).empty();
+  return printing(std::move(failure), outcome);
+}
+
 /// Throws unless the worker ended as it should.
 void check_end(const Outcome& outcome, const Limits& limits) {
   using End = Outcome::End;
@@ -37,8 +99,7 @@ void check_end(const Outcome& outcome, const Limits& limits) {
     case End::exited:
       break;
     case End::signalled:
-      fail(Status::crashed, fmt::format("it crashed: {}", crash_cause(outcome)));
-      break;
+      throw crashed(outcome);
     case End::deadline:
       fail(Status::timeout,
            fmt::format("it was not done after {:.3g} seconds: a loop that does not end?",
@@ -65,7 +126,7 @@ void check_end(const Outcome& outcome, const Limits& limits) {
       throw Error("the program could not be run");
   }
   if (outcome.code != 0 && has_report(outcome.output)) {
-    fail(Status::crashed, fmt::format("it crashed: {}", crash_cause(outcome)));
+    throw crashed(outcome);
   }
   if (outcome.code != 0) {
     fail(Status::crashed,
@@ -78,71 +139,11 @@ void check_end(const Outcome& outcome, const Limits& limits) {
   }
 }
 
-void check_rows(const Rows& rows, const Shape& shape) {
-  if (rows.count() != shape.rows || rows.columns != shape.columns) {
-    throw ProbeFailure(Status::failed, fmt::format("it returned {}, expected {}",
-                                                   shape_text(rows.count(), rows.columns),
-                                                   shape_text(shape.rows, shape.columns)));
-  }
-  if (!shape.finite) return;
-  const auto bad = std::find_if(rows.values.begin(), rows.values.end(),
-                                [](double value) { return !std::isfinite(value); });
-  if (bad == rows.values.end()) return;
-  const auto row = static_cast<std::size_t>(bad - rows.values.begin()) / rows.columns;
-  throw ProbeFailure(
-      Status::failed,
-      fmt::format(
-          "it returned {}{}", std::isnan(*bad) ? "NaN, which is no number" : "an infinite value",
-          rows.count() > 1 ? fmt::format(", in answer {} of {}", row + 1, rows.count()) : ""));
-}
-
-/// Numbers that say nothing to a student: how often the same is asked, and which of the probe's own
-/// cases is meant.
-constexpr std::array silent{"repetitions", "points", "rule",    "domain", "integrand", "pattern",
-                            "kind",        "target", "combine", "list",   "weighting"};
-
-/// What a probe was asked, in words: what the check calls it, or its parameters.
-std::string question(const Params& params, const Shape& shape) {
-  if (!shape.of.empty()) return shape.of;
-  std::string text;
-  const auto add = [&](const std::string& name, const std::string& value) {
-    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, value);
-  };
-  for (const auto& [name, value] : params.numbers) {
-    if (std::find(silent.begin(), silent.end(), name) == silent.end()) {
-      add(name, number_in_report(value));
-    }
-  }
-  if (params.n != 0) add("n", number_in_report(static_cast<double>(params.n)));
-  return text;
-}
-
-/// "Lab 1.2" of "Lab 1.2 is not implemented yet: ...".
-std::string tag_in(const std::string& message) {
-  const auto end = message.find(" is not implemented");
-  return message.rfind("Lab ", 0) == 0 && end < 20 ? message.substr(0, end) : "";
-}
-
-/// Why the tests after one that ended so are not run.
-std::string why_hopeless(Status status) {
-  return status == Status::not_implemented ? "your code came upon what is not implemented yet"
-                                           : "your code took too long";
-}
-
-/// Of a function: whoever names it chooses how long it is.
-constexpr std::size_t longest_name = 200;
-
-/// `said`: what the worker sent, the exercise's message and below it the function's name.
-ProbeFailure undone(const std::string& said) {
-  ProbeFailure failure(Status::not_implemented, "not implemented yet");
-  failure.not_implemented = tag_in(said);
-  if (const std::size_t line = said.find('\n'); line != std::string::npos) {
-    failure.function = clipped(said.substr(line + 1), longest_name);
-  }
-  return failure;
-}
-
 }  // namespace
+
+Unsaid::Unsaid(std::initializer_list<const char*> names) {
+  unsaid().insert(names.begin(), names.end());
+}
 
 std::uint64_t word_of(const std::string& text) {
   std::uint64_t h = 0xCBF29CE484222325;
@@ -164,7 +165,7 @@ Answer run_probe(const Worker& worker, const std::string& name, const Params& pa
   std::optional<Frame> frame = decode(outcome.result);
   if (!frame) throw ProbeFailure(Status::crashed, "its answer was cut short or no answer at all");
   if (frame->status == Frame::Status::not_implemented) {
-    throw undone(frame->text);
+    throw undone(*frame);
   }
   if (frame->status == Frame::Status::error) {
     throw printing(
@@ -271,6 +272,7 @@ void Run::note(const ProbeFailure& failure, const std::string& question) {
   test.problem = failure.what();
   test.printed = failure.printed;
   test.lost_lines = failure.lost_lines;
+  test.lacks_line = failure.lacks_line;
   if (failure.status == Status::not_implemented) {
     if (failure.not_implemented != test.tag) test.needs = failure.not_implemented;
     test.missing = failure.function;

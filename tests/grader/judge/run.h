@@ -7,6 +7,7 @@
 #include "grader/protocol/params.h"
 
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -32,6 +33,7 @@ struct ProbeFailure : std::runtime_error {
   std::string not_implemented = {};  ///< the tag of the exercise that is not done
   std::string function = {};         ///< and the function, without its class
   std::size_t lost_lines = 0;        ///< that it printed beyond `printed`
+  bool lacks_line = false;           ///< it crashed, and nothing tells in which line
 };
 
 /// The table that a probe returned, and what the judge itself knows of it. The table may be forged;
@@ -56,6 +58,12 @@ Answer run_probe(const Worker& worker, const std::string& name, const Params& pa
 /// How many deadlines' worth of time the probes of one exercise may take together, and those of the
 /// lab: what answers a moment before each deadline must not hold up the grader for hours.
 constexpr double exercise_deadlines = 6, lab_deadlines = 36;
+
+/// Says of parameters of a lab's probes that they tell a student nothing: how often the same is
+/// asked, or which of the probe's own cases is meant. A lab's checks have one at namespace scope.
+struct Unsaid {
+  Unsaid(std::initializer_list<const char*> names);
+};
 
 /// One judgement of a lab: what the test cases have found so far.
 class Run {

@@ -1,13 +1,10 @@
 #include "grader/page/exercise.h"
 
-#include "cli/error.h"
-#include "grader/judge/crash_line.h"
-#include "grader/judge/figure_json.h"
 #include "grader/page/figure_svg.h"
 #include "grader/page/text.h"
+#include "verdict/crash_line.h"
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <iterator>
@@ -15,8 +12,6 @@
 #include <vector>
 
 namespace carlo::grader {
-
-using nlohmann::json;
 
 namespace {
 
@@ -26,14 +21,8 @@ constexpr std::size_t shown_comparisons = 4;
 constexpr std::size_t shown_brief = 6;
 constexpr std::size_t shown_diagnoses = 2;
 
-/// "7.3" of "Lab 7.3".
-std::string number_of(const json& exercise) {
-  const std::string tag = text_in(exercise, "tag");
-  return tag.rfind("Lab ", 0) == 0 ? tag.substr(4) : tag;
-}
-
-std::string anchor(const json& exercise, const std::string& lab) {
-  std::string id = fmt::format("lab-{}-{}", lab, number_of(exercise));
+std::string anchor(const ExerciseResult& exercise, int lab) {
+  std::string id = fmt::format("lab-{}-{}", lab, exercise.number());
   for (char& c : id) {
     const bool plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z');
     if (!plain) c = '-';
@@ -47,57 +36,64 @@ struct Look {
   const char* words;
 };
 
-Look look_of(const std::string& status) {
-  if (status == "passed") return {"passed", "✓", "passed"};
-  if (status == "not_implemented") return {"open", "–", "not done"};
-  if (status == "not_submitted") return {"open", "–", "not submitted"};
-  if (status == "grader_error") return {"open", "–", "not graded"};
-  if (status == "refused") return {"failed", "✗", "refused"};
-  if (status == "does_not_compile") return {"failed", "✗", "does not compile"};
-  if (status == "crashed") return {"failed", "✗", "crashed"};
-  if (status == "timeout") return {"failed", "✗", "too slow"};
+Look look_of(Status status) {
+  switch (status) {
+    case Status::passed:
+      return {"passed", "✓", "passed"};
+    case Status::failed:
+      return {"failed", "✗", "failed"};
+    case Status::crashed:
+      return {"failed", "✗", "crashed"};
+    case Status::timeout:
+      return {"failed", "✗", "too slow"};
+    case Status::not_implemented:
+      return {"open", "–", "not done"};
+    case Status::not_submitted:
+      return {"open", "–", "not submitted"};
+    case Status::refused:
+      return {"failed", "✗", "refused"};
+    case Status::does_not_compile:
+      return {"failed", "✗", "does not compile"};
+    case Status::grader_error:
+      return {"open", "–", "not graded"};
+  }
   return {"failed", "✗", "failed"};
 }
 
 /// Whether the values are right and only their variance or their cost is not.
-bool right_but(const json& exercise) {
-  const auto aspects = exercise.find("aspects");
-  return text_in(exercise, "status") != "passed" && aspects != exercise.end() &&
-         true_in(*aspects, "correctness");
+bool right_but(const ExerciseResult& exercise) {
+  return exercise.status != Status::passed && exercise.passed(Aspect::correctness);
 }
 
-std::string chip(const json& exercise) {
-  const Look look =
-      right_but(exercise) ? Look{"failed", "◐", "in part"} : look_of(text_in(exercise, "status"));
+std::string chip(const ExerciseResult& exercise) {
+  const Look look = right_but(exercise) ? Look{"failed", "◐", "in part"} : look_of(exercise.status);
   return fmt::format("<span class=\"chip {}\">{}<span class=\"words\"> {}</span></span>",
                      look.style, look.sign, look.words);
 }
 
-std::string points(const json& exercise) {
-  return fmt::format("{} of {} points", number_in(exercise, "points"), number_in(exercise, "max"));
+std::string points(const ExerciseResult& exercise) {
+  const bool none = exercise.status == Status::grader_error;
+  return fmt::format("{} of {} points", none ? "?" : points_text(exercise.points), exercise.max);
 }
 
 /// Correctness, variance, efficiency: those that this exercise is judged by, if more than one.
-std::string aspects(const json& exercise) {
-  const auto found = exercise.find("aspects");
-  if (found == exercise.end() || !found->is_object() || found->size() < 2) return "";
-  if (text_in(exercise, "status") == "not_implemented") return "";
+std::string aspects(const ExerciseResult& exercise) {
+  if (!exercise.has(Aspect::variance) && !exercise.has(Aspect::efficiency)) return "";
+  if (exercise.status == Status::not_implemented) return "";
   std::string out;
-  for (const char* name : {"correctness", "variance", "efficiency"}) {
-    const auto aspect = found->find(name);
-    if (aspect == found->end() || !aspect->is_boolean()) continue;
-    const bool passed = aspect->get<bool>();
+  for (const Aspect aspect : {Aspect::correctness, Aspect::variance, Aspect::efficiency}) {
+    if (!exercise.has(aspect)) continue;
+    const bool passed = exercise.passed(aspect);
     out += fmt::format("<span class=\"chip {}\">{} {}</span>", passed ? "passed" : "failed",
-                       passed ? "✓" : "✗", name);
+                       passed ? "✓" : "✗", to_string(aspect));
   }
-  return out.empty() ? "" : "<span class=\"aspects\">" + out + "</span>";
+  return "<span class=\"aspects\">" + out + "</span>";
 }
 
 /// Of an open exercise: the one to do first.
-std::string needs_of(const json& exercise) {
-  for (const json& test : list_in(exercise, "tests")) {
-    std::string needs = text_in(test, "needs");
-    if (needs.rfind("Lab ", 0) == 0) return needs;
+std::string needs_of(const ExerciseResult& exercise) {
+  for (const TestRecord& test : exercise.tests) {
+    if (test.needs.starts_with("Lab ")) return test.needs;
   }
   return "";
 }
@@ -108,47 +104,37 @@ std::string hint(const std::string& number) {
 
 // One comparison -------------------------------------------------------------------------------
 
-std::string figure_of(const json& verdict) {
-  const auto found = verdict.find("figure");
-  if (found == verdict.end() || found->is_null()) return "";
-  try {
-    return figure_html(figure_from_json(*found));
-  } catch (const Error&) {
-    return "<p class=\"soft\">The figure of this comparison cannot be read.</p>\n";
-  }
-}
-
 /// An exact comparison without a figure says all in one line.
-bool is_brief(const json& verdict) {
-  const auto figure = verdict.find("figure");
-  return text_in(verdict, "certainty").empty() && (figure == verdict.end() || figure->is_null());
+bool is_brief(const Verdict& verdict) {
+  return verdict.certainty.empty() && !verdict.figure;
 }
 
-std::string verdict_html(const json& verdict) {
-  std::string words =
-      fmt::format("<dt>measured</dt><dd>{}</dd><dt>expected</dt><dd>{}</dd>",
-                  html(text_in(verdict, "measured")), html(text_in(verdict, "expected")));
-  const std::string certainty = text_in(verdict, "certainty");
-  if (!certainty.empty()) words += fmt::format("<dt>how sure</dt><dd>{}</dd>", html(certainty));
+std::string verdict_html(const Verdict& verdict) {
+  std::string words = fmt::format("<dt>measured</dt><dd>{}</dd><dt>expected</dt><dd>{}</dd>",
+                                  html(verdict.measured), html(verdict.expected));
+  if (!verdict.certainty.empty()) {
+    words += fmt::format("<dt>how sure</dt><dd>{}</dd>", html(verdict.certainty));
+  }
   return fmt::format(
       "<div class=\"verdict\"><div><p class=\"what\">{}</p><dl>{}</dl></div>{}</div>\n",
-      html(text_in(verdict, "what")), words, figure_of(verdict));
+      html(verdict.what), words, verdict.figure ? figure_html(*verdict.figure) : "");
 }
 
 /// Comparisons in short: one line each.
-std::string verdict_rows(const std::vector<const json*>& verdicts) {
+std::string verdict_rows(const std::vector<const Verdict*>& verdicts) {
   std::string out =
       "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Table\"><table>"
       "<thead><tr><th></th><th>what</th><th>measured</th><th>expected</th></tr></thead>\n<tbody>\n";
-  for (const json* verdict : verdicts) {
+  for (const Verdict* verdict : verdicts) {
     out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                       true_in(*verdict, "passed") ? "✓" : "✗", html(text_in(*verdict, "what")),
-                       html(text_in(*verdict, "measured")), html(text_in(*verdict, "expected")));
+                       verdict->passed ? "✓" : "✗", html(verdict->what), html(verdict->measured),
+                       html(verdict->expected));
   }
   return out + "</tbody></table></div>\n";
 }
 
-std::string folded_verdicts(const std::string& summary, const std::vector<const json*>& verdicts) {
+std::string folded_verdicts(const std::string& summary,
+                            const std::vector<const Verdict*>& verdicts) {
   if (verdicts.empty()) return "";
   return fmt::format("<details><summary>{}</summary>{}</details>\n", summary,
                      verdict_rows(verdicts));
@@ -156,24 +142,24 @@ std::string folded_verdicts(const std::string& summary, const std::vector<const 
 
 // One test -------------------------------------------------------------------------------------
 
-std::string failed_test(const json& test, const std::string& number) {
-  std::string out =
-      fmt::format("<div class=\"test\">\n<h4>✗ {}</h4>\n", html(text_in(test, "sentence")));
-  const std::string problem = text_in(test, "problem"), printed = text_in(test, "printed");
-  if (!problem.empty()) out += fmt::format("<p class=\"problem\">{}</p>\n", html(problem));
-  if (lacks_line(problem)) {
+std::string failed_test(const TestRecord& test, const std::string& number) {
+  std::string out = fmt::format("<div class=\"test\">\n<h4>✗ {}</h4>\n", html(test.sentence));
+  if (!test.problem.empty()) {
+    out += fmt::format("<p class=\"problem\">{}</p>\n", html(test.problem));
+  }
+  if (test.lacks_line) {
     out += fmt::format("<p class=\"help\">{}: <code>{}</code></p>\n", which_line,
                        html(line_command(number)));
   }
-  if (!printed.empty()) {
-    out +=
-        fmt::format("<p class=\"soft\">Your program printed:</p>\n<pre>{}</pre>\n", html(printed));
+  if (!test.printed.empty()) {
+    out += fmt::format("<p class=\"soft\">Your program printed:</p>\n<pre>{}</pre>\n",
+                       html(test.printed));
   }
-  std::vector<const json*> brief, more, passed;
+  std::vector<const Verdict*> brief, more, passed;
   std::string full;
   std::size_t shown = 0;
-  for (const json& verdict : list_in(test, "verdicts")) {
-    if (true_in(verdict, "passed")) {
+  for (const Verdict& verdict : test.verdicts) {
+    if (verdict.passed) {
       passed.push_back(&verdict);
     } else if (is_brief(verdict)) {
       (brief.size() < shown_brief ? brief : more).push_back(&verdict);
@@ -196,35 +182,34 @@ std::string failed_test(const json& test, const std::string& number) {
 }
 
 /// The tests that failed, in their order, but first of all one that crashed.
-std::vector<const json*> failed_tests(const json& exercise) {
-  std::vector<const json*> list;
-  for (const json& test : list_in(exercise, "tests")) {
-    if (text_in(test, "status") != "passed" && !true_in(test, "skipped")) list.push_back(&test);
+std::vector<const TestRecord*> failed_tests(const ExerciseResult& exercise) {
+  std::vector<const TestRecord*> list;
+  for (const TestRecord& test : exercise.tests) {
+    if (test.status != Status::passed && !test.skipped) list.push_back(&test);
   }
-  const auto crashed = std::find_if(list.begin(), list.end(), [](const json* test) {
-    return lacks_line(text_in(*test, "problem"));
-  });
+  const auto crashed = std::find_if(list.begin(), list.end(),
+                                    [](const TestRecord* test) { return test->lacks_line; });
   if (crashed != list.end()) std::rotate(list.begin(), crashed, std::next(crashed));
   return list;
 }
 
-std::string passed_tests(const json& exercise) {
+std::string passed_tests(const ExerciseResult& exercise) {
   std::string out;
-  for (const json& test : list_in(exercise, "tests")) {
-    if (text_in(test, "status") != "passed") continue;
-    std::vector<const json*> verdicts;
-    for (const json& verdict : list_in(test, "verdicts"))
+  for (const TestRecord& test : exercise.tests) {
+    if (test.status != Status::passed) continue;
+    std::vector<const Verdict*> verdicts;
+    for (const Verdict& verdict : test.verdicts)
       verdicts.push_back(&verdict);
-    out += fmt::format("<h4>✓ {}</h4>\n{}", html(text_in(test, "sentence")),
+    out += fmt::format("<h4>✓ {}</h4>\n{}", html(test.sentence),
                        verdicts.empty() ? "" : verdict_rows(verdicts));
   }
   return out;
 }
 
-std::string skipped_tests(const json& exercise) {
+std::string skipped_tests(const ExerciseResult& exercise) {
   std::map<std::string, int> reasons;
-  for (const json& test : list_in(exercise, "tests")) {
-    if (true_in(test, "skipped")) ++reasons[text_in(test, "problem")];
+  for (const TestRecord& test : exercise.tests) {
+    if (test.skipped) ++reasons[test.problem];
   }
   std::string out;
   for (const auto& [why, count] : reasons) {
@@ -236,71 +221,52 @@ std::string skipped_tests(const json& exercise) {
 
 // One exercise ---------------------------------------------------------------------------------
 
-/// The sentence of a diagnosis, wherever a comparison gives it.
-std::string sentence_of(const json& exercise, const json& id) {
-  for (const json& test : list_in(exercise, "tests")) {
-    for (const json& verdict : list_in(test, "verdicts")) {
-      for (const json& diagnosis : list_in(verdict, "diagnoses")) {
-        if (diagnosis.is_object() && diagnosis.value("id", json()) == id) {
-          return text_in(diagnosis, "sentence");
-        }
-      }
-    }
-  }
-  return "";
-}
-
-std::string diagnosis(const json& exercise) {
+std::string diagnosis(const ExerciseResult& exercise) {
   std::string out;
-  std::size_t shown = 0;
-  for (const json& id : list_in(exercise, "diagnoses")) {
-    const std::string sentence = sentence_of(exercise, id);
-    if (sentence.empty() || shown++ == shown_diagnoses) continue;
-    out += fmt::format("<p>{}</p>\n", html(sentence));
-  }
+  for (std::size_t i = 0; i < std::min(exercise.diagnoses.size(), shown_diagnoses); ++i)
+    out += fmt::format("<p>{}</p>\n", html(exercise.diagnoses[i].sentence));
   if (out.empty()) return "";
   return "<div class=\"diagnosis\"><p><strong>It looks like this:</strong></p>\n" + out +
          "</div>\n";
 }
 
-std::string unsound_ground(const json& exercise) {
+std::string unsound_ground(const ExerciseResult& exercise) {
   std::string out;
-  for (const json& tag : list_in(exercise, "unsound")) {
-    if (!tag.is_string()) continue;
+  for (const std::string& tag : exercise.unsound) {
     out += fmt::format(
         "<p class=\"note\">{} is not right yet: where your code calls it, mend that first.</p>\n",
-        html(tag.get<std::string>()));
+        html(tag));
   }
   return out;
 }
 
 /// Whether there is more to say than the overview does: of one that is not done, if it is begun.
-bool has_details(const json& exercise) {
-  const json& tests = list_in(exercise, "tests");
-  if (text_in(exercise, "status") != "not_implemented") return !tests.empty();
-  return std::any_of(tests.begin(), tests.end(), [](const json& test) {
-    return !true_in(test, "skipped") && text_in(test, "status") != "not_implemented";
+bool has_details(const ExerciseResult& exercise) {
+  const std::vector<TestRecord>& tests = exercise.tests;
+  if (exercise.status != Status::not_implemented) return !tests.empty();
+  return std::any_of(tests.begin(), tests.end(), [](const TestRecord& test) {
+    return !test.skipped && test.status != Status::not_implemented;
   });
 }
 
-std::string heading(const json& exercise) {
+std::string heading(const ExerciseResult& exercise) {
   return fmt::format("{}<h3>{} {}</h3><span class=\"points\">{}</span>{}", chip(exercise),
-                     html(number_of(exercise)), html(text_in(exercise, "title")), points(exercise),
+                     html(exercise.number()), html(exercise.title), points(exercise),
                      aspects(exercise));
 }
 
 }  // namespace
 
-std::string overview_row(const json& exercise, const std::string& lab) {
-  const std::string status = text_in(exercise, "status"), number = number_of(exercise);
-  std::string words = html(text_in(exercise, "title"));
+std::string overview_row(const ExerciseResult& exercise, int lab) {
+  const std::string number = exercise.number();
+  std::string words = html(exercise.title);
   if (has_details(exercise)) {
     words = fmt::format("<a href=\"#{}\">{} {}</a>", anchor(exercise, lab), html(number), words);
-  } else if (status != "not_implemented") {
+  } else if (exercise.status != Status::not_implemented) {
     words = fmt::format("{} {}", html(number), words);
   } else {
     const std::string needs = needs_of(exercise);
-    const std::string first = needs.empty() || needs == text_in(exercise, "tag")
+    const std::string first = needs.empty() || needs == exercise.tag
                                   ? hint(number)
                                   : fmt::format("calls {}: {}", html(needs), hint(needs.substr(4)));
     words = fmt::format("{} {} <span class=\"soft\">{}</span>", html(number), words, first);
@@ -309,11 +275,10 @@ std::string overview_row(const json& exercise, const std::string& lab) {
                      chip(exercise), words, aspects(exercise), points(exercise));
 }
 
-std::string exercise_html(const json& exercise, const std::string& lab) {
-  const std::string status = text_in(exercise, "status");
+std::string exercise_html(const ExerciseResult& exercise, int lab) {
   if (!has_details(exercise)) return "";
   const std::string id = anchor(exercise, lab);
-  if (status == "passed") {
+  if (exercise.status == Status::passed) {
     return fmt::format(
         "<details class=\"exercise passed\" id=\"{}\"><summary>{}</summary>\n{}</details>\n", id,
         heading(exercise), passed_tests(exercise));
@@ -321,9 +286,9 @@ std::string exercise_html(const json& exercise, const std::string& lab) {
   std::string out = fmt::format("<article class=\"exercise\" id=\"{}\">\n<header>{}</header>\n", id,
                                 heading(exercise));
   out += diagnosis(exercise) + unsound_ground(exercise);
-  out += fmt::format("<p class=\"help\">For help: {}</p>\n", hint(number_of(exercise)));
-  for (const json* test : failed_tests(exercise))
-    out += failed_test(*test, number_of(exercise));
+  out += fmt::format("<p class=\"help\">For help: {}</p>\n", hint(exercise.number()));
+  for (const TestRecord* test : failed_tests(exercise))
+    out += failed_test(*test, exercise.number());
   out += skipped_tests(exercise);
   const std::string passed = passed_tests(exercise);
   if (!passed.empty()) {

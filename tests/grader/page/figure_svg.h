@@ -1,6 +1,6 @@
 #pragma once
 
-#include "grader/judge/figure.h"
+#include "verdict/figure.h"
 
 #include <string>
 

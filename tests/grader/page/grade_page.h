@@ -1,6 +1,6 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include "verdict/verdict.h"
 
 #include <string>
 #include <utility>
@@ -15,13 +15,18 @@ struct PageWords {
   std::vector<std::pair<std::string, std::string>> facts = {};  ///< lines of the foot
 };
 
-/// The page of one lab's verdicts, or of a list of labs': one HTML file that needs nothing else.
-/// The verdicts are those of report_json(); what is missing in them is left out. In a list they may
-/// also stand in a grading's record, as "verdict", beside its "note" and what the "compiler" said.
-/// All text is escaped, and the page is valid UTF-8, whatever a student's program said.
-std::string grade_page(const nlohmann::json& labs, const PageWords& words);
+/// One lab on a page.
+struct LabPage {
+  LabResult result;
+  std::string note = {};      ///< why it was not judged, or files left out
+  std::string compiler = {};  ///< what it said
+};
+
+/// The page of one lab's verdicts, or of several labs': one HTML file that needs nothing else. All
+/// text is escaped, and the page is valid UTF-8 where the results are.
+std::string grade_page(const std::vector<LabPage>& labs, const PageWords& words);
 
 /// Whether a page helps: some exercise has neither passed nor been left undone.
-bool something_failed(const nlohmann::json& lab);
+bool something_failed(const LabResult& lab);
 
 }  // namespace carlo::grader

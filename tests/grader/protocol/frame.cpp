@@ -22,13 +22,14 @@ std::string encode(const Frame& frame) {
   const bool table = frame.status == Frame::Status::rows;
   Header header;
   header.status = static_cast<std::uint32_t>(frame.status);
-  header.columns = table ? static_cast<std::uint32_t>(frame.rows.columns) : 0;
-  header.rows = table ? frame.rows.count() : 0;
-  header.bytes = table ? frame.rows.values.size() * sizeof(double) : frame.text.size();
+  const std::string text = frame.tag + frame.function + frame.text;
+  header.columns = static_cast<std::uint32_t>(table ? frame.rows.columns : frame.tag.size());
+  header.rows = table ? frame.rows.count() : frame.function.size();
+  header.bytes = table ? frame.rows.values.size() * sizeof(double) : text.size();
   std::string bytes(sizeof(Header) + header.bytes, '\0');
   std::memcpy(bytes.data(), &header, sizeof(Header));
   if (header.bytes == 0) return bytes;
-  const void* payload = frame.text.data();
+  const void* payload = text.data();
   if (table) payload = frame.rows.values.data();
   std::memcpy(bytes.data() + sizeof(Header), payload, header.bytes);
   return bytes;
@@ -45,9 +46,15 @@ std::optional<Frame> decode(std::string_view bytes) {
   }
   Frame frame;
   frame.status = static_cast<Frame::Status>(header.status);
+  if (frame.status == Frame::Status::error && (header.columns != 0 || header.rows != 0)) {
+    return std::nullopt;
+  }
   if (frame.status != Frame::Status::rows) {
-    if (header.columns != 0 || header.rows != 0) return std::nullopt;
-    frame.text = payload;
+    if (header.columns > payload.size()) return std::nullopt;
+    if (header.rows > payload.size() - header.columns) return std::nullopt;
+    frame.tag = payload.substr(0, header.columns);
+    frame.function = payload.substr(header.columns, header.rows);
+    frame.text = payload.substr(header.columns + header.rows);
     return frame;
   }
   // The payload bounds rows and columns one by one, so their product cannot overflow.

@@ -23,13 +23,15 @@ struct Frame {
   Status status = Status::rows;
   Rows rows;
   std::string text;
+  std::string tag = {}, function = {};  ///< of what is not implemented
 };
 
 /// The largest frame that a judge reads, in bytes.
 constexpr std::size_t max_frame_bytes = std::size_t{64} << 20;
 
 /// The frame as bytes of this machine: a header of 32 (magic, status, columns, rows, bytes of
-/// payload), then the values or the text.
+/// payload), then the values or the text. Of what is not implemented, tag and function stand before
+/// the text, and the header holds their lengths in place of columns and rows.
 std::string encode(const Frame& frame);
 
 /// The frame that `bytes` hold from the first to the last; nothing when they are anything else: cut

@@ -29,8 +29,9 @@ Frame run(Probe probe, const Params& params) {
     frame.rows = probe(params);
   } catch (const NotImplemented& error) {
     frame.status = Frame::Status::not_implemented;
-    // The judge names the function too: on a line of its own.
-    frame.text = std::string(error.what()) + "\n" + error.function();
+    frame.text = error.what();
+    frame.tag = error.tag();
+    frame.function = error.function();
   } catch (const std::bad_alloc&) {
     frame.status = Frame::Status::error;
     frame.text = "out of memory (std::bad_alloc)";
@@ -47,10 +48,8 @@ Frame run(Probe probe, const Params& params) {
 /// The frame for people: its first `most` rows (all for 0). Nothing but a table is a success.
 int print(const Frame& frame, const NamedProbe& probe, std::size_t most) {
   if (frame.status != Frame::Status::rows) {
-    const std::size_t line =
-        frame.status == Frame::Status::not_implemented ? frame.text.find('\n') : std::string::npos;
-    fmt::print("no values: {}{}\n", frame.text.substr(0, line),
-               line == std::string::npos ? "" : ", in " + frame.text.substr(line + 1));
+    fmt::print("no values: {}{}\n", frame.text,
+               frame.function.empty() ? "" : ", in " + frame.function);
     return 1;
   }
   fmt::print("{}", rows_text(frame.rows, probe.names, most));

@@ -8,7 +8,6 @@
 #include "cli/main_guard.h"
 #include "fixture.h"
 #include "grader/grade/record.h"
-#include "grader/judge/results.h"
 #include "grader/judge/sandbox.h"
 
 #include <fcntl.h>
@@ -126,22 +125,23 @@ int run_grader(const Options& options, const Places& places) {
 
 /// What is wrong with the marks of an attack; empty when they are right.
 std::string fault_of(const Fixture& fixture, const Record& record, const LabGrade& lab) {
-  if (to_string(lab.state) != fixture.state) {
-    return fmt::format("the lab is \"{}\", expected \"{}\" ({})", to_string(lab.state),
-                       fixture.state, lab.note.substr(0, 200));
+  if (state_of(lab) != fixture.state) {
+    return fmt::format("the lab is \"{}\", expected \"{}\" ({})", state_of(lab), fixture.state,
+                       lab.note.substr(0, 200));
   }
-  for (const ExerciseGrade& exercise : lab.exercises) {
-    const std::string number = exercise.tag.substr(4);
+  for (const ExerciseResult& exercise : lab.result.exercises) {
+    const std::string number = exercise.number();
     const auto deserved = fixture.points.find(number);
     const double expected = deserved == fixture.points.end() ? 0 : deserved->second;
-    if (!exercise.points || *exercise.points != expected) {
+    const std::optional<double> points = points_of(exercise);
+    const std::string became = to_string(exercise.status);
+    if (points != expected) {
       return fmt::format("{}: {} points ({}), expected {}", number,
-                         exercise.points ? points_text(*exercise.points) : "no", exercise.status,
-                         points_text(expected));
+                         points ? points_text(*points) : "no", became, points_text(expected));
     }
     const auto status = fixture.status.find(number);
-    if (status != fixture.status.end() && status->second != exercise.status) {
-      return fmt::format("{}: {}, expected {}", number, exercise.status, status->second);
+    if (status != fixture.status.end() && status->second != became) {
+      return fmt::format("{}: {}, expected {}", number, became, status->second);
     }
   }
   const double seconds = lab.compile_seconds + lab.judge_seconds;

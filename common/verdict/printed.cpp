@@ -1,4 +1,4 @@
-#include "grader/judge/printed.h"
+#include "verdict/printed.h"
 
 #include "cli/wrap.h"
 
@@ -6,7 +6,7 @@
 
 #include <sstream>
 
-namespace carlo::grader {
+namespace carlo {
 namespace {
 
 constexpr std::size_t widest = 80;
@@ -53,4 +53,4 @@ std::string printed_lines(const TestRecord& test, std::size_t most, const std::s
   return out;
 }
 
-}  // namespace carlo::grader
+}  // namespace carlo

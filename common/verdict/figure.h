@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-namespace carlo::grader {
+namespace carlo {
 
 // What a verdict shows beside its words. Plain data: the judge makes it, JSON carries it, a page
 // draws it.
@@ -68,4 +68,4 @@ struct Figure {
   std::variant<HistogramFigure, PointsFigure, GridFigure, ListingFigure> data;
 };
 
-}  // namespace carlo::grader
+}  // namespace carlo

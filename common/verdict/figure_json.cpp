@@ -1,4 +1,4 @@
-#include "grader/judge/figure_json.h"
+#include "verdict/figure_json.h"
 
 #include "cli/error.h"
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace carlo::grader {
+namespace carlo {
 
 using nlohmann::json;
 
@@ -199,4 +199,4 @@ Figure figure_from_json(const json& j) {
   }
 }
 
-}  // namespace carlo::grader
+}  // namespace carlo

@@ -1,10 +1,9 @@
-#include "grader/judge/report.h"
+#include "verdict/verdict_text.h"
 
 #include "cli/terminal.h"
 #include "cli/wrap.h"
-#include "grader/judge/crash_line.h"
-#include "grader/judge/printed.h"
-#include "grader/judge/run.h"
+#include "verdict/crash_line.h"
+#include "verdict/printed.h"
 
 #include <fmt/ranges.h>
 
@@ -12,7 +11,7 @@
 #include <iterator>
 #include <map>
 
-namespace carlo::grader {
+namespace carlo {
 namespace {
 
 /// Of many failures the first few tell the story: tests shown in full, comparisons of each, and the
@@ -58,10 +57,10 @@ std::string whole_test(const TestRecord& test, const std::string& locate) {
 /// All tests, in their order.
 std::string whole_tests(const ExerciseResult& result) {
   const auto lost = std::find_if(result.tests.begin(), result.tests.end(),
-                                 [](const TestRecord& test) { return lacks_line(test.problem); });
+                                 [](const TestRecord& test) { return test.lacks_line; });
   std::string out;
   for (auto test = result.tests.begin(); test != result.tests.end(); ++test) {
-    out += whole_test(*test, test == lost ? result.exercise.number() : "");
+    out += whole_test(*test, test == lost ? result.number() : "");
   }
   return out;
 }
@@ -87,26 +86,30 @@ std::string heading(const ExerciseResult& result, std::size_t titles) {
   const std::string mark = passed ? coloured(Colour::green, "✓")
                            : open ? coloured(Colour::yellow, "–")
                                   : coloured(Colour::red, "✗");
-  const std::string title = shortened(result.exercise.title, titles);
+  const std::string title = shortened(result.title, titles);
   const std::string gap(titles - display_width(title), ' ');
-  const std::string points =
-      fmt::format("{} of {} points", points_text(result.earned()), result.exercise.points);
-  return fmt::format("{} {}  {}{}  {}", mark, result.exercise.number(), title, gap, points);
+  const std::string points = fmt::format("{} of {} points", points_text(result.points), result.max);
+  return fmt::format("{} {}  {}{}  {}", mark, result.number(), title, gap, points);
 }
 
 std::string joined(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
+/// How to come to an exercise's hint.
+std::string hint_by(Help help, const std::string& number) {
+  return help == Help::by_key ? "press h" : "./carlo hint " + number;
+}
+
 /// Why an exercise is not implemented: it is not done, or another is not that its code calls.
-std::string open_text(const ExerciseResult& result) {
+std::string open_text(const ExerciseResult& result, Help help) {
   for (const TestRecord& test : result.tests) {
     if (test.needs.rfind("Lab ", 0) != 0) continue;
     const std::string needs = harmless(test.needs);
     return fmt::format("calls {}, which is not implemented yet: ./carlo hint {}", needs,
                        needs.substr(4));
   }
-  return fmt::format("not implemented yet: ./carlo hint {}", result.exercise.number());
+  return "not implemented yet: " + hint_by(help, result.number());
 }
 
 bool failed(const TestRecord& test) {
@@ -124,7 +127,7 @@ std::vector<const TestRecord*> by_what_they_tell(const ExerciseResult& result) {
   const auto crashed = [](const TestRecord* test) { return test->status == Status::crashed; };
   std::stable_partition(list.begin(), list.end(), [&](const auto* test) { return !crashed(test); });
   auto first = std::find_if(list.begin(), list.end(),
-                            [](const TestRecord* test) { return lacks_line(test->problem); });
+                            [](const TestRecord* test) { return test->lacks_line; });
   if (first == list.end()) first = std::find_if(list.begin(), list.end(), crashed);
   if (first != list.end()) std::rotate(list.begin(), first, std::next(first));
   return list;
@@ -150,24 +153,19 @@ std::string failed_tests(const ExerciseResult& result) {
   const std::vector<const TestRecord*> tests = by_what_they_tell(result);
   for (std::size_t i = 0; i < tests.size(); ++i) {
     const TestRecord& test = *tests[i];
-    const bool locate = i == 0 && lacks_line(test.problem);
-    out += i < shown_tests
-               ? failed_test(test, locate ? result.exercise.number() : "")
-               : fmt::format("    also {}: {}\n", lacks_line(test.problem) ? "crashes" : "fails",
-                             test.sentence);
+    const bool locate = i == 0 && test.lacks_line;
+    out += i < shown_tests ? failed_test(test, locate ? result.number() : "")
+                           : fmt::format("    also {}: {}\n", test.lacks_line ? "crashes" : "fails",
+                                         test.sentence);
   }
   return out + skipped_tests(result);
 }
 
 /// Exercises that this one builds on and that are not right yet.
-std::string unsound_ground(const ExerciseResult& result, const LabResult& lab) {
+std::string unsound_ground(const ExerciseResult& result) {
   std::string out;
-  for (const ExerciseResult& other : lab.exercises) {
-    const std::vector<std::string>& uses = result.exercise.uses;
-    const bool used = std::find(uses.begin(), uses.end(), other.exercise.tag) != uses.end();
-    if (!used || other.status == Status::passed) continue;
-    out += fmt::format("    {} is not right yet: where your code calls it, mend that first\n",
-                       other.exercise.tag);
+  for (const std::string& tag : result.unsound) {
+    out += fmt::format("    {} is not right yet: where your code calls it, mend that first\n", tag);
   }
   return out;
 }
@@ -184,60 +182,58 @@ std::string right_but(const ExerciseResult& result) {
   const bool cost = result.has(Aspect::efficiency) && !result.passed(Aspect::efficiency);
   return fmt::format("    right, but {}{}{}: {} of {} points\n",
                      variance ? "its variance is too large" : "", variance && cost ? " and " : "",
-                     cost ? "it costs too much" : "", points_text(result.earned()),
-                     result.exercise.points);
+                     cost ? "it costs too much" : "", points_text(result.points), result.max);
 }
 
 /// What the values look like, first of all: it says most in the fewest lines.
 std::string likely_causes(const ExerciseResult& result) {
   std::string out;
-  std::vector<Diagnosis> likely = diagnoses(result);
-  if (likely.size() > shown_diagnoses) likely.resize(shown_diagnoses);
-  for (const Diagnosis& diagnosis : likely) {
+  for (std::size_t i = 0; i < std::min(result.diagnoses.size(), shown_diagnoses); ++i) {
     out += fmt::format("    {} {}\n", coloured(Colour::bold, "It looks like this:"),
-                       diagnosis.sentence);
+                       result.diagnoses[i].sentence);
   }
   return out;
 }
 
 /// Of an exercise of which some is written: what is missing, what already works, what to do next.
-std::string begun_text(const ExerciseResult& result, const LabResult& lab, bool tests) {
+/// `tests`: with the tests.
+std::string begun_text(const ExerciseResult& result, bool tests, Help help) {
   std::string passed, waiting;
   for (const TestRecord& test : result.tests) {
     if (test.skipped) continue;
     if (test.status == Status::passed) passed += fmt::format("    ✓ {}\n", test.sentence);
     if (test.status == Status::not_implemented) waiting += fmt::format("    – {}\n", test.sentence);
   }
-  const std::vector<std::string> missing = missing_functions(result);
-  std::string out = missing.empty() ? "    " + open_text(result) + "\n"
+  const std::vector<std::string>& missing = result.missing;
+  std::string out = missing.empty() ? "    " + open_text(result, help) + "\n"
                                     : fmt::format("    still to write: {}\n", joined(missing));
-  out += unsound_ground(result, lab) + likely_causes(result);
+  out += unsound_ground(result) + likely_causes(result);
   if (tests) out += passed + waiting + failed_tests(result);
-  const std::string number = result.exercise.number();
-  return out + (missing.empty() ? fmt::format("    Next: ./carlo hint {}\n", number)
-                                : fmt::format("    Next: write {}; for help: ./carlo hint {}\n",
-                                              missing.front(), number));
+  const std::string hint = hint_by(help, result.number());
+  return out + (missing.empty()
+                    ? fmt::format("    Next: {}\n", hint)
+                    : fmt::format("    Next: write {}; for help: {}\n", missing.front(), hint));
 }
 
 /// What keeps an exercise from all its points; `tests`: with the tests that failed.
-std::string details(const ExerciseResult& result, const LabResult& lab, bool tests) {
-  std::string out = right_but(result) + unsound_ground(result, lab) + likely_causes(result);
+std::string details(const ExerciseResult& result, bool tests, Help help) {
+  std::string out = right_but(result) + unsound_ground(result) + likely_causes(result);
   if (tests) out += failed_tests(result);
-  return out + fmt::format("    For help: ./carlo hint {}\n", result.exercise.number());
+  return out + fmt::format("    For help: {}\n", hint_by(help, result.number()));
 }
 
-std::string exercise_text(const ExerciseResult& result, const LabResult& lab, std::size_t titles,
-                          bool verbose) {
+std::string exercise_text(const ExerciseResult& result, std::size_t titles, bool verbose) {
   std::string out = heading(result, titles);
   const bool open = result.status == Status::not_implemented;
-  if (open && !begun(result)) return fmt::format("{}  {}\n", out, open_text(result));
+  if (open && !result.begun) return fmt::format("{}  {}\n", out, open_text(result, Help::typed));
   out += "\n";
   if (result.status != Status::passed) {
-    out += open ? begun_text(result, lab, !verbose) : details(result, lab, !verbose);
+    out +=
+        open ? begun_text(result, !verbose, Help::typed) : details(result, !verbose, Help::typed);
   }
   if (verbose) out += whole_tests(result);
   if (result.status == Status::passed) return out;
-  return out + fmt::format("    The raw values: ./carlo replay {}\n", result.exercise.number());
+  return out + fmt::format("    The raw values: ./carlo replay {}\n", result.number());
 }
 
 /// What to do next, below the total.
@@ -245,46 +241,58 @@ std::string advice(const LabResult& result) {
   if (result.earned() == result.possible()) return "";
   const bool untouched = std::all_of(
       result.exercises.begin(), result.exercises.end(), [](const ExerciseResult& entry) {
-        return entry.status == Status::not_implemented && !begun(entry);
+        return entry.status == Status::not_implemented && !entry.begun;
       });
   if (untouched) {
-    const Exercise& first = result.exercises.front().exercise;
+    const ExerciseResult& first = result.exercises.front();
     return fmt::format("Nothing done yet: start with {}, ./carlo hint {}\n", first.tag,
                        first.number());
   }
   // Without --seed they are the same each time.
-  if (result.seed == local_seed()) return "";
+  if (result.usual_seed) return "";
   return fmt::format("The same numbers again: --seed {}, after ./carlo test and ./carlo replay\n",
                      result.seed);
 }
 
 }  // namespace
 
-std::string shortfall(const ExerciseResult& result, const LabResult& lab) {
+std::string shortfall(const ExerciseResult& result, Help help) {
   if (result.status == Status::passed) return "";
-  if (begun(result)) return begun_text(result, lab, true);
-  if (result.status == Status::not_implemented) return "    " + open_text(result) + "\n";
-  return details(result, lab, true);
+  if (result.begun) return begun_text(result, true, help);
+  if (result.status == Status::not_implemented) return "    " + open_text(result, help) + "\n";
+  return details(result, true, help);
+}
+
+std::string message(const ExerciseResult& result) {
+  for (const TestRecord& test : result.tests) {
+    if (test.status == Status::passed) continue;
+    if (!test.problem.empty()) return test.sentence + ": " + test.problem;
+    for (const Verdict& verdict : test.verdicts) {
+      if (verdict.passed) continue;
+      return fmt::format("{}: {}: {}; expected {}", test.sentence, verdict.what, verdict.measured,
+                         verdict.expected);
+    }
+  }
+  return "";
 }
 
 std::string report_text(const LabResult& result, bool verbose) {
   std::size_t titles = 0;
   for (const ExerciseResult& entry : result.exercises) {
-    titles = std::max(titles, display_width(entry.exercise.title));
+    titles = std::max(titles, display_width(entry.title));
   }
   constexpr std::size_t mark_number_points = 25;
   titles = std::min(titles, room_beside(mark_number_points, 16));
-  std::string out = fmt::format("Lab {:02}  {}\n(sandbox: {})\n", result.lab.number,
-                                result.lab.title, result.sandbox);
+  std::string out =
+      fmt::format("Lab {:02}  {}\n(sandbox: {})\n", result.lab, result.title, result.sandbox);
   for (const ExerciseResult& entry : result.exercises)
-    out += exercise_text(entry, result, titles, verbose);
+    out += exercise_text(entry, titles, verbose);
   const bool full = result.earned() == result.possible();
-  const bool all = result.exercises.size() == result.lab.exercises.size();
-  const std::string total = fmt::format("Lab {:02}{}: {} of {} points", result.lab.number,
-                                        all ? "" : ", this exercise alone",
+  const std::string total = fmt::format("Lab {:02}{}: {} of {} points", result.lab,
+                                        result.whole ? "" : ", this exercise alone",
                                         points_text(result.earned()), result.possible());
   out += coloured(full ? Colour::green : Colour::bold, total) + "\n";
   return out + advice(result);
 }
 
-}  // namespace carlo::grader
+}  // namespace carlo

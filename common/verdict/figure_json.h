@@ -1,10 +1,10 @@
 #pragma once
 
-#include "grader/judge/figure.h"
+#include "verdict/figure.h"
 
 #include <nlohmann/json_fwd.hpp>
 
-namespace carlo::grader {
+namespace carlo {
 
 /// {"kind": "histogram" | "points" | "grid" | "listing", "title", "note", ...}. Numbers keep six
 /// digits; infinities and NaN are the strings "inf", "-inf" and "nan".
@@ -14,4 +14,4 @@ nlohmann::json to_json(const Figure& figure);
 /// a file that somebody else wrote.
 Figure figure_from_json(const nlohmann::json& json);
 
-}  // namespace carlo::grader
+}  // namespace carlo

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "grader/judge/results.h"
+#include "verdict/verdict.h"
 
 #include <cstddef>
 #include <string>
 
-namespace carlo::grader {
+namespace carlo {
 
 /// What a student's program says, or a compiler of it, must not steer the terminal nor start a line
 /// of the report: control characters, the C1 ones (in UTF-8: 0xC2 0x80 to 0x9F) among them, become
@@ -20,4 +20,4 @@ std::string clipped(std::string text, std::size_t bytes);
 /// characters, and how many there were besides. Harmless.
 std::string printed_lines(const TestRecord& test, std::size_t most, const std::string& margin);
 
-}  // namespace carlo::grader
+}  // namespace carlo
