@@ -1,5 +1,7 @@
 #pragma once
 
+#include "cli/descriptor.h"
+
 #include <sys/types.h>
 
 #include <string>
@@ -18,7 +20,7 @@ class Child {
   Child& operator=(const Child&) = delete;
 
   /// Readable when it has said something or has ended.
-  int fd() const { return fd_; }
+  int fd() const { return fd_.get(); }
   /// Gathers what it has said; true once it has ended.
   bool ended();
   /// Its exit code, or 128 + the signal that ended it. Once ended() was true.
@@ -29,7 +31,7 @@ class Child {
   void wait();
 
   pid_t pid_ = -1;
-  int fd_ = -1;
+  Descriptor fd_;
   int exit_code_ = 0;
   std::string output_;
 };

@@ -42,7 +42,7 @@ const Scene& checked(const Scene& scene, Method method) {
 template <class Sampler>
 class LabIntegrator final : public carlo::Integrator {
  public:
-  LabIntegrator(const Scene& scene, const LabOptions& options)
+  LabIntegrator(const Scene& scene, const LabIntegratorOptions& options)
       : world_(checked(scene, options.method)), options_(options) {}
 
   std::string name() const override {
@@ -90,13 +90,13 @@ class LabIntegrator final : public carlo::Integrator {
   }
 
   World world_;
-  LabOptions options_;
+  LabIntegratorOptions options_;
 };
 
 }  // namespace
 
 std::unique_ptr<carlo::Integrator> make_lab_integrator(const Scene& scene,
-                                                       const LabOptions& options) {
+                                                       const LabIntegratorOptions& options) {
   switch (scene.sampler) {
     case carlo::SamplerKind::independent:
       return std::make_unique<LabIntegrator<carlo::IndependentSampler>>(scene, options);

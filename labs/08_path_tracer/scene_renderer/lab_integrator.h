@@ -15,7 +15,7 @@ enum class Method {
   direct      ///< trace_specular(), 8.7
 };
 
-struct LabOptions {
+struct LabIntegratorOptions {
   Method method = Method::iterative;
   std::uint64_t seed = 1;
   std::uint32_t spp = 64;  ///< planned samples a pixel, for the stratified sampler
@@ -28,6 +28,6 @@ struct LabOptions {
 /// what World refuses, and where a recursive tracer is asked for paths of limited length, which it
 /// does not know, or trace_path() for mirrors or glass.
 std::unique_ptr<carlo::Integrator> make_lab_integrator(const carlo::Scene& scene,
-                                                       const LabOptions& options);
+                                                       const LabIntegratorOptions& options);
 
 }  // namespace lab08

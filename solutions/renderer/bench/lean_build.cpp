@@ -1,4 +1,5 @@
 #include "cli/error.h"
+#include "cli/program.h"
 #include "context.h"
 #include "program.h"
 #include "render_cost.h"
@@ -26,8 +27,9 @@ struct Program {
 
   void run(std::uint64_t seed) {
     std::vector<std::string> all = arguments;
+    all.insert(all.begin(), path.string());
     all.push_back(std::to_string(seed));
-    const auto cost = nlohmann::json::parse(output_of(path, all));
+    const auto cost = nlohmann::json::parse(carlo::output_of(all));
     seconds_a_path.push_back(cost.at("seconds_a_path"));
     kernel = cost.at("kernel");
     image = cost.at("image");

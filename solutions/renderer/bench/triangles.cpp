@@ -1,4 +1,5 @@
 #include "cli/error.h"
+#include "cli/program.h"
 #include "context.h"
 #include "geometry/embree.h"
 #include "mesh.h"
@@ -89,7 +90,8 @@ struct Costs {
 
 /// In a program of its own, so that one mesh's memory does not hide another's.
 Costs measure_apart(const fs::path& scene) {
-  const auto c = nlohmann::json::parse(output_of(this_program(), {"--mesh-costs", scene.string()}))
+  const auto c = nlohmann::json::parse(
+                     carlo::output_of({this_program().string(), "--mesh-costs", scene.string()}))
                      .get<std::vector<double>>();
   return {c.at(0), c.at(1), c.at(2), c.at(3), c.at(4), c.at(5)};
 }

@@ -1,7 +1,9 @@
 #include "grader/calibrate/runner.h"
 
 #include "cli/atomic_file.h"
+#include "cli/descriptor.h"
 #include "cli/error.h"
+#include "cli/program.h"
 #include "cli/scratch_folder.h"
 #include "verdict/verdict_json.h"
 
@@ -53,23 +55,11 @@ std::vector<std::string> command(const Job& job, const fs::path& verdicts) {
 }
 
 /// Starts a judge that ends with this program; what it says goes to `said`.
-pid_t start(std::vector<std::string> words, const fs::path& said) {
-  std::vector<char*> argv;
-  std::transform(words.begin(), words.end(), std::back_inserter(argv),
-                 [](std::string& word) { return word.data(); });
-  argv.push_back(nullptr);
-  const int output = ::open(said.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-  if (output < 0) throw Error("cannot write {}: {}", said.string(), std::strerror(errno));
-  const pid_t pid = ::fork();
-  if (pid == 0) {
-    const bool ready =
-        ::prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 && ::dup2(output, 1) == 1 && ::dup2(output, 2) == 2;
-    if (ready) ::execv(argv[0], argv.data());
-    ::_exit(127);
-  }
-  ::close(output);
-  if (pid < 0) throw Error("cannot start a process: {}", std::strerror(errno));
-  return pid;
+pid_t start(const std::vector<std::string>& words, const fs::path& said) {
+  const Descriptor output(::open(said.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600));
+  if (output.get() < 0) throw Error("cannot write {}: {}", said.string(), std::strerror(errno));
+  return start_program(words,
+                       {.output = output.get(), .error = output.get(), .ends_with_us = true});
 }
 
 double seconds(const timeval& time) {

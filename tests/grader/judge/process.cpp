@@ -177,7 +177,7 @@ void follow(pid_t pid, Reader& result, Reader& output, const Command& command, c
 Outcome run_limited(const Command& command, const Limits& limits) {
   adopt_orphans();
   Charge charge;
-  Child child = spawn(command, limits);
+  Spawned child = spawn(command, limits);
   if (!child.problem.empty()) {
     end_orphans();
     Outcome none;

@@ -1,6 +1,7 @@
 #include "grader/judge/spawn.h"
 
 #include "cli/error.h"
+#include "cli/program.h"
 #include "grader/judge/landlock.h"
 
 #include <fcntl.h>
@@ -42,14 +43,6 @@ Descriptor open_lifted(const char* path, int flags) {
   const Descriptor low(::open(path, flags | O_CLOEXEC));
   if (!low.open()) throw Error("{}: {}", path, std::strerror(errno));
   return low.lifted();
-}
-
-std::vector<char*> pointers(const std::vector<std::string>& texts) {
-  std::vector<char*> list;
-  std::transform(texts.begin(), texts.end(), std::back_inserter(list),
-                 [](const std::string& text) { return const_cast<char*>(text.c_str()); });
-  list.push_back(nullptr);
-  return list;
 }
 
 /// All that the child needs, made before the fork.
@@ -175,7 +168,7 @@ std::string problem_told(const Descriptor& read_end) {
 
 }  // namespace
 
-Child spawn(const Command& command, const Limits& limits) {
+Spawned spawn(const Command& command, const Limits& limits) {
   Pipe result = make_pipe();
   Pipe output = make_pipe();
   Pipe problem = make_pipe(true);
@@ -189,7 +182,7 @@ Child spawn(const Command& command, const Limits& limits) {
             result.write.get(),
             problem.write.get(),
             ::getpid()};
-  Child child;
+  Spawned child;
   child.pid = ::fork();
   if (child.pid < 0) throw Error("cannot start a process: {}", std::strerror(errno));
   if (child.pid == 0) become(plan);

@@ -10,7 +10,7 @@
 namespace carlo::grader {
 
 /// A child process and the ends of its pipes that we read from (they do not block).
-struct Child {
+struct Spawned {
   pid_t pid = -1;
   Descriptor result;         ///< its descriptor 3
   Descriptor output;         ///< its descriptors 1 and 2
@@ -19,6 +19,6 @@ struct Child {
 
 /// Starts a process as run_limited() says. Throws Error when the system refuses. A child that
 /// cannot confine itself, or whose program cannot be loaded, never begins it and says so.
-Child spawn(const Command& command, const Limits& limits);
+Spawned spawn(const Command& command, const Limits& limits);
 
 }  // namespace carlo::grader

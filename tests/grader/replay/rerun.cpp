@@ -1,6 +1,7 @@
 #include "grader/replay/rerun.h"
 
 #include "cli/error.h"
+#include "cli/program.h"
 #include "grader/judge/crash.h"
 #include "grader/judge/process.h"
 
@@ -16,15 +17,6 @@
 
 namespace carlo::grader {
 namespace {
-
-/// argv of a command, for exec: pointers into its words.
-std::vector<char*> pointers(const std::vector<std::string>& words) {
-  std::vector<char*> argv;
-  for (const std::string& word : words)
-    argv.push_back(const_cast<char*>(word.c_str()));
-  argv.push_back(nullptr);
-  return argv;
-}
 
 /// The sanitizers show where an abort() came from, and who called; leaks are no fault of an answer.
 /// What the user has set stays.
@@ -49,15 +41,6 @@ std::string pass_on(int from) {
   }
 }
 
-int wait_for(pid_t pid) {
-  int status = 0;
-  while (::waitpid(pid, &status, 0) < 0) {
-    if (errno != EINTR)
-      throw Error("lost sight of the program that was started: {}", std::strerror(errno));
-  }
-  return status;
-}
-
 }  // namespace
 
 std::vector<std::string> command(const std::string& worker, const Asked& asked, std::size_t rows) {
@@ -69,14 +52,7 @@ Rerun rerun(const std::vector<std::string>& command) {
   ask_sanitizers();
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw Error("no pipe: {}", std::strerror(errno));
-  const std::vector<char*> argv = pointers(command);
-  const pid_t pid = ::fork();
-  if (pid < 0) throw Error("cannot start a process: {}", std::strerror(errno));
-  if (pid == 0) {
-    ::dup2(ends[1], STDERR_FILENO);
-    ::execv(argv[0], argv.data());
-    ::_exit(127);
-  }
+  const pid_t pid = start_program(command, {.error = ends[1]});
   ::close(ends[1]);
   const std::string said = pass_on(ends[0]);
   ::close(ends[0]);

@@ -2,6 +2,7 @@
 
 #include "cli/atomic_file.h"
 #include "cli/error.h"
+#include "cli/program.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -100,19 +101,9 @@ std::string without_end(const std::string& section) {
 }
 
 void run_script(const fs::path& script, const std::vector<std::string>& arguments) {
-  std::vector<char*> argv{const_cast<char*>(script.c_str())};
-  for (const std::string& argument : arguments)
-    argv.push_back(const_cast<char*>(argument.c_str()));
-  argv.push_back(nullptr);
-  const pid_t child = ::fork();
-  if (child == 0) {
-    ::execv(argv[0], argv.data());
-    ::_exit(127);
-  }
-  int status = 0;
-  if (child < 0 || ::waitpid(child, &status, 0) != child || status != 0) {
-    throw Error("{} failed", script.string());
-  }
+  std::vector<std::string> words = arguments;
+  words.insert(words.begin(), script.string());
+  if (wait_for(start_program(words)) != 0) throw Error("{} failed", script.string());
 }
 
 }  // namespace

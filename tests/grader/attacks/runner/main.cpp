@@ -4,8 +4,10 @@
 #include "canary.h"
 #include "cli/arguments.h"
 #include "cli/atomic_file.h"
+#include "cli/descriptor.h"
 #include "cli/error.h"
 #include "cli/main_guard.h"
+#include "cli/program.h"
 #include "fixture.h"
 #include "grader/grade/record.h"
 #include "grader/judge/sandbox.h"
@@ -105,21 +107,10 @@ int run_grader(const Options& options, const Places& places) {
                                  "-o",
                                  places.out,
                                  places.submissions};
-  std::vector<char*> argv;
-  for (std::string& word : words)
-    argv.push_back(word.data());
-  argv.push_back(nullptr);
   ::setenv("TMPDIR", (work / "tmp").c_str(), 1);
-  const pid_t child = ::fork();
-  if (child == 0) {
-    const int log = ::open((work / "attacks.log").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    ::dup2(log, 1);
-    ::dup2(log, 2);
-    ::execv(argv[0], argv.data());
-    ::_exit(127);
-  }
-  int status = 0;
-  if (child < 0 || ::waitpid(child, &status, 0) != child) throw Error("carlo_grade did not start");
+  const Descriptor log(
+      ::open((work / "attacks.log").c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+  const int status = wait_for(start_program(words, {.output = log.get(), .error = log.get()}));
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 

@@ -1,0 +1,86 @@
+#include "cli/program.h"
+
+#include "cli/descriptor.h"
+#include "cli/error.h"
+
+#include <fcntl.h>
+#include <fmt/ranges.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <utility>
+
+namespace carlo {
+namespace {
+
+/// In the child, between fork and exec: calls nothing but the system.
+[[noreturn]] void become(const std::vector<char*>& argv, const ProgramStart& how, pid_t parent) {
+  sigset_t none;
+  bool ready = true;
+  if (how.own_group) {
+    ready = ::sigemptyset(&none) == 0 && ::sigprocmask(SIG_SETMASK, &none, nullptr) == 0 &&
+            ::setpgid(0, 0) == 0;
+  }
+  if (how.ends_with_us) {
+    ready = ready && ::prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 && ::getppid() == parent;
+  }
+  for (const auto& [from, to] :
+       {std::pair{how.input, STDIN_FILENO}, std::pair{how.output, STDOUT_FILENO},
+        std::pair{how.error, STDERR_FILENO}})
+    ready = ready && (from < 0 || ::dup2(from, to) == to);
+  if (ready) ::execvp(argv[0], argv.data());
+  for (const char* word : {static_cast<const char*>(argv[0]), ": cannot be run\n"})
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, word, std::strlen(word));
+  ::_exit(127);
+}
+
+}  // namespace
+
+std::vector<char*> pointers(const std::vector<std::string>& words) {
+  std::vector<char*> list;
+  list.reserve(words.size() + 1);
+  for (const std::string& word : words)
+    list.push_back(const_cast<char*>(word.c_str()));
+  list.push_back(nullptr);
+  return list;
+}
+
+pid_t start_program(const std::vector<std::string>& words, const ProgramStart& how) {
+  const std::vector<char*> argv = pointers(words);
+  const pid_t parent = ::getpid(), child = ::fork();
+  if (child < 0) throw Error("cannot start a process: {}", std::strerror(errno));
+  if (child == 0) become(argv, how, parent);
+  return child;
+}
+
+int wait_for(pid_t child) {
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) throw Error("lost sight of a program: {}", std::strerror(errno));
+  }
+  return status;
+}
+
+std::string output_of(const std::vector<std::string>& words) {
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw Error("no pipe: {}", std::strerror(errno));
+  const Descriptor read_end(ends[0]);
+  Descriptor write_end(ends[1]);
+  const pid_t child = start_program(words, {.output = write_end.get()});
+  write_end.close();
+  std::string text;
+  std::array<char, 4096> piece{};
+  for (ssize_t n = 0; (n = ::read(read_end.get(), piece.data(), piece.size())) != 0;) {
+    if (n > 0) text.append(piece.data(), static_cast<std::size_t>(n));
+    if (n < 0 && errno != EINTR) break;
+  }
+  if (wait_for(child) != 0) throw Error("this failed: {}", fmt::join(words, " "));
+  return text;
+}
+
+}  // namespace carlo
