@@ -1,12 +1,12 @@
 #include "cli/arguments.h"
 
 #include "cli/error.h"
+#include "cli/number.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <filesystem>
 #include <type_traits>
@@ -20,9 +20,9 @@ namespace {
 template <class Number>
 bool read(const std::string& text, Number& value) {
   if constexpr (std::is_arithmetic_v<Number>) {
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    return error == std::errc{} && stop == end;
+    const std::optional<Number> number = number_of<Number>(text);
+    if (number) value = *number;
+    return number.has_value();
   } else {
     value = text;
     return true;

@@ -2,11 +2,11 @@
 
 #include "cli/atomic_file.h"
 #include "cli/error.h"
+#include "random/hash.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <sstream>
 #include <system_error>
 
@@ -15,12 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// FNV-1a (Fowler, Noll, Vo): tells edits apart; nobody is to be kept from making two texts alike.
 std::string digest_of(const std::string& text) {
-  std::uint64_t hash = 0xCBF29CE484222325;
-  for (const char c : text)
-    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3;
-  return fmt::format("{:016x}", hash);
+  return fmt::format("{:016x}", hash_of(text));
 }
 
 /// "Lab 1.2" of a heading "// Lab 1.2 ----", else nothing.

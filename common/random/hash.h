@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 namespace carlo {
 
@@ -18,6 +19,15 @@ template <class... Rest>
 constexpr std::uint64_t hash(std::uint64_t first, Rest... rest) {
   std::uint64_t h = mix(first);
   ((h = mix(h ^ static_cast<std::uint64_t>(rest))), ...);
+  return h;
+}
+
+/// A word from a text (FNV-1a: Fowler, Noll, Vo). It tells texts apart, but keeps nobody from
+/// making two that are alike.
+constexpr std::uint64_t hash_of(std::string_view text) {
+  std::uint64_t h = 0xCBF29CE484222325;
+  for (const char c : text)
+    h = (h ^ static_cast<unsigned char>(c)) * 0x100000001B3;
   return h;
 }
 

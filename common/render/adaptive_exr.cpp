@@ -1,12 +1,12 @@
 #include "render/adaptive_exr.h"
 
 #include "cli/error.h"
+#include "cli/number.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 
@@ -66,12 +66,9 @@ HalfPixel from_doubles(const std::array<double, doubles>& values, bool finished)
 double number(const ExrFile& file, const std::string& name) {
   const auto it = file.attributes.find(name);
   const std::string text = it == file.attributes.end() ? "" : it->second;
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !(value >= 0)) {
-    throw Error("its {} is '{}', expected a number", name, text);
-  }
-  return value;
+  const std::optional<double> value = number_of<double>(text);
+  if (!value || !(*value >= 0)) throw Error("its {} is '{}', expected a number", name, text);
+  return *value;
 }
 
 void write_half(ExrFile& file, const AdaptiveState& state, std::size_t half) {

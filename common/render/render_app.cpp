@@ -3,6 +3,7 @@
 #include "cli/arguments.h"
 #include "cli/atomic_file.h"
 #include "cli/error.h"
+#include "cli/number.h"
 #include "image/exr.h"
 #include "image/png.h"
 #include "render/driver.h"
@@ -17,7 +18,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -82,12 +82,8 @@ void add_common_options(CommandLine& app, Arguments& a) {
 }
 
 int parse_whole(std::string_view text, const std::string& all) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) {
-    throw Error("--size is WIDTHxHEIGHT, for example 256x256, got '{}'", all);
-  }
-  return value;
+  if (const auto value = number_of<int>(text)) return *value;
+  throw Error("--size is WIDTHxHEIGHT, for example 256x256, got '{}'", all);
 }
 
 std::map<std::string, std::string> parse_definitions(const std::vector<std::string>& definitions) {

@@ -2,6 +2,7 @@
 
 #include "cli/atomic_file.h"
 #include "cli/error.h"
+#include "cli/number.h"
 #include "render/adaptive_exr.h"
 #include "render/driver.h"
 #include "scene/fingerprint.h"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 namespace carlo {
 namespace {
@@ -138,13 +138,9 @@ const std::string& EarlierRender::setting(const std::string& name) const {
 
 std::uint64_t EarlierRender::number(const std::string& name) const {
   const std::string& text = setting(name);
-  std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) {
-    throw Error("cannot resume {}: its {} is '{}', expected a whole number", path_.string(), name,
-                text);
-  }
-  return value;
+  if (const auto value = number_of<std::uint64_t>(text)) return *value;
+  throw Error("cannot resume {}: its {} is '{}', expected a whole number", path_.string(), name,
+              text);
 }
 
 std::vector<std::string> EarlierRender::definitions() const {
@@ -160,10 +156,8 @@ std::vector<std::string> EarlierRender::definitions() const {
 std::optional<double> EarlierRender::target_error() const {
   const auto it = file_.attributes.find("target_error");
   if (it == file_.attributes.end()) return std::nullopt;
-  double value = 0;
-  const char* last = it->second.data() + it->second.size();
-  const auto [end, error] = std::from_chars(it->second.data(), last, value);
-  if (error != std::errc() || end != last || !(value > 0)) {
+  const std::optional<double> value = number_of<double>(it->second);
+  if (!value || !(*value > 0)) {
     throw Error("cannot resume {}: its target_error is '{}', expected a number", path_.string(),
                 it->second);
   }

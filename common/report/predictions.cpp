@@ -2,12 +2,12 @@
 
 #include "cli/atomic_file.h"
 #include "cli/error.h"
+#include "cli/number.h"
 #include "course/own_files.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <system_error>
 
@@ -38,11 +38,8 @@ json value_at(const json& rows, const json& wanted, const std::string& column) {
 }
 
 std::optional<double> number_in(std::string_view text) {
-  double value = 0;
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-  const auto [end, ec] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (ec != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
+  return number_of<double>(text);
 }
 
 /// Without blanks, and with "-" for a minus sign as people copy it.

@@ -1,9 +1,10 @@
 #include "scene/text.h"
 
+#include "cli/number.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -19,7 +20,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(white_space) - first + 1);
 }
 
-// std::from_chars knows no leading plus sign.
+// number_of() knows no leading plus sign.
 std::string_view without_plus(std::string_view text) {
   const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+';
   return plus ? text.substr(1) : text;
@@ -93,23 +94,14 @@ std::vector<std::string_view> words(std::string_view text, std::string_view sepa
 }
 
 std::optional<double> parse_number(std::string_view text) {
-  text = without_plus(trimmed(text));
-  double value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end) return {};
+  const std::optional<double> value = number_of<double>(without_plus(trimmed(text)));
+  constexpr double most = std::numeric_limits<float>::max();
   // Written so that NaN fails.
-  if (!(std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max()))) return {};
-  return value;
+  return value && std::abs(*value) <= most ? value : std::nullopt;
 }
 
 std::optional<int> parse_integer(std::string_view text) {
-  text = without_plus(trimmed(text));
-  int value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end) return {};
-  return value;
+  return number_of<int>(without_plus(trimmed(text)));
 }
 
 }  // namespace carlo

@@ -4,6 +4,7 @@
 #include "cli/atomic_file.h"
 #include "cli/error.h"
 #include "cli/main_guard.h"
+#include "cli/number.h"
 #include "cli/wrap.h"
 #include "grader/judge/consistency.h"
 #include "grader/judge/current_run.h"
@@ -19,10 +20,8 @@
 #include <catch2/interfaces/catch_interfaces_testcase.hpp>
 #include <fmt/core.h>
 
-#include <charconv>
 #include <chrono>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace carlo::grader {
@@ -74,13 +73,11 @@ Worker make_worker(const Options& options) {
   const Level level = level_of(options.sandbox);
   if (options.user == "own") return {options.worker, level};
   if (options.user == "none") return {options.worker, Sandbox::as_found(level, {})};
-  uid_t user = 0;
-  const char* end = options.user.data() + options.user.size();
-  const auto [last, problem] = std::from_chars(options.user.data(), end, user);
-  if (problem != std::errc() || last != end || user == 0) {
+  const std::optional<uid_t> user = number_of<uid_t>(options.user);
+  if (!user || *user == 0) {
     throw Error("--sandbox-user {}: expected own, none or a user's id", options.user);
   }
-  return {options.worker, Sandbox::as_found(level, user)};
+  return {options.worker, Sandbox::as_found(level, *user)};
 }
 
 std::uint64_t run_seed(const Options& options) {

@@ -1,6 +1,7 @@
 #include "grader/judge/process_list.h"
 
 #include "cli/descriptor.h"
+#include "cli/number.h"
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -60,9 +61,7 @@ std::vector<pid_t> process_ids() {
   std::error_code ec;
   for (fs::directory_iterator it("/proc", ec), end; it != end && !ec; it.increment(ec)) {
     const std::string name = it->path().filename();
-    pid_t id = 0;
-    const auto [last, problem] = std::from_chars(name.data(), name.data() + name.size(), id);
-    if (problem == std::errc() && last == name.data() + name.size()) ids.push_back(id);
+    if (const auto id = number_of<pid_t>(name)) ids.push_back(*id);
   }
   return ids;
 }

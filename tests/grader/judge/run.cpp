@@ -146,10 +146,7 @@ Unsaid::Unsaid(std::initializer_list<const char*> names) {
 }
 
 std::uint64_t word_of(const std::string& text) {
-  std::uint64_t h = 0xCBF29CE484222325;
-  for (const char c : text)
-    h = (h ^ static_cast<unsigned char>(c)) * 0x100000001B3;
-  return mix(h);
+  return mix(hash_of(text));
 }
 
 std::uint64_t local_seed() {

@@ -1,11 +1,11 @@
 #include "grader/replay/pick.h"
 
 #include "cli/error.h"
+#include "cli/number.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 
 namespace carlo::grader {
 namespace {
@@ -16,11 +16,6 @@ std::string ending(const Asked& asked) {
   if (asked.rows == 1) return fmt::format("{} {}", values, values == 1 ? "value" : "values");
   return values == 1 ? fmt::format("{} values", asked.rows)
                      : fmt::format("{} rows of {} values", asked.rows, values);
-}
-
-bool is_number(const std::string& text) {
-  return !text.empty() && text.size() < 7 &&
-         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
 std::string names(const std::vector<Asked>& asked) {
@@ -54,10 +49,8 @@ std::string listing(const std::vector<Asked>& asked) {
 
 const Asked& pick(const std::vector<Asked>& asked, const std::string& what) {
   if (asked.empty()) throw Error("the judge asked nothing");
-  if (is_number(what)) {
-    std::size_t number = 0;
-    std::from_chars(what.data(), what.data() + what.size(), number);
-    if (number >= 1 && number <= asked.size()) return asked[number - 1];
+  if (const auto number = carlo::number_of<std::size_t>(what)) {
+    if (*number >= 1 && *number <= asked.size()) return asked[*number - 1];
     throw Error("there is no probe number {}, only 1 to {}", what, asked.size());
   }
   const auto find = [&](bool without_values) {

@@ -6,6 +6,7 @@
 
 #include <limits>
 
+using namespace carlo;
 using namespace carlo::grader;
 
 namespace {
