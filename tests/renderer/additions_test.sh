@@ -56,7 +56,7 @@ done <<<"$reasons"
 {
   grep -rnE '\b(match|match_flat|std::visit)\(' common solutions labs | grep -v '^common/scene/match.h:' |
     grep -v ':auto match_flat('
-  grep -rnE 'auto& \[(points, environment|parallelograms, .*)(\]|,$)' common solutions labs
+  grep -rnE 'auto& \[(.*\benvironment|parallelograms)\b' common solutions labs
   grep -rnE -A1 'switch \(' common solutions labs | sed -nE '/case [A-Za-z:]*Kind::/{s/^([^ ]*)-([0-9]+)-.*/\1 \2/p}' |
     while read -r file line; do printf '%s:%d:\n' "$file" "$((line - 1))"; done
 } | sed -E 's/^([^:]*:[0-9]+):.*/\1/' | sort -u >"$work/places"
