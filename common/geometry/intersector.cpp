@@ -6,6 +6,7 @@
 #include "geometry/planes.h"
 #include "geometry/sphere_tracer.h"
 #include "numeric/robust.h"
+#include "scene/match.h"
 
 #include <algorithm>
 #include <cstring>
@@ -149,6 +150,7 @@ struct Intersector::Impl {
   std::vector<SphereTracer> tracers;
   std::vector<Primitive<SphereTracer>> sdfs;
   std::vector<Primitive<Mesh>> meshes;
+  std::size_t added = 0;  ///< shapes that Embree has
 
   explicit Impl(const Scene& s) : scene(s) {
     // No "threads=1" here: it would limit the whole program's TBB.
@@ -158,16 +160,12 @@ struct Intersector::Impl {
     rtcSetSceneFlags(embree, RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(embree, RTC_BUILD_QUALITY_HIGH);
     sort_shapes();
-    using QuadCallbacks = UserGeometry<Flat, intersect_flat>;
-    add_user<QuadCallbacks>(parallelograms, quad_geometry);
-    using SphereCallbacks = UserGeometry<Sphere, intersect_sphere>;
-    using DiskCallbacks = UserGeometry<Disk, intersect_disk>;
-    add_user<SphereCallbacks>(spheres, sphere_geometry);
-    using SdfCallbacks = UserGeometry<SphereTracer, intersect_sdf>;
-    add_user<DiskCallbacks>(disks, disk_geometry);
-    add_user<SdfCallbacks>(sdfs, sdf_geometry);
-    for (std::size_t i = 0; i < meshes.size(); ++i)
-      add_mesh(i);
+    for (unsigned kind = 0; kind <= first_mesh; ++kind)
+      add_all(static_cast<Kind>(kind));
+    if (added != scene.shapes.size()) {
+      throw Error("rays would not meet {} of {} shapes", scene.shapes.size() - added,
+                  scene.shapes.size());
+    }
     rtcCommitScene(embree);
     if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw Error("Embree is out of memory");
   }
@@ -179,26 +177,33 @@ struct Intersector::Impl {
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
-  // Embree's geometry numbers: one for each kind that shares one, then the meshes.
-  static constexpr unsigned quad_geometry = 0, sphere_geometry = 1, disk_geometry = 2,
-                            sdf_geometry = 3, first_mesh = 4;
+  /// Embree's geometry numbers: one for each kind that shares one, then one for each mesh.
+  enum class Kind : unsigned { parallelograms, spheres, disks, sdfs, meshes };
+  static constexpr auto first_mesh = static_cast<unsigned>(Kind::meshes);
 
   void sort_shapes() {
     std::vector<std::uint32_t> sdf_shapes;
     std::vector<Parallelogram> surfaces;
     for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
-      const auto& g = scene.shapes[i].geometry;
-      if (const auto* quad = std::get_if<Parallelogram>(&g)) {
-        flats.emplace_back(*quad, i);
-        surfaces.push_back(*quad);
-      }
-      if (const auto* sphere = std::get_if<Sphere>(&g)) spheres.push_back({sphere, i});
-      if (const auto* disk = std::get_if<Disk>(&g)) disks.push_back({disk, i});
-      if (const auto* mesh = std::get_if<Mesh>(&g)) meshes.push_back({mesh, i});
-      if (const auto* sdf = std::get_if<Sdf>(&g)) {
-        tracers.emplace_back(*sdf);
-        sdf_shapes.push_back(i);
-      }
+      match(
+          scene.shapes[i].geometry,
+          [&](const Parallelogram& quad) {
+            flats.emplace_back(quad, i);
+            surfaces.push_back(quad);
+          },
+          [&](const Sphere& sphere) {
+            spheres.push_back({&sphere, i});
+          },
+          [&](const Disk& disk) {
+            disks.push_back({&disk, i});
+          },
+          [&](const Mesh& mesh) {
+            meshes.push_back({&mesh, i});
+          },
+          [&](const Sdf& sdf) {
+            tracers.emplace_back(sdf);
+            sdf_shapes.push_back(i);
+          });
     }
     for (std::size_t i = 0; i < tracers.size(); ++i)
       sdfs.push_back({&tracers[i], sdf_shapes[i]});
@@ -235,6 +240,22 @@ struct Intersector::Impl {
     return met;
   }
 
+  void add_all(Kind kind) {
+    switch (kind) {
+      case Kind::parallelograms:
+        return add_user<UserGeometry<Flat, intersect_flat>>(parallelograms, kind);
+      case Kind::spheres:
+        return add_user<UserGeometry<Sphere, intersect_sphere>>(spheres, kind);
+      case Kind::disks:
+        return add_user<UserGeometry<Disk, intersect_disk>>(disks, kind);
+      case Kind::sdfs:
+        return add_user<UserGeometry<SphereTracer, intersect_sdf>>(sdfs, kind);
+      case Kind::meshes:
+        for (std::size_t i = 0; i < meshes.size(); ++i)
+          add_mesh(i);
+    }
+  }
+
   void attach(RTCGeometry geometry, unsigned id) {
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(embree, geometry, id);
@@ -250,19 +271,21 @@ struct Intersector::Impl {
   }
 
   template <class Callbacks, class S>
-  void add_user(std::vector<Primitive<S>>& primitives, unsigned id) {
+  void add_user(std::vector<Primitive<S>>& primitives, Kind kind) {
     if (primitives.empty()) return;
+    added += primitives.size();
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
     rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(primitives.size()));
     rtcSetGeometryUserData(geometry, &primitives);
     rtcSetGeometryBoundsFunction(geometry, bounds<S>, nullptr);
     rtcSetGeometryIntersectFunction(geometry, Callbacks::intersect);
     rtcSetGeometryOccludedFunction(geometry, Callbacks::occluded);
-    attach(geometry, id);
+    attach(geometry, static_cast<unsigned>(kind));
   }
 
   void add_mesh(std::size_t i) {
     const Mesh& mesh = *meshes[i].surface;
+    ++added;
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* v = new_buffer<Vec3>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3,
                                mesh.positions.size());
@@ -319,28 +342,30 @@ void Intersector::Impl::fill(const RTCRayHit& query, const Ray& ray, Hit& hit) c
   hit.primitive = 0;
   // What tfar lost by rounding (UserGeometry).
   const double exact_t = static_cast<double>(hit.t) + static_cast<double>(query.hit.u);
-  switch (id) {
-    case quad_geometry:
+  switch (static_cast<Kind>(id)) {
+    case Kind::parallelograms:
       fill_quad(flats[primitive], ray, exact_t, hit);
       return;
-    case sphere_geometry:
+    case Kind::spheres:
       hit.shape = spheres[primitive].shape;
       fill_analytic(sphere_point(*spheres[primitive].surface, ray.o, ray.d, hit.t), hit);
       return;
-    case disk_geometry:
+    case Kind::disks:
       hit.shape = disks[primitive].shape;
       fill_analytic(disk_point(*disks[primitive].surface, ray.o, ray.d, hit.t), hit);
       return;
-    case sdf_geometry: {
+    case Kind::sdfs:
       hit.shape = sdfs[primitive].shape;
       fill_sdf(sdfs[primitive].surface->point(ray.o, ray.d, exact_t), hit);
       return;
-    }
-    default:
-      hit.shape = meshes[id - first_mesh].shape;
-      hit.primitive = primitive;
-      fill_triangle(*meshes[id - first_mesh].surface, query.hit.u, query.hit.v, hit);
+    case Kind::meshes:
+      break;
   }
+  // This number, and all that follow.
+  const Primitive<Mesh>& mesh = meshes[id - first_mesh];
+  hit.shape = mesh.shape;
+  hit.primitive = primitive;
+  fill_triangle(*mesh.surface, query.hit.u, query.hit.v, hit);
 }
 
 Intersector::Intersector(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}

@@ -42,7 +42,9 @@ std::optional<glm::dvec3> far_center(const Scene& scene) {
   Extent extent{Vec3d(scene.camera.origin), Vec3d(scene.camera.origin)};
   for (const Shape& shape : scene.shapes)
     std::visit([&](const auto& s) { extent(s); }, shape.geometry);
-  for (const PointLight& light : scene.points)
+  const auto& [points, environment] = scene.lights;
+  (void)environment;  // is everywhere
+  for (const PointLight& light : points)
     extent.include(Vec3d(light.position));
   const Vec3d center = 0.5 * (extent.lower + extent.upper);
   if (!(glm::length(center) > far * glm::length(extent.upper - extent.lower))) return std::nullopt;

@@ -81,11 +81,13 @@ struct Plane {
 }  // namespace
 
 std::optional<std::string> too_few_digits(const Scene& scene) {
-  if (scene.shapes.size() + scene.points.size() > most_things) return std::nullopt;
+  const auto& [points, environment] = scene.lights;
+  (void)environment;  // is near to nothing
+  if (scene.shapes.size() + points.size() > most_things) return std::nullopt;
   std::vector<Thing> things;
   for (const Shape& shape : scene.shapes)
     things.push_back(thing_of(shape));
-  for (const PointLight& light : scene.points)
+  for (const PointLight& light : points)
     things.push_back({{Vec3d(light.position)}});
   double least = enough, error = 0;
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {

@@ -103,6 +103,10 @@ class Digest {
     const auto& [position, intensity] = l;
     add_all(position, intensity);
   }
+  void add(const OtherLights& l) {
+    const auto& [points, environment] = l;
+    add_all(points, environment);
+  }
 
   void add(const Similarity& s) {
     const auto& [rotation, origin, scale] = s;
@@ -150,11 +154,11 @@ class Digest {
 }  // namespace
 
 std::string fingerprint(const Scene& scene) {
-  const auto& [camera, width, height, spp, sampler, max_depth, materials, shapes, points,
-               environment, notes] = scene;
+  const auto& [camera, width, height, spp, sampler, max_depth, materials, shapes, lights, notes] =
+      scene;
   (void)spp, (void)notes;
   Digest digest;
-  digest.add_all(camera, width, height, sampler, max_depth, materials, shapes, points, environment);
+  digest.add_all(camera, width, height, sampler, max_depth, materials, shapes, lights);
   return fmt::format("{:016x}", digest.value());
 }
 

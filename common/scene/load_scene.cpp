@@ -137,7 +137,7 @@ class Loader {
            in_quotes(emitter.type()), suggest(emitter.type(), {"point", "constant"}));
     }
     once(environment_, element);
-    scene_.environment = required_colour(emitter, "radiance");
+    scene_.lights.environment = required_colour(emitter, "radiance");
   }
 
   void add_point_light(Properties& emitter) {
@@ -148,7 +148,7 @@ class Loader {
     PointLight light;
     light.position = transform_point(to_world, position, emitter.at("toWorld"));
     light.intensity = required_colour(emitter, "intensity");
-    scene_.points.push_back(light);
+    scene_.lights.points.push_back(light);
   }
 
   static Rgb required_colour(Properties& emitter, const std::string& name) {
@@ -162,8 +162,9 @@ class Loader {
     for (const std::string& note : materials_.notes())
       scene_.notes.push_back(note);
     const auto emits = [](const Shape& shape) { return shape.emits(); };
+    const auto& [points, environment] = scene_.lights;
     const bool lit = std::any_of(scene_.shapes.begin(), scene_.shapes.end(), emits) ||
-                     !scene_.points.empty() || scene_.environment != Rgb(0);
+                     !points.empty() || environment != Rgb(0);
     if (!lit) scene_.notes.emplace_back("the scene has no light: its image is black");
   }
 

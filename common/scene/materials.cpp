@@ -1,5 +1,6 @@
 #include "scene/materials.h"
 
+#include "scene/match.h"
 #include "scene/text.h"
 
 #include <array>
@@ -78,6 +79,13 @@ Dielectric parse_dielectric(Properties& bsdf) {
   return {inside, refractive_index(bsdf, "extIOR", 1.000277f)};
 }
 
+/// Whether light goes through: such a surface has no black back.
+bool passes_light(const Material& material) {
+  return match(
+      material.model, [](const Diffuse&) { return false; }, [](const Phong&) { return false; },
+      [](const Mirror&) { return false; }, [](const Dielectric&) { return true; });
+}
+
 }  // namespace
 
 void Materials::define(const XmlElement& bsdf) {
@@ -149,7 +157,7 @@ Material Materials::parse_two_sided(const XmlElement& bsdf) {
   Material material = entry != nullptr ? entry->material : parse(*inner);
   const Position at = ref != nullptr ? ref->at : inner->at;
   if (material.two_sided) fail(at, "twosided inside twosided");
-  if (std::holds_alternative<Dielectric>(material.model)) {
+  if (passes_light(material)) {
     fail(at, "a dielectric cannot be twosided: light passes through it");
   }
   if (entry != nullptr) {

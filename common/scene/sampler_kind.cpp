@@ -4,15 +4,7 @@
 
 #include <fmt/ranges.h>
 
-#include <array>
-
 namespace carlo {
-namespace {
-
-constexpr std::array kinds = {SamplerKind::independent, SamplerKind::stratified,
-                              SamplerKind::sobol};
-
-}  // namespace
 
 std::string name_of(SamplerKind kind) {
   switch (kind) {
@@ -23,18 +15,18 @@ std::string name_of(SamplerKind kind) {
     case SamplerKind::sobol:
       return "sobol";
   }
-  return "";
+  throw Error("there is no sampler {}", static_cast<int>(kind));
 }
 
 std::vector<std::string> sampler_names() {
   std::vector<std::string> names;
-  for (const SamplerKind kind : kinds)
+  for (const SamplerKind kind : sampler_kinds)
     names.push_back(name_of(kind));
   return names;
 }
 
 SamplerKind sampler_kind(const std::string& name) {
-  for (const SamplerKind kind : kinds) {
+  for (const SamplerKind kind : sampler_kinds) {
     if (name_of(kind) == name) return kind;
   }
   throw Error("there is no sampler '{}', expected {}", name, fmt::join(sampler_names(), ", "));

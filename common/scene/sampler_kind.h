@@ -2,10 +2,15 @@
 
 #include "scene/scene.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
 namespace carlo {
+
+/// All kinds; what is not among them is refused by its name.
+inline constexpr std::array sampler_kinds = {SamplerKind::independent, SamplerKind::stratified,
+                                             SamplerKind::sobol};
 
 /// "independent", "stratified" or "sobol", as in scene files, on the command line and in reports.
 std::string name_of(SamplerKind kind);

@@ -84,6 +84,13 @@ struct PointLight {
   Rgb intensity;  ///< W/sr
 };
 
+/// Who deals with them takes this apart by structured bindings: a kind that is added is an error in
+/// every place that does not say what becomes of it there.
+struct OtherLights {
+  std::vector<PointLight> points;
+  Rgb environment{0};  ///< radiance that arrives from every direction that meets no shape
+};
+
 // The scene ---------------------------------------------------------------------------------------
 
 enum class SamplerKind { independent, stratified, sobol };
@@ -98,8 +105,7 @@ struct Scene {
   int max_depth = 0;
   std::vector<Material> materials;
   std::vector<Shape> shapes;
-  std::vector<PointLight> points;
-  Rgb environment{0};  ///< radiance that arrives from every direction that meets no shape
+  OtherLights lights;
   std::vector<std::string> notes;  ///< harmless facts about the file that a report should show
 };
 

@@ -39,7 +39,7 @@ carlo::Scene ball(int n, int size) {
   carlo::Scene scene;
   scene.materials = {{material(n), false}};
   scene.shapes = {{carlo::Sphere{{0, 0, 0}, 1}, 0, Rgb(0)}};
-  scene.environment = Rgb(1);
+  scene.lights.environment = Rgb(1);
   scene.camera.origin = {0, 0, 4};
   scene.camera.tan_half_fov = 0.3f;
   scene.camera.fit_film(size, size);

@@ -26,7 +26,7 @@ carlo::Scene under_sky(const carlo::Material& ball) {
   carlo::Scene scene;
   scene.materials = {ball};
   scene.shapes = {{carlo::Sphere{{0, 0, 0}, 0.5f}, 0, Rgb(0)}};
-  scene.environment = Rgb(1);
+  scene.lights.environment = Rgb(1);
   return scene;
 }
 

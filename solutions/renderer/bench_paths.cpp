@@ -10,6 +10,7 @@
 #include "render/render_app.h"
 #include "renderer/path_integrator.h"
 #include "scene/load_scene.h"
+#include "scene/sampler_kind.h"
 
 #include <fmt/core.h>
 
@@ -51,9 +52,7 @@ void add_render(carlo::Scene& scene, double paths, carlo::Rng& rng, int threads,
   const double most = std::min(paths, 0x1p20) / (1.0 * width * height);
   const auto spp = static_cast<std::uint32_t>(std::clamp(std::ceil(most), 1.0, 4096.0));
   const std::uint64_t seed = rng.next_u64();
-  constexpr carlo::SamplerKind kinds[] = {
-      carlo::SamplerKind::independent, carlo::SamplerKind::stratified, carlo::SamplerKind::sobol};
-  scene.sampler = kinds[rng.next_u32() % 3];
+  scene.sampler = carlo::sampler_kinds.at(rng.next_u32() % carlo::sampler_kinds.size());
   carlo::resize(scene, width, height);
   const auto integrator = renderer::make_path_integrator(scene, {.seed = seed, .spp = spp});
   const carlo::RenderResult result =

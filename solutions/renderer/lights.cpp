@@ -1,7 +1,9 @@
 #include "lights.h"
 
+#include "cli/error.h"
 #include "frame.h"
 #include "numeric/robust.h"
+#include "scene/match.h"
 #include "spherical_rectangle.h"
 #include "warp.h"
 
@@ -16,6 +18,7 @@ using carlo::Disk;
 using carlo::Mesh;
 using carlo::Parallelogram;
 using carlo::Scene;
+using carlo::Sdf;
 using carlo::Shape;
 using carlo::Sphere;
 using Vec3d = glm::dvec3;
@@ -53,21 +56,18 @@ std::vector<double> mesh_areas(const Mesh& mesh) {
   return running_sum(std::move(areas));
 }
 
-double area_of(const Shape& shape) {
-  struct Visitor {
-    double operator()(const Parallelogram& s) const {
-      return glm::length(glm::cross(Vec3d(s.u), Vec3d(s.v)));
-    }
-    double operator()(const Sphere& s) const {
-      return 4 * carlo::pi * static_cast<double>(s.radius) * static_cast<double>(s.radius);
-    }
-    double operator()(const Disk& s) const {
-      return carlo::pi * static_cast<double>(s.radius) * static_cast<double>(s.radius);
-    }
-    double operator()(const Mesh& s) const { return mesh_areas(s).back(); }
-    double operator()(const carlo::Sdf&) const { return 0; }  // never emits
-  };
-  return std::visit(Visitor{}, shape.geometry);
+double area_of(const Parallelogram& s) {
+  return glm::length(glm::cross(Vec3d(s.u), Vec3d(s.v)));
+}
+double area_of(const Sphere& s) {
+  return 4 * carlo::pi * static_cast<double>(s.radius) * static_cast<double>(s.radius);
+}
+double area_of(const Disk& s) {
+  return carlo::pi * static_cast<double>(s.radius) * static_cast<double>(s.radius);
+}
+
+[[noreturn]] void refuse(const Sdf&) {
+  throw carlo::Error("an sdf cannot emit");
 }
 
 /// The element of a running sum that u, in [0, 1), falls into; u becomes its place within.
@@ -113,12 +113,12 @@ AreaPoint sample_area(const Mesh& mesh, std::span<const double> areas, Vec2 u) {
 }
 
 AreaPoint sample_area(const Shape& shape, std::span<const double> mesh_areas, Vec2 u) {
-  if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
-    return sample_area(*mesh, mesh_areas, u);
-  }
-  if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) return sample_area(*sphere, u);
-  if (const auto* disk = std::get_if<Disk>(&shape.geometry)) return sample_area(*disk, u);
-  return sample_area(std::get<Parallelogram>(shape.geometry), u);
+  return carlo::match(
+      shape.geometry, [&](const Parallelogram& s) { return sample_area(s, u); },
+      [&](const Sphere& s) { return sample_area(s, u); },
+      [&](const Disk& s) { return sample_area(s, u); },
+      [&](const Mesh& s) { return sample_area(s, mesh_areas, u); },
+      [](const Sdf& s) -> AreaPoint { refuse(s); });
 }
 
 /// 1 - cos of the half-angle of the cone in which a sphere is seen; `from` is outside.
@@ -161,14 +161,6 @@ AreaPoint sample_sphere_cone(const Sphere& s, Vec3 from, Vec2 u) {
   return {p, Vec3(n), carlo::rounding_bound(3) * glm::abs(p)};
 }
 
-/// Whether nothing of the shape can lie between its front and what that lights.
-bool never_shades_itself(const Shape& shape) {
-  const auto* sphere = std::get_if<Sphere>(&shape.geometry);
-  return sphere != nullptr ? !sphere->flipped
-                           : std::holds_alternative<Parallelogram>(shape.geometry) ||
-                                 std::holds_alternative<Disk>(shape.geometry);
-}
-
 /// Density per solid angle at `from` of a point of density 1/area.
 float area_pdf(Vec3 from, Vec3 p, Vec3 n, double area) {
   const Vec3 d = p - from;
@@ -188,24 +180,50 @@ Lights::Lights(const Scene& scene) : scene_(scene) {
   for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
     const Shape& shape = scene.shapes[i];
     if (!shape.emits()) continue;
-    const auto* quad = std::get_if<Parallelogram>(&shape.geometry);
-    if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) mesh_cdf_[i] = mesh_areas(*mesh);
     entry_of_shape_[i] = static_cast<std::uint32_t>(entries_.size());
-    const double area = area_of(shape);
-    std::optional<RectangleFrame> rectangle;
-    if (quad != nullptr && is_rectangle(*quad)) rectangle.emplace(*quad);
-    entries_.push_back({i, false, rectangle, 0, area});
-    power.push_back(carlo::pi * area * brightness(shape.radiance));
+    entries_.push_back(shape_entry(i));
+    power.push_back(carlo::pi * entries_.back().area * brightness(shape.radiance));
   }
-  for (std::uint32_t i = 0; i < scene.points.size(); ++i) {
-    if (scene.points[i].intensity == Rgb(0)) continue;
-    entries_.push_back({i, true, std::nullopt, 0, 0});
-    power.push_back(4 * carlo::pi * brightness(scene.points[i].intensity));
+  const auto& [points, environment] = scene.lights;
+  (void)environment;  // is left to rays that meet no shape
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    if (points[i].intensity == Rgb(0)) continue;
+    entries_.push_back({Entry::Kind::point, i});
+    power.push_back(4 * carlo::pi * brightness(points[i].intensity));
   }
   cdf_ = running_sum(power);
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     entries_[i].probability = power[i] / cdf_.back();
   }
+}
+
+Lights::Entry Lights::shape_entry(std::uint32_t index) {
+  Entry entry{Entry::Kind::shape, index};
+  carlo::match(
+      scene_.shapes[index].geometry,
+      [&](const Parallelogram& s) {
+        entry.area = area_of(s);
+        entry.shades_itself = false;
+        if (is_rectangle(s)) entry.rectangle.emplace(s);
+      },
+      [&](const Sphere& s) {
+        entry.area = area_of(s);
+        entry.shades_itself = s.flipped;
+        // One that emits outwards does not light its inside. One that emits inwards is sampled by
+        // area: from the outside its near half is in the way, and points on it may be rounded
+        // either way.
+        if (!s.flipped) entry.ball = &s;
+      },
+      [&](const Disk& s) {
+        entry.area = area_of(s);
+        entry.shades_itself = false;
+      },
+      [&](const Mesh& s) {
+        mesh_cdf_[index] = mesh_areas(s);
+        entry.area = mesh_cdf_[index].back();
+      },
+      [](const Sdf& s) { refuse(s); });
+  return entry;
 }
 
 const Lights::Entry& Lights::choose(float u) const {
@@ -214,8 +232,17 @@ const Lights::Entry& Lights::choose(float u) const {
 
 std::optional<LightSample> Lights::sample(const Place& from, float u_light, Vec2 u) const {
   const Entry& entry = choose(u_light);
-  if (!entry.point) return sample_shape(entry, from, u);
-  const carlo::PointLight& light = scene_.points[entry.shape];
+  switch (entry.kind) {
+    case Entry::Kind::shape:
+      return sample_shape(entry, from, u);
+    case Entry::Kind::point:
+      return sample_point(entry, from);
+  }
+  return std::nullopt;
+}
+
+std::optional<LightSample> Lights::sample_point(const Entry& entry, const Place& from) const {
+  const carlo::PointLight& light = scene_.lights.points[entry.index];
   const Vec3 d = light.position - from.p;
   const float distance2 = glm::dot(d, d);
   if (!(distance2 > 0)) return std::nullopt;
@@ -231,12 +258,12 @@ std::optional<LightSample> Lights::sample(const Place& from, float u_light, Vec2
 
 std::optional<LightSample> Lights::sample_shape(const Entry& entry, const Place& from,
                                                 Vec2 u) const {
-  const Shape& shape = scene_.shapes[entry.shape];
+  const Shape& shape = scene_.shapes[entry.index];
   const auto result = [&](const AreaPoint& point, float density) -> std::optional<LightSample> {
     if (!(density > 0) || !std::isfinite(density)) return std::nullopt;
     const auto probability = static_cast<float>(entry.probability);
     LightSample sample{point.p, point.error, point.n, shape.radiance, probability * density};
-    if (never_shades_itself(shape)) sample.shape = entry.shape, sample.shades_itself = false;
+    if (!entry.shades_itself) sample.shape = entry.index, sample.shades_itself = false;
     return sample;
   };
   if (entry.rectangle) {
@@ -248,14 +275,12 @@ std::optional<LightSample> Lights::sample_shape(const Entry& entry, const Place&
                     static_cast<float>(1 / seen.solid_angle()));
     }
   }
-  // A sphere that emits outwards does not light its inside. One that emits inwards is sampled by
-  // area: from the outside its near half is in the way, and points on it may be rounded either way.
-  const auto* sphere = std::get_if<Sphere>(&shape.geometry);
-  if (sphere != nullptr && !sphere->flipped) {
-    if (!outside(*sphere, from)) return std::nullopt;
-    return result(sample_sphere_cone(*sphere, from.p, u), cone_pdf(cone_of(*sphere, from.p)));
+  if (entry.ball != nullptr) {
+    if (!outside(*entry.ball, from)) return std::nullopt;
+    return result(sample_sphere_cone(*entry.ball, from.p, u),
+                  cone_pdf(cone_of(*entry.ball, from.p)));
   }
-  const AreaPoint point = sample_area(shape, mesh_cdf_[entry.shape], u);
+  const AreaPoint point = sample_area(shape, mesh_cdf_[entry.index], u);
   if (!in_front(from, Vec3d(point.p), point.error, Vec3d(point.n))) return std::nullopt;
   return result(point, area_pdf(from.p, point.p, point.n, entry.area));
 }
@@ -267,7 +292,6 @@ float Lights::pdf(const Place& from, const carlo::Hit& hit) const {
 }
 
 float Lights::shape_pdf(const Entry& entry, const Place& from, const Place& point, Vec3 n) const {
-  const Shape& shape = scene_.shapes[entry.shape];
   if (entry.rectangle) {
     if (!in_front(from, *entry.rectangle)) return 0;
     const SphericalRectangle seen(*entry.rectangle, from.p);
@@ -275,8 +299,8 @@ float Lights::shape_pdf(const Entry& entry, const Place& from, const Place& poin
       return static_cast<float>(1 / seen.solid_angle());
     }
   }
-  if (const auto* sphere = std::get_if<Sphere>(&shape.geometry); sphere && !sphere->flipped) {
-    return outside(*sphere, from) ? cone_pdf(cone_of(*sphere, from.p)) : 0;
+  if (entry.ball != nullptr) {
+    return outside(*entry.ball, from) ? cone_pdf(cone_of(*entry.ball, from.p)) : 0;
   }
   return in_front(from, Vec3d(point.p), point.error, Vec3d(n))
              ? area_pdf(from.p, point.p, n, entry.area)

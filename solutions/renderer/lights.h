@@ -51,14 +51,19 @@ class Lights {
 
  private:
   struct Entry {
-    std::uint32_t shape = 0;  ///< index of an emitting shape, or of a point light
-    bool point = false;
-    std::optional<RectangleFrame> rectangle;  ///< of lights sampled by solid angle
+    enum class Kind { shape, point };
+    Kind kind;
+    std::uint32_t index;  ///< among the scene's shapes or point lights
+    std::optional<RectangleFrame> rectangle = std::nullopt;  ///< of lights sampled by solid angle,
+    const carlo::Sphere* ball = nullptr;  ///< and of those sampled by their cone of directions
+    bool shades_itself = true;            ///< as LightSample's
     double probability = 0;
     double area = 0;
   };
 
+  Entry shape_entry(std::uint32_t index);
   const Entry& choose(float u) const;
+  std::optional<LightSample> sample_point(const Entry& entry, const Place& from) const;
   std::optional<LightSample> sample_shape(const Entry& entry, const Place& from, Vec2 u) const;
   /// Density at `from` of a point with normal n of a shape.
   float shape_pdf(const Entry& entry, const Place& from, const Place& point, Vec3 n) const;

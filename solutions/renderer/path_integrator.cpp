@@ -1,6 +1,7 @@
 #include "path_integrator.h"
 
 #include "bsdf.h"
+#include "cli/error.h"
 #include "flat/flat_integrator.h"
 #include "flat/flat_scene.h"
 #include "geometry/intersector.h"
@@ -8,7 +9,9 @@
 #include "lights.h"
 #include "numeric/robust.h"
 #include "sampling/samplers.h"
+#include "scene/match.h"
 #include "scene/needs.h"
+#include "scene/sampler_kind.h"
 
 #include <algorithm>
 #include <variant>
@@ -130,7 +133,7 @@ class PathIntegrator final : public carlo::Integrator {
     Hit hit;
     ++counts.rays;
     if (!intersector_.intersect(path.ray, hit)) {
-      path.L += path.beta * scene_.environment;
+      path.L += path.beta * beyond();
       return false;
     }
     const carlo::Shape& shape = scene_.shapes[hit.shape];
@@ -139,18 +142,26 @@ class PathIntegrator final : public carlo::Integrator {
     if (front && shape.emits()) path.L += path.beta * emitted(path, hit, shape.radiance);
     if (last) return false;
     const Surface& surface = surfaces_[shape.material];
-    if (const auto* glass = std::get_if<carlo::Dielectric>(&surface.bsdf)) {
-      return pass_glass(path, sampler, hit, front, *glass);
-    }
-    if (!front && !surface.two_sided) return false;
+    const bool seen = front || surface.two_sided;  ///< one-sided surfaces are black on their back
     const Vec3 normal = front ? hit.n : -hit.n;
-    if (const auto* mirror = std::get_if<carlo::Mirror>(&surface.bsdf)) {
-      path.beta *= mirror->reflectance;
-      path.competes = false;
-      spawn(path, hit, glm::normalize(reflect(normal, wo)));
-      return survive(path, sampler);
-    }
-    return scatter(path, sampler, hit, normal, std::get<ModifiedPhong>(surface.bsdf), counts);
+    return carlo::match(
+        surface.bsdf,
+        [&](const ModifiedPhong& bsdf) {
+          return seen && scatter(path, sampler, hit, normal, bsdf, counts);
+        },
+        [&](const carlo::Mirror& mirror) {
+          return seen && reflect_all(path, sampler, hit, normal, mirror);
+        },
+        [&](const carlo::Dielectric& glass) {
+          return pass_glass(path, sampler, hit, front, glass);
+        });
+  }
+
+  /// What a ray brings that meets no shape.
+  Rgb beyond() const {
+    const auto& [points, environment] = scene_.lights;
+    (void)points;  // no ray meets a point
+    return environment;
   }
 
   /// Emission met by the path's ray, weighed against next-event estimation.
@@ -199,6 +210,14 @@ class PathIntegrator final : public carlo::Integrator {
     return reflected * (power_heuristic(light->pdf, value.pdf) / light->pdf);
   }
 
+  static bool reflect_all(Path& path, Sampler& sampler, const Hit& hit, Vec3 normal,
+                          const carlo::Mirror& mirror) {
+    path.beta *= mirror.reflectance;
+    path.competes = false;
+    spawn(path, hit, glm::normalize(reflect(normal, -path.ray.d)));
+    return survive(path, sampler);
+  }
+
   bool pass_glass(Path& path, Sampler& sampler, const Hit& hit, bool front,
                   const carlo::Dielectric& glass) const {
     const Vec3 wo = -path.ray.d;
@@ -245,8 +264,7 @@ class PathIntegrator final : public carlo::Integrator {
 
 std::unique_ptr<carlo::Integrator> make_path_integrator(const Scene& scene,
                                                         const PathOptions& options) {
-  if (options.kernel == Kernel::best && scene.sampler != carlo::SamplerKind::stratified &&
-      FlatScene::suits(carlo::needs(scene), scene)) {
+  if (options.kernel == Kernel::best && FlatScene::suits(carlo::needs(scene), scene)) {
     return make_flat_integrator(scene, options.seed, options.choices);
   }
   switch (scene.sampler) {
@@ -257,7 +275,8 @@ std::unique_ptr<carlo::Integrator> make_path_integrator(const Scene& scene,
     case carlo::SamplerKind::sobol:
       return std::make_unique<PathIntegrator<carlo::SobolSampler>>(scene, options);
   }
-  return nullptr;
+  throw carlo::Error("the scalar kernel does not know the sampler {}",
+                     carlo::name_of(scene.sampler));
 }
 
 }  // namespace renderer

@@ -112,10 +112,10 @@ inline carlo::Scene lamp_scene(Lamp lamp) {
     case Lamp::behind:
       emit(carlo::Parallelogram{{-0.5f, -0.5f, 1}, {1, 0, 0}, {0, 1, 0}}, Rgb(1, 2, 4));
       scene.shapes[0].radiance = Rgb(floor_glow);
-      scene.environment = Rgb(sky_glow);
+      scene.lights.environment = Rgb(sky_glow);
       break;
     case Lamp::none:
-      scene.environment = Rgb(sky_glow);
+      scene.lights.environment = Rgb(sky_glow);
       break;
     case Lamp::count:
       break;
@@ -181,7 +181,7 @@ inline carlo::Scene ball(carlo::Material material) {
   carlo::Scene scene;
   scene.materials.push_back(material);
   scene.shapes.push_back({carlo::Sphere{{0, 0, 0}, 1}, 0, Rgb(0)});
-  scene.environment = Rgb(1);
+  scene.lights.environment = Rgb(1);
   return scene;
 }
 

@@ -44,7 +44,7 @@ Scene scene() {
   s.height = height;
   s.materials = {{Diffuse{}, false}, {Phong{}, true}};
   s.shapes = {{Sphere{{0, 0, 0}, 1}, 0, Rgb(1)}};
-  s.points = {{{1, 2, 3}, Rgb(4)}};
+  s.lights.points = {{{1, 2, 3}, Rgb(4)}};
   return s;
 }
 
@@ -180,8 +180,8 @@ TEST_CASE("A fingerprint depends on all that an image depends on, and on nothing
         s.shapes[0].geometry = Mesh{{Vec3(0), Vec3(1)}, {}};
       },
       [](Scene& s) { s.shapes.push_back(s.shapes[0]); },
-      [](Scene& s) { s.points[0].intensity.g = 5; },
-      [](Scene& s) { s.environment = Rgb(1); },
+      [](Scene& s) { s.lights.points[0].intensity.g = 5; },
+      [](Scene& s) { s.lights.environment = Rgb(1); },
   };
   for (const auto& change : changes) {
     Scene s = scene();

@@ -96,7 +96,7 @@ TEST_CASE("a scene far from the origin is moved there with all that it has", "[s
   const auto same = [&](Vec3 a, Vec3 b) { return glm::length(b - a - moved) <= 1e-6f; };
   CHECK(same(std::get<Parallelogram>(near.shapes[1].geometry).origin,
              std::get<Parallelogram>(far.shapes[1].geometry).origin));
-  CHECK(same(near.points[0].position, far.points[0].position));
+  CHECK(same(near.lights.points[0].position, far.lights.points[0].position));
   CHECK(same(near.camera.origin, far.camera.origin));
 }
 
@@ -176,11 +176,11 @@ TEST_CASE("point lights and the environment are lights without a shape", "[scene
       "<emitter type=\"point\"><transform name=\"toWorld\"><translate y=\"4\"/></transform>"
       "<spectrum name=\"intensity\" value=\"6\"/></emitter>"
       "<emitter type=\"constant\"><rgb name=\"radiance\" value=\"0.1, 0.2, 0.3\"/></emitter>");
-  REQUIRE(scene.points.size() == 2);
-  CHECK(close(scene.points[0].position, Vec3(1, 2, 3)));
-  CHECK(scene.points[0].intensity == Rgb(5));
-  CHECK(close(scene.points[1].position, Vec3(0, 4, 0)));
-  CHECK(scene.environment == Rgb(0.1f, 0.2f, 0.3f));
+  REQUIRE(scene.lights.points.size() == 2);
+  CHECK(close(scene.lights.points[0].position, Vec3(1, 2, 3)));
+  CHECK(scene.lights.points[0].intensity == Rgb(5));
+  CHECK(close(scene.lights.points[1].position, Vec3(0, 4, 0)));
+  CHECK(scene.lights.environment == Rgb(0.1f, 0.2f, 0.3f));
 }
 
 TEST_CASE("the camera looks along +z with +x to the left of the image", "[scene]") {

@@ -1,6 +1,7 @@
 // Adaptive renders by both kernels: unbiased, and of the same bits for any number of threads.
 
 #include "scene/load_scene.h"
+#include "scene/sampler_kind.h"
 #include "scene_tools.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -41,8 +42,7 @@ TEST_CASE("Adaptive renders of a furnace are unbiased, by both kernels and all s
   // 60 renders a case; z of their mean, its standard error from their spread, is Student's t with
   // 59 degrees: |z| > 5 fails one in 10^5 cases by chance. A bias of .5 % would show in each.
   for (const renderer::Kernel kernel : {renderer::Kernel::scalar, renderer::Kernel::best}) {
-    for (const SamplerKind sampler :
-         {SamplerKind::independent, SamplerKind::stratified, SamplerKind::sobol}) {
+    for (const SamplerKind sampler : sampler_kinds) {
       const Scene scene = furnace(sampler);
       double sum = 0, squares = 0;
       for (std::uint64_t seed = 1; seed <= 60; ++seed) {

@@ -116,8 +116,10 @@ TEST_CASE("Scenes that Cycles has no exact equal of are refused with the reason"
   CHECK(obstacle([](Scene& s) { s.shapes[0].geometry = Disk{Vec3(0), {0, 1, 0}, 1}; }) == "disks");
   CHECK(obstacle([](Scene& s) { s.materials[0].model = Phong{}; }) ==
         "surfaces that are not diffuse");
-  CHECK(obstacle([](Scene& s) { s.points.push_back({Vec3(1), Rgb(1)}); }) == "a point light");
-  CHECK(obstacle([](Scene& s) { s.environment = Rgb(1); }) == "a light all around");
+  CHECK(obstacle([](Scene& s) {
+          s.lights.points.push_back({Vec3(1), Rgb(1)});
+        }) == "a point light");
+  CHECK(obstacle([](Scene& s) { s.lights.environment = Rgb(1); }) == "a light all around");
   CHECK(obstacle([](Scene& s) { s.camera.right = -s.camera.right; }) == "a camera that mirrors");
 }
 

@@ -61,7 +61,7 @@ TEST_CASE("A convex Phong object in a uniform environment shows kd + ks a(n, the
   for (const int n : {0, 1, 2, 50, 1000, 1000000}) {
     Scene scene = empty_scene(24);
     scene.camera = look_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 26);
-    scene.environment = Rgb(1);
+    scene.lights.environment = Rgb(1);
     scene.materials = {{Phong{Rgb(kd), Rgb(ks), static_cast<float>(n)}, false}};
     scene.shapes = {{Sphere{{0, 0, 0}, 1}}};
     const AlbedoTable albedo(n);
@@ -91,7 +91,7 @@ TEST_CASE("A mirror and a glass sphere vanish in a uniform environment") {
        {Material{Mirror{}, false}, Material{Dielectric{1.5f, 1}, false}}) {
     Scene scene = empty_scene(16);
     scene.camera = look_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 30);
-    scene.environment = Rgb(1);
+    scene.lights.environment = Rgb(1);
     scene.materials = {material};
     scene.shapes = {{Sphere{{0, 0, 0}, 1}}};
     const MeanRadiance mean = mean_radiance(render_scene(scene, 256).film);
@@ -180,7 +180,7 @@ TEST_CASE("A floor under a sphere, a disk and rectangles reads rho E / pi") {
 TEST_CASE("A floor under a point light reads rho I cos / (pi d^2)") {
   Scene scene = floor_under({Disk{{0, 90, 0}, {0, -1, 0}, 1e-3f}}, .7);
   scene.shapes.pop_back();
-  scene.points.push_back({{3, 4, 0}, Rgb(10)});
+  scene.lights.points.push_back({{3, 4, 0}, Rgb(10)});
   check_mean(render_scene(scene, 256), .7 * 10 * .8 / 25 / closed_forms::pi);
 }
 
@@ -224,7 +224,7 @@ TEST_CASE("A cover close to a light lets nothing through") {
 
 TEST_CASE("A light that is switched off changes nothing") {
   Scene scene = floor_under({Sphere{{0, 2, 0}, 1}}, .7);
-  scene.points.push_back({{0, 3, 0}, Rgb(0)});
+  scene.lights.points.push_back({{0, 3, 0}, Rgb(0)});
   check_mean(render_scene(scene, 8192),
              .7 * 2 * closed_forms::sphere_irradiance(2, 0) / closed_forms::pi);
   scene.shapes.pop_back();
@@ -252,7 +252,7 @@ TEST_CASE("A point light's standard error does not depend on the unit of length"
     Scene scene = empty_scene(16);
     scene.materials = {{Diffuse{Rgb(.5f)}, false}};
     scene.shapes = {{Parallelogram{h * Vec3(-1, 0, -1), h * Vec3(0, 0, 2), h * Vec3(2, 0, 0)}}};
-    scene.points = {{h * Vec3(.2f, .3f, .1f), Rgb(1)}};
+    scene.lights.points = {{h * Vec3(.2f, .3f, .1f), Rgb(1)}};
     scene.camera = look_at(h * Vec3(0, 1.5f, 1.5f), Vec3(0), {0, 1, 0}, 60);
     const MeanRadiance mean = mean_radiance(render_scene(scene, 64).film);
     const double relative = mean.standard_error[0] / mean.value[0];

@@ -43,7 +43,14 @@ constexpr double low = 0.8, share_allowed = 0.01;
 
 /// README: from how many samples on standard errors are unbiased, or upper bounds.
 std::uint32_t bound_spp(SamplerKind kind) {
-  return kind == SamplerKind::sobol ? 32 : 4;
+  switch (kind) {
+    case SamplerKind::sobol:
+      return 32;
+    case SamplerKind::independent:
+    case SamplerKind::stratified:
+      return 4;
+  }
+  return 0;
 }
 
 /// Sums over renders, of one channel of a pixel.
@@ -166,8 +173,7 @@ void measure(const std::string& name, const std::vector<std::uint32_t>& samples,
              std::uint32_t renders) {
   Scene scene = load_scene(std::string(CARLO_SCENES) + "/" + name + ".xml");
   resize(scene, size, size);
-  for (const SamplerKind kind :
-       {SamplerKind::sobol, SamplerKind::stratified, SamplerKind::independent}) {
+  for (const SamplerKind kind : sampler_kinds) {
     scene.sampler = kind;
     for (const auto kernel : {renderer::Kernel::scalar, renderer::Kernel::best}) {
       for (const std::uint32_t spp : samples) {

@@ -51,7 +51,7 @@ Scene assorted() {
   add({1.2f, -0.5f, 0.1f}, {0, 1.5f, 0}, {0.2f, 0, 1.2f}, 3, Rgb(0));
   add({-0.5f, 0.5f, 2.5f}, {0, -0.6f, 0}, {0.8f, 0, 0}, 1, Rgb(6, 5, 4));
   add({0.6f, -1.5f, 1}, {0.2f, 0, 0}, {0, 0.2f, 0.1f}, 0, Rgb(9));
-  scene.environment = Rgb(0.1f, 0.2f, 0.3f);
+  scene.lights.environment = Rgb(0.1f, 0.2f, 0.3f);
   scene.max_depth = 5;
   scene.camera = scene_tools::look_at({0.3f, -5, 1.8f}, {0, 0, 1}, {0, 0, 1}, 45);
   return scene;

@@ -87,6 +87,6 @@ TEST_CASE("Lab 08 refuses what its tracers would get wrong") {
   CHECK_NOTHROW(lab08::make_lab_integrator(scene, {Method::iterative}));
   CHECK_THROWS_AS(lab08::make_lab_integrator(lab_scenes::load("caustics"), {Method::recursive}),
                   Error);
-  scene.points.push_back({Vec3(0), Rgb(1)});
+  scene.lights.points.push_back({Vec3(0), Rgb(1)});
   CHECK_THROWS_AS(lab08::make_lab_integrator(scene, {Method::iterative}), Error);
 }

@@ -172,7 +172,7 @@ TEST_CASE("pdf() is the density with which sample() gives the point that a ray h
 
 TEST_CASE("A point light gives intensity over distance squared, whatever else shines") {
   Scene scene = lit_by({Disk{{0, 5, 1}, {0, 0, -1}, 1}});
-  scene.points.push_back({{0, 0, 2}, Rgb(8)});
+  scene.lights.points.push_back({{0, 0, 2}, Rgb(8)});
   const Lights lights(scene);
   Rng rng(5);
   double sum = 0;

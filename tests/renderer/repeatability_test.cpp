@@ -1,4 +1,5 @@
 #include "scene/load_scene.h"
+#include "scene/sampler_kind.h"
 #include "scene_tools.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -12,8 +13,7 @@ using namespace scene_tools;
 TEST_CASE("A render has the same bits for 1, 2 and 7 threads and from run to run") {
   Scene scene = load_scene(std::string(CARLO_REFERENCES) + "/peer_cornell_phong.xml");
   resize(scene, 50, 34);
-  for (const SamplerKind kind :
-       {SamplerKind::independent, SamplerKind::stratified, SamplerKind::sobol}) {
+  for (const SamplerKind kind : sampler_kinds) {
     scene.sampler = kind;
     const RenderResult one = render_scene(scene, 16, 5, 1);
     for (const int threads : {1, 2, 7}) {

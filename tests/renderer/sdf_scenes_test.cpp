@@ -40,7 +40,7 @@ TEST_CASE("A convex diffuse sdf in a uniform environment shows its reflectance")
                            one_of({sdf::Capsule{{-1, 0, 0}, {1, 0, 0}, 1}, {}})}) {
     Scene scene = empty_scene(16);
     scene.camera = look_at({1, 2, 4}, {0, 0, 0}, {0, 1, 0}, 10);
-    scene.environment = Rgb(1);
+    scene.lights.environment = Rgb(1);
     scene.materials = {{Diffuse{Rgb(.6f)}, false}};
     scene.shapes = {{shape}};
     const MeanRadiance mean = mean_radiance(render_scene(scene, 256).film);
@@ -71,7 +71,7 @@ TEST_CASE("Glass and mirror sdfs vanish in a uniform environment") {
     for (const Sdf& shape : {ball(Vec3(0), 1), one_of({sdf::Torus{.7, .3}, {}}), cut_gyroid()}) {
       Scene scene = empty_scene(16);
       scene.camera = look_at({0, 2, 5}, {0, 0, 0}, {0, 1, 0}, 30);
-      scene.environment = Rgb(1);
+      scene.lights.environment = Rgb(1);
       scene.materials = {material};
       scene.shapes = {{shape}};
       const RenderResult result = render_scene(scene, 64);

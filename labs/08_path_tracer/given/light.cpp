@@ -1,6 +1,8 @@
+#include "cli/error.h"
 #include "given/world.h"
 #include "hemisphere.h"
 #include "numeric/robust.h"
+#include "scene/match.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +13,7 @@ namespace {
 using carlo::Disk;
 using carlo::Mesh;
 using carlo::Parallelogram;
+using carlo::Sdf;
 using carlo::Sphere;
 
 using Vec3d = glm::dvec3;
@@ -26,6 +29,16 @@ Vec3 normal_of(Vec3 u, Vec3 v) {
 float triangle_area(const Mesh& mesh, glm::uvec3 corner) {
   const Vec3 a = mesh.positions[corner.x];
   return 0.5f * area_between(mesh.positions[corner.y] - a, mesh.positions[corner.z] - a);
+}
+
+std::vector<double> running_areas(const Mesh& mesh) {
+  std::vector<double> areas;
+  double sum = 0;
+  for (const glm::uvec3 corner : mesh.triangles) {
+    sum += static_cast<double>(triangle_area(mesh, corner));
+    areas.push_back(sum);
+  }
+  return areas;
 }
 
 LightPoint point_on(const Parallelogram& s, Vec2 u) {
@@ -64,34 +77,24 @@ LightPoint point_on(const Mesh& mesh, std::span<const double> areas, Vec2 u) {
 }  // namespace
 
 Light::Light(const carlo::Shape& shape) : shape_(&shape) {
-  if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
-    double sum = 0;
-    for (const glm::uvec3 corner : mesh->triangles) {
-      sum += static_cast<double>(triangle_area(*mesh, corner));
-      triangle_areas_.push_back(sum);
-    }
-    area_ = static_cast<float>(sum);
-  } else if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
-    area_ = 4 * carlo::pi_f * carlo::sqr(sphere->radius);
-  } else if (const auto* disk = std::get_if<Disk>(&shape.geometry)) {
-    area_ = carlo::pi_f * carlo::sqr(disk->radius);
-  } else {
-    const auto& quad = std::get<Parallelogram>(shape.geometry);
-    area_ = area_between(quad.u, quad.v);
-  }
+  area_ = carlo::match(
+      shape.geometry, [](const Parallelogram& s) { return area_between(s.u, s.v); },
+      [](const Sphere& s) { return 4 * carlo::pi_f * carlo::sqr(s.radius); },
+      [](const Disk& s) { return carlo::pi_f * carlo::sqr(s.radius); },
+      [&](const Mesh& s) {
+        triangle_areas_ = running_areas(s);
+        return static_cast<float>(triangle_areas_.back());
+      },
+      [](const Sdf&) -> float { throw carlo::Error("an sdf cannot emit"); });
 }
 
 LightPoint Light::sample(Vec2 u) const {
-  LightPoint point;
-  if (const auto* mesh = std::get_if<Mesh>(&shape_->geometry)) {
-    point = point_on(*mesh, triangle_areas_, u);
-  } else if (const auto* sphere = std::get_if<Sphere>(&shape_->geometry)) {
-    point = point_on(*sphere, u);
-  } else if (const auto* disk = std::get_if<Disk>(&shape_->geometry)) {
-    point = point_on(*disk, u);
-  } else {
-    point = point_on(std::get<Parallelogram>(shape_->geometry), u);
-  }
+  LightPoint point = carlo::match(
+      shape_->geometry, [&](const Parallelogram& s) { return point_on(s, u); },
+      [&](const Sphere& s) { return point_on(s, u); },
+      [&](const Disk& s) { return point_on(s, u); },
+      [&](const Mesh& s) { return point_on(s, triangle_areas_, u); },
+      [](const Sdf&) { return LightPoint{}; });  // there is no such light
   point.radiance = shape_->radiance;
   return point;
 }

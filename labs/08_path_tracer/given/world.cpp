@@ -3,6 +3,7 @@
 #include "cli/error.h"
 #include "geometry/shadow_ray.h"
 #include "numeric/robust.h"
+#include "scene/match.h"
 
 #include <utility>
 
@@ -21,8 +22,17 @@ Material material_of(const carlo::Material& material) {
   return std::visit(Visitor{}, material.model);
 }
 
+/// Whether light goes through, so that the back is not black.
+bool passes_light(const Material& material) {
+  return carlo::match(
+      material, [](const carlo::Phong&) { return false; },
+      [](const carlo::Mirror&) { return false; }, [](const carlo::Dielectric&) { return true; });
+}
+
 carlo::Scene checked(carlo::Scene scene) {
-  if (!scene.points.empty()) {
+  const auto& [points, environment] = scene.lights;
+  (void)environment;  // World::environment()
+  if (!points.empty()) {
     throw carlo::Error("lab 08 knows no point lights: give the light an area");
   }
   return scene;
@@ -52,8 +62,7 @@ std::optional<Surface> World::intersect(const Ray& ray) const {
   const carlo::Shape& shape = scene_.shapes[hit.shape];
   const bool front = glm::dot(hit.n, ray.d) < 0;
   const Material* material = &materials_[shape.material];
-  const bool seen = front || scene_.materials[shape.material].two_sided ||
-                    std::holds_alternative<carlo::Dielectric>(*material);
+  const bool seen = front || scene_.materials[shape.material].two_sided || passes_light(*material);
   return Surface{hit.p,
                  front ? hit.n : -hit.n,
                  -ray.d,

@@ -68,7 +68,7 @@ class World {
   /// The nearest surface along a ray.
   std::optional<Surface> intersect(const Ray& ray) const;
   /// The radiance that comes along a ray that meets no surface.
-  Rgb environment() const { return scene_.environment; }
+  Rgb environment() const { return scene_.lights.environment; }
   /// The ray that leaves a surface point in direction wi, to either side of it. It starts off the
   /// surface by as much as rounding asks for, so that it does not meet the surface again.
   Ray leave(const Surface& surface, Vec3 wi) const;

@@ -5,6 +5,8 @@
 #include "given/world.h"
 #include "path_tracer.h"
 #include "random/hash.h"
+#include "scene/match.h"
+#include "scene/sampler_kind.h"
 
 #include <algorithm>
 #include <string>
@@ -16,8 +18,10 @@ namespace {
 using carlo::Scene;
 
 bool specular(const carlo::Material& material) {
-  return std::holds_alternative<carlo::Mirror>(material.model) ||
-         std::holds_alternative<carlo::Dielectric>(material.model);
+  return carlo::match(
+      material.model, [](const carlo::Diffuse&) { return false; },
+      [](const carlo::Phong&) { return false; }, [](const carlo::Mirror&) { return true; },
+      [](const carlo::Dielectric&) { return true; });
 }
 
 /// Refuses what the method would get wrong.
@@ -105,7 +109,7 @@ std::unique_ptr<carlo::Integrator> make_lab_integrator(const Scene& scene,
     case carlo::SamplerKind::sobol:
       return std::make_unique<LabIntegrator<carlo::SobolSampler>>(scene, options);
   }
-  return nullptr;
+  throw carlo::Error("lab 08 does not know the sampler {}", carlo::name_of(scene.sampler));
 }
 
 }  // namespace lab08

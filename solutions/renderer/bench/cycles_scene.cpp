@@ -1,6 +1,7 @@
 #include "cycles_scene.h"
 
 #include "cli/error.h"
+#include "scene/match.h"
 #include "scene/needs.h"
 
 #include <nlohmann/json.hpp>
@@ -35,15 +36,22 @@ struct Polygons {
 };
 
 Polygons polygons(const carlo::Shape& shape) {
-  if (const auto* p = std::get_if<carlo::Parallelogram>(&shape.geometry)) {
-    return {{p->origin, p->origin + p->u, p->origin + p->u + p->v, p->origin + p->v},
-            json::array({{0, 1, 2, 3}})};
-  }
-  const auto& mesh = std::get<carlo::Mesh>(shape.geometry);
-  Polygons result{mesh.positions};
-  for (const glm::uvec3& triangle : mesh.triangles)
-    result.faces.push_back({triangle.x, triangle.y, triangle.z});
-  return result;
+  const auto curved = [] { return carlo::Error("Cycles has no exact curved shapes"); };
+  return carlo::match(
+      shape.geometry,
+      [](const carlo::Parallelogram& p) -> Polygons {
+        return {{p.origin, p.origin + p.u, p.origin + p.u + p.v, p.origin + p.v},
+                json::array({{0, 1, 2, 3}})};
+      },
+      [](const carlo::Mesh& mesh) {
+        Polygons result{mesh.positions};
+        for (const glm::uvec3& triangle : mesh.triangles)
+          result.faces.push_back({triangle.x, triangle.y, triangle.z});
+        return result;
+      },
+      [&](const carlo::Sphere&) -> Polygons { throw curved(); },
+      [&](const carlo::Disk&) -> Polygons { throw curved(); },
+      [&](const carlo::Sdf&) -> Polygons { throw curved(); });
 }
 
 /// The power of two that brings the largest coordinate into [1/2, 1). Radiances do not depend on
@@ -102,6 +110,11 @@ std::optional<std::string> cycles_obstacle(const Scene& scene) {
   if (n.environment) return "a light all around";
   const carlo::Camera& c = scene.camera;
   if (glm::dot(glm::cross(c.right, c.up), c.forward) > 0) return "a camera that mirrors";
+  carlo::Needs others = n;
+  others.parallelograms = others.meshes = others.triangles = 0;
+  others.parallelogram_lights = others.triangle_lights = 0;
+  others.diffuse = others.one_sided = others.two_sided = others.depth_limit = false;
+  if (others != carlo::Needs{}) return "something that is new here";
   return {};
 }
 

@@ -2,6 +2,7 @@
 
 #include "cli/error.h"
 #include "renderer/path_integrator.h"
+#include "scene/sampler_kind.h"
 #include "scene_renderer/lab_integrator.h"
 
 namespace bench {
@@ -25,20 +26,29 @@ std::string name(Method method) {
 
 std::unique_ptr<carlo::Integrator> make_integrator(Method method, const Scene& scene,
                                                    std::uint64_t seed, std::uint32_t spp) {
-  if (method == Method::recursive || method == Method::iterative) {
-    const auto lab =
-        method == Method::recursive ? lab08::Method::recursive : lab08::Method::iterative;
-    return lab08::make_lab_integrator(scene, {.method = lab, .seed = seed, .spp = spp});
+  const auto lab = [&](lab08::Method of_lab) {
+    return lab08::make_lab_integrator(scene, {.method = of_lab, .seed = seed, .spp = spp});
+  };
+  const auto reference = [&](renderer::Kernel kernel) {
+    return renderer::make_path_integrator(scene, {.seed = seed, .spp = spp, .kernel = kernel});
+  };
+  switch (method) {
+    case Method::recursive:
+      return lab(lab08::Method::recursive);
+    case Method::iterative:
+      return lab(lab08::Method::iterative);
+    case Method::scalar:
+      return reference(renderer::Kernel::scalar);
+    case Method::best:
+      return reference(renderer::Kernel::best);
   }
-  const auto kernel = method == Method::scalar ? renderer::Kernel::scalar : renderer::Kernel::best;
-  return renderer::make_path_integrator(scene, {.seed = seed, .spp = spp, .kernel = kernel});
+  throw carlo::Error("there is no method {}", static_cast<int>(method));
 }
 
 std::vector<Way> ways_for(const Scene& given) {
   std::vector<Way> ways;
   Scene scene = given;
-  for (const SamplerKind sampler :
-       {SamplerKind::independent, SamplerKind::stratified, SamplerKind::sobol}) {
+  for (const SamplerKind sampler : carlo::sampler_kinds) {
     scene.sampler = sampler;
     for (const Method method :
          {Method::recursive, Method::iterative, Method::scalar, Method::best}) {

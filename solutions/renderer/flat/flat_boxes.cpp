@@ -1,6 +1,7 @@
 #include "renderer/flat/flat_boxes.h"
 
 #include "geometry/planes.h"
+#include "renderer/flat/flat_shape.h"
 
 #include <algorithm>
 #include <bit>
@@ -33,7 +34,10 @@ struct Parallelepiped {
 };
 
 const Parallelogram* parallelogram(const Scene& scene, std::size_t i) {
-  return std::get_if<Parallelogram>(&scene.shapes[i].geometry);
+  using Result = const Parallelogram*;
+  return match_flat(
+      scene.shapes[i], [](const Parallelogram& quad) -> Result { return &quad; },
+      [](const carlo::Sphere&) -> Result { return nullptr; });
 }
 
 std::array<Vec3d, 4> corners(const Parallelogram& quad) {
@@ -131,19 +135,22 @@ double depth_inside(const FlatBox& box, const Vec3d& p, std::uint32_t faces = 0x
 bool holds(const FlatBox& box, const Scene& scene) {
   const Vec3d camera(scene.camera.origin);
   if (!(depth_inside(box, camera, box.faces) > tolerance * glm::length(camera))) return false;
-  for (const carlo::Shape& shape : scene.shapes) {
-    if (const auto* sphere = std::get_if<carlo::Sphere>(&shape.geometry)) {
-      const auto r = static_cast<double>(sphere->radius);
-      if (!(depth_inside(box, Vec3d(sphere->center)) >= r * (1 - tolerance))) return false;
-      continue;
-    }
-    const auto points = corners(std::get<Parallelogram>(shape.geometry));
-    for (const Vec3d& p : points) {
-      const double size = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), 1e-30});
-      if (!(depth_inside(box, p) >= -tolerance * size)) return false;
-    }
-  }
-  return true;
+  const auto inside = [&](const Vec3d& p) {
+    const double size = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), 1e-30});
+    return depth_inside(box, p) >= -tolerance * size;
+  };
+  return std::all_of(scene.shapes.begin(), scene.shapes.end(), [&](const carlo::Shape& shape) {
+    return match_flat(
+        shape,
+        [&](const Parallelogram& quad) {
+          const auto points = corners(quad);
+          return std::all_of(points.begin(), points.end(), inside);
+        },
+        [&](const carlo::Sphere& sphere) {
+          const auto r = static_cast<double>(sphere.radius);
+          return depth_inside(box, Vec3d(sphere.center)) >= r * (1 - tolerance);
+        });
+  });
 }
 
 bool dark(const Scene& scene, const FoundBox& box) {

@@ -22,9 +22,8 @@ class FlatIntegrator final : public carlo::Integrator {
 
   void render(const carlo::Tile& tile, std::span<std::array<double, 3>> means,
               carlo::Counts& counts) const override {
-    const bool sobol = scene_.sampler == carlo::SamplerKind::sobol;
     render_flat({flat_, scene_.camera, scene_.width, scene_.height, scene_.max_depth,
-                 carlo::stream_seed(seed_, tile.stream), sobol, tile, choices_},
+                 carlo::stream_seed(seed_, tile.stream), flat_.sobol, tile, choices_},
                 means, counts);
   }
 

@@ -3,9 +3,12 @@
 #include "geometry/planes.h"
 #include "numeric/robust.h"
 #include "renderer/flat/flat_boxes.h"
+#include "renderer/flat/flat_shape.h"
+#include "scene/match.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace renderer {
@@ -21,12 +24,32 @@ struct Reflectances {
   float exponent = 0;
 };
 
-Reflectances reflectances(const carlo::Material& material) {
-  if (const auto* diffuse = std::get_if<carlo::Diffuse>(&material.model)) {
-    return {diffuse->reflectance, Rgb(0), 0};
+/// Of a material that the kernels know. FlatScene::suits() lets no surface have another.
+std::optional<Reflectances> reflectances(const carlo::Material& material) {
+  using Result = std::optional<Reflectances>;
+  return carlo::match(
+      material.model,
+      [](const carlo::Diffuse& m) -> Result {
+        return {{m.reflectance, Rgb(0), 0}};
+      },
+      [](const carlo::Phong& m) -> Result {
+        return {{m.kd, m.ks, m.exponent}};
+      },
+      [](const carlo::Mirror&) -> Result { return {}; },
+      [](const carlo::Dielectric&) -> Result { return {}; });
+}
+
+/// Whether the points of a sampler that the kernels know are Sobol's; if not, they are independent.
+std::optional<bool> sobol_points(carlo::SamplerKind kind) {
+  switch (kind) {
+    case carlo::SamplerKind::independent:
+      return false;
+    case carlo::SamplerKind::sobol:
+      return true;
+    case carlo::SamplerKind::stratified:
+      return std::nullopt;
   }
-  const auto& phong = std::get<carlo::Phong>(material.model);
-  return {phong.kd, phong.ks, phong.exponent};
+  return std::nullopt;
 }
 
 double sum(Rgb c) {
@@ -52,17 +75,14 @@ void add_plane(FlatScene& flat, std::size_t i, const Parallelogram& quad) {
 
 void add_material(FlatScene& flat, const carlo::Material& material) {
   const std::size_t i = flat.materials++;
-  if (!std::holds_alternative<carlo::Diffuse>(material.model) &&
-      !std::holds_alternative<carlo::Phong>(material.model)) {
-    return;  // no surface has it
-  }
-  const Reflectances r = reflectances(material);
-  const Vec3d kd = Vec3d(r.kd) / carlo::pi,
-              ks = Vec3d(r.ks) * (static_cast<double>(r.exponent) + 2) / (2 * carlo::pi);
+  const std::optional<Reflectances> r = reflectances(material);
+  if (!r) return;
+  const Vec3d kd = Vec3d(r->kd) / carlo::pi,
+              ks = Vec3d(r->ks) * (static_cast<double>(r->exponent) + 2) / (2 * carlo::pi);
   flat.kd_r[i] = f(kd.r), flat.kd_g[i] = f(kd.g), flat.kd_b[i] = f(kd.b);
   flat.ks_r[i] = f(ks.r), flat.ks_g[i] = f(ks.g), flat.ks_b[i] = f(ks.b);
-  flat.exponent[i] = r.exponent;
-  const double d = sum(r.kd), s = sum(r.ks);
+  flat.exponent[i] = r->exponent;
+  const double d = sum(r->kd), s = sum(r->ks);
   flat.diffuse[i] = d + s > 0 ? f(d / (d + s)) : 1;
   flat.two_sided[i] = material.two_sided ? 1 : 0;
 }
@@ -73,7 +93,13 @@ double area(const Parallelogram& quad) {
 
 /// Of a light, what light sampling's choice goes by.
 double power(const carlo::Shape& shape) {
-  return shape.emits() ? area(std::get<Parallelogram>(shape.geometry)) * sum(shape.radiance) : 0;
+  if (!shape.emits()) return 0;
+  return sum(shape.radiance) *
+         match_flat(
+             shape, [](const Parallelogram& quad) { return area(quad); },
+             [](const carlo::Sphere&) -> double {
+               throw carlo::Error("the vector kernel has no lamps that are spheres");
+             });
 }
 
 void add_light(FlatScene& flat, std::size_t i, const Parallelogram& quad, double chance,
@@ -155,7 +181,7 @@ class Writer {
     flat_.material[i] = shape.material;
     flat_.le_r[i] = shape.radiance.r, flat_.le_g[i] = shape.radiance.g,
     flat_.le_b[i] = shape.radiance.b;
-    flat_.phong = flat_.phong || reflectances(material).ks != Rgb(0);
+    flat_.phong = flat_.phong || reflectances(material).value().ks != Rgb(0);
     flat_.one_sided = flat_.one_sided || !material.two_sided;
   }
 
@@ -171,14 +197,22 @@ struct Extent {
 };
 
 Extent extent_of(const carlo::Shape& shape) {
-  if (const auto* sphere = std::get_if<carlo::Sphere>(&shape.geometry)) {
-    const Vec3d c(sphere->center), r(static_cast<double>(sphere->radius));
-    return {c - r, c + r};
-  }
-  const auto& quad = std::get<Parallelogram>(shape.geometry);
-  const Vec3d o(quad.origin), u(quad.u), v(quad.v);
-  return {o + glm::min(u, Vec3d(0)) + glm::min(v, Vec3d(0)),
-          o + glm::max(u, Vec3d(0)) + glm::max(v, Vec3d(0))};
+  return match_flat(
+      shape,
+      [](const Parallelogram& quad) -> Extent {
+        const Vec3d o(quad.origin), u(quad.u), v(quad.v);
+        return {o + glm::min(u, Vec3d(0)) + glm::min(v, Vec3d(0)),
+                o + glm::max(u, Vec3d(0)) + glm::max(v, Vec3d(0))};
+      },
+      [](const carlo::Sphere& sphere) -> Extent {
+        const Vec3d c(sphere.center), r(static_cast<double>(sphere.radius));
+        return {c - r, c + r};
+      });
+}
+
+bool is_sphere(const carlo::Shape& shape) {
+  return match_flat(
+      shape, [](const Parallelogram&) { return false; }, [](const carlo::Sphere&) { return true; });
 }
 
 /// Whether two extents are no further apart than some roundings of their coordinates.
@@ -194,7 +228,7 @@ bool touch(const Extent& a, const Extent& b) {
 bool any_touches(const carlo::Scene& scene, const std::vector<std::size_t>& quads) {
   std::vector<std::size_t> loose = quads;
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
-    if (std::holds_alternative<carlo::Sphere>(scene.shapes[i].geometry)) loose.push_back(i);
+    if (is_sphere(scene.shapes[i])) loose.push_back(i);
   }
   for (const std::size_t i : loose) {
     for (std::size_t j = 0; j < scene.shapes.size(); ++j)
@@ -206,9 +240,7 @@ bool any_touches(const carlo::Scene& scene, const std::vector<std::size_t>& quad
 /// How many numbers the scene's surfaces take.
 std::size_t numbers(const carlo::Scene& scene) {
   const FlatBoxes boxes = find_boxes(scene);
-  const auto spheres = std::count_if(
-      scene.shapes.begin(), scene.shapes.end(),
-      [](const auto& shape) { return std::holds_alternative<carlo::Sphere>(shape.geometry); });
+  const auto spheres = std::count_if(scene.shapes.begin(), scene.shapes.end(), is_sphere);
   return boxes.solids.size() * FlatScene::sides + (boxes.enclosure ? FlatScene::sides_used : 0) +
          boxes.others.size() + static_cast<std::size_t>(spheres);
 }
@@ -216,15 +248,18 @@ std::size_t numbers(const carlo::Scene& scene) {
 }  // namespace
 
 bool FlatScene::suits(const carlo::Needs& needs, const carlo::Scene& scene) {
-  return needs.parallelograms + needs.spheres == needs.primitives() && needs.primitives() <= most &&
-         scene.materials.size() <= most_materials && needs.sphere_lights == 0 &&
-         needs.point_lights == 0 && !needs.mirror && !needs.dielectric && numbers(scene) <= most;
+  carlo::Needs others = needs;
+  others.parallelograms = others.spheres = others.parallelogram_lights = 0;
+  others.diffuse = others.phong = others.one_sided = others.two_sided = false;
+  others.environment = others.depth_limit = false;
+  return others == carlo::Needs{} && sobol_points(scene.sampler) && needs.primitives() <= most &&
+         scene.materials.size() <= most_materials && numbers(scene) <= most;
 }
 
 FlatScene::FlatScene(const carlo::Scene& scene) {
-  environment[0] = scene.environment.r;
-  environment[1] = scene.environment.g;
-  environment[2] = scene.environment.b;
+  sobol = sobol_points(scene.sampler).value();
+  const Rgb around = scene.lights.environment;
+  environment[0] = around.r, environment[1] = around.g, environment[2] = around.b;
   for (const carlo::Material& m : scene.materials)
     add_material(*this, m);
   Writer write(*this, scene);
@@ -244,9 +279,9 @@ FlatScene::FlatScene(const carlo::Scene& scene) {
     write.quad(surfaces++, i);
   first_sphere = surfaces;
   for (const carlo::Shape& shape : scene.shapes) {
-    if (const auto* sphere = std::get_if<carlo::Sphere>(&shape.geometry)) {
-      write.sphere(shape, *sphere);
-    }
+    match_flat(
+        shape, [](const Parallelogram&) {},  // has its number already
+        [&](const carlo::Sphere& sphere) { write.sphere(shape, sphere); });
   }
   write.share_planes();
   touching = any_touches(scene, boxes.others);

@@ -39,7 +39,8 @@ struct FlatScene {
   using MaterialColumn = std::array<T, most_materials>;
 
   /// Whether the kernels can render the scene: parallelograms and spheres of diffuse and Phong
-  /// materials, at most `most` and `most_materials`; parallelogram lights, and light from around.
+  /// materials, at most `most` and `most_materials`; parallelogram lights, and light from around;
+  /// independent and Sobol' points. What is not on this list goes to the scalar path tracer.
   static bool suits(const carlo::Needs& needs, const carlo::Scene& scene);
 
   explicit FlatScene(const carlo::Scene& scene);
@@ -88,6 +89,7 @@ struct FlatScene {
   Column<float> light_cdf{};
 
   float environment[3] = {0, 0, 0};
+  bool sobol = false;  ///< points, or independent ones
   bool phong = false, one_sided = false;
 
   bool spheres() const { return surfaces > first_sphere; }

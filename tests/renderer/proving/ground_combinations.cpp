@@ -55,10 +55,10 @@ double add_light(Scene& scene, std::size_t kind) {
     return 4 * all[kind].irradiance / closed_forms::pi;
   }
   if (kind == all.size()) {
-    scene.points = {{{-.9f, 1.2f, 0}, Rgb(5)}};
+    scene.lights.points = {{{-.9f, 1.2f, 0}, Rgb(5)}};
     return 5 * .8 / (1.5 * 1.5) / closed_forms::pi;
   }
-  scene.environment = Rgb(1);
+  scene.lights.environment = Rgb(1);
   return 1;
 }
 

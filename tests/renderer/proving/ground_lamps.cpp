@@ -128,7 +128,7 @@ void covered_lamps(std::vector<Proof>& proofs) {
         for (const bool turned : {false, true}) {
           Scene scene = lamp_scene(50, true);
           scene.shapes.push_back(panel({0, 10 - gap, 0}, {2, 0, 0}, {0, 0, 2}, {1}));
-          if (point) scene.points = {{{0, 10, 0}, Rgb(100)}};
+          if (point) scene.lights.points = {{{0, 10, 0}, Rgb(100)}};
           if (!point) scene.shapes.push_back(panel({0, 10, 0}, {1, 0, 0}, {0, 0, 1}, {1, Rgb(1)}));
           Proof proof{
               fmt::format("lamps/covered {}/gap={:g}/scale={:g}/{}", point ? "point" : "rectangle",

@@ -39,7 +39,7 @@ double lost_at_edges(double shift) {
 void boxes_under_sky(std::vector<Proof>& proofs, double shift, int turn, float albedo,
                      double margin) {
   Scene scene = leak_scene(albedo, turn % 2 == 0);
-  scene.environment = Rgb(1);
+  scene.lights.environment = Rgb(1);
   add_box(scene, {dvec3(0), dvec3(1), glm::dmat3(1), margin}, {}, Facing::inwards);
   proofs.push_back(leak_proof(fmt::format("box/shift={:g}/turn={}/albedo={:g}/{}", shift, turn,
                                           albedo, margin == 0 ? "edge to edge" : "crossing"),
@@ -73,7 +73,7 @@ void sealed_spheres(std::vector<Proof>& proofs) {
   for (const double shift : {0.0, 2.7, 100.0, 1e4, 1e5}) {
     for (const bool two_sided : {true, false}) {
       Scene scene = leak_scene(1, two_sided);
-      scene.environment = Rgb(1);
+      scene.lights.environment = Rgb(1);
       scene.shapes = {ball({0, 0, 0}, 2, {}, Facing::inwards)};
       proofs.push_back(leak_proof(
           fmt::format("sphere/shift={:g}/{}", shift, two_sided ? "two-sided" : "one-sided"),

@@ -28,7 +28,7 @@ Finish open_finish(std::uint32_t i) {
 
 Scene open_scene() {
   Scene scene = empty();
-  scene.environment = Rgb(1);
+  scene.lights.environment = Rgb(1);
   for (const Rgb& albedo : open_albedos)
     scene.materials.push_back(diffuse(albedo, false));
   return scene;

@@ -26,7 +26,7 @@ void phong_cards(std::vector<Proof>& proofs) {
       for (const bool two_sided : {false, true}) {
         const double theta = degrees * closed_forms::pi / 180;
         Scene scene = empty();
-        scene.environment = Rgb(1);
+        scene.lights.environment = Rgb(1);
         scene.materials = {{carlo::Phong{Rgb(kd), Rgb(ks), static_cast<float>(n)}, two_sided}};
         scene.shapes = {level(two_sided ? 1 : 1e3, 0)};
         scene.camera = camera_at({std::sin(theta), std::cos(theta), 0}, {0, 0, 0}, .01);
@@ -63,7 +63,7 @@ void vanishing(std::vector<Proof>& proofs) {
     for (const bool boxed : {false, true}) {
       for (const double scale : {1e-4, 1.0, 1e5}) {
         Scene scene = empty();
-        scene.environment = Rgb(1);
+        scene.lights.environment = Rgb(1);
         scene.materials = {kind.material};
         const Finish finish{0, Rgb(kind.radiance)};
         if (boxed) add_box(scene, {{0, 0, 0}, {1, .7, .6}, rotation(51)}, finish, Facing::outwards);

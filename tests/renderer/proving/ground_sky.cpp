@@ -20,7 +20,7 @@ const Rgb sky_albedo(.25f, .5f, .75f);
 
 Scene under_sky(bool two_sided) {
   Scene scene = empty();
-  scene.environment = Rgb(1);
+  scene.lights.environment = Rgb(1);
   scene.materials = {diffuse(sky_albedo, two_sided)};
   return scene;
 }

@@ -67,7 +67,7 @@ void point_lamps(std::vector<Proof>& proofs) {
     for (const double half : {1.0, 50.0, 1e5}) {
       for (const bool turned : {false, true}) {
         Scene scene = spot_scene(half / h, true);
-        scene.points = {{{0, 1, 0}, Rgb(static_cast<float>(1 / (h * h)))}};
+        scene.lights.points = {{{0, 1, 0}, Rgb(static_cast<float>(1 / (h * h)))}};
         if (half / h < 2) continue;  // the spot is .8 h from the camera, the floor must be larger
         Proof proof{fmt::format("spots/point/height={:g}/half={:g}/{}", h, half,
                                 turned ? "turned" : "straight"),
@@ -89,7 +89,7 @@ void slanted_points(std::vector<Proof>& proofs) {
       for (const double d : {.1, 5.0, 1e3}) {
         Scene scene = spot_scene(50, ++number % 2 == 0);
         const dvec3 at = d * dvec3(-.6, .8, 0);
-        scene.points = {{carlo::Vec3(at), Rgb(static_cast<float>(d * d))}};
+        scene.lights.points = {{carlo::Vec3(at), Rgb(static_cast<float>(d * d))}};
         // A spot small beside d: what is 7e-5 wide is 7e-4 of .1.
         const Placement placement{rotation(number), scale, shift * dvec3(.5, -.7, .5)};
         proofs.push_back(
@@ -107,7 +107,7 @@ void films_under_points(std::vector<Proof>& proofs) {
   for (const double h : {.1, .3, 1.0}) {
     for (const double scale : {1e-4, 1.0, 1e6}) {
       Scene scene = spot_scene(50, true);
-      scene.points = {{{0, static_cast<float>(h), 0}, Rgb(3)}};
+      scene.lights.points = {{{0, static_cast<float>(h), 0}, Rgb(3)}};
       scene.camera = camera_at({0, 2, 0}, {0, 0, 0}, 2 * 180 / closed_forms::pi * std::atan(.5));
       proofs.push_back({fmt::format("spots/film/height={:g}/scale={:g}", h, scale),
                         placed(std::move(scene), {rotation(14), scale}),

@@ -65,7 +65,9 @@ Scene placed(Scene scene, const Placement& placement) {
   const Mover move(placement);
   for (Shape& shape : scene.shapes)
     std::visit(move, shape.geometry);
-  for (carlo::PointLight& light : scene.points) {
+  auto& [points, environment] = scene.lights;
+  (void)environment;  // is everywhere
+  for (carlo::PointLight& light : points) {
     light.position = move.point(light.position);
     light.intensity *= static_cast<float>(placement.scale * placement.scale);
   }

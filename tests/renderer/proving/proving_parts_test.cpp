@@ -89,8 +89,8 @@ TEST_CASE("Scenes that fail are written as they are") {
     const carlo::Scene read = carlo::load_scene(write_scene(scene, folder, "scene", proof.name));
     REQUIRE(read.shapes.size() == scene.shapes.size());
     CHECK(read.max_depth == scene.max_depth);
-    CHECK(read.environment == scene.environment);
-    CHECK(read.points.size() == scene.points.size());
+    CHECK(read.lights.environment == scene.lights.environment);
+    CHECK(read.lights.points.size() == scene.lights.points.size());
     CHECK(difference(read.camera.right, scene.camera.right) < 1e-5f);
     CHECK(difference(read.camera.forward, scene.camera.forward) < 1e-5f);
     CHECK(std::abs(read.camera.tan_half_x / scene.camera.tan_half_x - 1) < 1e-5f);

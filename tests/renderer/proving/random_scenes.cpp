@@ -70,7 +70,7 @@ Scene random_scene(std::uint64_t seed) {
     scene.shapes.push_back(level(random.magnitude(3, 1e4), -random.magnitude(.05, 2)));
   if (random.uniform() < .3)
     add_box(scene, {dvec3(0), dvec3(5), glm::dmat3(1), .1}, {0}, Facing::inwards);
-  if (random.uniform() < .5) scene.environment = random_colour(random, .1, 1);
+  if (random.uniform() < .5) scene.lights.environment = random_colour(random, .1, 1);
   if (random.uniform() < .3) scene.max_depth = 2 + static_cast<int>(random.uniform(0, 4));
   scene.camera = camera_at({0, 0, 0}, look, 110);
   const double scale = std::array{1.0, 1.0, 1e-3, 1e4}[static_cast<std::size_t>(seed % 4)];

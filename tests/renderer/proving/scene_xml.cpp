@@ -133,13 +133,13 @@ std::string text_of(const Scene& scene, const std::string& comment, const std::s
     text += "  " + material_text(scene.materials[i], i) + "\n";
   for (std::size_t i = 0; i < scene.shapes.size(); ++i)
     text += shape_text(scene.shapes[i], mesh_name(name, i));
-  for (const carlo::PointLight& light : scene.points) {
+  const auto& [points, environment] = scene.lights;
+  for (const carlo::PointLight& light : points) {
     text += "  <emitter type=\"point\">" + point("position", light.position) +
             colour("intensity", light.intensity) + "</emitter>\n";
   }
-  if (scene.environment != Rgb(0))
-    text +=
-        "  <emitter type=\"constant\">" + colour("radiance", scene.environment) + "</emitter>\n";
+  if (environment != Rgb(0))
+    text += "  <emitter type=\"constant\">" + colour("radiance", environment) + "</emitter>\n";
   return text + "</scene>\n";
 }
 
