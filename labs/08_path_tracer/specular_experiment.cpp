@@ -68,7 +68,7 @@ carlo::Table closed_forms(Notebook& notebook) {
 carlo::Chart fresnel_chart() {
   carlo::Chart chart{"Fresnel's reflectance of glass, n = 1.5",
                      "it reaches 1 at 41.8 degrees from within",
-                     {"angle in degrees", carlo::Unit::number, carlo::Scale::linear},
+                     {"angle in degrees", carlo::Unit::degrees, carlo::Scale::linear},
                      {"reflectance", carlo::Unit::number, carlo::Scale::linear},
                      {{"from outside", {}}, {"from within", {}}}};
   for (int degrees = 0; degrees <= 90; ++degrees) {
