@@ -13,6 +13,8 @@
 namespace carlo {
 namespace {
 
+constexpr double frame_air = 8;  ///< around a frame, for marks at its edges
+
 using Ticks = std::vector<std::pair<double, std::string>>;
 
 constexpr double letter = 6.2;  ///< the width of one, on average
@@ -222,9 +224,25 @@ Plot::Plot(const Axis& x, Stretch across, const Axis& y, Stretch up, Size size)
   for (std::size_t most = 8; most > 0; --most) {
     x_ticks_ = ticks_of(x, across, most);
     const double wide = widest_text(x_ticks_) + 8;
-    if (wide * static_cast<double>(x_ticks_.size()) < right_ - left_ + wide) break;
+    if (std::adjacent_find(x_ticks_.begin(), x_ticks_.end(), [&](const auto& a, const auto& b) {
+          return this->x(b.first) - this->x(a.first) < wide;
+        }) == x_ticks_.end()) {
+      break;
+    }
   }
 }
+
+Plot::Plot(Stretch across, Stretch up, Size size)
+    : x_{"", Unit::number, Scale::linear},
+      y_(x_),
+      across_(across),
+      up_(up),
+      size_(size),
+      left_(frame_air),
+      right_(size.width - frame_air),
+      top_(frame_air),
+      bottom_(size.height - frame_air),
+      framed_(true) {}
 
 double Plot::x(double value) const {
   return left_ + std::clamp(share(x_, across_, value), -9.0, 9.0) * (right_ - left_);
@@ -292,6 +310,15 @@ void Plot::dots(std::string_view style, std::span<const Point> points, double si
                   path));
 }
 
+std::vector<Point> graph(const std::function<double(double)>& f, Stretch across, int steps) {
+  std::vector<Point> points;
+  for (int i = 0; i < steps; ++i) {
+    const double x = across.first + (across.last - across.first) * (i + 0.5) / steps;
+    points.push_back({x, f(x)});
+  }
+  return points;
+}
+
 std::string Plot::numbers() const {
   std::string grid, texts;
   for (const auto& [place, text] : y_ticks_) {
@@ -308,7 +335,7 @@ std::string Plot::numbers() const {
 }
 
 std::string Plot::svg(std::string_view description) const {
-  constexpr double air = 4;  // for marks that stand on the axes' ends
+  const double air = framed_ ? frame_air : 4;  // for marks that stand on the axes' ends
   std::string out = fmt::format(
       "<svg class=\"plot\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\">\n{}",
       size_.width, size_.height, html_escaped(description), numbers());
@@ -317,8 +344,8 @@ std::string Plot::svg(std::string_view description) const {
       "<svg x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{3:.1f}\" viewBox=\"{0:.1f} "
       "{1:.1f} {2:.1f} {3:.1f}\">\n{4}</svg>\n",
       left_ - air, top_ - air, right_ - left_ + 2 * air, bottom_ - top_ + 2 * air, body_);
-  out += fmt::format("<path class=\"axis\" d=\"M{:.1f} {:.0f}V{:.0f}H{:.0f}\"/>\n", left_, top_,
-                     bottom_, right_);
+  out += fmt::format("<path class=\"axis\" d=\"M{:.1f} {:.0f}V{:.0f}H{:.0f}{}\"/>\n", left_, top_,
+                     bottom_, right_, framed_ ? fmt::format("V{:.0f}Z", top_) : "");
   if (!x_.label.empty()) {
     out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n",
                        (left_ + right_) / 2, size_.height - 6, html_escaped(x_.label));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -48,12 +49,16 @@ struct Size {
 class Plot {
  public:
   Plot(const Axis& x, Stretch across, const Axis& y, Stretch up, Size size = {});
+  /// A part of the plane in a frame, without numbers.
+  Plot(Stretch across, Stretch up, Size size);
 
   /// Places in the drawing; far outside of the axes they are put nearer.
   double x(double value) const;
   double y(double value) const;
 
   void add(const std::string& svg) { body_ += svg; }
+  /// What has been drawn so far, without the axes: a layer of another plot with the same ones.
+  const std::string& body() const { return body_; }
   /// Through the points, interrupted where an axis cannot show one.
   void line(std::string_view style, std::span<const Point> points);
   /// Between two lines; points that an axis cannot show are passed over.
@@ -82,8 +87,12 @@ class Plot {
   Size size_;
   std::vector<std::pair<double, std::string>> x_ticks_, y_ticks_;  ///< places and what stands there
   double left_, right_, top_, bottom_;                             ///< where the axes are
+  bool framed_ = false;
   std::string body_;
 };
+
+/// A function's graph over a stretch.
+std::vector<Point> graph(const std::function<double(double)>& f, Stretch across, int steps = 220);
 
 /// The sign of a series in legends: the shape of its marks, 0 for the first.
 std::string_view sign_of_series(std::size_t series);

@@ -7,6 +7,7 @@ namespace carlo::web {
 
 std::string_view page_html();
 std::string_view page_css();
+std::string_view slider_js();
 std::string_view viewer_html();
 std::string_view viewer_css();
 std::string_view viewer_pixels_js();
