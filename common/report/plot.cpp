@@ -215,7 +215,7 @@ Plot::Plot(const Axis& x, Stretch across, const Axis& y, Stretch up, Size size)
       across_(across),
       up_(up),
       size_(size),
-      y_ticks_(ticks_of(y, up, static_cast<std::size_t>(size.height / 34))),
+      y_ticks_(ticks_of(y, up, static_cast<std::size_t>(std::max(6.0, size.height / 34)))),
       right_(size.width - 16),
       top_(8),
       bottom_(size.height - (x.label.empty() ? 20 : 38)) {

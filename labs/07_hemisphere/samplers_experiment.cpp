@@ -165,6 +165,7 @@ void samplers_experiment(Notebook& notebook) {
                      {"sampler", "n", "cells", "chi_square", "p", "seconds"});
   carlo::Turntable picture{"Directions on the hemisphere",
                            "Directions as points on a hemisphere.",
+                           "",
                            hemisphere_wires(),
                            {}};
   std::vector<std::string> histograms;
@@ -190,7 +191,7 @@ void samplers_experiment(Notebook& notebook) {
       "show "
       "the heights cos(theta).");
   notebook.raw_html(turntable_html(picture));
-  notebook.script(turntable_script(picture));
+  notebook.script(carlo::turntable_script());
   notebook.table("samplers", table, "Directions against the integrals of their densities");
   notebook.raw_html(carlo::tiles(histograms, 19));
   carlo::Table darts({"directions", "darts a direction", "theory 6/π"}, {"n", "darts", "theory"});
