@@ -49,9 +49,3 @@ find_path(STB_INCLUDE_DIR stb/stb_image_write.h)
 if(NOT STB_INCLUDE_DIR)
   message(FATAL_ERROR "stb_image_write.h was not found: ${carlo_hint} libstb-dev")
 endif()
-
-# Chart.js is inlined into the pages that the labs write.
-find_file(CARLO_CHART_JS chart.min.js PATHS /usr/share/javascript/chart.js NO_DEFAULT_PATH)
-if(NOT CARLO_CHART_JS)
-  message(FATAL_ERROR "Chart.js was not found: ${carlo_hint} libjs-chart.js")
-endif()

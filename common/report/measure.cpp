@@ -41,7 +41,7 @@ std::optional<PowerFit> fit(const std::vector<Measurement>& runs, bool seconds) 
     x.push_back(at);
     y.push_back(m.error);
   }
-  if (x.size() < 3) return std::nullopt;
+  if (x.size() < 4) return std::nullopt;
   return fit_power_law(x, y);
 }
 

@@ -1,13 +1,11 @@
 #pragma once
 
+#include "report/chart.h"
+#include "report/html.h"
 #include "report/table.h"
-#include "stats/fit.h"
-
-#include <nlohmann/json_fwd.hpp>
 
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -15,38 +13,6 @@
 #include <vector>
 
 namespace carlo {
-
-enum class Scale { linear, log };
-
-/// How an axis writes its numbers: as they are, as counts, or as durations given in seconds.
-enum class Unit { number, count, seconds };
-
-struct Axis {
-  std::string label;
-  Unit unit = Unit::number;
-  Scale scale = Scale::log;
-};
-
-struct Point {
-  double x = 0, y = 0;
-};
-
-/// One set of points in its colour and shape. With a fit, the fitted line and its confidence band
-/// are drawn and the slope stands in the legend; without one, the points are joined.
-struct Series {
-  std::string name;
-  std::vector<Point> points;
-  std::optional<PowerFit> fit = std::nullopt;
-};
-
-/// Points that an axis cannot show (not finite, or <= 0 on a logarithmic one) are left out of the
-/// drawing; the table under the chart lists them all.
-struct Chart {
-  std::string title;
-  std::string note;  ///< one line under the title; may be empty
-  Axis x, y;
-  std::vector<Series> series;
-};
 
 /// A page of results: one HTML file that needs nothing else, no network either. It follows the
 /// reader's light or dark scheme and the width of the screen, can be used from the keyboard, and
@@ -88,18 +54,8 @@ class Page {
   std::vector<std::string> sections_;
   std::string body_, styles_;
   std::set<std::string, std::less<>> added_;
-  std::vector<std::string> charts_;  ///< each as JSON
   std::vector<std::string> scripts_;
   std::vector<std::pair<std::string, std::string>> facts_;
 };
-
-/// Text as HTML content or attribute value.
-std::string html_escaped(std::string_view text);
-
-/// Code that may stand inside a script element: "</script" and "<!--" no longer end it.
-std::string script_escaped(std::string_view code);
-
-/// JSON that may stand inside a script element and parses to the same value.
-std::string json_for_html(const nlohmann::json& value);
 
 }  // namespace carlo

@@ -4,7 +4,9 @@
 #include "cli/terminal.h"
 #include "cli/wrap.h"
 #include "report/format.h"
+#include "report/html.h"
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -183,6 +185,35 @@ std::string Table::text(int columns) const {
     }
   }
   return result;
+}
+
+std::string Table::html(std::string_view caption) const {
+  // On a phone each row of many cells is a list, in which their titles stand before them.
+  const bool wide = titles_.size() > 4;
+  std::string html = fmt::format(
+      "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Table\"><table{}>\n",
+      wide ? " class=\"wide\"" : "");
+  if (!caption.empty()) {
+    html += fmt::format("<caption><span>{}</span></caption>\n", html_escaped(caption));
+  }
+  const auto add = [&](std::string_view tag, std::size_t c, const std::string& title,
+                       const std::string& text) {
+    html += fmt::format("<{0}{1}{2}>{3}</{0}>", tag, numeric(c) ? " class=\"number\"" : "", title,
+                        html_escaped(text));
+  };
+  html += "<thead><tr>";
+  for (std::size_t c = 0; c < titles_.size(); ++c)
+    add("th", c, "", titles_[c]);
+  html += "</tr></thead>\n<tbody>\n";
+  for (const auto& cells : rows_) {
+    html += "<tr>";
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      add("td", c, wide ? fmt::format(" data-title=\"{}\"", html_escaped(titles_[c])) : "",
+          cells[c].text);
+    }
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
 }
 
 nlohmann::json Table::json() const {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace carlo {
@@ -52,6 +53,9 @@ class Table {
   std::string text(int columns) const;
   /// For the terminal that stdout is, or any width.
   std::string text() const;
+
+  /// The same for a page; wide ones can be scrolled.
+  std::string html(std::string_view caption = "") const;
 
   /// An array with one object a row: numbers as numbers (null when not finite), words as strings.
   nlohmann::json json() const;

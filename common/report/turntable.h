@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace carlo {
@@ -14,24 +15,22 @@ struct Cloud {
   std::string name, note;
   std::vector<std::array<double, 3>> points;
   std::array<double, 3>
-      normal{};  ///< across the planes they lie on, any length; 0 if there are none
+      normal{};  ///< what one may want to look across, any length; 0 if there is none
   std::vector<Polyline> lines = {};  ///< drawn with this cloud only, in another colour
 };
 
 /// A picture of clouds in space that the reader can turn, by mouse, touch and arrow keys, one cloud
 /// at a time. A page holds one of them at most.
 struct Turntable {
-  std::string caption;          ///< "Triples of numbers as points of a cube"
+  std::string caption;          ///< "Points of a cube"
   std::string label;            ///< what it is, for readers who cannot see it
+  std::string along;            ///< what the button says that looks across a cloud's normal
   std::vector<Polyline> wires;  ///< what the clouds float in
   std::vector<Cloud> clouds;
 };
 
-/// The edges of the unit cube.
-std::vector<Polyline> cube_wires();
-
 /// HTML and script for Page::raw_html() and Page::script().
 std::string turntable_html(const Turntable& picture);
-std::string turntable_script(const Turntable& picture);
+std::string_view turntable_script();
 
 }  // namespace carlo

@@ -1,10 +1,11 @@
-#include "board.h"
 #include "experiments.h"
 #include "pi.h"
+#include "report/chart.h"
 #include "report/format.h"
+#include "report/slider.h"
+#include "report/tiles.h"
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -46,25 +47,92 @@ std::vector<Step> throw_in_steps(Notebook& notebook, carlo::Rng rng) {
   return steps;
 }
 
-nlohmann::json board_data(const std::vector<Step>& steps, carlo::Rng rng) {
-  constexpr std::int64_t most_drawn = 3000;
-  nlohmann::json points = nlohmann::json::array();
-  for (std::int64_t i = 0; i < std::min(most_drawn, steps.back().darts.thrown); ++i) {
-    const double x = rng.uniform();
-    const double y = rng.uniform();
-    points.push_back({std::round(x * 1e4) / 1e4, std::round(y * 1e4) / 1e4});
+constexpr std::int64_t most_drawn = 3000;
+
+/// The quarter disc; each step adds its darts.
+std::string board(const std::vector<Step>& steps, carlo::Rng rng) {
+  const carlo::Plot square({0, 1}, {0, 1}, {400, 400});
+  carlo::Plot plot = square;
+  std::vector<carlo::Point> edge;
+  for (int degrees = 0; degrees <= 90; ++degrees) {
+    const double angle = degrees * std::numbers::pi / 180;
+    edge.push_back({std::cos(angle), std::sin(angle)});
   }
-  nlohmann::json rows = nlohmann::json::array();
-  for (const Step& step : steps) {
-    nlohmann::json row = {step.darts.thrown, step.darts.hits, step.estimate.value, nullptr,
-                          nullptr};
-    if (step.interval) {
-      row[3] = step.interval->lower;
-      row[4] = step.interval->upper;
+  plot.line("", edge);
+  std::int64_t drawn = 0;
+  for (std::size_t i = 0; i < steps.size() && drawn < most_drawn; ++i) {
+    std::vector<carlo::Point> hits, misses;
+    for (; drawn < std::min(most_drawn, steps[i].darts.thrown); ++drawn) {
+      const double x = rng.uniform();
+      const double y = rng.uniform();
+      (x * x + y * y < 1 ? hits : misses).push_back({x, y});
     }
-    rows.push_back(row);
+    carlo::Plot layer = square;
+    layer.dots("c1", hits, 4);
+    layer.dots("c2", misses, 4);
+    plot.add(carlo::shown_at(i, steps.size(), layer.body()));
   }
-  return {{"points", points}, {"steps", rows}};
+  const std::vector<carlo::Key> keys{{"c1", "●", "hits"}, {"c2", "●", "misses"}};
+  return carlo::tile("The board", fmt::format("the first {} darts at most", most_drawn),
+                     carlo::legend_html(keys) +
+                         plot.svg("The unit square with the quarter disc and the darts so far"));
+}
+
+/// The estimate and its interval against N; a line is where the slider stands.
+std::string way(const std::vector<Step>& steps) {
+  std::vector<carlo::Point> estimates, upper, lower;
+  std::vector<double> darts;
+  for (const Step& step : steps) {
+    const auto n = static_cast<double>(step.darts.thrown);
+    darts.push_back(n);
+    estimates.push_back({n, step.estimate.value});
+    if (!step.interval) continue;
+    upper.push_back({n, step.interval->upper});
+    lower.push_back({n, step.interval->lower});
+  }
+  const carlo::Axis x{"darts N", carlo::Unit::count};
+  const carlo::Axis y{"", carlo::Unit::number, carlo::Scale::linear};
+  const carlo::Stretch across = carlo::round_stretch(x, darts), up{2.5, 4};
+  const carlo::Plot axes(x, across, y, up, {400, 400});
+  carlo::Plot plot = axes;
+  plot.band("c1", upper, lower);
+  const std::vector<carlo::Point> pi{{across.first, std::numbers::pi},
+                                     {across.last, std::numbers::pi}};
+  plot.line("dashed", pi);
+  plot.line("c1", estimates);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    carlo::Plot layer = axes;
+    layer.vertical("c2", estimates[i].x);
+    layer.mark("c2", 0, estimates[i], "");
+    plot.add(carlo::shown_at(i, i, layer.body()));
+  }
+  return carlo::tile("The estimate on its way",
+                     "the line is 4 hits/N, the band its 95 % interval, the dashes are π",
+                     plot.svg("Estimate of π and its interval against the number of darts"));
+}
+
+std::string words(const Step& step) {
+  const int digits =
+      std::max(2, static_cast<int>(std::ceil(std::log10(step.darts.thrown) / 2)) + 1);
+  std::string text =
+      fmt::format("{}: {} {}, π ≈ {:.{}f}", carlo::count_text(step.darts.thrown),
+                  carlo::count_text(step.darts.hits), step.darts.hits == 1 ? "hit" : "hits",
+                  step.estimate.value, digits);
+  if (step.interval)
+    text += fmt::format(", 95 %: {:.{}f} … {:.{}f}", step.interval->lower, digits,
+                        step.interval->upper, digits);
+  return text;
+}
+
+std::string board_slider(const std::vector<Step>& steps, const carlo::Rng& rng) {
+  std::vector<std::string> said;
+  std::size_t start = 0;
+  for (const Step& step : steps) {
+    if (step.darts.thrown < 1000) ++start;
+    said.push_back(words(step));
+  }
+  return carlo::slider_html("Darts thrown", said, std::min(start, steps.size() - 1),
+                            carlo::tiles({board(steps, rng), way(steps)}, 24));
 }
 
 carlo::Table steps_table(const std::vector<Step>& steps) {
@@ -106,8 +174,8 @@ void board_experiment(Notebook& notebook) {
         "Darts at a square, of which the quarter disc fills π/4. Each dart adds to those before "
         "it; the interval is the one of Lab 2.2.");
     notebook.table("darts", steps_table(steps), "One run: the estimate after N darts");
-    notebook.raw_html(board_html());
-    notebook.script(board_script(board_data(steps, rng)));
+    notebook.raw_html(board_slider(steps, rng));
+    notebook.script(carlo::slider_script());
     notebook.data("board", darts_table(rng), "The first 600 darts");
   });
 }

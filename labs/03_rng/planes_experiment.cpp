@@ -112,6 +112,21 @@ void spectral_table(Notebook& notebook) {
   notebook.table("spectral", table, "The spectral test, exact in integers");
 }
 
+/// The edges of the unit cube.
+std::vector<carlo::Polyline> cube_wires() {
+  std::vector<carlo::Polyline> edges;
+  const auto corner = [](unsigned k) -> std::array<double, 3> {
+    return {static_cast<double>(k & 1), static_cast<double>(k >> 1 & 1),
+            static_cast<double>(k >> 2)};
+  };
+  for (unsigned i = 0; i < 8; ++i) {
+    for (const unsigned bit : {1U, 2U, 4U}) {
+      if ((i & bit) == 0) edges.push_back({corner(i), corner(i | bit)});
+    }
+  }
+  return edges;
+}
+
 }  // namespace
 
 void planes_experiment(Notebook& notebook) {
@@ -140,9 +155,9 @@ void planes_experiment(Notebook& notebook) {
       "that "
       "you can turn.");
   const carlo::Turntable cube{"Triples of numbers as points of a cube", "Points in a cube.",
-                              carlo::cube_wires(), clouds};
+                              "Look along the planes", cube_wires(), clouds};
   notebook.raw_html(turntable_html(cube));
-  notebook.script(turntable_script(cube));
+  notebook.script(carlo::turntable_script());
   notebook.data("planes", views_table(clouds.front()), "RANDU from the front and along its planes");
   spectral_table(notebook);
 }

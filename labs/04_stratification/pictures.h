@@ -10,9 +10,6 @@ namespace lab04 {
 
 // Pictures of the unit square as HTML for a page: SVG in the page's own colours.
 
-/// The frame for tiles that stand side by side where the screen is wide enough.
-std::string tiles(const std::vector<std::string>& pictures);
-
 /// One tile: points over a grid of `lines` by `lines` cells, each point's place along the axes
 /// marked at the edges.
 std::string point_picture(std::string_view title, std::string_view note,

@@ -1,5 +1,6 @@
 #include "experiments.h"
 #include "pictures.h"
+#include "report/tiles.h"
 
 #include <fmt/core.h>
 
@@ -56,7 +57,7 @@ void point_sets_experiment(Notebook& notebook) {
       "Each point alone is uniform in all five; they differ in how the points know of each other. "
       "The grid has 8 × 8 cells; the marks below and to the left show where the points fall along "
       "each axis.");
-  notebook.raw_html(tiles(pictures));
+  notebook.raw_html(carlo::tiles(pictures, 12.25));
   notebook.table("point_sets", table, "Strata without a point, of 64 points");
 }
 

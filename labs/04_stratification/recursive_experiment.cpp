@@ -1,6 +1,7 @@
 #include "experiments.h"
 #include "pictures.h"
 #include "report/format.h"
+#include "report/tiles.h"
 
 #include <fmt/core.h>
 
@@ -65,10 +66,11 @@ void recursive_experiment(Notebook& notebook) {
   notebook.begin("Strata that adapt");
   const Integrand disc = darts(), narrow = peak();
   const bool done = notebook.attempt([&] {
-    const std::string html = tiles({picture(notebook, disc, 1024, Background::disc),
-                                    picture(notebook, disc, 16'384, Background::disc),
-                                    picture(notebook, narrow, 1024, Background::peak),
-                                    picture(notebook, narrow, 16'384, Background::peak)});
+    const std::string html = carlo::tiles({picture(notebook, disc, 1024, Background::disc),
+                                           picture(notebook, disc, 16'384, Background::disc),
+                                           picture(notebook, narrow, 1024, Background::peak),
+                                           picture(notebook, narrow, 16'384, Background::peak)},
+                                          15);
     notebook.say(
         "The strata that recursive stratification ends up with, drawn over what it integrates: the "
         "edge of the quarter disc, and a narrow peak. A box that is flat is left alone early; "

@@ -2,9 +2,10 @@
 #include "goodness.h"
 #include "pictures.h"
 #include "report/format.h"
+#include "report/slider.h"
+#include "report/tiles.h"
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cmath>
@@ -94,16 +95,11 @@ double seconds_of(const Density& density, carlo::Rng rng) {
   });
 }
 
-nlohmann::json curve_json(const Density& density) {
-  constexpr int steps = 200;
-  auto samples = nlohmann::json::array(), line = nlohmann::json::array();
-  for (int i = 0; i <= steps; ++i) {
-    const double share = static_cast<double>(i) / steps;
-    samples.push_back(density.sample(std::fmin(share, 1 - 0.5 / steps)));
-    const double x = density.view.first + (density.view.last - density.view.first) * share;
-    line.push_back({x, density.pdf(x)});
-  }
-  return {{"name", density.name}, {"x", samples}, {"pdf", line}};
+Inverse inverse(const Density& density) {
+  Inverse curve{density.name, density.view, density.pdf, {}};
+  for (std::size_t i = 0; i <= inverse_steps; ++i)
+    curve.x.push_back(density.sample(std::fmin(static_cast<double>(i) / inverse_steps, 0.998)));
+  return curve;
 }
 
 }  // namespace
@@ -114,7 +110,7 @@ void densities_experiment(Notebook& notebook) {
   carlo::Table table({"density", "N", "cells", "χ²", "p", "time a sample"},
                      {"density", "n", "cells", "chi_square", "p", "seconds"});
   std::vector<std::string> pictures;
-  auto curves = nlohmann::json::array();
+  std::vector<Inverse> curves;
   const auto show = [&](const Density& density) {
     const Histogram h = histogram(density, n, notebook.rng());
     table.add_row({density.name, n, static_cast<std::int64_t>(h.fit.freedom) + 1, h.fit.statistic,
@@ -122,8 +118,10 @@ void densities_experiment(Notebook& notebook) {
     const std::string verdict = fmt::format("χ² = {} with {} degrees of freedom, p = {}",
                                             carlo::number_text(h.fit.statistic, 3), h.fit.freedom,
                                             carlo::number_text(h.fit.p, 2));
-    pictures.push_back(histogram_picture(density.name, verdict, density.view, h.bars, density.pdf));
-    curves.push_back(curve_json(density));
+    pictures.push_back(carlo::histogram_tile(density.name, verdict,
+                                             {density.view.first, density.view.last},
+                                             density.view.top, h.bars, density.pdf));
+    curves.push_back(inverse(density));
   };
   double step = 0;
   for (const Density& density : densities()) {
@@ -138,9 +136,12 @@ void densities_experiment(Notebook& notebook) {
       "the sampler. The χ² test compares each bar with the density's integral over its cell; cells "
       "where fewer than 100 samples are expected are pooled with their neighbours.");
   notebook.table("densities", table, "Samples against the integrals of their densities");
-  notebook.raw_html(tiles(pictures));
-  notebook.raw_html(inverse_html());
-  notebook.script(inverse_script(curves));
+  notebook.raw_html(carlo::tiles(pictures, 19));
+  notebook.say(
+      "Inversion by hand: u chooses a height, and the curve of all samples, which is the CDF, says "
+      "which x belongs to it. The shaded area under the density is u.");
+  notebook.raw_html(inverse_slider(curves));
+  notebook.script(carlo::slider_script());
 }
 
 }  // namespace lab05

@@ -2,6 +2,7 @@
 #include "goodness.h"
 #include "pictures.h"
 #include "report/format.h"
+#include "report/tiles.h"
 
 #include <fmt/core.h>
 
@@ -145,7 +146,7 @@ void disc_experiment(Notebook& notebook) {
       "cosine; "
       "inversion takes exactly two numbers a point and keeps the order of stratified ones.");
   notebook.table("disc", table, "Points in the disc");
-  notebook.raw_html(tiles(pictures));
+  notebook.raw_html(carlo::tiles(pictures, 19));
 }
 
 }  // namespace lab05

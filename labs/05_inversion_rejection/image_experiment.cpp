@@ -2,6 +2,7 @@
 #include "goodness.h"
 #include "pictures.h"
 #include "report/format.h"
+#include "report/tiles.h"
 
 #include <fmt/core.h>
 
@@ -95,11 +96,12 @@ void image_experiment(Notebook& notebook) {
                     carlo::seconds_cell(seconds)});
     notebook.table("image", result, "Points against the density's integral over each cell");
     notebook.raw_html(
-        tiles({image_picture("The image", "weights of 64 x 32 cells", weights, width, {}),
-               image_picture("Points drawn from it",
-                             fmt::format("1500 points; χ² over {} cells: p = {}", g.freedom + 1,
-                                         carlo::number_text(g.p, 2)),
-                             weights, width, points)}));
+        carlo::tiles({image_picture("The image", "weights of 64 x 32 cells", weights, width, {}),
+                      image_picture("Points drawn from it",
+                                    fmt::format("1500 points; χ² over {} cells: p = {}",
+                                                g.freedom + 1, carlo::number_text(g.p, 2)),
+                                    weights, width, points)},
+                     19));
   });
 }
 

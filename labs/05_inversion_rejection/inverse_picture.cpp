@@ -1,91 +1,82 @@
 #include "pictures.h"
-#include "report/page.h"
+#include "report/chart.h"
+#include "report/slider.h"
+#include "report/tiles.h"
 
-#include <nlohmann/json.hpp>
+#include <fmt/core.h>
 
-#include <string>
+#include <algorithm>
+#include <cmath>
 
 // The page's slider for inversion by hand.
 
 namespace lab05 {
 namespace {
 
-constexpr std::string_view html = R"(<figure class="inverse">
-<figcaption>Inversion by hand<span>u chooses a height; the curve of all samples, which is the CDF,
-says which x belongs to it. The shaded area under the density is u.</span></figcaption>
-<p><label>Density <select id="inverse-which"></select></label>
-<label>u <input id="inverse-u" type="range" min="0" max="200" value="70" step="1"></label>
-<output id="inverse-out"></output></p>
-<svg id="inverse-svg" viewBox="-26 -10 500 470" role="img" aria-labelledby="inverse-out"></svg>
-</figure>
-<style>
-.inverse { max-width: 44rem; margin: 1.5rem 0; }
-.inverse p { display: flex; flex-wrap: wrap; gap: 0.5rem 1.5rem; margin: 0.8rem 0; align-items: center; }
-.inverse select, .inverse input { font: inherit; vertical-align: middle; }
-.inverse input { width: min(16rem, 60vw); }
-.inverse output { min-width: 13rem; font-variant-numeric: tabular-nums; }
-.inverse svg { display: block; width: 100%; height: auto; }
-.inverse .axis { stroke: var(--soft); stroke-width: 1.5; fill: none; }
-.inverse .line { stroke: var(--series-1); stroke-width: 3; fill: none; }
-.inverse .area { fill: var(--series-2); fill-opacity: 0.35; }
-.inverse .way { stroke: var(--series-2); stroke-width: 2.5; fill: none; stroke-dasharray: 6 5; }
-.inverse .end { fill: var(--series-2); }
-.inverse text { fill: var(--soft); font-size: 13px; }
-</style>
-)";
-
-constexpr std::string_view script = R"js(
-const which = document.getElementById('inverse-which');
-const slider = document.getElementById('inverse-u');
-const out = document.getElementById('inverse-out');
-const svg = document.getElementById('inverse-svg');
-const W = 440, H = 200, GAP = 240, STEPS = 200;
-for (const curve of curves) which.add(new Option(curve.name));
-
-const text = (x, y, words, anchor = 'start') =>
-  `<text x="${x}" y="${y}" text-anchor="${anchor}">${words}</text>`;
-
-function draw() {
-  const curve = curves[which.selectedIndex];
-  const step = Number(slider.value), u = Math.min(step, STEPS - 0.5) / STEPS;
-  const first = curve.pdf[0][0], last = curve.pdf[curve.pdf.length - 1][0];
-  const top = Math.max(...curve.pdf.map(p => p[1]));
-  const px = x => (W * (x - first) / (last - first)).toFixed(1);
-  const py = y => (H * (1 - y / top)).toFixed(1);
-  const cy = v => (GAP + H * (1 - v)).toFixed(1);
-  const shown = curve.x.map((x, i) => [x, Math.min(i, STEPS - 0.5) / STEPS])
-                       .filter(p => Number.isFinite(p[0]) && p[0] <= last);
-  const x = curve.x[Math.min(step, curve.x.length - 1)];
-  const end = Number.isFinite(x) ? Math.min(Math.max(x, first), last) : last;
-  const below = curve.pdf.filter(p => p[0] <= end);
-  const edge = below.length ? below[below.length - 1][1] : 0;
-  svg.innerHTML =
-    `<path class="area" d="M${px(first)} ${H}` + below.map(p => `L${px(p[0])} ${py(p[1])}`).join('') +
-    `L${px(end)} ${py(edge)}L${px(end)} ${H}z"/>` +
-    `<path class="line" d="M` + curve.pdf.map(p => `${px(p[0])} ${py(p[1])}`).join('L') + `"/>` +
-    `<path class="axis" d="M0 0V${H}H${W}M0 ${GAP}V${GAP + H}H${W}"/>` +
-    `<path class="line" d="M` + shown.map(p => `${px(p[0])} ${cy(p[1])}`).join('L') + `"/>` +
-    `<path class="way" d="M0 ${cy(u)}H${px(end)}V${H}"/>` +
-    `<path class="way" d="M${px(end)} ${cy(u)}V${GAP + H}"/>` +
-    `<circle class="end" cx="${px(end)}" cy="${cy(u)}" r="6"/>` +
-    text(6, 14, 'density') + text(6, GAP + 14, 'u') + text(W, GAP + H + 18, 'x', 'end') +
-    text(0, GAP + H + 18, first.toPrecision(2)) + text(W - 14, GAP + H + 18, last.toPrecision(2), 'end');
-  out.textContent = `u = ${u.toFixed(4)}  →  x = ${Number.isFinite(x) ? x.toFixed(4) : x}`;
+const carlo::Axis& axis() {
+  static const carlo::Axis linear{"", carlo::Unit::number, carlo::Scale::linear};
+  return linear;
 }
-which.addEventListener('change', draw);
-slider.addEventListener('input', draw);
-draw();
-)js";
+
+/// u at a position of the slider; not quite 1 at the last one.
+double u_at(std::size_t position) {
+  return std::min(static_cast<double>(position) / inverse_steps, 1 - 0.1 / inverse_steps);
+}
+
+/// The density, and under it the slices that the slider has passed.
+std::string density_svg(const Inverse& curve) {
+  const carlo::Stretch across{curve.view.first, curve.view.last};
+  const std::vector<double> ends{0, curve.view.top};
+  const carlo::Plot axes(axis(), across, axis(), carlo::round_stretch(axis(), ends),
+                         carlo::tile_size);
+  carlo::Plot plot = axes;
+  for (std::size_t i = 1; i < curve.x.size(); ++i) {
+    const double from = curve.x[i - 1], to = std::min(curve.x[i], across.last);
+    if (!(from < to)) continue;
+    std::vector<carlo::Point> upper = carlo::graph(curve.pdf, {from, to}, 12);
+    upper.insert(upper.begin(), {from, upper.front().y});
+    upper.push_back({to, upper.back().y});
+    const std::vector<carlo::Point> lower{{from, 0}, {to, 0}};
+    carlo::Plot slice = axes;
+    slice.band("c2", upper, lower);
+    plot.add(carlo::shown_at(i, inverse_steps, slice.body()));
+  }
+  plot.line("c1", carlo::graph(curve.pdf, across));
+  return plot.svg("The density of " + curve.name + "; the shaded area under it is u");
+}
+
+/// u against x, and the way from u to x.
+std::string cdf_svg(const Inverse& curve) {
+  const carlo::Stretch across{curve.view.first, curve.view.last};
+  const carlo::Plot axes(axis(), across, axis(), {0, 1}, carlo::tile_size);
+  carlo::Plot plot = axes;
+  std::vector<carlo::Point> line;
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    line.push_back({curve.x[i], u_at(i)});
+    const double end = std::isfinite(curve.x[i]) ? curve.x[i] : across.last;
+    const std::vector<carlo::Point> way{{across.first, u_at(i)}, {end, u_at(i)}, {end, 0}};
+    carlo::Plot layer = axes;
+    layer.line("c2 dashed", way);
+    layer.mark("c2", 0, way[1], axis().text(curve.x[i]));
+    plot.add(carlo::shown_at(i, i, layer.body()));
+  }
+  plot.line("c1", line);
+  return plot.svg("All samples of " + curve.name + ": x across, u upwards");
+}
 
 }  // namespace
 
-std::string inverse_html() {
-  return std::string(html);
-}
-
-std::string inverse_script(const nlohmann::json& curves) {
-  return "(() => {\nconst curves = " + carlo::json_for_html(curves) + ";" + std::string(script) +
-         "})();";
+std::string inverse_slider(const std::vector<Inverse>& curves) {
+  std::vector<std::string> words, pictures;
+  for (std::size_t i = 0; i <= inverse_steps; ++i) {
+    words.push_back(fmt::format("u = {:.4f}", u_at(i)));
+    for (const Inverse& curve : curves)
+      words.back() += fmt::format("; {}: x = {:.4f}", curve.name, curve.x[i]);
+  }
+  for (const Inverse& curve : curves)
+    pictures.push_back(carlo::tile(curve.name, "", density_svg(curve) + cdf_svg(curve)));
+  return carlo::slider_html("Inversion by hand: u", words, inverse_steps / 3,
+                            carlo::tiles(pictures, 19));
 }
 
 }  // namespace lab05

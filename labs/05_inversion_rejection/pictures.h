@@ -2,8 +2,6 @@
 
 #include "inversion_rejection.h"
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,18 +12,10 @@ namespace lab05 {
 
 // Pictures as HTML for a page: SVG in the page's own colours, as wide as the page lets them be.
 
-/// The frame for tiles that stand side by side where the screen is wide enough.
-std::string tiles(const std::vector<std::string>& pictures);
-
 /// A stretch of the x axis, and the y axis from 0 to `top`.
 struct View {
   double first = 0, last = 1, top = 1;
 };
-
-/// One tile: bars of equal width from view.first to view.last, heights as densities, under the
-/// density's line.
-std::string histogram_picture(std::string_view title, std::string_view note, const View& view,
-                              std::span<const double> bars, const Function& pdf);
 
 /// One tile: darts below the graph of f in one colour, those above it in another.
 std::string darts_picture(std::string_view title, std::string_view note, const View& view,
@@ -42,9 +32,17 @@ std::string image_picture(std::string_view title, std::string_view note,
                           std::span<const double> weights, std::size_t width,
                           std::span<const Point> points);
 
-/// Inversion by hand: a slider for u, the inverse CDF and the area under the density. `curves` is a
-/// list of {"name", "x": [sample at u = 0, 1/200 ... ], "pdf": [[x, density] ...]}.
-std::string inverse_html();
-std::string inverse_script(const nlohmann::json& curves);
+/// A density and its samples x at u = 0, 1/inverse_steps, ..., and nearly 1.
+struct Inverse {
+  std::string name;
+  View view;
+  Function pdf;
+  std::vector<double> x;
+};
+constexpr std::size_t inverse_steps = 50;
+
+/// Inversion by hand: a slider for u; its x on each inverse CDF, and u as the area under the
+/// density.
+std::string inverse_slider(const std::vector<Inverse>& curves);
 
 }  // namespace lab05

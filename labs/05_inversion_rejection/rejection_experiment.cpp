@@ -2,6 +2,7 @@
 #include "goodness.h"
 #include "pictures.h"
 #include "report/format.h"
+#include "report/tiles.h"
 
 #include <fmt/core.h>
 
@@ -168,7 +169,7 @@ void rejection_experiment(Notebook& notebook) {
   std::vector<std::string> pictures;
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}, std::size_t{5}, all.size() - 1})
     pictures.push_back(picture(all[i], notebook.rng()));
-  notebook.raw_html(tiles(pictures));
+  notebook.raw_html(carlo::tiles(pictures, 19));
   const std::int64_t count = notebook.options().quick ? 20'000 : 200'000;
   notebook.progress(1, 3);
   cost_table(notebook, count);

@@ -1,6 +1,7 @@
 #include "experiments.h"
 #include "importance.h"
 #include "pictures.h"
+#include "report/tiles.h"
 #include "timing.h"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
@@ -162,13 +163,13 @@ std::string picture(double height, std::string_view title) {
   const Function f = scattered(height);
   const Density lamp = light_density(height, first, last), path = exponential_density(fog, first);
   double top = 0;
-  const Line shape = line("f/∫f", 1, wide, [&](double t) { return f(t) / integral; });
+  const Line shape = line("f/∫f", "c1", wide, [&](double t) { return f(t) / integral; });
   for (const carlo::Point& p : shape.points)
     top = std::max(top, p.y);
   const View view{first, last, std::max(1.1 * top, 0.6)};
   return graph_picture(title, fmt::format("lamp {:g} from the ray", height), view,
-                       {shape, line("p of the free path", 2, view, path.pdf),
-                        line("p of the lamp's angle", 3, view, lamp.pdf)});
+                       {shape, line("p of the free path", "c2", view, path.pdf),
+                        line("p of the lamp's angle", "c3", view, lamp.pdf)});
 }
 
 }  // namespace
@@ -182,7 +183,7 @@ void fog_experiment(Notebook& notebook) {
       "other; both together are good in between and never hopeless.");
   notebook.attempt([&] {
     const std::string near = picture(0.1, "Close: the lamp's peak");
-    notebook.raw_html(tiles(
+    notebook.raw_html(carlo::tiles(
         {near, picture(3, "Further away: both matter"), picture(10, "Far away: the fog's fall")},
         18));
   });

@@ -1,7 +1,7 @@
 #include "experiments.h"
 #include "pictures.h"
 #include "plates.h"
-#include "plates_page.h"
+#include "report/tiles.h"
 
 #include <fmt/core.h>
 
@@ -57,38 +57,36 @@ double mirror_direction(std::size_t column) {
 
 /// A photograph's curve: five stops of brightness side by side.
 double tone(double radiance) {
-  return std::pow(radiance / (radiance + 4), 1 / 2.2);
+  return radiance / (radiance + 4);
 }
 
 /// The plates one below the other, the sharpest on top; each row of a plate is a new estimate.
-Grey image(const std::string& title, const std::string& note,
-           const std::function<double(double m, double scale)>& pixel) {
-  Grey grey{title, note, columns, picture_height, std::vector<double>(columns * picture_height)};
+std::string picture(const std::string& title, const std::string& note,
+                    const std::function<double(double m, double scale)>& pixel) {
+  std::vector<double> values(columns * picture_height);
   for (std::size_t plate = 0; plate < plate_scales.size(); ++plate) {
     for (std::size_t row = 0; row < rows; ++row) {
       for (std::size_t column = 0; column < columns; ++column) {
-        grey.values[(plate * (rows + gap) + row) * columns + column] =
-            tone(pixel(mirror_direction(column), plate_scales[plate]));
+        const double value = tone(pixel(mirror_direction(column), plate_scales[plate]));
+        values[(plate * (rows + gap) + row) * columns + column] = std::isfinite(value) ? value : 1;
       }
     }
   }
-  return grey;
+  return carlo::image_tile(title, note, carlo::grey_image(values, columns), 1);
 }
 
 void images(Notebook& notebook) {
-  std::vector<Grey> all;
-  const std::string note = "4 samples a pixel";
+  std::vector<std::string> all;
   for (const PlateWay& way : plates_ways()) {
     if (way.name == "both, balance") continue;
     notebook.attempt([&] {
       carlo::Rng rng = notebook.rng();
-      all.push_back(image(way.name, note,
-                          [&](double m, double scale) { return way.pixel(m, scale, 4, rng); }));
+      all.push_back(picture(way.name, "4 samples a pixel",
+                            [&](double m, double scale) { return way.pixel(m, scale, 4, rng); }));
     });
   }
-  all.push_back(image("Exact", "closed form", plate_exact));
-  notebook.raw_html(images_html(all, "plates"));
-  notebook.script(images_script(all, "plates"));
+  all.push_back(picture("Exact", "closed form", plate_exact));
+  notebook.raw_html(carlo::tiles(all, 24));
 }
 
 /// The relative standard deviation of a pixel with four samples.
@@ -173,11 +171,11 @@ std::string weight_picture(std::string_view title, std::size_t lamp_index, std::
   const auto weight = [&](Heuristic heuristic) {
     return [&, heuristic](double x) { return heuristic({1, lamps.pdf(x)}, {1, lobe.pdf(x)}); };
   };
-  return graph_picture(title, fmt::format("lobe {:g}, lamp {:g} wide", scale, 2 * lamp.half_width),
-                       view,
-                       {line("f, scaled", 1, view, [&](double x) { return f(x) / top; }),
-                        line("weight of a lamp sample, balance", 3, view, weight(balance_weight)),
-                        line("the same, power", 4, view, weight(power_weight))});
+  return graph_picture(
+      title, fmt::format("lobe {:g}, lamp {:g} wide", scale, 2 * lamp.half_width), view,
+      {line("f, scaled", "c1", view, [&](double x) { return f(x) / top; }),
+       line("weight of a lamp sample, balance", "c3", view, weight(balance_weight)),
+       line("the same, power", "c4", view, weight(power_weight))});
 }
 
 }  // namespace
@@ -194,9 +192,10 @@ void plates_experiment(Notebook& notebook) {
   notebook.progress(1, 3);
   notebook.attempt([&] {
     const std::string first = weight_picture("Shiny plate, large lamp: the lobe decides", 3, 1);
-    notebook.raw_html(tiles({first, weight_picture("Both alike: shared", 2, 2),
-                             weight_picture("Matt plate, small lamp: the lamp decides", 0, 3)},
-                            18));
+    notebook.raw_html(
+        carlo::tiles({first, weight_picture("Both alike: shared", 2, 2),
+                      weight_picture("Matt plate, small lamp: the lamp decides", 0, 3)},
+                     18));
   });
   notebook.attempt([&] { spread_table(notebook); });
   notebook.progress(2, 3);

@@ -3,6 +3,8 @@
 #include "pictures.h"
 #include "power_family.h"
 #include "report/format.h"
+#include "report/slider.h"
+#include "report/tiles.h"
 #include "timing.h"
 
 #include <fmt/core.h>
@@ -38,10 +40,11 @@ std::string picture(std::string_view title, std::string_view note, const Density
   std::vector<double> marks;
   for (int i = 0; i < 40; ++i)
     marks.push_back(p.sample((i + 0.5) / 40));
-  const auto ratio = [&](double x) { return p.pdf(x) > 0 ? power_f(x) / p.pdf(x) : -1; };
-  return graph_picture(
-      title, note, view,
-      {line("f", 1, view, power_f), line("p", 2, view, p.pdf), line("f/p", 3, view, ratio)}, marks);
+  const auto ratio = [&](double x) { return p.pdf(x) > 0 ? power_f(x) / p.pdf(x) : NAN; };
+  return graph_picture(title, note, view,
+                       {line("f", "c1", view, power_f), line("p", "c2", view, p.pdf),
+                        line("f/p", "c3", view, ratio)},
+                       marks);
 }
 
 void member_table(Notebook& notebook) {
@@ -95,15 +98,15 @@ void shapes_experiment(Notebook& notebook) {
   notebook.say(
       "f = 5x⁴, as a glossy highlight that peaks at x = 1, with integral 1; p runs through the "
       "densities (n + 1)xⁿ. What is averaged is f/p, so what matters is how flat f/p is, and not "
-      "only where the points are: the strokes below the axis are forty of them.");
+      "only where the points are: the strokes on the axis are forty of them.");
   std::vector<std::string> pictures;
   for (const Member& member : members())
     pictures.push_back(
         picture(member.title, fmt::format("p as x^{:g}", member.n), power_density(member.n)));
   pictures.push_back(picture("does not cover f", "p uniform on [1/2, 1)", uniform_density(0.5, 1)));
-  notebook.raw_html(tiles(pictures, 18));
-  notebook.raw_html(family_html());
-  notebook.script(family_script());
+  notebook.raw_html(carlo::tiles(pictures, 18));
+  notebook.raw_html(family_slider());
+  notebook.script(carlo::slider_script());
   notebook.attempt([&] { member_table(notebook); });
   notebook.progress(1, 2);
   notebook.attempt([&] { variance_chart(notebook); });

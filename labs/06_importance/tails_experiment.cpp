@@ -3,6 +3,7 @@
 #include "pictures.h"
 #include "power_family.h"
 #include "report/format.h"
+#include "report/tiles.h"
 
 #include <fmt/core.h>
 
@@ -23,17 +24,18 @@ Density defended() {
   return mixture(power_density(thin), uniform_density(0, 1), share);
 }
 
-/// The mean of the first N contributions against log N, with both ends of every jump.
-Line running_mean(const std::string& name, int colour, const std::vector<double>& values) {
-  Line result{name, colour, {}};
+/// The mean of the first N contributions against N, with both ends of every jump.
+Line running_mean(const std::string& name, const std::string& style,
+                  const std::vector<double>& values) {
+  Line result{name, style, {}};
   double sum = 0, next = first_shown;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto n = static_cast<double>(i + 1);
     const double before = sum / std::max(1.0, n - 1);
     sum += values[i];
     const bool jump = n > first_shown && std::abs(sum / n - before) > 0.003;
-    if (jump) result.points.push_back({std::log(n - 1), before});
-    if (jump || n >= next) result.points.push_back({std::log(n), sum / n});
+    if (jump) result.points.push_back({n - 1, before});
+    if (jump || n >= next) result.points.push_back({n, sum / n});
     if (n >= next) next *= 1.02;
   }
   return result;
@@ -42,17 +44,12 @@ Line running_mean(const std::string& name, int colour, const std::vector<double>
 std::string running_picture(Notebook& notebook, std::string_view title, std::string_view note,
                             const Density& p) {
   const std::int64_t n = notebook.options().n;
-  const View view{std::log(first_shown),
-                  std::log(static_cast<double>(n)),
-                  1.4,
-                  0.6,
-                  fmt::format("N = {:g}", first_shown),
-                  carlo::count_text(n)};
+  const View view{first_shown, static_cast<double>(n), 1.4, 0.6, carlo::Scale::log};
   std::vector<Line> runs;
   for (int run = 1; run <= 4; ++run) {
     carlo::Rng rng = notebook.rng();
-    runs.push_back(
-        running_mean(fmt::format("run {}", run), run, contributions(power_f, p, n, rng)));
+    runs.push_back(running_mean(fmt::format("run {}", run), fmt::format("c{}", run),
+                                contributions(power_f, p, n, rng)));
   }
   return graph_picture(title, note, view, runs);
 }
@@ -65,7 +62,7 @@ void running_pictures(Notebook& notebook) {
   pictures.push_back(running_picture(notebook, "p uniform",
                                      "the same scale: noise that settles, without jumps",
                                      uniform_density(0, 1)));
-  notebook.raw_html(tiles(pictures, 24));
+  notebook.raw_html(carlo::tiles(pictures, 24));
 }
 
 /// A density with what theory knows of it.

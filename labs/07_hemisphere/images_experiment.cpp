@@ -1,8 +1,8 @@
 #include "experiments.h"
 #include "numeric/robust.h"
-#include "pictures.h"
 #include "report/format.h"
 #include "report/stopwatch.h"
+#include "report/tiles.h"
 #include "scenes.h"
 
 #include <fmt/core.h>
@@ -127,16 +127,20 @@ Result measure(Notebook& notebook, const Scene& scene, const Method& method,
 std::string pictures_of(const Scene& scene, const std::vector<double>& exact,
                         const std::vector<Result>& results) {
   const double white = scene.light ? *std::max_element(exact.begin(), exact.end()) : 1;
+  const auto picture = [&](const std::string& title, const std::string& note,
+                           const std::vector<double>& image) {
+    return carlo::image_tile(title, note, carlo::grey_image(image, size), white);
+  };
   std::vector<std::string> row = {
-      image_picture("exact", scene.light ? "irradiance" : "ambient occlusion", exact, size, white)};
+      picture("exact", scene.light ? "irradiance" : "ambient occlusion", exact)};
   for (const Result& r : results) {
-    row.push_back(image_picture(r.curve.name,
-                                fmt::format("{} directions: error {} %, {}", r.shown_run.points,
-                                            carlo::number_text(100 * r.shown_run.error, 3),
-                                            carlo::duration_text(r.shown_run.seconds)),
-                                r.shown, size, white));
+    row.push_back(picture(r.curve.name,
+                          fmt::format("{} directions: error {} %, {}", r.shown_run.points,
+                                      carlo::number_text(100 * r.shown_run.error, 3),
+                                      carlo::duration_text(r.shown_run.seconds)),
+                          r.shown));
   }
-  return tiles(row, 11);
+  return carlo::tiles(row, 11);
 }
 
 void add_rows(carlo::Table& table, const Scene& scene, const std::vector<Result>& results) {

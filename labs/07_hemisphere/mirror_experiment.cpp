@@ -34,7 +34,7 @@ void mirror_experiment(Notebook& notebook) {
         {"n", "degrees", "count", "found", "exact", "z", "seconds"});
     carlo::Chart chart{"The part of the lobe below the horizon",
                        "measured, from directions of Lab 7.6",
-                       {"angle of wo in degrees", carlo::Unit::number, carlo::Scale::linear},
+                       {"angle of wo in degrees", carlo::Unit::degrees, carlo::Scale::linear},
                        {"part", carlo::Unit::number, carlo::Scale::linear},
                        {}};
     const std::int64_t count = notebook.options().n / 4;

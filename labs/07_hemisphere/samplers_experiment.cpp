@@ -1,9 +1,9 @@
 #include "experiments.h"
 #include "goodness.h"
 #include "numeric/robust.h"
-#include "pictures.h"
 #include "report/format.h"
 #include "report/stopwatch.h"
+#include "report/tiles.h"
 #include "report/turntable.h"
 
 #include <fmt/core.h>
@@ -130,12 +130,17 @@ std::string histogram_of(const Sampler& sampler, const Drawn& drawn, const Goodn
   }
   for (double& bar : bars)
     bar /= static_cast<double>(drawn.directions.size()) * width;
-  return histogram_picture(
+  const auto density = [&](double z) { return density_of_height(sampler.pdf, z); };
+  const carlo::Stretch across{sampler.lowest, 1};
+  double top = *std::max_element(bars.begin(), bars.end());
+  for (const carlo::Point& p : carlo::graph(density, across))
+    top = std::max(top, p.y);
+  return carlo::histogram_tile(
       sampler.name,
       fmt::format("χ² = {} with {} degrees of freedom, p = {}: {}",
                   carlo::number_text(fit.statistic, 3), fit.freedom, carlo::number_text(fit.p, 2),
                   fit.p < 1e-6 ? "they do not fit" : "no contradiction"),
-      sampler.lowest, 1, bars, [&](double z) { return density_of_height(sampler.pdf, z); });
+      across, top, bars, density);
 }
 
 void rejection_cost(Notebook& notebook, carlo::Table& table) {
@@ -160,6 +165,7 @@ void samplers_experiment(Notebook& notebook) {
                      {"sampler", "n", "cells", "chi_square", "p", "seconds"});
   carlo::Turntable picture{"Directions on the hemisphere",
                            "Directions as points on a hemisphere.",
+                           "",
                            hemisphere_wires(),
                            {}};
   std::vector<std::string> histograms;
@@ -185,9 +191,9 @@ void samplers_experiment(Notebook& notebook) {
       "show "
       "the heights cos(theta).");
   notebook.raw_html(turntable_html(picture));
-  notebook.script(turntable_script(picture));
+  notebook.script(carlo::turntable_script());
   notebook.table("samplers", table, "Directions against the integrals of their densities");
-  notebook.raw_html(tiles(histograms, 19));
+  notebook.raw_html(carlo::tiles(histograms, 19));
   carlo::Table darts({"directions", "darts a direction", "theory 6/π"}, {"n", "darts", "theory"});
   notebook.attempt([&] { rejection_cost(notebook, darts); });
   notebook.table("darts", darts, "What rejection costs in darts, with 95 % interval");

@@ -1,6 +1,6 @@
 #include "images.h"
 #include "numeric/robust.h"
-#include "pictures.h"
+#include "report/tiles.h"
 
 #include <cmath>
 
@@ -55,8 +55,9 @@ void camera_experiment(Notebook& notebook) {
     const carlo::Image middles = render(size, size, 0, [&](int x, int y, Rng&) {
       return spokes_and_squares(middle_ray(camera, size, size, x, y));
     });
-    row.push_back(image_picture("through the middles", "one ray a pixel: aliasing", middles, 1));
-    notebook.raw_html(tiles(row));
+    row.push_back(
+        carlo::image_tile("through the middles", "one ray a pixel: aliasing", middles, 1));
+    notebook.raw_html(carlo::tiles(row));
     carlo::Table table = results_table();
     add_rows(table, "spokes", results);
     notebook.table("camera", table, "Rays a pixel: error, cost and slopes");

@@ -1,6 +1,6 @@
 #include "images.h"
 #include "numeric/robust.h"
-#include "pictures.h"
+#include "report/tiles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -107,7 +107,7 @@ void direct_experiment(Notebook& notebook) {
       "closed form: the lamp's irradiance less that of the part which the square hides. Both forms "
       "of the rendering equation integrate the same light; with the same number of samples one "
       "asks points of the lamp, the other directions of the hemisphere.");
-  notebook.raw_html(tiles(pictures_of(reference, "closed form", results, 1.1)));
+  notebook.raw_html(carlo::tiles(pictures_of(reference, "closed form", results, 1.1)));
   carlo::Table table = results_table();
   add_rows(table, "soft shadow", results);
   notebook.table("direct", table, "Direct light: error, cost and slopes");

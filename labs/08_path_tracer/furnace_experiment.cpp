@@ -1,8 +1,8 @@
 #include "images.h"
 #include "numeric/robust.h"
-#include "pictures.h"
 #include "report/format.h"
 #include "report/stopwatch.h"
+#include "report/tiles.h"
 
 #include <fmt/core.h>
 
@@ -144,11 +144,11 @@ carlo::Table albedos_table(Notebook& notebook) {
 /// The room itself: every pixel should show 2.
 std::string room(Notebook& notebook, const World& world, int size) {
   constexpr int samples = 64;
-  std::vector<std::string> row = {image_picture(
+  std::vector<std::string> row = {carlo::image_tile(
       "exact", "2 everywhere", render(size, size, 0, [](int, int, Rng&) { return Rgb(2); }), 4)};
   for (const FurnaceMethod& method : furnace_methods()) {
     notebook.attempt([&] {
-      row.push_back(image_picture(
+      row.push_back(carlo::image_tile(
           method.name, fmt::format("{} samples a pixel", samples),
           render(size, size, notebook.rng().next_u64(),
                  [&](int x, int y, Rng& rng) {
@@ -158,7 +158,7 @@ std::string room(Notebook& notebook, const World& world, int size) {
           4));
     });
   }
-  return tiles(row);
+  return carlo::tiles(row);
 }
 
 void say_coverage(Notebook& notebook, const std::vector<Coverage>& all) {

@@ -1,8 +1,8 @@
 #include "images.h"
 
-#include "pictures.h"
 #include "report/format.h"
 #include "report/stopwatch.h"
+#include "report/tiles.h"
 
 #include <fmt/core.h>
 #include <tbb/parallel_for.h>
@@ -116,14 +116,15 @@ Result measure(Notebook& notebook, const std::string& name, const Reference& ref
 std::vector<std::string> pictures_of(const Reference& reference, const std::string& reference_note,
                                      const std::vector<Result>& results, double white) {
   const std::string title = reference.variance == 0 ? "exact" : "reference";
-  std::vector<std::string> row = {image_picture(title, reference_note, reference.image, white)};
+  std::vector<std::string> row = {carlo::image_tile(title, reference_note, reference.image, white)};
   for (const Result& r : results) {
-    row.push_back(image_picture(r.curve.name,
-                                fmt::format("{} sample{} a pixel: error {}\u00a0%, {}",
-                                            r.shown_run.points, r.shown_run.points == 1 ? "" : "s",
-                                            carlo::number_text(100 * r.shown_run.error, 3),
-                                            carlo::duration_text(r.shown_run.seconds)),
-                                r.shown, white));
+    row.push_back(
+        carlo::image_tile(r.curve.name,
+                          fmt::format("{} sample{} a pixel: error {}\u00a0%, {}",
+                                      r.shown_run.points, r.shown_run.points == 1 ? "" : "s",
+                                      carlo::number_text(100 * r.shown_run.error, 3),
+                                      carlo::duration_text(r.shown_run.seconds)),
+                          r.shown, white));
   }
   return row;
 }

@@ -1,7 +1,7 @@
 #include "numeric/robust.h"
-#include "pictures.h"
 #include "report/format.h"
 #include "report/stopwatch.h"
+#include "report/tiles.h"
 #include "views.h"
 
 #include <fmt/core.h>
@@ -45,11 +45,11 @@ std::vector<std::string> forty_and_many(Notebook& notebook, const Reference& ref
                [&](int x, int y, Rng& rng) { return pixel(x, y, samples, rng); });
     const double seconds = watch.seconds();
     row.push_back(
-        image_picture(fmt::format("{} paths a pixel", samples),
-                      fmt::format("error {}\u00a0%, {}",
-                                  carlo::number_text(100 * relative_error(image, reference), 3),
-                                  carlo::duration_text(seconds)),
-                      image, white));
+        carlo::image_tile(fmt::format("{} paths a pixel", samples),
+                          fmt::format("error {}\u00a0%, {}",
+                                      carlo::number_text(100 * relative_error(image, reference), 3),
+                                      carlo::duration_text(seconds)),
+                          image, white));
   }
   return row;
 }
@@ -86,10 +86,10 @@ void indirect_experiment(Notebook& notebook) {
     std::vector<std::string> row =
         pictures_of(reference, fmt::format("direct and indirect, {} samples a pixel", 2 * many),
                     results, white);
-    row.push_back(image_picture("direct", "one reflection", direct.image, white));
-    row.push_back(image_picture("indirect", "all the rest",
-                                difference(reference.image, direct.image), white));
-    notebook.raw_html(tiles(row));
+    row.push_back(carlo::image_tile("direct", "one reflection", direct.image, white));
+    row.push_back(carlo::image_tile("indirect", "all the rest",
+                                    difference(reference.image, direct.image), white));
+    notebook.raw_html(carlo::tiles(row));
     carlo::Table table = results_table();
     add_rows(table, "Cornell box", results);
     notebook.table("indirect", table, "The Cornell box: error, cost and slopes");
@@ -104,7 +104,7 @@ void indirect_experiment(Notebook& notebook) {
           fmt::format("The lecture's two pictures, by its TracePath as mended: {:.2g} times the "
                       "paths, and {:.2g} times less noise.",
                       times, std::sqrt(times)));
-      notebook.raw_html(tiles(pictures));
+      notebook.raw_html(carlo::tiles(pictures));
     });
   });
 }

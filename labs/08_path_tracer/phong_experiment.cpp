@@ -1,7 +1,7 @@
 #include "hemisphere.h"
 #include "images.h"
 #include "numeric/robust.h"
-#include "pictures.h"
+#include "report/tiles.h"
 
 #include <fmt/core.h>
 
@@ -164,7 +164,7 @@ void phong_experiment(Notebook& notebook) {
         pictures.push_back(std::move(picture));
       add_rows(table, "ball", ball.results);
     }
-    notebook.raw_html(tiles(pictures));
+    notebook.raw_html(carlo::tiles(pictures));
     notebook.table("phong", table, "Balls under the sky: error, cost and slopes");
     notebook.table("albedo", albedo_table(notebook),
                    "The specular lobe's reflectance, k_s = 1, by sample()'s mean weight");

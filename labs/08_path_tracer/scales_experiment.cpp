@@ -1,6 +1,6 @@
 #include "images.h"
-#include "pictures.h"
 #include "report/format.h"
+#include "report/tiles.h"
 
 #include <fmt/core.h>
 
@@ -127,16 +127,16 @@ void scales_experiment(Notebook& notebook) {
     const Shadows fixed = shadows(scale, size, lit_with_fixed_offset);
     const Shadows given = shadows(scale, size, lit_as_given);
     const auto add = [&](std::vector<std::string>& row, const std::string& how, const Shadows& s) {
-      row.push_back(image_picture(fmt::format("scale {:g}", scale),
-                                  how + ": " + percent(s.wrong).text + " wrong", s.image, 1));
+      row.push_back(carlo::image_tile(fmt::format("scale {:g}", scale),
+                                      how + ": " + percent(s.wrong).text + " wrong", s.image, 1));
     };
     add(fixed_row, "offset .001", fixed);
     add(given_row, "as given", given);
     table.add_row({carlo::Cell(fmt::format("{:g}", scale), static_cast<double>(scale)),
                    percent(fixed.wrong), percent(given.wrong)});
   }
-  notebook.raw_html(tiles(fixed_row));
-  notebook.raw_html(tiles(given_row));
+  notebook.raw_html(carlo::tiles(fixed_row));
+  notebook.raw_html(carlo::tiles(given_row));
   notebook.table("scales", table, "Pixels whose shadow is wrong, of one scene at six scales");
 }
 

@@ -1,6 +1,6 @@
 #include "numeric/robust.h"
-#include "pictures.h"
 #include "report/format.h"
+#include "report/tiles.h"
 #include "views.h"
 
 #include <fmt/core.h>
@@ -68,7 +68,7 @@ carlo::Table closed_forms(Notebook& notebook) {
 carlo::Chart fresnel_chart() {
   carlo::Chart chart{"Fresnel's reflectance of glass, n = 1.5",
                      "it reaches 1 at 41.8 degrees from within",
-                     {"angle in degrees", carlo::Unit::number, carlo::Scale::linear},
+                     {"angle in degrees", carlo::Unit::degrees, carlo::Scale::linear},
                      {"reflectance", carlo::Unit::number, carlo::Scale::linear},
                      {{"from outside", {}}, {"from within", {}}}};
   for (int degrees = 0; degrees <= 90; ++degrees) {
@@ -98,7 +98,7 @@ void specular_experiment(Notebook& notebook) {
         "through glass: light that it focuses on the floor, a caustic, is found only by paths that "
         "leave the floor, pass the glass and meet the lamp by chance. Its pixels are the noisiest. "
         "The reference is a long run of the same code; errors are less its own.");
-    notebook.raw_html(tiles(pictures_of(
+    notebook.raw_html(carlo::tiles(pictures_of(
         reference, fmt::format("{} samples a pixel", 2 * most_samples(notebook)), results, 1.2)));
     carlo::Table table = results_table();
     add_rows(table, "balls", results);

@@ -1,8 +1,8 @@
 #include "hemisphere.h"
 #include "images.h"
 #include "numeric/robust.h"
-#include "pictures.h"
 #include "report/format.h"
+#include "report/tiles.h"
 
 #include <fmt/core.h>
 
@@ -184,7 +184,7 @@ void split_experiment(Notebook& notebook) {
       "sky. Uniform directions find the ball once in 200 times; light and non-light rays each have "
       "their own part of the hemisphere. \"Both rays\" traces two a sample, \"one ray\" tosses a "
       "coin.");
-  notebook.raw_html(tiles(pictures_of(reference, "closed form", results, 1.6)));
+  notebook.raw_html(carlo::tiles(pictures_of(reference, "closed form", results, 1.6)));
   carlo::Table table = results_table();
   add_rows(table, "ball and sky", results);
   notebook.table("split", table, "Light and non-light rays: error, cost and slopes");

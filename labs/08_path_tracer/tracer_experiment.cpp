@@ -1,5 +1,5 @@
-#include "pictures.h"
 #include "report/stopwatch.h"
+#include "report/tiles.h"
 #include "views.h"
 
 #include <algorithm>
@@ -49,9 +49,9 @@ std::string equal_time(Notebook& notebook, const View& view,
     result.shown_run = {samples, 0, relative_error(result.shown, reference), spent};
     shown.push_back(std::move(result));
   }
-  return tiles(pictures_of(reference,
-                           fmt::format("{} Sobol' points a pixel", 2 * most_samples(notebook)),
-                           shown, white));
+  return carlo::tiles(
+      pictures_of(reference, fmt::format("{} Sobol' points a pixel", 2 * most_samples(notebook)),
+                  shown, white));
 }
 
 void show(Notebook& notebook, const std::string& scene, const View& view, double white,

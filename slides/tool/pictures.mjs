@@ -49,9 +49,12 @@ function renders(figure, runs) {
 /** The figures of a lab's page whose descriptions start with one of figure.alt. */
 function pictures(figure, runs) {
   const page = runs.page(figure.command);
-  const style = [...page.matchAll(/^\.tiles ([^{]+\{[^}]*\})/gm)].map((match) => match[1]).join(" ");
+  // The light colours, and what drawings look like.
+  const style = [/^:root \{[^}]*\}/m, /^\.(?:c[1-8]|plot|tiles)[^{]*\{[^}]*\}/gm]
+    .flatMap((rules) => page.match(rules) ?? [])
+    .join(" ");
   const wanted = [figure.alt].flat();
-  const letters = wanted.length > 2 ? 21 : 18; // three pictures beside each other are small
+  const letters = wanted.length > 2 ? 13 : 11.5; // three pictures beside each other are small
   return wanted.map((alt, index) => {
     const picture = pictureOf(page, alt);
     if (!picture)
@@ -66,7 +69,7 @@ function pictures(figure, runs) {
       );
     const text = picture.svg
       .replace(/<svg /, '<svg xmlns="http://www.w3.org/2000/svg" ')
-      .replace(/>/, `><style>${colours}${style} svg text{font-size:${letters}px}</style>`);
+      .replace(/>/, `><style>${style} svg{font-family:'DejaVu Sans',sans-serif} .plot text{font-size:${letters}px}</style>`);
     const box = /viewBox="([^"]+)"/.exec(picture.svg)[1].split(" ");
     return tile(
       `<svg viewBox="${box.join(" ")}"><image x="${box[0]}" y="${box[1]}" width="${box[2]}" height="${box[3]}" ` +
@@ -75,12 +78,6 @@ function pictures(figure, runs) {
     );
   });
 }
-
-// The light colours of common/report/web/page.css.
-const colours =
-  "svg{--paper:#fff;--panel:#f7f8fa;--ink:#1b1f24;--soft:#59636e;--rule:#d9dee4;--grid:#e6e9ee;--accent:#0072b2;" +
-  "--series-1:#0072b2;--series-2:#d55e00;--series-3:#009e73;--series-4:#cc79a7;--series-5:#b87a00;--series-6:#3a9bd6;" +
-  "--series-7:#6b7280;--series-8:#111;font-family:'DejaVu Sans',sans-serif}";
 
 /** {svg or source, caption} of the first picture of a page whose description starts with `alt`. */
 function pictureOf(page, alt) {

@@ -120,7 +120,7 @@ Slopes slopes(const Measured& m, double noise) {
     std::sort(x.begin(), x.end());
     return std::unique(x.begin(), x.end()) - x.begin();
   };
-  if (distinct(samples) >= 3) {
+  if (distinct(samples) >= 4) {
     result.samples.fit = carlo::fit_power_law(samples, errors);
     result.seconds.fit = carlo::fit_power_law(seconds, errors);
   }

@@ -22,7 +22,6 @@ pre { max-height: 20rem; margin: 0 0 1rem; padding: 0.8rem 1rem; overflow: auto;
 .aspects { display: inline-flex; flex-wrap: wrap; gap: 0.3rem; margin-left: 0.6rem;
            vertical-align: baseline; }
 .overview { width: 100%; max-width: 56rem; font-size: 1rem; }
-.overview td { white-space: normal; }
 .overview td:first-child, .overview .number { width: 1%; white-space: nowrap; }
 
 .exercise { margin-top: 2rem; padding: clamp(1rem, 3vw, 1.6rem); border: 1px solid var(--rule);
@@ -52,42 +51,14 @@ pre { max-height: 20rem; margin: 0 0 1rem; padding: 0.8rem 1rem; overflow: auto;
 .verdict dt { color: var(--soft); font-weight: 400; }
 .passed-tests { margin-top: 0.8rem; }
 .passed-tests h4, .exercise.passed h4 { margin: 1rem 0 0; color: var(--ink); font-weight: 400; }
-.exercise td { white-space: normal; overflow-wrap: anywhere; min-width: 5rem; }
+.exercise td { overflow-wrap: anywhere; min-width: 5rem; }
 .exercise td:first-child { min-width: 0; }
 
 figure { max-width: 32rem; }
-figure th { white-space: normal; vertical-align: bottom; }
 figure table { width: 100%; }
 figure th, .exercise figure td { min-width: 0; padding: 0.3rem 0 0.3rem 0.8rem; }
 .exercise figure td { white-space: nowrap; }
 figure th:first-child, .exercise figure td:first-child { padding-left: 0; text-align: left; }
-figure svg { display: block; overflow: visible; width: 100%; height: auto; margin-top: 0.5rem; }
-figure svg svg { overflow: hidden; }
-figure text { fill: var(--soft); font-size: 10.5px; }
-figure .label { font-size: 11px; }
-figure .grid { stroke: var(--grid); }
-figure .axis { fill: none; stroke: var(--soft); }
-figure .m { fill: var(--series-2); fill-opacity: 0.55; }
-figure .m-dot { fill: var(--series-2); }
-figure .m-line { fill: none; stroke: var(--series-2); stroke-width: 1.8; }
-figure .e { fill: none; stroke: var(--series-1); stroke-width: 1.8; }
-figure .s { fill: none; stroke: var(--series-7); stroke-width: 1.8; stroke-dasharray: 2 3; }
-figure .e.mark { stroke-dasharray: 6 3; }
-figure .band { fill: var(--series-1); fill-opacity: 0.22; }
-figure .more { fill: var(--series-2); }
-figure .less { fill: var(--series-1); }
-figure .bad { fill: var(--ink); }
-.key { display: flex; flex-wrap: wrap; gap: 0.1rem 1.1rem; margin: 0.2rem 0 0.4rem;
-       font-size: 0.85rem; }
-.key i { display: inline-block; width: 1.1em; height: 0.7em; margin-right: 0.4em; }
-.key .m, .key .more, .key .m-dot { background: var(--series-2); }
-.key .m { opacity: 0.6; }
-.key .m-dot { width: 0.7em; border-radius: 50%; }
-.key .less { background: var(--series-1); }
-.key .e, .key .m-line, .key .s { height: 0; vertical-align: 0.25em;
-                                 border-top: 3px solid var(--series-1); }
-.key .m-line { border-color: var(--series-2); }
-.key .s { border-top: 3px dotted var(--series-7); }
 @media (max-width: 34rem) {
   .exercise { padding: 0.9rem 0.8rem; }
   .verdict dl { grid-template-columns: minmax(0, 1fr); }

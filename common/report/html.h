@@ -1,0 +1,19 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <string_view>
+
+namespace carlo {
+
+/// Text as HTML content or attribute value.
+std::string html_escaped(std::string_view text);
+
+/// Code that may stand inside a script element: "</script" and "<!--" no longer end it.
+std::string script_escaped(std::string_view code);
+
+/// JSON that may stand inside a script element and parses to the same value.
+std::string json_for_html(const nlohmann::json& value);
+
+}  // namespace carlo

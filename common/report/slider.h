@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace carlo {
+
+/// A slider over `content` (trusted HTML), for Page::raw_html(): `words` has what is said at each
+/// of its positions; it stands at `start`.
+std::string slider_html(std::string_view label, const std::vector<std::string>& words,
+                        std::size_t start, std::string_view content);
+
+/// A part of the content's drawings that is shown at the positions from `first` to `last` only.
+std::string shown_at(std::size_t first, std::size_t last, std::string_view svg);
+
+/// What moves all sliders of a page, for Page::script(), once.
+std::string_view slider_script();
+
+}  // namespace carlo
