@@ -70,18 +70,20 @@ awk -F'": "' '
 # The line of $work/commands by which a file of the tree is compiled, by itself or with others.
 unit_of() {
   local together
-  together=$(grep -lF "\"$1\"" "$build"/together/*/*.cpp 2>/dev/null | head -n 1) || true
+  together=$(grep -lF "\"$1\"" "$build"/together/*/*.cpp 2>/dev/null | tail -n 1) || true
   grep -m1 -F "${together:-$root/$1}"$'\t' "$work/commands" || fail "nothing compiles $1"
 }
 
 # compile UNIT: the compiler's words about a line of $work/commands, on the copy.
 compile() {
-  local command=${1#*$'\t'}
+  local command=${1#*$'\t'} all=''
   command=${command#*ccache } command=${command/ -o * -c / -c }
   command=${command//-I$root/-I$tree}
   command=${command/-c $root\/common/-c $tree/common} command=${command/-c $root\/solutions/-c $tree/solutions}
   command=${command/-c $root\/labs/-c $tree/labs}
-  (cd "$build" && LC_ALL=C eval "$command -fsyntax-only -Werror=switch -fmax-errors=0" 2>&1) || true
+  # GCC tells all that it finds by itself.
+  [[ $command != *clang++* ]] || all='-ferror-limit=0 -ftemplate-backtrace-limit=0'
+  (cd "$build" && LC_ALL=C eval "$command -fsyntax-only -Werror=switch $all" 2>&1) || true
 }
 
 # change FILE SED-SCRIPT
@@ -100,7 +102,7 @@ try() {
   done | sort -u >"$work/units"
   : >"$work/words"
   while read -r unit; do compile "$unit" >>"$work/words"; done <"$work/units"
-  grep -oE "$tree/[^: ]+:[0-9]+" "$work/words" | sed -E "s#^$tree/##; s#[^/]+/\.\./##" | sort -u | comm -12 - "$work/places" >"$work/now"
+  { grep -oE "$tree/[^: ]+:[0-9]+" "$work/words" || true; } | sed -E "s#^$tree/##; s#[^/]+/\.\./##" | sort -u | comm -12 - "$work/places" >"$work/now"
   [ -s "$work/now" ] || fail "added $1, and the compiler says nothing: $(tail -n 5 "$work/words")"
   printf '%s: %d places in %d files\n' "$1" "$(wc -l <"$work/now")" "$(cut -d: -f1 "$work/now" | sort -u | wc -l)"
   cat "$work/now" >>"$work/named"
