@@ -133,4 +133,22 @@ Cell slope_cell(const std::optional<PowerFit>& fit) {
   return fit ? interval_cell(fit->slope, fit->slope_half_width) : empty_cell();
 }
 
+Table slope_table(const std::vector<ExpectedCurve>& curves) {
+  Table table({"method", "theory", "slope against N", "slope against time"},
+              {"method", "theory", "slope_points", "slope_seconds"});
+  for (const auto& [curve, slope] : curves) {
+    table.add_row({curve.name, slope, slope_cell(curve.against_points()),
+                   slope_cell(curve.against_seconds())});
+  }
+  return table;
+}
+
+std::vector<Curve> curves_of(const std::vector<ExpectedCurve>& expected) {
+  std::vector<Curve> curves;
+  curves.reserve(expected.size());
+  for (const ExpectedCurve& e : expected)
+    curves.push_back(e.curve);
+  return curves;
+}
+
 }  // namespace carlo

@@ -63,4 +63,16 @@ Table measurement_table(const std::vector<Curve>& curves, std::size_t stride = 1
 /// "-0.501 ± 0.012", or an empty cell.
 Cell slope_cell(const std::optional<PowerFit>& fit);
 
+/// A curve and the slope that theory gives it, in words.
+struct ExpectedCurve {
+  Curve curve;
+  const char* slope;
+};
+
+/// Of each curve both slopes, beside theory's.
+Table slope_table(const std::vector<ExpectedCurve>& curves);
+
+/// Without the slopes.
+std::vector<Curve> curves_of(const std::vector<ExpectedCurve>& expected);
+
 }  // namespace carlo

@@ -5,9 +5,10 @@
 
 namespace lab01 {
 
-using carlo::Curve, carlo::Measurement, carlo::Notebook, carlo::Summary, carlo::Trial;
-using carlo::error_charts, carlo::ladder, carlo::measurement_table, carlo::repeat,
-    carlo::slope_cell, carlo::time_rule;
+using carlo::Curve, carlo::curves_of, carlo::ExpectedCurve, carlo::Measurement, carlo::Notebook,
+    carlo::Summary, carlo::Trial;
+using carlo::slope_table, carlo::error_charts, carlo::ladder, carlo::measurement_table,
+    carlo::repeat, carlo::slope_cell, carlo::time_rule;
 
 // One experiment each: it runs the exercises it needs, and writes what it finds.
 

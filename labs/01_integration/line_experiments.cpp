@@ -35,21 +35,6 @@ Curve rule_curve(const std::string& name, Rule rule, const Integrand& g, std::in
   return curve;
 }
 
-struct Expected {
-  Curve curve;
-  const char* slope;
-};
-
-carlo::Table slope_table(const std::vector<Expected>& curves) {
-  carlo::Table table({"method", "theory", "slope against N", "slope against time"},
-                     {"method", "theory", "slope_points", "slope_seconds"});
-  for (const auto& [curve, slope] : curves) {
-    table.add_row({curve.name, slope, slope_cell(curve.against_points()),
-                   slope_cell(curve.against_seconds())});
-  }
-  return table;
-}
-
 }  // namespace
 
 void average_experiment(Notebook& notebook) {
@@ -79,7 +64,7 @@ void rules_experiment(Notebook& notebook) {
   notebook.begin("Dice against rules, in one dimension");
   const Integrand g = reciprocal();
   const std::int64_t last = notebook.options().n;
-  std::vector<Expected> curves;
+  std::vector<ExpectedCurve> curves;
   const auto attempt = [&](const char* slope, const auto& make) {
     notebook.attempt([&] { curves.push_back({make(), slope}); });
   };
@@ -103,10 +88,7 @@ void rules_experiment(Notebook& notebook) {
       "The integral of 1/x over [1, 3], which is ln 3. N counts evaluations of the integrand, the "
       "same coin for all. Rules have no randomness: their error is |estimate - ln 3|. Points below "
       "the rounding errors of double are drawn but not fitted.");
-  std::vector<Curve> plain;
-  plain.reserve(curves.size());
-  for (const Expected& e : curves)
-    plain.push_back(e.curve);
+  const std::vector<Curve> plain = curves_of(curves);
   notebook.table("rules", measurement_table(plain, 3), "Integral of 1/x over [1, 3]");
   notebook.table("rules_slopes", slope_table(curves), "Slope of log error, with 95 % interval");
   notebook.charts(error_charts("Integral of 1/x", "error", plain));

@@ -6,9 +6,10 @@
 
 namespace lab04 {
 
-using carlo::Curve, carlo::Measurement, carlo::Notebook, carlo::Summary, carlo::Trial;
-using carlo::error_charts, carlo::ladder, carlo::measurement_table, carlo::repeat,
-    carlo::slope_cell;
+using carlo::Curve, carlo::curves_of, carlo::ExpectedCurve, carlo::Measurement, carlo::Notebook,
+    carlo::Summary, carlo::Trial;
+using carlo::slope_table, carlo::error_charts, carlo::ladder, carlo::measurement_table,
+    carlo::repeat, carlo::slope_cell;
 
 // One experiment each: it runs the exercises it needs, and writes what it finds.
 
@@ -24,13 +25,5 @@ void slopes_experiment(Notebook& notebook);
 void variance_experiment(Notebook& notebook);
 /// Lab 4.6: strata that adapt.
 void recursive_experiment(Notebook& notebook);
-
-/// Methods with the slope that theory gives them, as a table.
-struct Expected {
-  Curve curve;
-  const char* slope;
-};
-carlo::Table slope_table(const std::vector<Expected>& curves);
-std::vector<Curve> curves_of(const std::vector<Expected>& expected);
 
 }  // namespace lab04

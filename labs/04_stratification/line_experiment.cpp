@@ -7,24 +7,6 @@
 
 namespace lab04 {
 
-carlo::Table slope_table(const std::vector<Expected>& curves) {
-  carlo::Table table({"method", "theory", "slope against N", "slope against time"},
-                     {"method", "theory", "slope_points", "slope_seconds"});
-  for (const auto& [curve, slope] : curves) {
-    table.add_row({curve.name, slope, slope_cell(curve.against_points()),
-                   slope_cell(curve.against_seconds())});
-  }
-  return table;
-}
-
-std::vector<Curve> curves_of(const std::vector<Expected>& expected) {
-  std::vector<Curve> curves;
-  curves.reserve(expected.size());
-  for (const Expected& e : expected)
-    curves.push_back(e.curve);
-  return curves;
-}
-
 namespace {
 
 double plain_average(const Function& f, std::int64_t n, carlo::Rng& rng) {
@@ -68,7 +50,7 @@ void line_experiment(Notebook& notebook) {
     const double edge = rng.uniform();
     return Drawn{[edge](double x) { return x < edge ? 1.0 : 0.0; }, edge};
   };
-  std::vector<Expected> curves = {
+  std::vector<ExpectedCurve> curves = {
       {curve(notebook, "exp(x), random", plain_average, smooth), "-1/2"},
       {curve(notebook, "a jump, random", plain_average, jump), "-1/2"}};
   notebook.progress(1, 2);

@@ -49,7 +49,7 @@ std::string picture(Notebook& notebook, const Integrand& g, std::int64_t n, Back
 void compare(Notebook& notebook, const std::string& key, const Integrand& g) {
   const std::vector<PointSet> sets = all_point_sets();
   const bool smooth = key == "recursive_peak";
-  std::vector<Expected> curves = {{fixed_curve(notebook, sets[0], g), "-1/2"}};
+  std::vector<ExpectedCurve> curves = {{fixed_curve(notebook, sets[0], g), "-1/2"}};
   notebook.attempt([&] {
     curves.push_back({fixed_curve(notebook, sets[1], g), smooth ? "-1" : "-3/4"});
   });

@@ -24,8 +24,8 @@ Curve curve(Notebook& notebook, const PointSet& set, const Integrand& integrand)
   return result;
 }
 
-std::vector<Expected> curves(Notebook& notebook, const Integrand& integrand, bool smooth) {
-  std::vector<Expected> result;
+std::vector<ExpectedCurve> curves(Notebook& notebook, const Integrand& integrand, bool smooth) {
+  std::vector<ExpectedCurve> result;
   double step = smooth ? 0 : 5;
   for (const PointSet& set : all_point_sets()) {
     notebook.progress(step++, 10);
@@ -38,7 +38,7 @@ std::vector<Expected> curves(Notebook& notebook, const Integrand& integrand, boo
 }
 
 void report(Notebook& notebook, const std::string& key, const Integrand& integrand,
-            const std::vector<Expected>& found) {
+            const std::vector<ExpectedCurve>& found) {
   notebook.table(key + "_slopes", slope_table(found),
                  fmt::format("{}: slope of log error, with 95 % interval", integrand.name));
   notebook.table(key, measurement_table(curves_of(found), 3), integrand.name);
@@ -79,7 +79,7 @@ void slopes_experiment(Notebook& notebook) {
       "that one of them takes, the points included.");
   const Integrand smooth = bell(), edge = darts();
   report(notebook, "smooth", smooth, curves(notebook, smooth, true));
-  const std::vector<Expected> found = curves(notebook, edge, false);
+  const std::vector<ExpectedCurve> found = curves(notebook, edge, false);
   report(notebook, "edge", edge, found);
   if (found.size() > 1 && found[1].curve.name == "jittered") {
     pi_table(notebook, found[0].curve, found[1].curve);

@@ -1,7 +1,5 @@
 #include "goodness.h"
 
-#include "stats/distributions.h"
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -12,30 +10,17 @@ namespace lab05 {
 
 Goodness goodness(std::span<const std::int64_t> counts, std::span<const double> probabilities,
                   std::int64_t n) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto total = static_cast<double>(n);
   std::vector<double> found, expected;
-  double pending_found = 0, pending = 0, missing = total;
+  double missing = total;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const auto count = static_cast<double>(counts[i]);
-    if (!(probabilities[i] > 0) && count > 0) return {infinity, 0, 0};
+    if (!(probabilities[i] > 0) && count > 0) return carlo::no_fit();
     missing -= count;
-    pending_found += count;
-    pending += probabilities[i] * total;
-    if (pending < 100) continue;
-    found.push_back(pending_found);
-    expected.push_back(pending);
-    pending_found = pending = 0;
+    found.push_back(count);
+    expected.push_back(probabilities[i] * total);
   }
-  if (missing != 0 || found.size() < 2) return {infinity, 0, 0};
-  found.back() += pending_found;
-  expected.back() += pending;
-  Goodness result;
-  for (std::size_t i = 0; i < found.size(); ++i)
-    result.statistic += (found[i] - expected[i]) * (found[i] - expected[i]) / expected[i];
-  result.freedom = static_cast<double>(found.size() - 1);
-  result.p = carlo::chi_square_upper(result.statistic, result.freedom);
-  return result;
+  return missing != 0 ? carlo::no_fit() : carlo::pooled_goodness(found, expected);
 }
 
 double integral_over_cell(const std::function<double(double)>& pdf, double a, double b) {

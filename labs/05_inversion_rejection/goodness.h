@@ -1,17 +1,14 @@
 #pragma once
 
+#include "stats/goodness.h"
+
 #include <cstdint>
 #include <functional>
 #include <span>
 
 namespace lab05 {
 
-/// How well counts fit probabilities: Pearson's chi-square.
-struct Goodness {
-  double statistic = 0;
-  double freedom = 0;
-  double p = 0;  ///< P(chi-square at least this large); tiny: they do not fit
-};
+using carlo::Goodness;
 
 /// `counts` of n samples against each cell's probability. Neighbouring cells are pooled until 100
 /// samples are expected in each. Samples that fell outside all cells, or into one of probability 0,

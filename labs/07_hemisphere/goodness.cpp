@@ -1,11 +1,10 @@
 #include "goodness.h"
 
 #include "numeric/robust.h"
-#include "stats/distributions.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <vector>
 
 namespace lab07 {
 namespace {
@@ -52,28 +51,13 @@ Goodness goodness(std::span<const Vec3> directions, const Pdf& pdf) {
   const auto total = static_cast<double>(directions.size());
   std::vector<double> counts(rings * sectors);
   for (const Vec3 w : directions) {
-    if (!(pdf(w) > 0)) return {std::numeric_limits<double>::infinity(), 0, 0};
+    if (!(pdf(w) > 0)) return carlo::no_fit();
     counts[static_cast<std::size_t>(cell_of(w))] += 1;
   }
-  std::vector<double> found, expected;
-  double pending_found = 0, pending = 0;
-  for (int cell = 0; cell < rings * sectors; ++cell) {
-    pending_found += counts[static_cast<std::size_t>(cell)];
-    pending += total * mass(pdf, cell / sectors, cell % sectors);
-    if (pending < 100) continue;
-    found.push_back(pending_found);
-    expected.push_back(pending);
-    pending_found = pending = 0;
-  }
-  if (found.size() < 2) return {std::numeric_limits<double>::infinity(), 0, 0};
-  found.back() += pending_found;
-  expected.back() += pending;
-  Goodness result;
-  for (std::size_t i = 0; i < found.size(); ++i)
-    result.statistic += (found[i] - expected[i]) * (found[i] - expected[i]) / expected[i];
-  result.freedom = static_cast<double>(found.size() - 1);
-  result.p = carlo::chi_square_upper(result.statistic, result.freedom);
-  return result;
+  std::vector<double> expected;
+  for (int cell = 0; cell < rings * sectors; ++cell)
+    expected.push_back(total * mass(pdf, cell / sectors, cell % sectors));
+  return carlo::pooled_goodness(counts, expected);
 }
 
 double density_of_height(const Pdf& pdf, double z) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hemisphere.h"
+#include "stats/goodness.h"
 
 #include <cstdint>
 #include <functional>
@@ -9,12 +10,7 @@
 
 namespace lab07 {
 
-/// How well counts fit probabilities: Pearson's chi-square.
-struct Goodness {
-  double statistic = 0;
-  double freedom = 0;
-  double p = 0;  ///< P(chi-square at least this large); tiny: they do not fit
-};
+using carlo::Goodness;
 
 /// A density on the sphere.
 using Pdf = std::function<double(Vec3)>;
