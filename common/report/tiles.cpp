@@ -38,9 +38,8 @@ std::string histogram_tile(std::string_view title, std::string_view note, Stretc
 std::string image_tile(std::string_view title, std::string_view note, const Image& image,
                        double white) {
   return tile(title, note,
-              fmt::format("<img width=\"{}\" height=\"{}\" alt=\"{}: {}\" src=\"{}\">\n",
-                          image.width, image.height, html_escaped(title), html_escaped(note),
-                          picture_url(image, white)));
+              fmt::format("<img width=\"{}\" height=\"{}\" alt=\"{}\" src=\"{}\">\n", image.width,
+                          image.height, html_escaped(title), picture_url(image, white)));
 }
 
 Image grey_image(std::span<const double> values, std::size_t width) {
