@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -49,7 +50,8 @@ Measurement relative(Measurement m, double integral) {
 Curve nested_curve(Notebook& notebook, std::size_t d) {
   const Cube cube(d);
   const double exact = exponential_nd_integral(d);
-  const std::int64_t limit = 4 * notebook.options().n;
+  // A slope needs four points: in eight dimensions 2 to 5 a side.
+  const std::int64_t limit = std::max<std::int64_t>(4 * notebook.options().n, 400'000);
   Curve curve{fmt::format("midpoint, d = {}", d), {}};
   for (std::int64_t n = 2; cells(n, d, limit) <= limit; n = next_side(n, d)) {
     const auto rule = [&] { return nested_midpoint(exponential_nd, cube.box(), n); };

@@ -31,7 +31,7 @@ std::vector<EstimatorWay> convergence_ways() {
 Curve curve_of(Notebook& notebook, const EstimatorWay& way) {
   Curve curve{way.name, {}};
   carlo::Rng rng = notebook.rng();
-  for (const std::int64_t n : ladder(64, std::max<std::int64_t>(notebook.options().n / 16, 1024))) {
+  for (const std::int64_t n : ladder(64, std::max<std::int64_t>(notebook.options().n / 16, 4096))) {
     curve.runs.push_back(repeat(n, repetitions(notebook, n), Summary::median, [&] {
       double sum = 0;
       for (const double y : contributions(power_f, way.p, n, rng))
