@@ -13,6 +13,7 @@
 #include "report/stop_note.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <chrono>
