@@ -38,9 +38,23 @@ std::vector<std::string> questions_seeds() {
 }
 
 std::vector<std::string> record_seeds() {
-  LabGrade lab{.number = 1, .title = "Lab", .state = LabState::judged, .note = "a note"};
-  lab.exercises = {{"Lab 1.1", "One", 2.5, 4, "failed", "why"}, {"Lab 1.2", "Two", {}, 4, "", ""}};
-  return {to_json(Record{"alice", "key", {"other.txt"}, {lab}})};
+  Verdict verdict;
+  verdict.what = "the mean";
+  verdict.p = 1e-9;
+  verdict.effect = Effect{.5, .25, "of all"};
+  verdict.diagnoses = {{"off-by-one", "one is missing."}};
+  verdict.figure = Figure{"title", "note", ListingFigure{{"a"}, {{"b"}}}};
+  ExerciseResult one, two;
+  one.tag = "Lab 1.1";
+  one.tests = {{one.tag, "it holds", {verdict}, Status::failed, "", "words"}};
+  two.tag = "Lab 1.2";
+  two.status = Status::grader_error;
+  LabGrade judged, unjudged;
+  judged.result.lab = 1;
+  judged.result.exercises = {one, two};
+  judged.note = "a note";
+  unjudged.unjudged = Status::does_not_compile;
+  return {to_json(Record{"alice", "key", {"other.txt"}, {judged, unjudged}})};
 }
 
 }  // namespace carlo::fuzz
