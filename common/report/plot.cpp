@@ -57,8 +57,10 @@ std::string tick_text(const Axis& axis, double value, double step) {
                ? number_text(value, 3)
                : typeset(fmt::format("{}e{}", number_text(value / std::pow(10, power), 2), power));
   }
-  const double digits = size > 0 ? std::floor(std::log10(size)) - std::floor(std::log10(step)) : 0;
-  return typeset(number_text(value, static_cast<int>(std::clamp(digits, 0.0, 9.0)) + 1));
+  const double digits = std::floor(std::log10(size)) - std::floor(std::log10(step));
+  // Written so that NaN, of a distance that is 0 or too large, is none.
+  const double kept = digits > 0 ? std::min(digits, 9.0) : 0;
+  return typeset(number_text(value, static_cast<int>(kept) + 1));
 }
 
 bool whole(double value) {
