@@ -6,8 +6,7 @@ namespace carlo {
 
 /// How well counts fit what is expected: Pearson's chi-square.
 struct Goodness {
-  double statistic = 0;
-  double freedom = 0;
+  double statistic = 0, freedom = 0;
   double p = 0;  ///< P(chi-square at least this large); tiny: they do not fit
 };
 
