@@ -300,7 +300,8 @@ TEST_CASE("the first hit is not behind the surface, as small steps find it", "[s
     for (int i = 0; i < 1000; ++i) {
       const Ray ray = aimed({}, rng);
       const double t = tracer.intersect(ray.o, ray.d, 0, infinity);
-      for (double step = 2; step < 6; step += 1e-3) {
+      for (int k = 0; k < 4000; ++k) {
+        const double step = 2 + 1e-3 * k;
         const bool inside = sdf::distance(example.sdf, Vec3d(ray.o) + step * Vec3d(ray.d)) < -1e-6;
         if (inside && t < 0) ++missed;
         if (inside && t > step) ++passed;
