@@ -55,6 +55,8 @@ pid_t start_program(const std::vector<std::string>& words, const ProgramStart& h
   const pid_t parent = ::getpid(), child = ::fork();
   if (child < 0) throw Error("cannot start a process: {}", std::strerror(errno));
   if (child == 0) become(argv, how, parent);
+  // Here as well, so that who ends the group at once finds it; it fails where the child was first.
+  if (how.own_group) (void)::setpgid(child, child);
   return child;
 }
 

@@ -36,7 +36,7 @@ const std::map<std::string, std::uint32_t> sizes = {
     {"v3f", 12},        {"v3i", 12},     {"deepImageState", 1}};
 
 /// What OpenEXR sets aside for one block of lines, which follows from three of the attributes. Of a
-/// part that is tiled it is too much; none of such files is read here.
+/// part that is tiled it is more than what OpenEXR takes.
 struct Block {
   std::uintmax_t width = 0, bytes_of_pixel = 0, lines = 1;
 
@@ -108,8 +108,7 @@ void require_honest_header(const std::filesystem::path& path) {
       if (block.bytes_of_column() > 0 && block.width > most_block_bytes / block.bytes_of_column()) {
         throw Error(
             "cannot read {}: it packs {} lines of {} pixels together, with {} bytes a pixel; "
-            "expected "
-            "{} MB at most",
+            "expected {} MB at most",
             path.string(), block.lines, block.width, block.bytes_of_pixel, most_block_bytes >> 20);
       }
       if (!many || first_of_header) return;

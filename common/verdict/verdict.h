@@ -89,7 +89,7 @@ struct LabResult {
   std::uint64_t seed = 0;
   bool usual_seed = false;  ///< the one that a run has that is told none
   std::string sandbox;
-  bool cut = false;  ///< what would have made the JSON that it came from too large is missing
+  bool cut = false;  ///< verdicts are missing that would have made its JSON too large
 
   double earned() const;
   int possible() const;

@@ -33,15 +33,12 @@ class Ration {
   std::size_t figures = most_json_bytes / 2;
   std::size_t printed = most_json_bytes / 8;
   std::size_t verdicts = most_json_bytes / 4;
-  bool short_of_it = false;
+  bool lost_verdicts = false;
 
   /// Whether the value still fits; if so, it is taken off what is left.
   bool gives(std::size_t& left, const json& value) {
     const std::size_t size = dumped(value).size();
-    if (size > left) {
-      short_of_it = true;
-      return false;
-    }
+    if (size > left) return false;
     left -= size;
     return true;
   }
@@ -81,7 +78,10 @@ json test_json(const TestRecord& test, Ration& left) {
   if (!left.gives(left.printed, entry["printed"])) entry["printed"] = "";
   for (const Verdict& verdict : test.verdicts) {
     json words = verdict_json(verdict);
-    if (!left.gives(left.verdicts, words)) continue;
+    if (!left.gives(left.verdicts, words)) {
+      left.lost_verdicts = true;
+      continue;
+    }
     if (verdict.figure && !verdict.passed) {
       json figure = to_json(*verdict.figure);
       if (left.gives(left.figures, figure)) words["figure"] = std::move(figure);
@@ -201,7 +201,7 @@ json to_json(const LabResult& result) {
           {"seed", std::to_string(result.seed)},
           {"usual_seed", result.usual_seed},
           {"sandbox", result.sandbox},
-          {"cut", result.cut || left.short_of_it},
+          {"cut", result.cut || left.lost_verdicts},
           {"exercises", std::move(exercises)}};
 }
 

@@ -17,8 +17,8 @@ constexpr std::size_t most_json_bytes = 2'000'000;
 /// ExerciseResult, TestRecord, Verdict, Diagnosis, Effect by its name; beside them the sums
 /// "points" and "max" of a lab. Exact comparisons have no "p"; only failed ones have a figure
 /// (figure_json.h). Long words are cut, and what would make the document too large is left out: the
-/// last figures, printed words, verdicts; then "cut" is true. What diagnoses were looked for is not
-/// kept.
+/// last figures, printed words, verdicts; where verdicts are missing "cut" is true. What diagnoses
+/// were looked for is not kept.
 nlohmann::json to_json(const LabResult& result);
 
 /// Throws Error when it is anything else.

@@ -136,6 +136,18 @@ TEST_CASE("the verdicts of a lab stay below two megabytes in JSON, and say that 
   CHECK_FALSE(kept["tests"][0]["verdicts"][0].contains("figure"));
 }
 
+TEST_CASE("verdicts that only lack figures are not cut", "[verdict]") {
+  LabResult result = full_result();
+  TestRecord& test = result.exercises[0].tests[0];
+  const std::vector<double> cells(1024, 2.0 / 3);
+  test.verdicts[0].figure = Figure{"tiles", "", GridFigure{"x", "y", 32, cells, cells, cells}};
+  test.verdicts = std::vector<Verdict>(100, test.verdicts[0]);
+  const LabResult back = lab_result_from_text(to_text(result));
+  CHECK_FALSE(back.cut);
+  CHECK(back.exercises[0].tests[0].verdicts.size() == 100);
+  CHECK_FALSE(back.exercises[0].tests[0].verdicts[99].figure.has_value());
+}
+
 TEST_CASE("every status and aspect has a name, and is found by it", "[verdict]") {
   for (int i = 0; i <= static_cast<int>(Status::grader_error); ++i) {
     const auto status = static_cast<Status>(i);
