@@ -2,8 +2,7 @@
 
 #include "cli/atomic_file.h"
 #include "cli/error.h"
-
-#include <nlohmann/json.hpp>
+#include "json/json_fields.h"
 
 #include <algorithm>
 #include <numeric>
@@ -12,87 +11,64 @@ namespace carlo {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
-/// Reads the fields of one JSON object; says where it is when one is missing or of a wrong type.
-class Fields {
- public:
-  Fields(const json& object, std::string where) : object_(object), where_(std::move(where)) {
-    if (!object_.is_object()) fail("expected an object");
-  }
-
-  std::string text(const char* key) const {
-    const json& value = at(key);
-    if (!value.is_string() || value.get_ref<const std::string&>().empty()) {
-      fail(fmt::format("\"{}\" must be a text that is not empty", key));
-    }
-    return value.get<std::string>();
-  }
-
-  int positive(const char* key) const {
-    const json& value = at(key);
-    if (!value.is_number_integer() || value.get<long>() < 1 || value.get<long>() > 1000) {
-      fail(fmt::format("\"{}\" must be a whole number from 1 to 1000", key));
-    }
-    return value.get<int>();
-  }
-
-  std::vector<std::string> texts(const char* key) const {
-    std::vector<std::string> list;
-    for (const json& value : array(key)) {
-      if (!value.is_string() || value.get_ref<const std::string&>().empty()) {
-        fail(fmt::format("\"{}\" must list texts that are not empty", key));
-      }
-      list.push_back(value.get<std::string>());
-    }
-    return list;
-  }
-
-  /// As texts(); none when the field is not there.
-  std::vector<std::string> optional_texts(const char* key) const {
-    return object_.contains(key) ? texts(key) : std::vector<std::string>{};
-  }
-
-  const json& array(const char* key) const {
-    const json& value = at(key);
-    if (!value.is_array()) fail(fmt::format("\"{}\" must be a list", key));
-    return value;
-  }
-
-  [[noreturn]] void fail(const std::string& what) const { throw Error("{}: {}", where_, what); }
-
- private:
-  const json& at(const char* key) const {
-    const auto found = object_.find(key);
-    if (found == object_.end()) fail(fmt::format("\"{}\" is missing", key));
-    return *found;
-  }
-
-  const json& object_;
-  std::string where_;
-};
-
-Exercise read_exercise(const Fields& fields) {
-  Exercise exercise;
-  exercise.tag = fields.text("tag");
-  exercise.title = fields.text("title");
-  exercise.points = fields.positive("points");
-  exercise.lecture = fields.text("lecture");
-  exercise.functions = fields.texts("functions");
-  exercise.hints = fields.texts("hints");
-  exercise.uses = fields.optional_texts("uses");
-  return exercise;
+/// A text that says something.
+void text(JsonFields& json, const char* key, std::string& value) {
+  json(key, value);
+  if (value.empty()) json.fail(fmt::format("\"{}\" must be a text that is not empty", key));
 }
 
-json parse(const fs::path& file) {
-  try {
-    return json::parse(read_file(file));
-  } catch (const json::parse_error& error) {
-    throw Error("{}: not valid JSON at byte {}", file.string(), error.byte);
+void texts(JsonFields& json, const char* key, std::vector<std::string>& list) {
+  json(key, list);
+  if (std::any_of(list.begin(), list.end(), [](const std::string& one) { return one.empty(); })) {
+    json.fail(fmt::format("\"{}\" must list texts that are not empty", key));
+  }
+}
+
+void positive(JsonFields& json, const char* key, int& value) {
+  json(key, value);
+  if (value < 1 || value > 1000) {
+    json.fail(fmt::format("\"{}\" must be a whole number from 1 to 1000", key));
+  }
+}
+
+/// Of one exercise, its tag, and that what it uses stands before it.
+void check(const JsonFields& json, const Lab& lab, std::size_t i) {
+  const Exercise& exercise = lab.exercises[i];
+  const std::string tag = fmt::format("Lab {}.{}", lab.number, i + 1);
+  if (exercise.tag != tag) {
+    json.fail(fmt::format("the tag is \"{}\", expected \"{}\"", exercise.tag, tag));
+  }
+  const auto end = lab.exercises.begin() + static_cast<std::ptrdiff_t>(i);
+  for (const std::string& used : exercise.uses) {
+    if (std::none_of(lab.exercises.begin(), end,
+                     [&](const Exercise& earlier) { return earlier.tag == used; })) {
+      json.fail(fmt::format("{}: \"uses\" names \"{}\", which is no earlier exercise", tag, used));
+    }
   }
 }
 
 }  // namespace
+
+static void fields(JsonFields& json, Exercise& exercise) {
+  text(json, "tag", exercise.tag);
+  text(json, "title", exercise.title);
+  positive(json, "points", exercise.points);
+  text(json, "lecture", exercise.lecture);
+  texts(json, "functions", exercise.functions);
+  texts(json, "hints", exercise.hints);
+  if (json.has("uses")) texts(json, "uses", exercise.uses);
+}
+
+static void fields(JsonFields& json, Lab& lab) {
+  positive(json, "lab", lab.number);
+  text(json, "name", lab.name);
+  text(json, "title", lab.title);
+  json("exercises", lab.exercises);
+  for (std::size_t i = 0; i < lab.exercises.size(); ++i)
+    check(json, lab, i);
+  if (lab.exercises.empty()) json.fail("no exercises");
+}
 
 const Exercise* Lab::find(const std::string& tag) const {
   const auto found = std::find_if(exercises.begin(), exercises.end(),
@@ -106,27 +82,7 @@ int Lab::points() const {
 }
 
 Lab load_lab(const fs::path& file) {
-  const json document = parse(file);
-  const Fields fields(document, file.string());
-  Lab lab;
-  lab.number = fields.positive("lab");
-  lab.name = fields.text("name");
-  lab.title = fields.text("title");
-  for (const json& entry : fields.array("exercises")) {
-    const std::string tag = fmt::format("Lab {}.{}", lab.number, lab.exercises.size() + 1);
-    const Fields exercise(entry, fmt::format("{}: {}", file.string(), tag));
-    Exercise read = read_exercise(exercise);
-    for (const std::string& used : read.uses) {
-      if (lab.find(used) == nullptr) {
-        exercise.fail(fmt::format("\"uses\" names \"{}\", which is no earlier exercise", used));
-      }
-    }
-    lab.exercises.push_back(std::move(read));
-    const std::string& found = lab.exercises.back().tag;
-    if (found != tag) exercise.fail(fmt::format("the tag is \"{}\", expected \"{}\"", found, tag));
-  }
-  if (lab.exercises.empty()) fields.fail("no exercises");
-  return lab;
+  return from_json_text<Lab>(read_file(file), file.string());
 }
 
 std::vector<Lab> load_labs(const fs::path& labs) {

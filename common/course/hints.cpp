@@ -2,9 +2,9 @@
 
 #include "cli/atomic_file.h"
 #include "cli/error.h"
+#include "json/json_fields.h"
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <charconv>
@@ -14,7 +14,15 @@ namespace carlo {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
+
+/// What the file holds.
+struct Seen {
+  std::map<std::string, int> hints;  ///< by "1.2"
+};
+
+void fields(JsonFields& json, Seen& seen) {
+  json("hints", seen.hints);
+}
 
 std::string numbers(const Lab& lab) {
   return fmt::format("{} to {}", lab.exercises.front().number(), lab.exercises.back().number());
@@ -55,27 +63,26 @@ std::string remark(const Hint& hint, Help help) {
 
 }  // namespace
 
-HintState::HintState(fs::path file) : file_(std::move(file)), text_("{}") {
+HintState::HintState(fs::path file) : file_(std::move(file)) {
   if (!fs::exists(file_)) return;
-  text_ = read_file(file_);
-  const json state = json::parse(text_, nullptr, false);
-  const bool good = state.is_object() && (!state.contains("hints") || state["hints"].is_object());
-  if (!good) throw Error("{}: not a record of hints; remove it to start afresh", file_.string());
+  const std::string text = read_file(file_);
+  try {
+    seen_ = from_json_text<Seen>(text, "hints").hints;
+  } catch (const Error&) {
+    throw Error("{}: not a record of hints; remove it to start afresh", file_.string());
+  }
 }
 
 int HintState::seen(const Exercise& exercise) const {
-  const json state = json::parse(text_);
-  const json count = state.value("hints", json::object()).value(exercise.number(), json(0));
-  return count.is_number_integer() ? std::clamp(count.get<int>(), 0, 1000) : 0;
+  const auto found = seen_.find(exercise.number());
+  return found == seen_.end() ? 0 : std::clamp(found->second, 0, 1000);
 }
 
 void HintState::set_seen(const Exercise& exercise, int count) {
-  json state = json::parse(text_);
-  state["hints"][exercise.number()] = count;
-  text_ = state.dump(2) + "\n";
+  seen_[exercise.number()] = count;
   std::error_code ec;
   if (file_.has_parent_path()) fs::create_directories(file_.parent_path(), ec);
-  write_file(file_, text_);
+  write_file(file_, json_text(Seen{seen_}, 2) + "\n");
 }
 
 const Exercise& find_exercise(const std::vector<Lab>& labs, const std::string& typed) {

@@ -4,6 +4,7 @@
 #include "verdict/verdict_text.h"
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,7 @@ class HintState {
 
  private:
   std::filesystem::path file_;
-  std::string text_;  ///< the file's JSON
+  std::map<std::string, int> seen_;  ///< by "1.2"
 };
 
 /// The exercise that a person means by "1.2" or "Lab 1.2". Throws Error that says which there are.

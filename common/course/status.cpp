@@ -2,10 +2,10 @@
 
 #include "cli/terminal.h"
 #include "cli/wrap.h"
+#include "json/json_fields.h"
 #include "verdict/verdict_text.h"
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,6 @@ namespace carlo {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 const char* name_of(Stage stage) {
   switch (stage) {
@@ -246,38 +245,47 @@ std::string status_text(const std::vector<LabStatus>& labs, bool all) {
   return text + next_line(labs);
 }
 
-std::string status_json(const std::vector<LabStatus>& labs) {
-  json document{{"labs", json::array()}};
+static void fields(JsonFields& json, const ExerciseStatus& status) {
+  const Exercise& exercise = *status.exercise;
+  json.also("tag", exercise.tag);
+  json.also("title", exercise.title);
+  json.also("stage", name_of(status.stage));
+  json.also("points", status.points);
+  json.also("max", exercise.points);
+  json.also("open_functions", status.open);
+  json.also("changed", status.changed);
+  json.also("hints_seen", status.hints);
+  json.also("hints", exercise.hints.size());
+  json.also("message", status.message);
+}
+
+static void fields(JsonFields& json, const LabStatus& lab) {
+  json.also("lab", lab.lab->number);
+  json.also("title", lab.lab->title);
+  json.also("points", lab.points());
+  json.also("max", lab.lab->points());
+  json.also("exercises", lab.exercises);
+}
+
+static void fields(JsonFields& json, const std::vector<LabStatus>& labs) {
   double points = 0;
   int possible = 0;
   for (const LabStatus& lab : labs) {
-    json exercises = json::array();
-    for (const ExerciseStatus& status : lab.exercises) {
-      const Exercise& exercise = *status.exercise;
-      exercises.push_back({{"tag", exercise.tag},
-                           {"title", exercise.title},
-                           {"stage", name_of(status.stage)},
-                           {"points", status.points},
-                           {"max", exercise.points},
-                           {"open_functions", status.open},
-                           {"changed", status.changed},
-                           {"hints_seen", status.hints},
-                           {"hints", exercise.hints.size()},
-                           {"message", status.message}});
-    }
-    document["labs"].push_back({{"lab", lab.lab->number},
-                                {"title", lab.lab->title},
-                                {"points", lab.points()},
-                                {"max", lab.lab->points()},
-                                {"exercises", exercises}});
     points += lab.points();
     possible += lab.lab->points();
   }
-  const Exercise* next = next_exercise(labs);
-  document["points"] = points;
-  document["max"] = possible;
-  document["next"] = next == nullptr ? json(nullptr) : json(next->number());
-  return document.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+  json.also("labs", labs);
+  json.also("points", points);
+  json.also("max", possible);
+  if (const Exercise* next = next_exercise(labs)) {
+    json.also("next", next->number());
+  } else {
+    json.null("next");
+  }
+}
+
+std::string status_json(const std::vector<LabStatus>& labs) {
+  return json_text(labs, 2) + "\n";
 }
 
 }  // namespace carlo

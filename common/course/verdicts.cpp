@@ -4,15 +4,27 @@
 #include "cli/error.h"
 #include "verdict/verdict_json.h"
 
-#include <nlohmann/json.hpp>
-
 #include <system_error>
 
 namespace carlo {
-namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
+
+static void fields(JsonFields& json, KeptVerdict& verdict) {
+  json("judged", verdict.result);
+  json("exercise", verdict.exercise);
+}
+
+namespace {
+
+/// What the file holds.
+struct Kept {
+  std::map<std::string, KeptVerdict> exercises;
+};
+
+void fields(JsonFields& json, Kept& kept) {
+  json("exercises", kept.exercises);
+}
 
 }  // namespace
 
@@ -20,10 +32,8 @@ VerdictBook::VerdictBook(fs::path file) : file_(std::move(file)) {
   if (!fs::exists(file_)) return;
   const std::string text = read_file(file_);
   try {
-    const json document = json::parse(text);
-    for (const auto& [number, entry] : document.at("exercises").items())
-      verdicts_[number] = {exercise_result_from_json(entry.at("judged")), entry.at("exercise")};
-  } catch (const std::exception&) {
+    verdicts_ = from_json_text<Kept>(text, "verdicts").exercises;
+  } catch (const Error&) {
     throw Error("{}: not a record of verdicts; remove it to start afresh", file_.string());
   }
 }
@@ -38,17 +48,17 @@ void VerdictBook::take(const LabResult& judged, const Lab& lab, const OwnCode& c
   for (const ExerciseResult& result : judged.exercises) {
     const Exercise* exercise = lab.find(result.tag);
     if (exercise == nullptr) throw Error("verdicts of an exercise that lab.json does not list");
-    verdicts_[exercise->number()] = {result, code.digest(*exercise)};
+    KeptVerdict& kept = verdicts_[exercise->number()] = {result, code.digest(*exercise)};
+    for (TestRecord& test : kept.result.tests)
+      for (Verdict& verdict : test.verdicts)
+        verdict.figure.reset();
   }
 }
 
 void VerdictBook::save() const {
-  json exercises = json::object();
-  for (const auto& [number, verdict] : verdicts_)
-    exercises[number] = {{"judged", to_json(verdict.result)}, {"exercise", verdict.exercise}};
   std::error_code ec;
   if (file_.has_parent_path()) fs::create_directories(file_.parent_path(), ec);
-  write_file(file_, dumped({{"exercises", exercises}}, 1) + "\n");
+  write_file(file_, json_text(Kept{verdicts_}, 1) + "\n");
 }
 
 }  // namespace carlo

@@ -1,202 +1,153 @@
 #include "verdict/figure_json.h"
 
 #include "cli/error.h"
+#include "cli/number.h"
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <iterator>
 
 namespace carlo {
-
-using nlohmann::json;
-
 namespace {
 
-json number(double value) {
-  if (std::isnan(value)) return "nan";
-  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
-  return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
+/// A value that is written keeps six digits: nobody sees more.
+void shorten(const JsonFields& json, double& value) {
+  if (json.reading() || !std::isfinite(value)) return;
+  value = number_of<double>(fmt::format("{:.6g}", value)).value_or(value);
 }
 
-json numbers(const std::vector<double>& values) {
-  auto list = json::array();
-  for (const double value : values)
-    list.push_back(number(value));
-  return list;
+void number(JsonFields& json, const char* name, double& value) {
+  shorten(json, value);
+  json(name, value);
 }
 
-const char* name(Mark::Role role) {
+void numbers(JsonFields& json, const char* name, std::vector<double>& values) {
+  for (double& value : values)
+    shorten(json, value);
+  json(name, values);
+}
+
+void check_size(const JsonFields& json, const char* what, std::size_t size, std::size_t most) {
+  if (size > most)
+    json.fail(fmt::format("a figure has {} {}, at most {} are allowed", size, what, most));
+}
+
+std::string name_of(Mark::Role role) {
   if (role == Mark::Role::expected) return "expected";
   return role == Mark::Role::suspect ? "suspect" : "measured";
 }
 
-json data_json(const HistogramFigure& h) {
-  auto marks = json::array();
-  for (const Mark& mark : h.marks)
-    marks.push_back({{"at", number(mark.at)}, {"label", mark.label}, {"role", name(mark.role)}});
-  return {{"kind", "histogram"},
-          {"x_label", h.x_label},
-          {"first", number(h.first)},
-          {"last", number(h.last)},
-          {"measured", numbers(h.measured)},
-          {"expected", numbers(h.expected)},
-          {"band", numbers(h.band)},
-          {"marks", marks}};
-}
-
-json data_json(const PointsFigure& p) {
-  auto points = json::array();
-  for (const PointsFigure::Point& point : p.points) {
-    points.push_back({number(point.x), number(point.measured), number(point.half_width),
-                      number(point.expected)});
+Mark::Role role_named(const std::string& text) {
+  for (const Mark::Role role : {Mark::Role::measured, Mark::Role::expected, Mark::Role::suspect}) {
+    if (name_of(role) == text) return role;
   }
-  return {{"kind", "points"}, {"x_label", p.x_label}, {"y_label", p.y_label},
-          {"log_x", p.log_x}, {"joined", p.joined},   {"points", points}};
-}
-
-json data_json(const GridFigure& g) {
-  return {
-      {"kind", "grid"},       {"column_label", g.column_label},  {"row_label", g.row_label},
-      {"columns", g.columns}, {"measured", numbers(g.measured)}, {"expected", numbers(g.expected)},
-      {"sd", numbers(g.sd)}};
-}
-
-json data_json(const ListingFigure& l) {
-  return {{"kind", "listing"}, {"titles", l.titles}, {"rows", l.rows}};
-}
-
-// Reading. Library exceptions become Errors in figure_from_json().
-
-double read_number(const json& value) {
-  if (value.is_number()) return value.get<double>();
-  if (value == "inf") return HUGE_VAL;
-  if (value == "-inf") return -HUGE_VAL;
-  if (value == "nan") return std::nan("");
-  throw Error("a figure holds {} where a number is expected", value.dump().substr(0, 40));
-}
-
-void check_size(const char* what, std::size_t size, std::size_t most) {
-  if (size > most) throw Error("a figure has {} {}, at most {} are allowed", size, what, most);
-}
-
-std::vector<double> read_numbers(const json& list, const char* what, std::size_t most) {
-  if (!list.is_array()) throw Error("a figure's {} are no list", what);
-  check_size(what, list.size(), most);
-  std::vector<double> values;
-  for (const json& value : list)
-    values.push_back(read_number(value));
-  return values;
-}
-
-Mark::Role read_role(const std::string& text) {
-  if (text == "measured") return Mark::Role::measured;
-  if (text == "expected") return Mark::Role::expected;
-  if (text == "suspect") return Mark::Role::suspect;
   throw Error("a mark is \"{}\", expected measured, expected or suspect", text.substr(0, 40));
-}
-
-HistogramFigure read_histogram(const json& j) {
-  HistogramFigure h;
-  h.x_label = j.at("x_label").get<std::string>();
-  h.first = read_number(j.at("first"));
-  h.last = read_number(j.at("last"));
-  h.measured = read_numbers(j.at("measured"), "bins", most_bins);
-  h.expected = read_numbers(j.at("expected"), "bins", most_bins);
-  h.band = read_numbers(j.at("band"), "bins", most_bins);
-  if (!(h.first < h.last) || !std::isfinite(h.last - h.first)) {
-    throw Error("a histogram reaches from {} to {}", h.first, h.last);
-  }
-  const auto agrees = [&](std::size_t size) { return size == 0 || size == h.measured.size(); };
-  if (h.measured.empty() || !agrees(h.expected.size()) || !agrees(h.band.size())) {
-    throw Error("a histogram has {} bins, {} expected and {} bands", h.measured.size(),
-                h.expected.size(), h.band.size());
-  }
-  check_size("marks", j.at("marks").size(), most_marks);
-  for (const json& mark : j.at("marks")) {
-    h.marks.push_back({read_number(mark.at("at")), mark.at("label").get<std::string>(),
-                       read_role(mark.at("role").get<std::string>())});
-  }
-  return h;
-}
-
-PointsFigure read_points(const json& j) {
-  PointsFigure p;
-  p.x_label = j.at("x_label").get<std::string>();
-  p.y_label = j.at("y_label").get<std::string>();
-  p.log_x = j.at("log_x").get<bool>();
-  p.joined = j.at("joined").get<bool>();
-  check_size("points", j.at("points").size(), most_points);
-  for (const json& point : j.at("points")) {
-    const std::vector<double> v = read_numbers(point, "numbers in a point", 4);
-    if (v.size() != 4) throw Error("a point has {} numbers, expected 4", v.size());
-    p.points.push_back({v[0], v[1], v[2], v[3]});
-  }
-  return p;
-}
-
-GridFigure read_grid(const json& j) {
-  GridFigure g;
-  constexpr std::size_t most = most_cells_a_side * most_cells_a_side;
-  g.column_label = j.at("column_label").get<std::string>();
-  g.row_label = j.at("row_label").get<std::string>();
-  g.columns = j.at("columns").get<std::size_t>();
-  g.measured = read_numbers(j.at("measured"), "cells", most);
-  g.expected = read_numbers(j.at("expected"), "cells", most);
-  g.sd = read_numbers(j.at("sd"), "cells", most);
-  const std::size_t cells = g.measured.size();
-  if (g.columns == 0 || g.columns > most_cells_a_side || cells == 0 || cells % g.columns != 0 ||
-      cells / g.columns > most_cells_a_side || g.expected.size() != cells || g.sd.size() != cells) {
-    throw Error("a grid of {} columns has {} cells, {} expected and {} deviations", g.columns,
-                cells, g.expected.size(), g.sd.size());
-  }
-  return g;
-}
-
-ListingFigure read_listing(const json& j) {
-  ListingFigure l;
-  l.titles = j.at("titles").get<std::vector<std::string>>();
-  l.rows = j.at("rows").get<std::vector<std::vector<std::string>>>();
-  check_size("columns", l.titles.size(), most_columns);
-  check_size("rows", l.rows.size(), most_rows);
-  for (const auto& row : l.rows) {
-    if (row.size() != l.titles.size()) {
-      throw Error("a row has {} cells, expected {}", row.size(), l.titles.size());
-    }
-  }
-  return l;
 }
 
 }  // namespace
 
-json to_json(const Figure& figure) {
-  json result = std::visit([](const auto& data) { return data_json(data); }, figure.data);
-  result["title"] = figure.title;
-  result["note"] = figure.note;
-  return result;
+static void fields(JsonFields& json, Mark& mark) {
+  number(json, "at", mark.at);
+  json("label", mark.label);
+  json.named("role", mark.role, name_of, role_named);
 }
 
-Figure figure_from_json(const json& j) {
-  try {
-    Figure figure{j.at("title").get<std::string>(), j.at("note").get<std::string>(),
-                  ListingFigure{}};
-    const std::string kind = j.at("kind").get<std::string>();
-    if (kind == "histogram") {
-      figure.data = read_histogram(j);
-    } else if (kind == "points") {
-      figure.data = read_points(j);
-    } else if (kind == "grid") {
-      figure.data = read_grid(j);
-    } else if (kind == "listing") {
-      figure.data = read_listing(j);
-    } else {
-      throw Error("there is no figure of kind \"{}\"", kind.substr(0, 40));
-    }
-    return figure;
-  } catch (const json::exception& problem) {
-    throw Error("this is no figure: {}", problem.what());
+static void fields(JsonFields& json, PointsFigure::Point& point) {
+  number(json, "x", point.x);
+  number(json, "measured", point.measured);
+  number(json, "half_width", point.half_width);
+  number(json, "expected", point.expected);
+}
+
+static void fields(JsonFields& json, HistogramFigure& h) {
+  json("x_label", h.x_label);
+  number(json, "first", h.first);
+  number(json, "last", h.last);
+  numbers(json, "measured", h.measured);
+  numbers(json, "expected", h.expected);
+  numbers(json, "band", h.band);
+  json("marks", h.marks);
+  if (!json.reading()) return;
+  for (const std::size_t size : {h.measured.size(), h.expected.size(), h.band.size()})
+    check_size(json, "bins", size, most_bins);
+  check_size(json, "marks", h.marks.size(), most_marks);
+  if (!(h.first < h.last) || !std::isfinite(h.last - h.first)) {
+    json.fail(fmt::format("a histogram reaches from {} to {}", h.first, h.last));
   }
+  const auto agrees = [&](std::size_t size) { return size == 0 || size == h.measured.size(); };
+  if (h.measured.empty() || !agrees(h.expected.size()) || !agrees(h.band.size())) {
+    json.fail(fmt::format("a histogram has {} bins, {} expected and {} bands", h.measured.size(),
+                          h.expected.size(), h.band.size()));
+  }
+}
+
+static void fields(JsonFields& json, PointsFigure& p) {
+  json("x_label", p.x_label);
+  json("y_label", p.y_label);
+  json("log_x", p.log_x);
+  json("joined", p.joined);
+  json("points", p.points);
+  if (json.reading()) check_size(json, "points", p.points.size(), most_points);
+}
+
+static void fields(JsonFields& json, GridFigure& g) {
+  json("column_label", g.column_label);
+  json("row_label", g.row_label);
+  json("columns", g.columns);
+  numbers(json, "measured", g.measured);
+  numbers(json, "expected", g.expected);
+  numbers(json, "sd", g.sd);
+  const std::size_t cells = g.measured.size();
+  if (json.reading() && (g.columns == 0 || g.columns > most_cells_a_side || cells == 0 ||
+                         cells % g.columns != 0 || cells / g.columns > most_cells_a_side ||
+                         g.expected.size() != cells || g.sd.size() != cells)) {
+    json.fail(fmt::format("a grid of {} columns has {} cells, {} expected and {} deviations",
+                          g.columns, cells, g.expected.size(), g.sd.size()));
+  }
+}
+
+/// The cells of all rows stand in one list.
+static void fields(JsonFields& json, ListingFigure& l) {
+  std::vector<std::string> cells;
+  for (const std::vector<std::string>& row : l.rows)
+    cells.insert(cells.end(), row.begin(), row.end());
+  json("titles", l.titles);
+  json("cells", cells);
+  if (!json.reading()) return;
+  const std::size_t columns = l.titles.size();
+  check_size(json, "columns", columns, most_columns);
+  if (columns == 0 || cells.size() % columns != 0) {
+    json.fail(fmt::format("a listing of {} columns has {} cells", columns, cells.size()));
+  }
+  check_size(json, "rows", cells.size() / columns, most_rows);
+  for (auto row = cells.begin(); row != cells.end(); row += static_cast<std::ptrdiff_t>(columns))
+    l.rows.emplace_back(row, row + static_cast<std::ptrdiff_t>(columns));
+}
+
+namespace {
+
+constexpr const char* kinds[] = {"histogram", "points", "grid", "listing"};
+
+/// An empty figure of the kind, to be read.
+decltype(Figure::data) empty_figure(const std::string& kind) {
+  if (kind == kinds[0]) return HistogramFigure{};
+  if (kind == kinds[1]) return PointsFigure{};
+  if (kind == kinds[2]) return GridFigure{};
+  if (kind == kinds[3]) return ListingFigure{};
+  throw Error("there is no figure of kind \"{}\"", kind.substr(0, 40));
+}
+
+}  // namespace
+
+void fields(JsonFields& json, Figure& figure) {
+  std::string kind = kinds[figure.data.index()];
+  json("kind", kind);
+  json("title", figure.title);
+  json("note", figure.note);
+  if (json.reading()) figure.data = empty_figure(kind);
+  std::visit([&](auto& data) { fields(json, data); }, figure.data);
 }
 
 }  // namespace carlo

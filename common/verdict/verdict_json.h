@@ -1,8 +1,7 @@
 #pragma once
 
+#include "json/json_fields.h"
 #include "verdict/verdict.h"
-
-#include <nlohmann/json_fwd.hpp>
 
 #include <cstddef>
 #include <string>
@@ -16,23 +15,11 @@ constexpr std::size_t most_json_bytes = 2'000'000;
 /// The only form in which verdicts are written and read: one member for each of LabResult,
 /// ExerciseResult, TestRecord, Verdict, Diagnosis, Effect by its name; beside them the sums
 /// "points" and "max" of a lab. Exact comparisons have no "p"; only failed ones have a figure
-/// (figure_json.h). Long words are cut, and what would make the document too large is left out: the
-/// last figures, printed words, verdicts; where verdicts are missing "cut" is true. What diagnoses
-/// were looked for is not kept.
-nlohmann::json to_json(const LabResult& result);
-
-/// Throws Error when it is anything else.
-LabResult lab_result_from_json(const nlohmann::json& document);
-
-/// The same of one exercise, whose figures are left out.
-nlohmann::json to_json(const ExerciseResult& result);
-ExerciseResult exercise_result_from_json(const nlohmann::json& document);
-
-/// A document as text, for a file: in valid UTF-8, whatever a student's program said.
-std::string dumped(const nlohmann::json& document, int indent = -1);
-
-/// The text with U+FFFD in place of bytes that are no UTF-8.
-std::string valid_utf8(const std::string& text);
+/// (figure_json.h). Of a lab, long words are cut when they are written, and what would make the
+/// document too large is left out: the last figures, printed words, verdicts; where verdicts are
+/// missing "cut" is true. What diagnoses were looked for is not kept.
+void fields(JsonFields& json, LabResult& result);
+void fields(JsonFields& json, ExerciseResult& result);
 
 /// A lab's verdicts as a file holds them, and what such a file holds. Throws Error when it is no
 /// JSON or no lab's verdicts.

@@ -53,6 +53,14 @@ LabResult full_result() {
   return result;
 }
 
+json to_json(const LabResult& result) {
+  return json::parse(to_text(result));
+}
+
+LabResult lab_result_from(const json& document) {
+  return lab_result_from_text(document.dump());
+}
+
 /// All members of a document, each with a pointer to it.
 std::vector<json::json_pointer> places_in(const json& document) {
   std::vector<json::json_pointer> places;
@@ -93,16 +101,16 @@ TEST_CASE("what lacks a member, or has one of another type, is no verdict", "[ve
     // Both are sums, for programs; nobody reads them back.
     const bool derived =
         place == json::json_pointer("/points") || place == json::json_pointer("/max");
-    if (!derived) CHECK_THROWS_AS(lab_result_from_json(wrong), Error);
+    if (!derived) CHECK_THROWS_AS(lab_result_from(wrong), Error);
   }
   for (const char* text : {"", "{", "{}", "[]", "3", "null"})
     CHECK_THROWS_AS(lab_result_from_text(text), Error);
   json other = whole;
   other["exercises"][0]["tag"] = "7.1";
-  CHECK_THROWS_AS(lab_result_from_json(other), Error);
+  CHECK_THROWS_AS(lab_result_from(other), Error);
   other = whole;
   other["exercises"][0]["status"] = "fine";
-  CHECK_THROWS_AS(lab_result_from_json(other), Error);
+  CHECK_THROWS_AS(lab_result_from(other), Error);
 }
 
 TEST_CASE("the JSON is valid whatever a program said", "[verdict]") {
@@ -132,8 +140,6 @@ TEST_CASE("the verdicts of a lab stay below two megabytes in JSON, and say that 
   REQUIRE(back.exercises[0].tests.size() == 40);
   CHECK(back.exercises[0].tests[0].verdicts[0].figure.has_value());
   CHECK(back.exercises[0].tests[39].verdicts.empty());
-  const json kept = to_json(result.exercises[0]);
-  CHECK_FALSE(kept["tests"][0]["verdicts"][0].contains("figure"));
 }
 
 TEST_CASE("verdicts that only lack figures are not cut", "[verdict]") {

@@ -183,6 +183,27 @@ TEST_CASE("status for people has no escapes when piped; for programs it is JSON"
   CHECK(json["points"] == 1);
 }
 
+TEST_CASE("verdicts are kept without their figures", "[course]") {
+  const Tree tree;
+  Verdict verdict{false, "the mean", "1", "2", "", {}, {}};
+  verdict.figure = Figure{"title", "", ListingFigure{{"a"}, {{"b"}}}};
+  ExerciseResult result;
+  result.tag = "Lab 1.1";
+  result.tests = {{result.tag, "it holds", {verdict}, Status::failed, "", ""}};
+  LabResult judged;
+  judged.lab = 1;
+  judged.exercises = {result};
+  VerdictBook book(tree.kept());
+  book.take(judged, tree.lab(), tree.code());
+  book.save();
+  const VerdictBook again(tree.kept());
+  const KeptVerdict* kept = again.find(tree.lab().exercises[0]);
+  REQUIRE(kept != nullptr);
+  const Verdict& back = kept->result.tests.at(0).verdicts.at(0);
+  CHECK(back.what == "the mean");
+  CHECK_FALSE(back.figure.has_value());
+}
+
 TEST_CASE("a file of verdicts that is none, and verdicts of another lab, are errors", "[course]") {
   const Tree tree;
   VerdictBook book(tree.kept());

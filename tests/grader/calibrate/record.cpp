@@ -3,15 +3,11 @@
 #include "cli/error.h"
 #include "verdict/verdict_json.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <limits>
 #include <map>
 
 namespace carlo::grader {
-
-using nlohmann::json;
 
 std::vector<Comparison> comparisons(const Record& record) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -59,30 +55,24 @@ LabResult kept_of(LabResult result) {
   return result;
 }
 
+static void fields(JsonFields& json, Record& record) {
+  json("lab", record.key.lab);
+  json("what", record.key.what);
+  json("seed", record.key.seed);
+  json("programs", record.key.programs);
+  json("exit", record.exit_code);
+  json("cpu_seconds", record.cpu_seconds);
+  json("megabytes", record.megabytes);
+  json("result", record.result);
+}
+
 std::string to_line(const Record& record) {
-  return dumped({{"lab", record.key.lab},
-                 {"what", record.key.what},
-                 {"seed", record.key.seed},
-                 {"programs", record.key.programs},
-                 {"exit", record.exit_code},
-                 {"cpu_seconds", record.cpu_seconds},
-                 {"megabytes", record.megabytes},
-                 {"result", to_json(record.result)}});
+  return json_text(record);
 }
 
 std::optional<Record> record_from(const std::string& line) {
   try {
-    const json document = json::parse(line);
-    Record record;
-    record.key = {document.at("lab"), document.at("what"), document.at("seed"),
-                  document.at("programs")};
-    record.exit_code = document.at("exit");
-    record.cpu_seconds = document.at("cpu_seconds");
-    record.megabytes = document.at("megabytes");
-    record.result = lab_result_from_json(document.at("result"));
-    return record;
-  } catch (const json::exception&) {
-    return std::nullopt;
+    return from_json_text<Record>(line, "a record");
   } catch (const Error&) {
     return std::nullopt;
   }

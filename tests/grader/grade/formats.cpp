@@ -1,16 +1,14 @@
 #include "grader/grade/outputs.h"
-#include "verdict/verdict_json.h"
+#include "json/json_fields.h"
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 
+#include <map>
 #include <sstream>
 
 namespace carlo::grader {
 namespace {
-
-using nlohmann::json;
 
 double seconds_of(const LabGrade& lab) {
   return lab.compile_seconds + lab.judge_seconds;
@@ -21,19 +19,6 @@ std::string output_of(const LabGrade& lab, const ExerciseResult& exercise) {
   std::string text = text_of(lab, exercise);
   if (lab.unjudged && !lab.compiler.empty()) text += "\n" + lab.compiler;
   return text;
-}
-
-json test_json(const LabGrade& lab, const ExerciseResult& exercise) {
-  json test{{"name", exercise.tag + " " + exercise.title},
-            {"number", exercise.number()},
-            {"max_score", exercise.max},
-            {"status", points_of(exercise) == exercise.max ? "passed" : "failed"},
-            {"output", output_of(lab, exercise)},
-            {"output_format", "text"},
-            {"visibility", "visible"},
-            {"extra_data", {{"status", to_string(exercise.status)}}}};
-  if (const auto points = points_of(exercise)) test["score"] = *points;
-  return test;
 }
 
 /// XML 1.0 has no place for most control characters, for U+FFFE and U+FFFF, nor for bytes that are
@@ -62,24 +47,63 @@ void add_case(pugi::xml_node& suite, const LabGrade& lab, const ExerciseResult& 
 
 }  // namespace
 
-std::string gradescope_json(const Record& record) {
-  double seconds = 0;
+namespace {
+
+/// What Gradescope knows of one exercise.
+struct GradescopeTest {
+  const LabGrade* lab = nullptr;
+  const ExerciseResult* exercise = nullptr;
+};
+
+void fields(JsonFields& json, const GradescopeTest& test) {
+  const ExerciseResult& exercise = *test.exercise;
+  const std::optional<double> points = points_of(exercise);
+  json.also("name", exercise.tag + " " + exercise.title);
+  json.also("number", exercise.number());
+  json.also("max_score", exercise.max);
+  json.also("score", points);
+  json.also("status", points == exercise.max ? "passed" : "failed");
+  json.also("output", output_of(*test.lab, exercise));
+  json.also("output_format", "text");
+  json.also("visibility", "visible");
+  json.also("extra_data",
+            std::map<std::string, std::string>{{"status", to_string(exercise.status)}});
+}
+
+struct GradescopeResults {
   std::string summary;
-  json tests = json::array();
+  std::vector<GradescopeTest> tests;
+  double seconds = 0;
+  std::optional<double> score;
+};
+
+void fields(JsonFields& json, GradescopeResults& results) {
+  json("execution_time", results.seconds);
+  json("output", results.summary);
+  json.also("output_format", "text");
+  json.also("visibility", "visible");
+  json.also("stdout_visibility", "hidden");
+  json("tests", results.tests);
+  json("score", results.score);
+}
+
+}  // namespace
+
+std::string gradescope_json(const Record& record) {
+  GradescopeResults results;
   for (const LabGrade& lab : record.labs) {
-    seconds += seconds_of(lab);
-    if (!lab.note.empty()) summary += fmt::format("Lab {:02}: {}\n", lab.result.lab, lab.note);
-    if (!lab.compiler.empty()) summary += lab.compiler + "\n";
+    results.seconds += seconds_of(lab);
+    if (!lab.note.empty()) {
+      results.summary += fmt::format("Lab {:02}: {}\n", lab.result.lab, lab.note);
+    }
+    if (!lab.compiler.empty()) results.summary += lab.compiler + "\n";
     for (const ExerciseResult& exercise : lab.result.exercises)
-      tests.push_back(test_json(lab, exercise));
+      results.tests.push_back({&lab, &exercise});
   }
   for (const std::string& file : record.ignored)
-    summary += "not looked at: " + file + "\n";
-  json document{{"execution_time", seconds},     {"output", summary},
-                {"output_format", "text"},       {"visibility", "visible"},
-                {"stdout_visibility", "hidden"}, {"tests", tests}};
-  if (record.complete()) document["score"] = *record.points();
-  return dumped(document, 1) + "\n";
+    results.summary += "not looked at: " + file + "\n";
+  if (record.complete()) results.score = record.points();
+  return json_text(results, 1) + "\n";
 }
 
 std::string junit_xml(const Record& record) {
