@@ -1,54 +1,65 @@
 #include "cli/arguments.h"
 
+#include "cli/command_line_help.h"
 #include "cli/error.h"
 #include "cli/number.h"
 
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <type_traits>
 
 namespace carlo {
 namespace {
 
-// CLI11 is given words and gives words: its own templates for values would be compiled for each
-// type.
+namespace fs = std::filesystem;
 
-template <class Number>
-bool read(const std::string& text, Number& value) {
-  if constexpr (std::is_arithmetic_v<Number>) {
-    const std::optional<Number> number = number_of<Number>(text);
+// What a variable can be told, for each of its types --------------------------------------------
+
+template <class T>
+bool read_one(const std::string& word, T& value) {
+  if constexpr (std::is_arithmetic_v<T>) {
+    const std::optional<T> number = number_of<T>(word);
     if (number) value = *number;
     return number.has_value();
   } else {
-    value = text;
+    value = word;
     return true;
   }
 }
 
 template <class T>
-bool read(const std::vector<std::string>& words, T& value) {
-  return read(words.empty() ? "" : words.back(), value);
+bool read_words(const std::vector<std::string>& words, T& value) {
+  return read_one(words.empty() ? "" : words.back(), value);
 }
 
 template <class T>
-bool read(const std::vector<std::string>& words, std::optional<T>& value) {
-  return read(words.empty() ? "" : words.back(), value.emplace());
+bool read_words(const std::vector<std::string>& words, std::optional<T>& value) {
+  return read_words(words, value.emplace());
 }
 
 template <class T>
-bool read(const std::vector<std::string>& words, std::vector<T>& list) {
-  list.clear();
-  return std::all_of(words.begin(), words.end(),
-                     [&](const std::string& word) { return read(word, list.emplace_back()); });
+bool read_words(const std::vector<std::string>& words, std::vector<T>& list) {
+  list.resize(words.size());
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (!read_one(words[i], list[i])) return false;
+  return true;
+}
+
+std::string shown(const std::string& value) {
+  return value;
+}
+
+std::string shown(const fs::path& value) {
+  return value.string();
 }
 
 template <class T>
 std::string shown(const T& value) {
-  return fmt::format("{}", value);
+  if constexpr (std::is_arithmetic_v<T>) return fmt::format("{}", value);
+  return "";
 }
 
 /// An end of a range, in short: 1e+15.
@@ -58,30 +69,7 @@ std::string shown_end(Number value) {
   return fmt::format("{}", value);
 }
 
-std::string shown(const std::filesystem::path& value) {
-  return value.string();
-}
-
-template <class T>
-std::string shown(const std::optional<T>& value) {
-  return value ? shown(*value) : "";
-}
-
-template <class T>
-std::string shown(const std::vector<T>& list) {
-  return fmt::format("[{}]", fmt::join(list, ","));
-}
-
-template <class T>
-bool is_list(const T&) {
-  return false;
-}
-
-template <class T>
-bool is_list(const std::vector<T>&) {
-  return true;
-}
-
+/// What a list or an optional holds; else the type itself.
 template <class T>
 struct Held {
   using type = T;
@@ -96,42 +84,197 @@ struct Held<std::vector<T>> {
 };
 
 template <class T>
-const char* type_name_of() {
-  using Value = typename Held<T>::type;
-  if (std::is_floating_point_v<Value>) return "FLOAT";
-  if (std::is_unsigned_v<Value>) return "UINT";
-  return std::is_integral_v<Value> ? "INT" : "TEXT";
+CommandLineOption::Variable variable(T& value) {
+  using One = typename Held<T>::type;
+  CommandLineOption::Variable result;
+  result.place = &value;
+  result.read = [](const std::vector<std::string>& words, void* place) {
+    return read_words(words, *static_cast<T*>(place));
+  };
+  result.shown = [](const void* place) { return shown(*static_cast<const T*>(place)); };
+  result.type = std::is_floating_point_v<One> ? "NUMBER" : std::is_integral_v<One> ? "N" : "TEXT";
+  result.expected = std::is_floating_point_v<One> ? "a number"
+                    : std::is_unsigned_v<One>     ? "a whole number from 0"
+                    : std::is_integral_v<One>     ? "a whole number"
+                                                  : "text";
+  return result;
 }
+
+// Parsing ----------------------------------------------------------------------------------------
+
+bool looks_like_option(const std::string& word) {
+  return word.size() > 1 && word[0] == '-' &&
+         (word[1] == '-' || std::isalpha(static_cast<unsigned char>(word[1])) != 0);
+}
+
+/// Takes the words of a command line for the options of a verb.
+class Parser {
+ public:
+  Parser(CommandLineVerb& verb, std::vector<std::string> words)
+      : verb_(verb), words_(std::move(words)) {}
+
+  /// Returns the verb that --help asks about, if one does.
+  const CommandLineVerb* parse() {
+    while (at_ < words_.size()) {
+      const std::string& word = words_[at_];
+      if (options_end_ || !looks_like_option(word)) {
+        take_place(word);
+      } else if (word == "--") {
+        options_end_ = true;
+        ++at_;
+      } else if (word == "-h" || word == "--help") {
+        return &verb_;
+      } else {
+        take_option(word);
+      }
+      if (chosen_ != nullptr) {
+        return Parser(*chosen_, {words_.begin() + static_cast<std::ptrdiff_t>(at_), words_.end()})
+            .parse();
+      }
+    }
+    if (!verb_.verbs.empty()) throw Error("which verb? There are {}", names_of(verb_.verbs));
+    for (CommandLineOption& option : verb_.options)
+      finish(option);
+    return nullptr;
+  }
+
+ private:
+  void take_option(const std::string& word) {
+    std::string name = word, value;
+    bool has_value = false;
+    if (const std::size_t equals = word.find('='); word[1] == '-' && equals != std::string::npos) {
+      name = word.substr(0, equals);
+      value = word.substr(equals + 1);
+      has_value = true;
+    } else if (word[1] != '-' && word.size() > 2) {
+      name = word.substr(0, 2);
+      value = word.substr(2);
+      has_value = true;
+    }
+    CommandLineOption* option = verb_.find(name);
+    if (option == nullptr) throw Error("there is no option {}", name);
+    ++at_;
+    if (option->count++ > 0 && !option->is_list && option->most > 0) {
+      throw Error("{}: given twice", name);
+    }
+    if (has_value) {
+      if (option->most == 0) throw Error("{}: takes no value, got {}", name, value);
+      add(*option, value);
+    }
+    take_values(*option, has_value ? 1 : 0);
+  }
+
+  /// The words behind an option that belong to it.
+  void take_values(CommandLineOption& option, int taken) {
+    const bool alone = taken > 0 && option.least <= 1;  // as in --labs=1 FOLDER
+    while (!alone && taken < option.most && at_ < words_.size() &&
+           !looks_like_option(words_[at_])) {
+      add(option, words_[at_++]);
+      ++taken;
+    }
+    if (taken < option.least) {
+      throw Error("{}: expected {}, got {}", option.called(),
+                  option.least == 1 ? "a value" : fmt::format("{} values", option.least),
+                  taken == 0 ? "none" : std::to_string(taken));
+    }
+  }
+
+  void take_place(const std::string& word) {
+    ++at_;
+    for (CommandLineVerb& verb : verb_.verbs) {
+      if (verb.name == word) {
+        verb.chosen = true;
+        chosen_ = &verb;
+        return;
+      }
+    }
+    if (!verb_.verbs.empty()) {
+      throw Error("there is no verb {}; there are {}", word, names_of(verb_.verbs));
+    }
+    for (CommandLineOption& option : verb_.options) {
+      if (!option.has_place() || (option.count > 0 && !option.is_list)) continue;
+      ++option.count;
+      add(option, word);
+      return;
+    }
+    throw Error("{} is one word more than expected", word);
+  }
+
+  static void add(CommandLineOption& option, const std::string& word) {
+    for (std::size_t begin = 0; begin <= word.size();) {
+      const std::size_t end = option.separator == 0
+                                  ? word.size()
+                                  : std::min(word.find(option.separator, begin), word.size());
+      option.words.push_back(word.substr(begin, end - begin));
+      begin = end + 1;
+    }
+  }
+
+  static void finish(CommandLineOption& option) {
+    if (option.count == 0) {
+      if (option.is_required) throw Error("{} is missing: {}", option.called(), option.about);
+      return;
+    }
+    for (const CommandLineOption* other : option.excluded)
+      if (other->count > 0) throw Error("{} excludes {}", option.called(), other->called());
+    for (const std::string& word : option.words)
+      for (const CommandLineOption::Check& check : option.checks)
+        if (!check.holds(word)) fail(option, check.expected, word);
+    if (!option.variable.read(option.words, option.variable.place)) {
+      fail(option, option.variable.expected, fmt::format("{}", fmt::join(option.words, " ")));
+    }
+  }
+
+  [[noreturn]] static void fail(const CommandLineOption& option, const std::string& expected,
+                                const std::string& got) {
+    throw Error("{}: expected {}, got {}", option.called(), expected,
+                got.empty() ? "nothing" : got);
+  }
+
+  static std::string names_of(const std::list<CommandLineVerb>& verbs) {
+    std::vector<std::string> names;
+    std::transform(verbs.begin(), verbs.end(), std::back_inserter(names),
+                   [](const CommandLineVerb& verb) { return verb.name; });
+    return fmt::format("{}", fmt::join(names, ", "));
+  }
+
+  CommandLineVerb& verb_;
+  std::vector<std::string> words_;
+  std::size_t at_ = 0;
+  bool options_end_ = false;
+  CommandLineVerb* chosen_ = nullptr;
+};
 
 }  // namespace
 
 Argument Argument::required() {
-  option_->required();
+  option_->is_required = true;
   return *this;
 }
 
 Argument Argument::show_default() {
-  option_->capture_default_str();
+  option_->default_text = option_->variable.shown(option_->variable.place);
   return *this;
 }
 
 Argument Argument::default_value(const std::string& text) {
-  option_->default_val(text);
+  option_->default_text = text;
+  if (!option_->variable.read({text}, option_->variable.place)) {
+    throw std::logic_error(option_->called() + " cannot be " + text);
+  }
   return *this;
 }
 
 template <class Number>
 Argument Argument::range(Number lowest, Number highest) {
-  option_->check(CLI::Validator(
-      [=](const std::string& text) {
-        Number value{};
-        return read(text, value) && lowest <= value && value <= highest
-                   ? std::string()
-                   : fmt::format("Value {} not in range {} to {}", text, shown_end(lowest),
-                                 shown_end(highest));
-      },
-      fmt::format("{} in [{} - {}]", type_name_of<Number>(), shown_end(lowest), shown_end(highest)),
-      "range"));
+  const auto holds = [lowest, highest](const std::string& word) {
+    Number value{};
+    return read_one(word, value) && lowest <= value && value <= highest;
+  };
+  option_->limits = fmt::format("from {} to {}", shown_end(lowest), shown_end(highest));
+  option_->checks.push_back(
+      {holds, fmt::format("{} {}", std::is_integral_v<Number> ? "a whole number" : "a number",
+                          option_->limits)});
   return *this;
 }
 
@@ -141,60 +284,64 @@ template Argument Argument::range(std::int64_t, std::int64_t);
 template Argument Argument::range(double, double);
 
 Argument Argument::one_of(const std::vector<std::string>& words) {
-  const std::string all = fmt::format("{{{}}}", fmt::join(words, ","));
-  option_->check(CLI::Validator(
-      [words, all](const std::string& text) {
-        return std::find(words.begin(), words.end(), text) != words.end()
-                   ? std::string()
-                   : fmt::format("{} not in {}", text, all);
-      },
-      all, "words"));
+  const auto holds = [words](const std::string& word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
+  option_->variable.type = fmt::format("{}", fmt::join(words, "|"));
+  option_->checks.push_back({holds, fmt::format("one of {}", fmt::join(words, ", "))});
   return *this;
 }
 
 Argument Argument::existing_file() {
-  option_->check(CLI::ExistingFile);
+  option_->checks.push_back(
+      {[](const std::string& word) { return fs::is_regular_file(word); }, "a file that is there"});
   return *this;
 }
 
 Argument Argument::existing_folder() {
-  option_->check(CLI::ExistingDirectory);
+  option_->checks.push_back(
+      {[](const std::string& word) { return fs::is_directory(word); }, "a folder that is there"});
   return *this;
 }
 
 Argument Argument::list(char separator, bool more) {
-  option_->delimiter(separator)->allow_extra_args(more);
+  option_->separator = separator;
+  if (!more) option_->most = 1;
   return *this;
 }
 
 Argument Argument::words(int least, int most) {
-  option_->expected(least, most);
+  option_->least = least;
+  option_->most = most;
   return *this;
 }
 
 Argument Argument::type_name(const std::string& name) {
-  option_->type_name(name);
+  option_->variable.type = name;
   return *this;
 }
 
 Argument Argument::excludes(Argument other) {
-  option_->excludes(other.option_);
+  option_->excluded.push_back(other.option_);
   return *this;
 }
 
 Argument Argument::hidden() {
-  option_->group("");
+  option_->is_hidden = true;
   return *this;
 }
 
 bool Argument::given() const {
-  return option_->count() > 0;
+  return option_->count > 0;
 }
 
 CommandLine::CommandLine(const std::string& about, const std::string& program)
-    : own_(std::make_unique<CLI::App>(about, program)), app_(own_.get()) {}
+    : own_(std::make_unique<CommandLineVerb>()), verb_(own_.get()) {
+  verb_->about = about;
+  verb_->name = program;
+}
 
-CommandLine::CommandLine(CLI::App* verb) : app_(verb) {}
+CommandLine::CommandLine(CommandLineVerb& verb) : verb_(&verb) {}
 
 CommandLine::CommandLine(CommandLine&&) noexcept = default;
 CommandLine& CommandLine::operator=(CommandLine&&) noexcept = default;
@@ -202,11 +349,13 @@ CommandLine::~CommandLine() = default;
 
 template <class T>
 Argument CommandLine::option(const std::string& name, T& value, const std::string& about) {
-  CLI::Option* option = app_->add_option(
-      name, [&value](const std::vector<std::string>& words) { return read(words, value); }, about,
-      false, [&value] { return shown(value); });
-  option->type_name(type_name_of<T>())->run_callback_for_default();
-  if (is_list(value)) option->expected(CLI::detail::expected_max_vector_size);
+  CommandLineOption& option = verb_->options.emplace_back();
+  option.names = name;
+  option.about = about;
+  option.variable = variable(value);
+  option.is_list = !std::is_same_v<typename Held<T>::type, T> &&
+                   !std::is_same_v<std::optional<typename Held<T>::type>, T>;
+  if (option.is_list) option.most = 1 << 30;
   return Argument(option);
 }
 
@@ -231,34 +380,48 @@ CARLO_OPTION(std::vector<std::uint64_t>);
 #undef CARLO_OPTION
 
 Argument CommandLine::flag(const std::string& name, bool& value, const std::string& about) {
-  return Argument(app_->add_flag(name, value, about));
+  CommandLineOption& option = verb_->options.emplace_back();
+  option.names = name;
+  option.about = about;
+  option.variable.place = &value;
+  option.variable.read = [](const std::vector<std::string>&, void* place) {
+    return *static_cast<bool*>(place) = true;
+  };
+  option.variable.shown = [](const void*) { return std::string(); };
+  option.least = option.most = 0;
+  return Argument(option);
 }
 
 CommandLine CommandLine::verb(const std::string& name, const std::string& about) {
-  app_->require_subcommand(1);
-  return CommandLine(app_->add_subcommand(name, about));
+  CommandLineVerb& added = verb_->verbs.emplace_back();
+  added.name = name;
+  added.about = about;
+  return CommandLine(added);
 }
 
 bool CommandLine::chosen() const {
-  return app_->parsed();
+  return verb_->chosen;
 }
 
 void CommandLine::footer(const std::string& text) {
-  app_->footer(text);
+  verb_->footer = text;
 }
 
 std::optional<int> CommandLine::parse(int argc, const char* const* argv) {
+  if (verb_->name.empty() && argc > 0) verb_->name = argv[0];
+  const auto program = [&] {
+    const auto verb = std::find_if(verb_->verbs.begin(), verb_->verbs.end(),
+                                   [](const CommandLineVerb& one) { return one.chosen; });
+    return verb_->name + (verb == verb_->verbs.end() ? "" : " " + verb->name);
+  };
   try {
-    app_->parse(argc, argv);
-  } catch (const CLI::Success& request) {
-    return app_->exit(request);
-  } catch (const CLI::ParseError& error) {
-    std::string program = app_->get_name();
-    for (const CLI::App* verb : app_->get_subcommands())
-      program += " " + verb->get_name();
-    throw Error("{} (see {} --help)", error.what(), program);
+    const CommandLineVerb* asked = Parser(*verb_, {argv + std::min(argc, 1), argv + argc}).parse();
+    if (asked == nullptr) return std::nullopt;
+    print_help(*asked, program());
+    return 0;
+  } catch (const Error& error) {
+    throw Error("{} (see {} --help)", error.what(), program());
   }
-  return std::nullopt;
 }
 
 }  // namespace carlo

@@ -76,18 +76,78 @@ TEST_CASE("options reach their variables, and what is not given keeps its defaul
   CHECK(all.quiet);
 }
 
+TEST_CASE("a value may stand in the word of its option, and a list in several", "[arguments]") {
+  std::vector<std::string> defines, only;
+  std::vector<std::uint64_t> shape;
+  std::string output;
+  std::vector<std::string> files;
+  carlo::CommandLine app("A program", "./carlo program");
+  app.option("-D,--define", defines);
+  app.option("--only", only).list(',');
+  app.option("--shape", shape).words(2, 2);
+  app.option("-o,--output", output);
+  app.option("files", files);
+  const std::vector<const char*> words{"program",   "-Dn=4", "--define", "a=1",    "b=2",
+                                       "-oout",     "first", "--only",   "x,y",    "z",
+                                       "--shape=2", "3",     "--",       "--last", "-1"};
+  CHECK_FALSE(app.parse(static_cast<int>(words.size()), words.data()).has_value());
+  CHECK(defines == std::vector<std::string>{"n=4", "a=1", "b=2"});
+  CHECK(only == std::vector<std::string>{"x", "y", "z"});
+  CHECK(shape == std::vector<std::uint64_t>{2, 3});
+  CHECK(output == "out");
+  CHECK(files == std::vector<std::string>{"first", "--last", "-1"});
+}
+
+TEST_CASE("one verb of several is chosen, with options of its own", "[arguments]") {
+  const auto parse = [](std::vector<const char*> words) {
+    std::string exercise;
+    bool all = false;
+    carlo::CommandLine app("A program", "./carlo");
+    carlo::CommandLine hint = app.verb("hint", "the next hint");
+    carlo::CommandLine status = app.verb("status", "how far");
+    hint.option("exercise", exercise, "which one").required();
+    const carlo::Argument some = status.flag("--some", all, "some");
+    status.flag("--all", all, "all").excludes(some);
+    words.insert(words.begin(), "program");
+    try {
+      (void)app.parse(static_cast<int>(words.size()), words.data());
+    } catch (const carlo::Error& error) {
+      return std::string(error.what());
+    }
+    return exercise + (hint.chosen() ? " hint" : "") + (status.chosen() ? " status" : "") +
+           (all ? " all" : "");
+  };
+  CHECK(parse({"hint", "1.2"}) == "1.2 hint");
+  CHECK(parse({"status", "--all"}) == " status all");
+  CHECK(parse({}) == "which verb? There are hint, status (see ./carlo --help)");
+  CHECK(parse({"run"}) == "there is no verb run; there are hint, status (see ./carlo --help)");
+  CHECK(parse({"hint"}) == "exercise is missing: which one (see ./carlo hint --help)");
+  CHECK(parse({"hint", "1", "2"}) == "2 is one word more than expected (see ./carlo hint --help)");
+  CHECK(parse({"status", "--all", "--some"}) ==
+        "--all excludes --some (see ./carlo status --help)");
+}
+
 TEST_CASE("a bad command line is one line with the option, the value and what was expected",
           "[arguments]") {
   const std::string help = " (see ./carlo program --help)";
-  CHECK(complaint({"--paths", "0.5"}) == "--paths: Value 0.5 not in range 1 to 1e+15" + help);
-  CHECK(complaint({"--paths=nan"}) == "--paths: Value nan not in range 1 to 1e+15" + help);
-  CHECK(complaint({"--threads", "0"}) == "--threads: Value 0 not in range 1 to 1024" + help);
-  CHECK(complaint({"--threads", "2x"}) == "--threads: Value 2x not in range 1 to 1024" + help);
-  CHECK(complaint({"--sampler", "best"}) == "--sampler: best not in {sobol,stratified}" + help);
+  CHECK(complaint({"--paths", "0.5"}) ==
+        "--paths: expected a number from 1 to 1e+15, got 0.5" + help);
+  CHECK(complaint({"--paths=nan"}) == "--paths: expected a number from 1 to 1e+15, got nan" + help);
+  CHECK(complaint({"--threads", "0"}) ==
+        "--threads: expected a whole number from 1 to 1024, got 0" + help);
+  CHECK(complaint({"--threads", "2x"}).ends_with("1024, got 2x" + help));
+  CHECK(complaint({"--threads="}).ends_with("1024, got nothing" + help));
+  CHECK(complaint({"--sampler", "best"}) ==
+        "--sampler: expected one of sobol, stratified, got best" + help);
   for (const char* seed : {"--seed=-1", "--seed=x", "--seed=1.5", "--seed=18446744073709551616"}) {
     INFO(seed);
-    CHECK(complaint({seed}).starts_with("Could not convert: --seed"));
+    CHECK(complaint({seed}).starts_with("--seed: expected a whole number from 0, got "));
   }
-  CHECK(complaint({"--frobnicate"}).find("--frobnicate") != std::string::npos);
-  CHECK(complaint({"a", "b"}).find('b') != std::string::npos);
+  CHECK(complaint({"--seed"}) == "--seed: expected a value, got none" + help);
+  CHECK(complaint({"--seed", "--quiet"}) == "--seed: expected a value, got none" + help);
+  CHECK(complaint({"--seed", "1", "--seed", "2"}) == "--seed: given twice" + help);
+  CHECK(complaint({"--quiet=1"}) == "--quiet: takes no value, got 1" + help);
+  CHECK(complaint({"--frobnicate=2"}) == "there is no option --frobnicate" + help);
+  CHECK(complaint({"-x"}) == "there is no option -x" + help);
+  CHECK(complaint({"a", "b"}) == "b is one word more than expected" + help);
 }
