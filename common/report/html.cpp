@@ -1,13 +1,9 @@
 #include "report/html.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cctype>
 
 namespace carlo {
-
-using nlohmann::json;
 
 namespace {
 
@@ -57,12 +53,6 @@ std::string script_escaped(std::string_view code) {
     at = result.insert(at + 1, '\\');
   }
   return result;
-}
-
-std::string json_for_html(const json& value) {
-  std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
-  replace_all(text, "<", "\\u003c");
-  return text;
 }
 
 }  // namespace carlo

@@ -7,10 +7,8 @@
 #include "report/html.h"
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <set>
 
@@ -214,25 +212,6 @@ std::string Table::html(std::string_view caption) const {
     html += "</tr>\n";
   }
   return html + "</tbody></table></div>\n";
-}
-
-nlohmann::json Table::json() const {
-  auto result = nlohmann::json::array();
-  for (const auto& row : rows_) {
-    auto object = nlohmann::json::object();
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      const auto& cell = row[c];
-      if (!cell.value) {
-        object[keys_[c]] = cell.text;
-      } else if (std::isfinite(*cell.value)) {
-        object[keys_[c]] = *cell.value;
-      } else {
-        object[keys_[c]] = nullptr;
-      }
-    }
-    result.push_back(std::move(object));
-  }
-  return result;
 }
 
 }  // namespace carlo
