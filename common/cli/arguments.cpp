@@ -4,6 +4,8 @@
 #include "cli/error.h"
 #include "cli/number.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
