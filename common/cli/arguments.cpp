@@ -350,7 +350,7 @@ CommandLine& CommandLine::operator=(CommandLine&&) noexcept = default;
 CommandLine::~CommandLine() = default;
 
 template <class T>
-Argument CommandLine::option(const std::string& name, T& value, const std::string& about) {
+Argument CommandLine::option(std::string_view name, T& value, std::string_view about) {
   CommandLineOption& option = verb_->options.emplace_back();
   option.names = name;
   option.about = about;
@@ -363,7 +363,7 @@ Argument CommandLine::option(const std::string& name, T& value, const std::strin
 
 // What the programs of this tree need; a type that is missing is an error of the linker.
 #define CARLO_OPTION(...) \
-  template Argument CommandLine::option(const std::string&, __VA_ARGS__&, const std::string&)
+  template Argument CommandLine::option(std::string_view, __VA_ARGS__&, std::string_view)
 CARLO_OPTION(std::string);
 CARLO_OPTION(std::filesystem::path);
 CARLO_OPTION(int);
@@ -381,7 +381,7 @@ CARLO_OPTION(std::vector<int>);
 CARLO_OPTION(std::vector<std::uint64_t>);
 #undef CARLO_OPTION
 
-Argument CommandLine::flag(const std::string& name, bool& value, const std::string& about) {
+Argument CommandLine::flag(std::string_view name, bool& value, std::string_view about) {
   CommandLineOption& option = verb_->options.emplace_back();
   option.names = name;
   option.about = about;
@@ -394,7 +394,7 @@ Argument CommandLine::flag(const std::string& name, bool& value, const std::stri
   return Argument(option);
 }
 
-CommandLine CommandLine::verb(const std::string& name, const std::string& about) {
+CommandLine CommandLine::verb(std::string_view name, std::string_view about) {
   CommandLineVerb& added = verb_->verbs.emplace_back();
   added.name = name;
   added.about = about;

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace carlo {
@@ -60,11 +61,11 @@ class CommandLine {
   /// A name such as "--seed" or "-o,--output"; without dashes its place on the line counts. T:
   /// text, bool, a number, std::optional of these, or a std::vector for a list.
   template <class T>
-  Argument option(const std::string& name, T& value, const std::string& about = "");
-  Argument flag(const std::string& name, bool& value, const std::string& about);
+  Argument option(std::string_view name, T& value, std::string_view about = "");
+  Argument flag(std::string_view name, bool& value, std::string_view about);
 
   /// One of several verbs, of which one must be named; it has options of its own.
-  CommandLine verb(const std::string& name, const std::string& about);
+  CommandLine verb(std::string_view name, std::string_view about);
   /// Whether this verb was named.
   bool chosen() const;
 
