@@ -3,6 +3,7 @@
 #include "cli/error.h"
 #include "cli/number.h"
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -49,7 +50,7 @@ JsonFields::JsonFields(json& object, bool reading, const JsonFields* parent, std
 void JsonFields::fail(const std::string& what) const {
   std::string where = place_;
   for (const JsonFields* outer = parent_; outer != nullptr; outer = outer->parent_)
-    where = outer->place_ + (outer->parent_ == nullptr ? ": " : ".") + where;
+    where = fmt::format("{}{}{}", outer->place_, outer->parent_ == nullptr ? ": " : ".", where);
   throw Error("{}: {}", where, what);
 }
 

@@ -25,7 +25,7 @@ constexpr std::uint32_t nothing = 0xFFFFFFFF;
 HWY_INLINE M same(U a, U b) {
   return hn::RebindMask(d_, hn::Eq(a, b));
 }
-HWY_INLINE M other(U a, U b) {
+HWY_INLINE M differs(U a, U b) {
   return hn::RebindMask(d_, hn::Ne(a, b));
 }
 
@@ -173,7 +173,7 @@ HWY_INLINE void meet_solid(const FlatScene& s, std::uint32_t i, V3 o, V3 d, U la
   const V leaves = hn::Min(x.leaves, hn::Min(y.leaves, z.leaves));
   const M ahead = hn::Gt(hn::Add(enters, leaves), set(0));
   const M nearer = hn::And(hn::And(hn::Le(enters, leaves), hn::Lt(enters, hits.t)),
-                           hn::And(ahead, other(last_box, set_word(i))));
+                           hn::And(ahead, differs(last_box, set_word(i))));
   take(hits, nearer, enters, hn::Add(side, set_word(i * FlatScene::sides)));
 }
 
@@ -233,7 +233,7 @@ template <bool close>
 HWY_INLINE void meet_quad(const FlatScene& s, std::uint32_t i, const Origins& from, V3 d,
                           V of_origin, Hits& hits) {
   const PlaneHit hit = meet_quad(s, i, from.o, d);
-  const M there = hn::And(hit.inside, other(set_word(s.plane[i]), from.starts_on<close>()));
+  const M there = hn::And(hit.inside, differs(set_word(s.plane[i]), from.starts_on<close>()));
   V t = hit.t;
   M ahead = hn::Gt(t, set(0));
   if (close && s.touching) {
@@ -295,8 +295,8 @@ template <bool close>
 HWY_INLINE M quad_blocks(const FlatScene& s, std::uint32_t i, const Segments& way, V of_origin) {
   const PlaneHit hit = meet_quad(s, i, way.from.o, way.d);
   const U plane = set_word(s.plane[i]);
-  const M there = hn::And(
-      hit.inside, hn::And(other(plane, way.from.starts_on<close>()), other(plane, way.to_plane)));
+  const M there = hn::And(hit.inside, hn::And(differs(plane, way.from.starts_on<close>()),
+                                              differs(plane, way.to_plane)));
   const V below_end = hn::Sub(set(s.d[i]), dot(hit.n, way.to));
   M between = hn::Lt(hn::Mul(hit.below, below_end), set(0));
   if (close && s.touching) {
@@ -329,7 +329,7 @@ HWY_INLINE M unoccluded(const FlatScene& s, const Segments& way, M asked) {
   M clear = asked;
   const U from_box = box_of(way.from.last);
   for (std::uint32_t i = 0; i < s.solids.size(); ++i) {
-    const M blocks = hn::And(solid_blocks(s.solids[i], way), other(from_box, set_word(i)));
+    const M blocks = hn::And(solid_blocks(s.solids[i], way), differs(from_box, set_word(i)));
     clear = hn::AndNot(blocks, clear);
   }
   V of_origin = set(0);

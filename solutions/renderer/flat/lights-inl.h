@@ -52,11 +52,12 @@ HWY_INLINE LightPoints sample_light(const FlatScene& s, V2 u) {
   u.x = hn::Min(hn::Div(hn::Sub(u.x, lower), hn::Sub(upper, lower)), set(0x1.fffffep-1f));
   const Numbers light(index, s.lights);
   const U surface = light(s.light_surface.data());
-  const Numbers of(surface, s.surfaces);
+  const Numbers at_surface(surface, s.surfaces);
   return {
       across(light(s.lx, s.ly, s.lz), u, light(s.lux, s.luy, s.luz), light(s.lvx, s.lvy, s.lvz)),
-      of(s.nx, s.ny, s.nz), of(s.le_r, s.le_g, s.le_b), hn::Div(set(1), of(s.light_density.data())),
-      s.coplanar ? of(s.plane.data()) : surface};
+      at_surface(s.nx, s.ny, s.nz), at_surface(s.le_r, s.le_g, s.le_b),
+      hn::Div(set(1), at_surface(s.light_density.data())),
+      s.coplanar ? at_surface(s.plane.data()) : surface};
 }
 
 }  // namespace HWY_NAMESPACE

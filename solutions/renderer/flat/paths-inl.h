@@ -72,27 +72,27 @@ class Walk {
     const V2 u_lobe = points(job_, paths.reversed_index, second_word(k));
     const Hits hits = closest<Needs::close>(s_, paths.from, paths.d);
     paths.depth = hn::Add(paths.depth, set_word(1));
-    const M met = other(hits.surface, set_word(nothing));
+    const M met = differs(hits.surface, set_word(nothing));
     add_sky(paths, hn::AndNot(met, paths.alive));
     paths.alive = hn::And(paths.alive, met);
     if (hn::AllFalse(d_, paths.alive)) return;
     // What missed looks at surface 0, for nothing.
     const U number = hn::IfThenElseZero(hn::RebindMask(du_, met), hits.surface);
-    const Numbers of(number, s_.surfaces);
+    const Numbers at_surface(number, s_.surfaces);
     V3 p, shape_normal;
-    place(paths, hits.t, number, of, p, shape_normal);
+    place(paths, hits.t, number, at_surface, p, shape_normal);
     const V cosine = hn::Neg(dot(shape_normal, paths.d));
     const M front = hn::Gt(cosine, set(0));
-    add_emission(paths, hits.t, number, of, cosine, hn::And(front, paths.alive));
-    const Numbers material(of(s_.material.data()), s_.materials);
+    add_emission(paths, hits.t, number, at_surface, cosine, hn::And(front, paths.alive));
+    const Numbers material(at_surface(s_.material.data()), s_.materials);
     if (s_.one_sided) {
-      const M two_sided = other(material(s_.two_sided.data()), set_word(0));
+      const M two_sided = differs(material(s_.two_sided.data()), set_word(0));
       paths.alive = hn::And(paths.alive, hn::Or(front, two_sided));
     }
     end_long_paths(paths);
     if (hn::AllFalse(d_, paths.alive)) return;
     const V side = hn::CopySign(set(1), cosine);
-    arrive(paths, hits.t, p, number, of);
+    arrive(paths, hits.t, p, number, at_surface);
     scatter(paths, surface_at(paths.d, p, side * shape_normal, material), u_light, u_lobe);
   }
 
@@ -118,16 +118,16 @@ class Walk {
 
   /// The point that was met, moved onto the surface (what is lost in o + t d comes back), and the
   /// shape's normal there.
-  HWY_INLINE void place(const Paths& paths, V t, U number, const Numbers& of, V3& p,
+  HWY_INLINE void place(const Paths& paths, V t, U number, const Numbers& at_surface, V3& p,
                         V3& normal) const {
     const V3 far = add_scaled(paths.from.o, t, paths.d);
-    normal = of(s_.nx, s_.ny, s_.nz);
-    p = add_scaled(far, hn::Sub(of(s_.d.data()), dot(normal, far)), normal);
+    normal = at_surface(s_.nx, s_.ny, s_.nz);
+    p = add_scaled(far, hn::Sub(at_surface(s_.d.data()), dot(normal, far)), normal);
     if constexpr (Needs::close) {
       const M flat = hn::RebindMask(d_, hn::Gt(set_word(s_.first_sphere), number));
       if (hn::AllTrue(d_, flat)) return;
-      const V3 center = of(s_.cx, s_.cy, s_.cz);
-      const V radius = of(s_.radius.data());
+      const V3 center = at_surface(s_.cx, s_.cy, s_.cz);
+      const V radius = at_surface(s_.radius.data());
       const V3 outward = normalize(far - center);
       normal = select(flat, normal, hn::CopySign(set(1), radius) * outward);
       p = select(flat, p, add_scaled(center, hn::Abs(radius), outward));
@@ -135,7 +135,7 @@ class Walk {
   }
 
   /// Emission met by the rays, weighed against light sampling.
-  HWY_INLINE void add_emission(Paths& paths, V t, U number, const Numbers& of, V cosine,
+  HWY_INLINE void add_emission(Paths& paths, V t, U number, const Numbers& at_surface, V cosine,
                                M seen) const {
     if (s_.lights == 0) return;
     M bright = seen;
@@ -143,22 +143,22 @@ class Walk {
       bright = hn::And(seen, same(number, set_word(s_.light_surface[0])));
       if (hn::AllFalse(d_, bright)) return;
     }
-    const V density = of(s_.light_density.data());
+    const V density = at_surface(s_.light_density.data());
     bright = hn::And(bright, hn::Gt(density, set(0)));
     if (hn::AllFalse(d_, bright)) return;
     const V light_pdf = hn::Div(hn::Mul(density, hn::Mul(t, t)), cosine);
     const M whole = hn::Lt(paths.pdf, set(0));
     const V weight = select(whole, set(1), weigh(hn::Div(light_pdf, paths.pdf)));
-    const V3 Le = of(s_.le_r, s_.le_g, s_.le_b);
+    const V3 Le = at_surface(s_.le_r, s_.le_g, s_.le_b);
     paths.L = select(bright, paths.L + weight * (paths.beta * Le), paths.L);
   }
 
   /// The next rays start here.
-  HWY_INLINE void arrive(Paths& paths, V t, V3 p, U number, const Numbers& of) const {
+  HWY_INLINE void arrive(Paths& paths, V t, V3 p, U number, const Numbers& at_surface) const {
     paths.from.o = p;
     paths.from.last = number;
     if constexpr (Needs::close) {
-      paths.from.plane = s_.coplanar ? of(s_.plane.data()) : number;
+      paths.from.plane = s_.coplanar ? at_surface(s_.plane.data()) : number;
       const M hidden = hn::Lt(t, hn::Mul(set(64 * rounding), coordinates(p)));
       paths.from.came = select(hidden, set(-2) * paths.d, paths.d);
     }
@@ -203,7 +203,7 @@ class Walk {
     const V light_cosine = hn::Neg(dot(light.n, wi));
     const M faces =
         hn::And(hn::And(hn::Gt(cosine, set(0)), hn::Gt(light_cosine, set(0))),
-                hn::And(paths.alive, other(light.plane, paths.from.starts_on<Needs::close>())));
+                hn::And(paths.alive, differs(light.plane, paths.from.starts_on<Needs::close>())));
     if (hn::AllFalse(d_, faces)) return;
     counts_.rays += hn::CountTrue(d_, faces);
     const Segments way{paths.from, wi, light.p, hn::Mul(distance2, inverse), light.plane};

@@ -67,9 +67,9 @@ std::optional<std::string> safe_path(std::string path) {
 }
 
 /// One archive being read: counts what it unpacks.
-class Walk {
+class EntryWalk {
  public:
-  Walk(archive* reader, const ArchiveLimits& limits)
+  EntryWalk(archive* reader, const ArchiveLimits& limits)
       : reader_(reader), limits_(limits), use_(limits.together ? *limits.together : own_) {}
 
   void all(const Visitor& visit, const Refusal& refused) {
@@ -189,16 +189,16 @@ std::string archive_ending(const std::string& name) {
 
 void visit_archive(const fs::path& file, const ArchiveLimits& limits, const Visitor& visit,
                    const Refusal& refused) {
-  Walk(reader_of(file).get(), limits).all(visit, refused);
+  EntryWalk(reader_of(file).get(), limits).all(visit, refused);
 }
 
 void visit_part(const fs::path& file, const std::string& part, const ArchiveLimits& limits,
                 const Visitor& visit, const Refusal& refused) {
-  Walk(reader_of(file).get(), limits).part(part, visit, refused);
+  EntryWalk(reader_of(file).get(), limits).part(part, visit, refused);
 }
 
 std::vector<std::string> archive_paths(const fs::path& file) {
-  return Walk(reader_of(file).get(), {}).paths();
+  return EntryWalk(reader_of(file).get(), {}).paths();
 }
 
 void visit_archive(std::string_view bytes, const ArchiveLimits& limits, const Visitor& visit,
@@ -207,7 +207,7 @@ void visit_archive(std::string_view bytes, const ArchiveLimits& limits, const Vi
   if (archive_read_open_memory(reader.get(), bytes.data(), bytes.size()) != ARCHIVE_OK) {
     throw Error("no zip or tar archive: {}", reason(reader.get()));
   }
-  Walk(reader.get(), limits).all(visit, refused);
+  EntryWalk(reader.get(), limits).all(visit, refused);
 }
 
 bool is_archive_name(const std::string& name) {
