@@ -1,5 +1,4 @@
-#include "cli/command_line_help.h"
-
+#include "cli/command_line.h"
 #include "cli/wrap.h"
 
 #include <fmt/core.h>
@@ -19,7 +18,7 @@ std::string left_side(const CommandLineOption& option) {
     text.insert(comma + 1, " ");
   if (option.most == 0 || option.has_place()) return text;
   const std::string& type = option.variable.type;
-  text += option.least == 0 && type[0] != '[' ? " [" + type + "]" : " " + type;
+  text += option.least == 0 ? " [" + type + "]" : " " + type;
   return text + (option.is_list && option.separator == 0 ? " ..." : "");
 }
 
@@ -33,10 +32,13 @@ std::string right_side(const CommandLineOption& option) {
   return text;
 }
 
+/// Both sides in lines that fit the terminal, and 100 columns.
 std::string line(const std::string& left, const std::string& right) {
   const std::string head = "  " + left;
   if (right.empty()) return head + "\n";
-  std::string text = wrapped_to(std::string(column, ' ') + right, 100);
+  const int terminal = stdout_columns();
+  const std::string text =
+      wrapped_to(std::string(column, ' ') + right, terminal > 0 ? std::min(terminal, 100) : 100);
   if (head.size() + 2 > column) return head + "\n" + text;
   return head + text.substr(head.size());
 }
@@ -62,15 +64,6 @@ std::string usage(const CommandLineVerb& verb, const std::string& program) {
 }
 
 }  // namespace
-
-CommandLineOption* CommandLineVerb::find(const std::string& wanted) {
-  const auto found =
-      std::find_if(options.begin(), options.end(), [&](const CommandLineOption& option) {
-        return !option.has_place() &&
-               ("," + option.names + ",").find("," + wanted + ",") != std::string::npos;
-      });
-  return found == options.end() ? nullptr : &*found;
-}
 
 void print_help(const CommandLineVerb& verb, const std::string& program) {
   std::string text = usage(verb, program) + "\n" + verb.about + "\n";

@@ -74,7 +74,10 @@ json& JsonFields::member(const char* name) {
 
 void JsonFields::operator()(const char* name, bool& value) {
   json& found = member(name);
-  if (!reading_) found = value;
+  if (!reading_) {
+    found = value;
+    return;
+  }
   if (!found.is_boolean()) {
     fail(fmt::format("\"{}\" must be true or false, got {}", name, shown(found)));
   }
@@ -84,8 +87,10 @@ void JsonFields::operator()(const char* name, bool& value) {
 template <class Number>
 void JsonFields::whole(const char* name, Number& value) {
   json& found = member(name);
-  if (!reading_) found = value;
-  // A number without a minus sign is kept as one.
+  if (!reading_) {
+    found = value;
+    return;
+  }
   const std::optional<Number> read =
       found.is_number_integer() ? number_of<Number>(dumped(found)) : std::nullopt;
   if (!read) {
@@ -97,10 +102,6 @@ void JsonFields::whole(const char* name, Number& value) {
 }
 
 void JsonFields::operator()(const char* name, int& value) {
-  whole(name, value);
-}
-
-void JsonFields::operator()(const char* name, long& value) {
   whole(name, value);
 }
 
@@ -121,17 +122,22 @@ void JsonFields::operator()(const char* name, double& value) {
 
 void JsonFields::operator()(const char* name, std::string& value) {
   json& found = member(name);
-  if (!reading_) found = value;
+  if (!reading_) {
+    found = value;
+    return;
+  }
   if (!found.is_string()) fail(fmt::format("\"{}\" must be a text, got {}", name, shown(found)));
   value = found.get_ref<const std::string&>();
 }
 
 void JsonFields::operator()(const char* name, std::vector<double>& list) {
-  const std::size_t count = begin_list(name, list.size());
+  list.resize(begin_list(name, list.size()));
   json& found = member(name);
-  list.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!reading_) found[i] = number(list[i]);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (!reading_) {
+      found[i] = number(list[i]);
+      continue;
+    }
     const std::optional<double> read = number_in(found[i]);
     if (!read) fail(fmt::format("\"{}\" must list numbers, got {}", name, shown(found[i])));
     list[i] = *read;
@@ -139,11 +145,13 @@ void JsonFields::operator()(const char* name, std::vector<double>& list) {
 }
 
 void JsonFields::operator()(const char* name, std::vector<std::string>& list) {
-  const std::size_t count = begin_list(name, list.size());
-  json& found = member(name);
-  list.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!reading_) found[i] = list[i];
+  if (!reading_) {
+    member(name) = list;
+    return;
+  }
+  list.resize(begin_list(name, list.size()));
+  const json& found = member(name);
+  for (std::size_t i = 0; i < list.size(); ++i) {
     if (!found[i].is_string()) {
       fail(fmt::format("\"{}\" must list texts, got {}", name, shown(found[i])));
     }

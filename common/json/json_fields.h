@@ -29,12 +29,9 @@ class JsonFields {
   bool reading() const { return reading_; }
   /// Whether there is such a member.
   bool has(const char* name) const;
-  /// Of all members, in the order of the alphabet.
-  std::vector<std::string> names() const;
 
   void operator()(const char* name, bool& value);
   void operator()(const char* name, int& value);
-  void operator()(const char* name, long& value);
   void operator()(const char* name, unsigned long& value);
   /// Infinities and NaN are the texts "inf", "-inf" and "nan".
   void operator()(const char* name, double& value);
@@ -104,6 +101,8 @@ class JsonFields {
   friend class JsonDocument;
   JsonFields(nlohmann::json& object, bool reading, const JsonFields* parent, std::string place);
 
+  /// Of all members, in the order of the alphabet.
+  std::vector<std::string> names() const;
   JsonFields object(const char* name);
   std::size_t begin_list(const char* name, std::size_t count);
   JsonFields element(const char* name, std::size_t i);

@@ -70,7 +70,7 @@ void add_common_options(CommandLine& app, Arguments& a) {
   app.option("--reference", a.reference, "EXR to measure the error against");
   app.option("--page", a.page, "also a page to look at the image (default: out/SCENE.html)")
       .words(0, 1)
-      .type_name("[FILE.html]");
+      .type_name("FILE.html");
   app.option("--resume", a.resume,
              "go on with the render in this EXR, with its scene and settings, up to --spp, for "
              "--seconds more, or to its --target-error");

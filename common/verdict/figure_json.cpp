@@ -5,9 +5,7 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace carlo {
 namespace {

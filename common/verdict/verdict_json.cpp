@@ -96,7 +96,7 @@ class Ration {
     cut(test.problem);
     cut(test.printed);
     cut(test.needs);
-    if (!gives(printed_, Words{test.problem})) test.problem.resize(100);
+    if (!gives(printed_, Words{test.problem})) test.problem = test.problem.substr(0, 100);
     if (!gives(printed_, Words{test.printed})) test.printed.clear();
     return std::erase_if(test.verdicts, [&](Verdict& verdict) { return !keeps(verdict); }) > 0;
   }

@@ -142,6 +142,21 @@ TEST_CASE("the verdicts of a lab stay below two megabytes in JSON, and say that 
   CHECK(back.exercises[0].tests[39].verdicts.empty());
 }
 
+TEST_CASE("a problem is cut where there is no room for it, and never made longer", "[verdict]") {
+  LabResult result = full_result();
+  TestRecord test = result.exercises[0].tests[0];
+  test.problem = test.printed = std::string(2000, 'x');
+  result.exercises[0].tests = std::vector<TestRecord>(400, test);
+  // What the long ones leave is less than a hundred of these take.
+  test.problem = std::string(90, 'y');
+  result.exercises[0].tests.insert(result.exercises[0].tests.end(), 100, test);
+  const std::vector<TestRecord> back = lab_result_from_text(to_text(result)).exercises[0].tests;
+  REQUIRE(back.size() == 500);
+  CHECK(back[399].problem == std::string(100, 'x'));
+  CHECK(back[400].problem == test.problem);
+  CHECK(back[499].problem == test.problem);
+}
+
 TEST_CASE("verdicts that only lack figures are not cut", "[verdict]") {
   LabResult result = full_result();
   TestRecord& test = result.exercises[0].tests[0];

@@ -3,8 +3,8 @@
 #include "grader/page/exercise.h"
 #include "grader/page/style.h"
 #include "grader/page/text.h"
+#include "json/json_fields.h"
 #include "report/page.h"
-#include "verdict/verdict_json.h"
 
 #include <fmt/core.h>
 

@@ -54,6 +54,10 @@ struct CommandLineVerb {
   CommandLineOption* find(const std::string& name);
 };
 
+/// Takes a command line's words, without the program's, for the verb's options and sets their
+/// variables. Returns the verb whose --help is asked for; null when none is. Throws Error.
+const CommandLineVerb* parse_words(CommandLineVerb& verb, const std::vector<std::string>& words);
+
 /// Prints to stdout: what the verb does, its places and its options. `program`: how it is called.
 void print_help(const CommandLineVerb& verb, const std::string& program);
 
