@@ -56,7 +56,7 @@ LabGrade judge_once(const Desk& desk, const CourseLab& lab, const fs::path& work
        (desk.course.tree / "labs" / lab.folder / "lab.json").string(), "--worker", worker.string(),
        "--json", verdict.string(), "--sandbox", to_string(desk.sandbox.level()), "--sandbox-user",
        desk.sandbox.user() ? std::to_string(*desk.sandbox.user()) : "none", "--secret-file",
-       (desk.folders.ours / "secret").string(), "--submission=" + desk.identity, "--deadline",
+       (desk.folders.ours / "secret").string(), "--submission", desk.identity, "--deadline",
        fmt::format("{}", desk.course.deadline)},
       {"PATH=/usr/bin:/bin", "LANG=C.UTF-8", "TMPDIR=" + (desk.folders.theirs / "tmp").string()}};
   const Outcome outcome = run_limited(command, judge_limits());
