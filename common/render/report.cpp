@@ -1,12 +1,12 @@
 #include "render/report.h"
 
 #include "cli/progress.h"
+#include "json/json_fields.h"
 #include "numeric/compensated.h"
 #include "scene/needs.h"
 #include "scene/sampler_kind.h"
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <utility>
@@ -77,13 +77,8 @@ std::string time_text(const RenderReport& r) {
   return text;
 }
 
-/// JSON has no infinity: what cannot be told is null.
-nlohmann::json number(double x) {
-  return std::isfinite(x) ? nlohmann::json(x) : nlohmann::json();
-}
-
-nlohmann::json numbers(const std::array<double, 3>& x) {
-  return {number(x[0]), number(x[1]), number(x[2])};
+std::vector<double> list(const std::array<double, 3>& x) {
+  return {x.begin(), x.end()};
 }
 
 }  // namespace
@@ -171,45 +166,60 @@ std::string to_text(const RenderReport& r) {
   return text;
 }
 
+// Written for others: nothing here reads a report but its time (resume.cpp).
+
+static void fields(JsonFields& json, const AdaptiveSummary& a) {
+  json.also("relative_error", a.target);
+  json.also("confidence", 0.95);
+  json.also("floor", a.floor);
+  json.also("reached", a.within);
+  json.also("capped", a.capped);
+  json.also("decided_only", a.decided_only);
+  json.also("spp_min", std::uint64_t{a.least});
+  json.also("spp_median", std::uint64_t{a.median});
+  json.also("spp_max", std::uint64_t{a.most});
+}
+
+static void fields(JsonFields& json, const ReferenceReport& reference) {
+  json.also("path", reference.path);
+  json.also("mse", reference.error.mse);
+  json.also("rel_mse", reference.error.rel_mse);
+  json.also("bias_z", list(reference.bias_z));
+  json.also("efficiency", reference.efficiency);
+}
+
+static void fields(JsonFields& json, RenderReport& r) {
+  json.also("scene", r.scene);
+  json.also("needs", r.needs);
+  json.also("kernel", r.kernel);
+  json.also("sampler", r.sampler);
+  json.as_text("seed", r.seed);
+  json.also("width", r.width);
+  json.also("height", r.height);
+  json.also("max_depth", r.max_depth);
+  json.also("threads", r.threads);
+  json.also("spp", r.spp);
+  json.also("samples", r.samples);
+  json.also("interrupted", r.interrupted);
+  json.also("seconds", r.seconds);
+  json.also("paths", r.counts.paths);
+  if (r.counts.rays > 0) {
+    json.also("rays", r.counts.rays);
+  } else {
+    json.null("rays");
+  }
+  json.also("bad_samples", r.counts.bad);
+  json.also("cut_paths", r.counts.cut);
+  json.also("finished_pixels", r.finished);
+  json.also("mean", list(r.mean.value));
+  json.also("standard_error", list(r.mean.standard_error));
+  json.also("relative_pixel_error", r.relative_error);
+  json("target", r.adaptive);
+  json("reference", r.reference);
+}
+
 std::string to_json(const RenderReport& r) {
-  nlohmann::ordered_json json = {{"scene", r.scene},
-                                 {"needs", r.needs},
-                                 {"kernel", r.kernel},
-                                 {"sampler", r.sampler},
-                                 {"seed", std::to_string(r.seed)},
-                                 {"width", r.width},
-                                 {"height", r.height},
-                                 {"max_depth", r.max_depth},
-                                 {"threads", r.threads},
-                                 {"spp", r.spp},
-                                 {"samples", r.samples},
-                                 {"interrupted", r.interrupted},
-                                 {"seconds", r.seconds},
-                                 {"paths", r.counts.paths},
-                                 {"rays", r.counts.rays > 0 ? nlohmann::ordered_json(r.counts.rays)
-                                                            : nlohmann::ordered_json()},
-                                 {"bad_samples", r.counts.bad},
-                                 {"cut_paths", r.counts.cut},
-                                 {"finished_pixels", r.finished},
-                                 {"mean", numbers(r.mean.value)},
-                                 {"standard_error", numbers(r.mean.standard_error)},
-                                 {"relative_pixel_error", number(r.relative_error)}};
-  if (r.adaptive) {
-    json["target"] = {
-        {"relative_error", r.adaptive->target}, {"confidence", 0.95},
-        {"floor", r.adaptive->floor},           {"reached", r.adaptive->within},
-        {"capped", r.adaptive->capped},         {"decided_only", r.adaptive->decided_only},
-        {"spp_min", r.adaptive->least},         {"spp_median", r.adaptive->median},
-        {"spp_max", r.adaptive->most}};
-  }
-  if (r.reference) {
-    json["reference"] = {{"path", r.reference->path},
-                         {"mse", number(r.reference->error.mse)},
-                         {"rel_mse", number(r.reference->error.rel_mse)},
-                         {"bias_z", numbers(r.reference->bias_z)},
-                         {"efficiency", number(r.reference->efficiency)}};
-  }
-  return json.dump(2) + "\n";
+  return json_text(r, 2) + "\n";
 }
 
 }  // namespace carlo

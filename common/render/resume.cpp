@@ -3,13 +3,13 @@
 #include "cli/atomic_file.h"
 #include "cli/error.h"
 #include "cli/number.h"
+#include "json/json_fields.h"
 #include "render/adaptive_exr.h"
 #include "render/driver.h"
 #include "scene/fingerprint.h"
 #include "scene/sampler_kind.h"
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -68,6 +68,26 @@ bool even_tiles(const Film& film) {
   return true;
 }
 
+/// What was given by -D.
+struct Definitions {
+  std::vector<std::string> list;
+};
+
+void fields(JsonFields& json, Definitions& definitions) {
+  json("definitions", definitions.list);
+}
+
+/// Of an earlier render's report.
+struct Spent {
+  double seconds = 0;
+  std::uint64_t samples = 0;
+};
+
+void fields(JsonFields& json, Spent& spent) {
+  json("seconds", spent.seconds);
+  json("samples", spent.samples);
+}
+
 }  // namespace
 
 RenderSettings render_settings(const Scene& scene, const std::string& kernel, std::uint64_t seed,
@@ -78,7 +98,7 @@ RenderSettings render_settings(const Scene& scene, const std::string& kernel, st
           {"max_depth", std::to_string(scene.max_depth)},
           {"planned_spp", std::to_string(planned)},
           {"kernel", kernel},
-          {"definitions", nlohmann::json(definitions).dump()}};
+          {"definitions", json_text(Definitions{definitions})}};
 }
 
 void add_sums(ExrFile& file, const RenderSettings& settings, const Film& film,
@@ -144,13 +164,8 @@ std::uint64_t EarlierRender::number(const std::string& name) const {
 }
 
 std::vector<std::string> EarlierRender::definitions() const {
-  const auto json = nlohmann::json::parse(setting("definitions"), nullptr, false);
-  std::vector<std::string> list;
-  if (json.is_array()) {
-    for (const auto& item : json)
-      list.push_back(item.is_string() ? item.get<std::string>() : "");
-  }
-  return list;
+  const std::string place = fmt::format("cannot resume {}: its definitions", path_.string());
+  return from_json_text<Definitions>(setting("definitions"), place).list;
 }
 
 std::optional<double> EarlierRender::target_error() const {
@@ -227,10 +242,12 @@ Counts EarlierRender::counts() const {
 double EarlierRender::seconds(const Film& film) const {
   const fs::path report = fs::path(path_).replace_extension(".json");
   if (!fs::exists(report)) return 0;
-  const auto json = nlohmann::json::parse(read_file(report), nullptr, false);
-  if (!json.is_object() || !json.contains("seconds") || !json["seconds"].is_number()) return 0;
-  return json.value("samples", std::uint64_t{0}) == film.samples() ? json["seconds"].get<double>()
-                                                                   : 0;
+  try {
+    const auto spent = from_json_text<Spent>(read_file(report), report.string());
+    return spent.samples == film.samples() ? spent.seconds : 0;
+  } catch (const Error&) {
+    return 0;  // another program's file of that name
+  }
 }
 
 }  // namespace carlo

@@ -55,4 +55,11 @@ std::string script_escaped(std::string_view code) {
   return result;
 }
 
+std::string json_for_html(std::string_view json) {
+  std::string text;
+  for (const char c : json)
+    text += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  return text;
+}
+
 }  // namespace carlo

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <string>
 #include <string_view>
 
@@ -13,7 +11,7 @@ std::string html_escaped(std::string_view text);
 /// Code that may stand inside a script element: "</script" and "<!--" no longer end it.
 std::string script_escaped(std::string_view code);
 
-/// JSON that may stand inside a script element and parses to the same value.
-std::string json_for_html(const nlohmann::json& value);
+/// The JSON text as it may stand inside a script element; it parses to the same value.
+std::string json_for_html(std::string_view json);
 
 }  // namespace carlo

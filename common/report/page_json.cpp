@@ -1,4 +1,3 @@
-#include "report/html.h"
 #include "report/table.h"
 
 #include <nlohmann/json.hpp>
@@ -6,13 +5,6 @@
 #include <cmath>
 
 namespace carlo {
-
-std::string json_for_html(const nlohmann::json& value) {
-  std::string text;
-  for (const char c : value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace))
-    text += c == '<' ? std::string("\\u003c") : std::string(1, c);
-  return text;
-}
 
 nlohmann::json Table::json() const {
   auto result = nlohmann::json::array();

@@ -25,7 +25,8 @@ std::string data(const Turntable& picture) {
                     {"normal", cloud.normal},
                     {"lines", cloud.lines}});
   }
-  return json_for_html({{"clouds", list}, {"wires", picture.wires}});
+  const nlohmann::json picture_json = {{"clouds", list}, {"wires", picture.wires}};
+  return json_for_html(picture_json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 }  // namespace

@@ -2,16 +2,14 @@
 
 #include "cli/error.h"
 #include "image/flip.h"
+#include "json/json_fields.h"
 #include "report/packed.h"
 #include "report/web_files.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace carlo {
 namespace {
-
-using nlohmann::json;
 
 void require_size(const ViewerImage& image, const Image& first) {
   const auto check = [&](const Image& i) {
@@ -23,23 +21,49 @@ void require_size(const ViewerImage& image, const Image& first) {
   if (image.standard_error) check(*image.standard_error);
 }
 
-json image_json(const ViewerImage& image, const std::optional<ViewerImage>& reference) {
-  json result = {{"name", image.name}, {"rgb", packed(image.image)}};
-  if (image.standard_error) result["error"] = packed(*image.standard_error);
-  if (reference) result["flip"] = packed(flip_map(image.image, reference->image));
+/// An image as the page's script reads it.
+struct PackedImage {
+  std::string name, rgb;
+  std::optional<std::string> error = std::nullopt, flip = std::nullopt;
+};
+
+void fields(JsonFields& json, PackedImage& image) {
+  json("name", image.name);
+  json("rgb", image.rgb);
+  json("error", image.error);
+  json("flip", image.flip);
+}
+
+struct PackedViewer {
+  int width = 0, height = 0;
+  std::vector<PackedImage> images = {};
+  int reference = -1;  ///< which of the images it is
+};
+
+void fields(JsonFields& json, PackedViewer& viewer) {
+  json("width", viewer.width);
+  json("height", viewer.height);
+  json("images", viewer.images);
+  json("reference", viewer.reference);
+}
+
+PackedImage pack(const ViewerImage& image, const std::optional<ViewerImage>& reference) {
+  PackedImage result{image.name, packed(image.image)};
+  if (image.standard_error) result.error = packed(*image.standard_error);
+  if (reference) result.flip = packed(flip_map(image.image, reference->image));
   return result;
 }
 
-json viewer_json(const Viewer& viewer) {
-  auto images = json::array();
-  for (const ViewerImage& image : viewer.images)
-    images.push_back(image_json(image, viewer.reference));
-  if (viewer.reference) images.push_back(image_json(*viewer.reference, std::nullopt));
+PackedViewer pack(const Viewer& viewer) {
   const Image& first = viewer.images.front().image;
-  return {{"width", first.width},
-          {"height", first.height},
-          {"images", images},
-          {"reference", viewer.reference ? static_cast<int>(viewer.images.size()) : -1}};
+  PackedViewer result{first.width, first.height};
+  for (const ViewerImage& image : viewer.images)
+    result.images.push_back(pack(image, viewer.reference));
+  if (viewer.reference) {
+    result.reference = static_cast<int>(viewer.images.size());
+    result.images.push_back(pack(*viewer.reference, std::nullopt));
+  }
+  return result;
 }
 
 }  // namespace
@@ -63,7 +87,7 @@ void add_viewer(Page& page, const Viewer& viewer) {
       "<script type=\"application/json\">{}</script></figure>\n",
       html_escaped(viewer.caption),
       viewer.note.empty() ? "" : fmt::format("<span>{}</span>", html_escaped(viewer.note)),
-      json_for_html(viewer_json(viewer))));
+      json_for_html(json_text(pack(viewer)))));
 }
 
 }  // namespace carlo

@@ -10,9 +10,16 @@
 #   with POINTS              points of each exercise in their order, as "3,0,1.5"; where some are
 #                            missing it is "failed", which no crash and no cut answer is
 
+# Mistakes, variants and solutions are our own programs: no fence keeps them in, which takes longer than
+# most of their answers. Stubs, forgeries, each solution's first judgement and the attacks have it.
+set(fence "")
+if(PATCH OR SEEDS)
+  set(fence --sandbox limits)
+endif()
+
 function(run_judge)
   file(REMOVE "${JSON}")
-  execute_process(COMMAND "${JUDGE}" --lab "${LAB}" --worker "${WORKER}" --json "${JSON}" ${ARGN}
+  execute_process(COMMAND "${JUDGE}" --lab "${LAB}" --worker "${WORKER}" --json "${JSON}" ${fence} ${ARGN}
                   OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE code)
   set(code "${code}" PARENT_SCOPE)
   set(output "${output}" PARENT_SCOPE)

@@ -81,8 +81,14 @@ function(add_lab_tests folder name)
                      --handout "${here}/README.md")
     add_expectation(${lab}.stub ${lab} ${lab}_worker)
     set(questions "${CMAKE_CURRENT_BINARY_DIR}/${lab}.questions.json")
+    # Under sanitizers without the sandbox, which is not what they look at.
+    set(fence "")
+    if(CARLO_SANITIZE)
+      set(fence --sandbox limits)
+    endif()
     add_test(NAME ${lab}.solution COMMAND ${lab}_judge --lab "${here}/lab.json"
-             --worker $<TARGET_FILE:${lab}_worker_solution> --probes "${questions}")
+             --worker $<TARGET_FILE:${lab}_worker_solution> --probes "${questions}"
+             ${fence})
     add_test(NAME ${lab}.names
              COMMAND ${CMAKE_COMMAND} -DWORKER=$<TARGET_FILE:${lab}_worker_solution>
                      "-DQUESTIONS=${questions}" -P ${PROJECT_SOURCE_DIR}/tests/grader/names.cmake)

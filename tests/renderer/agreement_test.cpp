@@ -11,8 +11,9 @@
 // one path in some 10^5 meets the smallest lamp, and no tile would see a normal deviate. It samples
 // lights by area, whose 1/d^2 has infinite variance where a surface touches a light; in these
 // scenes none does. In `rare_paths` noise is a few bright paths, and it takes many for a sum of
-// them to be normal: with a quarter of its samples the loop has a tile at seed 2 whose skewness,
-// .6, lets two false alarms expect. So all three get more there; the vector kernel's cost least.
+// them to be normal: the loop needs 3 million in a tile at seed 2, with a quarter of them a tile's
+// skewness, .6, lets two false alarms expect. So all three get more there, in larger tiles; smaller
+// ones, with four times the samples, nightly.
 //
 // Error rates: a tile's channel is outside of 4 standard errors with probability 6.3e-5 if it is
 // normal, the whole image outside of 3 with 2.7e-3. There are 48 + 3 comparisons for each pair and
@@ -21,11 +22,11 @@
 // seed is fixed. Whether tiles are normal enough their skewness says: the false alarms that it lets
 // expect are counted, and have a limit. Power: a tile's difference has a standard error of .4
 // to 3.5 % of the image (rare_paths 7 %, highlights, where lamps are seen, 15 %), the whole image's
-// of .1 to .9 % (2 and 4 %); deviations of 7 and 6 standard errors are seen with probability .999.
+// of .1 to .9 % (3 and 4 %); deviations of 7 and 6 standard errors are seen with probability .999.
 //
-// CARLO_AGREEMENT_SEED, CARLO_AGREEMENT_SIZE (pixels a side, a multiple of 8) and
-// CARLO_AGREEMENT_FACTOR (times the samples) look elsewhere, at more tiles, and more sharply;
-// CARLO_AGREEMENT_SCENE at one scene only.
+// CARLO_AGREEMENT_SEED, CARLO_AGREEMENT_SIZE (pixels a side, a multiple of the tile's),
+// CARLO_AGREEMENT_TILE and CARLO_AGREEMENT_FACTOR (times the samples) look elsewhere, at more or
+// smaller tiles, and more sharply; CARLO_AGREEMENT_SCENE at one scene only.
 
 #include "lab_scenes.h"
 #include "scene_renderer/lab_integrator.h"
@@ -49,7 +50,6 @@ using tiles::Channel, tiles::Tile;
 using tiles::Estimate;
 using tiles::Samples;
 
-constexpr int tile = 8;
 constexpr double tile_limit = 4, image_limit = 3;
 constexpr double most_false_alarms = .1;  ///< expected, in the tiles of one comparison
 
@@ -69,11 +69,12 @@ std::vector<std::string> scene_names() {
 struct Plan {
   lab08::Method method = lab08::Method::recursive;
   std::uint32_t recursive = 8, iterative = 4, reference = 4;
+  int tile = 8;  ///< pixels a side
 };
 
 Plan plan_of(const std::string& scene) {
   using lab08::Method;
-  if (scene == "rare_paths") return {Method::recursive, 96, 384, 768};
+  if (scene == "rare_paths") return {Method::recursive, 24, 96, 192, 16};
   if (scene == "highlights") return {Method::direct, 96, 16, 16};
   if (scene == "furnace" || scene == "integrating_sphere") return {Method::recursive, 4, 2, 2};
   if (scene == "caustics") return {Method::direct, 16, 8, 8};
@@ -96,6 +97,8 @@ Estimates estimate(Scene scene, const Plan& plan) {
   const auto samples = [factor](std::uint32_t times) { return Samples{32, factor * times}; };
   const Samples first = samples(plan.recursive), second = samples(plan.iterative),
                 third = samples(plan.reference);
+  const int tile = static_cast<int>(
+      from_environment("CARLO_AGREEMENT_TILE", static_cast<std::uint32_t>(plan.tile)));
   resize(scene, size, size);
   scene.sampler = SamplerKind::independent;
   // The recursive tracers have no limit. The scene that has one shows lights alone.
