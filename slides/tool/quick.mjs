@@ -2,13 +2,16 @@
 // A quick run has fewer points, so that rows and pictures are looked for by their names alone, not by
 // the numbers in these.
 
-import { numberOf, plots, seriesOf } from "./figures.mjs";
+import { commandsOf, numberOf, plots, seriesOf } from "./figures.mjs";
 import { descriptions } from "./pictures.mjs";
 import { UserError } from "./problems.mjs";
 
-export function runCommands(book, numbers, problems) {
-  for (const wanted of [...book.definitions.figures.values(), ...book.definitions.numbers.values()]) {
-    if (!numbers.includes(wanted.number)) continue;
+export async function runCommands(book, numbers, problems) {
+  const all = [...book.definitions.figures.values(), ...book.definitions.numbers.values()].filter((wanted) =>
+    numbers.includes(wanted.number),
+  );
+  await book.runs.prepare(all.flatMap(commandsOf).map(quick));
+  for (const wanted of all) {
     try {
       runOne(wanted, book.runs);
     } catch (error) {

@@ -1,8 +1,9 @@
 // Runs the commands behind figures and numbers, and keeps what they wrote in build/slides/runs.
 
-import { spawnSync } from "node:child_process";
+import { execFile, spawnSync } from "node:child_process";
 import crypto from "node:crypto";
 import fs from "node:fs";
+import os from "node:os";
 import path from "node:path";
 
 import { UserError } from "./problems.mjs";
@@ -29,56 +30,59 @@ export class Runs {
 
   /** The lab's tables. `fresh` runs it even if its answer is kept. */
   tables(command, options = {}) {
-    const file = this.#kept(command, "json", options, (base) => [
-      ...command.slice(3),
-      "--json",
-      `${base}.json`,
-      "--page",
-      `${base}.html`,
-    ]);
-    return JSON.parse(fs.readFileSync(file, "utf8")).tables;
+    return JSON.parse(fs.readFileSync(this.#kept(command, "json", options), "utf8")).tables;
   }
 
   /** The lab's page, as HTML. */
   page(command, options = {}) {
-    const file = this.#kept(command, "html", options, (base) => [
-      ...command.slice(3),
-      "--json",
-      `${base}.json`,
-      "--page",
-      `${base}.html`,
-    ]);
-    return fs.readFileSync(file, "utf8");
+    return fs.readFileSync(this.#kept(command, "html", options), "utf8");
   }
 
   /** The rendered PNG. */
   image(command, options = {}) {
-    const file = this.#kept(command, "png", options, (base) => [
-      ...command.slice(1),
-      "--quiet",
-      "-o",
-      base,
-    ]);
-    return fs.readFileSync(file);
+    return fs.readFileSync(this.#kept(command, "png", options));
   }
 
-  /** Runs the command unless its answer is younger than its program; returns the answer's file. */
-  #kept(command, extension, { fresh = false }, argumentsFor) {
+  /** Runs those commands that have no answer yet, one for each processor at a time. What fails is told when
+   * its answer is asked for. */
+  async prepare(commands) {
+    const waiting = [...new Map(commands.map((command) => [JSON.stringify(command), command])).values()];
+    const worker = async () => {
+      for (let command = waiting.shift(); command; command = waiting.shift()) {
+        const job = this.#job(command, command[0] === "render" ? "png" : "html");
+        if (!fs.existsSync(job.program) || job.isAnswered()) continue;
+        fs.mkdirSync(this.folder, { recursive: true });
+        await new Promise((done) => execFile(job.program, job.words, this.#options, done));
+      }
+    };
+    await Promise.all(Array.from({ length: os.cpus().length }, worker));
+  }
+
+  get #options() {
+    return { cwd: this.root, encoding: "utf8", maxBuffer: 1 << 26, stdio: ["ignore", "pipe", "pipe"] };
+  }
+
+  /** What runs a command, and the file of its answer of this kind. */
+  #job(command, extension) {
     const program = path.join(this.programs, programOf(command));
-    if (!fs.existsSync(program)) throw new UserError(`${program} is not built`);
     const key = crypto.createHash("sha256").update(JSON.stringify(command)).digest("hex").slice(0, 16);
     const base = path.join(this.folder, key);
     const file = `${base}.${extension}`;
-    const upToDate =
-      !fresh && fs.existsSync(file) && fs.statSync(file).mtimeMs > fs.statSync(program).mtimeMs;
-    if (upToDate) return file;
+    const words =
+      command[0] === "render"
+        ? [...command.slice(1), "--quiet", "-o", base]
+        : [...command.slice(3), "--json", `${base}.json`, "--page", `${base}.html`];
+    const isAnswered = () => fs.existsSync(file) && fs.statSync(file).mtimeMs > fs.statSync(program).mtimeMs;
+    return { program, words, file, isAnswered };
+  }
+
+  /** Runs the command unless its answer is younger than its program; returns the answer's file. */
+  #kept(command, extension, { fresh = false }) {
+    const { program, words, file, isAnswered } = this.#job(command, extension);
+    if (!fs.existsSync(program)) throw new UserError(`${program} is not built`);
+    if (!fresh && isAnswered()) return file;
     fs.mkdirSync(this.folder, { recursive: true });
-    const { status, signal, stdout, stderr, error } = spawnSync(program, argumentsFor(base), {
-      cwd: this.root,
-      encoding: "utf8",
-      maxBuffer: 1 << 26,
-      stdio: ["ignore", "pipe", "pipe"],
-    });
+    const { status, signal, stdout, stderr, error } = spawnSync(program, words, this.#options);
     if (error) throw new UserError(`${spoken(command)}: ${error.message}`);
     if (status !== 0) {
       const said = (stderr.trim() || stdout.trim()).split("\n").at(-1);

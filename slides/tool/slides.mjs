@@ -75,10 +75,17 @@ function refuseToBuild(book, decks) {
   refuse(book.problems.of([...decks.map((deck) => deck.file), ...files]));
 }
 
-/** Before slides are made: their folder, and the theme. */
-function prepare() {
+const isPicture = (one) => ["image", "picture"].includes(one.kind);
+
+/** Before slides are made: their folder, the theme, and what is seen on them. */
+async function prepare(book, decks) {
   fs.mkdirSync(out, { recursive: true });
   writeTheme(root);
+  const numbers = numbersOf(decks);
+  const seen = [...book.definitions.figures.values()].filter(
+    (one) => numbers.includes(one.number) && isPicture(one),
+  );
+  await book.runs.prepare(seen.flatMap(commandsOf));
 }
 
 const modes = {
@@ -89,12 +96,11 @@ const modes = {
       console.log(picturesOf(decks).map((lab) => programOf(commandOf(lab))).join(" "));
       return;
     }
-    const pictures = (one) => ["image", "picture"].includes(one.kind);
     const taken = {
-      html: pictures,
-      pdf: pictures,
-      watch: pictures,
-      remake: (one) => !pictures(one),
+      html: isPicture,
+      pdf: isPicture,
+      watch: isPicture,
+      remake: (one) => !isPicture(one),
       run: () => true,
     }[mode];
     if (!taken) return;
@@ -117,9 +123,9 @@ const modes = {
     );
   },
 
-  run(book, decks) {
+  async run(book, decks) {
     checkBook(book, book.problems);
-    runCommands(book, numbersOf(decks), book.problems);
+    await runCommands(book, numbersOf(decks), book.problems);
     refuse(book.problems);
     say("every command behind figures and numbers gives them");
   },
@@ -140,7 +146,7 @@ const modes = {
 
   async html(book, decks) {
     refuseToBuild(book, decks);
-    prepare();
+    await prepare(book, decks);
     await buildHtml(decks, book, out);
     writeIndex(book, out);
     say(`wrote ${path.relative(process.cwd(), path.join(out, "index.html"))}`);
@@ -148,7 +154,7 @@ const modes = {
 
   async pdf(book, decks) {
     refuseToBuild(book, decks);
-    prepare();
+    await prepare(book, decks);
     const problems = new Problems();
     const pages = async () => {
       await buildHtml(decks, book, out);
