@@ -165,7 +165,12 @@ std::uint64_t EarlierRender::number(const std::string& name) const {
 
 std::vector<std::string> EarlierRender::definitions() const {
   const std::string place = fmt::format("cannot resume {}: its definitions", path_.string());
-  return from_json_text<Definitions>(setting("definitions"), place).list;
+  const std::string& text = setting("definitions");
+  // Renders from before this was an object have the list alone.
+  const bool bare = text.starts_with('[');
+  return from_json_text<Definitions>(bare ? fmt::format("{{\"definitions\": {}}}", text) : text,
+                                     place)
+      .list;
 }
 
 std::optional<double> EarlierRender::target_error() const {

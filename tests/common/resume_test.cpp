@@ -13,6 +13,8 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -92,6 +94,28 @@ TEST_CASE("An interrupted render that is resumed has the bits of an undisturbed 
     CHECK(same(resumed.film, whole.film));
     CHECK(resumed.counts.paths == whole.counts.paths);
     CHECK(resumed.film.mean().pixels == whole.film.mean().pixels);
+  }
+}
+
+TEST_CASE("What -D gave is in the render, also in one from before it was an object") {
+  const TemporaryFolder scratch;
+  const fs::path path = scratch.path() / "a.exr";
+  const RenderResult result = run(Noise(), 64);
+  write(path, result);
+  const std::vector<std::string> given{"a=1"};
+  CHECK(EarlierRender(path).definitions() == given);
+  const auto with = [&](const char* text) {
+    ExrFile file{result.film.mean(), result.film.standard_error()};
+    add_sums(file, settings(), result.film, result.counts);
+    file.attributes["definitions"] = text;
+    write_exr(path, file);
+    return EarlierRender(path).definitions();
+  };
+  CHECK(with("[\"a=1\"]") == given);
+  CHECK(with("[]").empty());
+  for (const char* spoilt : {"", "[1]", "[", "{}", "{\"definitions\": 1}", "[], 1"}) {
+    INFO(spoilt);
+    CHECK_THROWS_AS(with(spoilt), Error);
   }
 }
 
