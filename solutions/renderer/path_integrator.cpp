@@ -2,10 +2,10 @@
 
 #include "bsdf.h"
 #include "cli/error.h"
-#include "flat/flat_integrator.h"
-#include "flat/flat_scene.h"
 #include "geometry/intersector.h"
 #include "geometry/shadow_ray.h"
+#include "lanes/lane_integrator.h"
+#include "lanes/lane_scene.h"
 #include "lights.h"
 #include "numeric/robust.h"
 #include "sampling/samplers.h"
@@ -264,8 +264,8 @@ class PathIntegrator final : public carlo::Integrator {
 
 std::unique_ptr<carlo::Integrator> make_path_integrator(const Scene& scene,
                                                         const PathOptions& options) {
-  if (options.kernel == Kernel::best && FlatScene::suits(carlo::needs(scene), scene)) {
-    return make_flat_integrator(scene, options.seed, options.choices);
+  if (options.kernel == Kernel::best && LaneScene::suits(carlo::needs(scene), scene)) {
+    return make_lane_integrator(scene, options.seed, options.choices);
   }
   switch (scene.sampler) {
     case carlo::SamplerKind::independent:

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/integrator.h"
-#include "renderer/flat/flat_kernel.h"
+#include "renderer/lanes/lane_kernel.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -16,13 +16,13 @@ struct PathOptions {
   std::uint64_t seed = 1;
   std::uint32_t spp = 64;  ///< planned samples a pixel, for the stratified sampler
   Kernel kernel = Kernel::best;
-  FlatChoices choices{};  ///< of the vector kernel, for measurements
+  LaneChoices choices{};  ///< of the vector kernel, for measurements
 };
 
 /// The iterative path tracer: emission added at every hit, next-event estimation and BRDF sampling
 /// combined by the power heuristic, Russian roulette on the throughput (so absorption ends paths),
 /// mirrors and glass by their deterministic directions. Scenes of a few parallelograms and spheres
-/// go to the vector kernel (flat/), unless options ask for the scalar one. Keeps a reference to
+/// go to the vector kernel (lanes/), unless options ask for the scalar one. Keeps a reference to
 /// `scene`, which must outlive the integrator.
 std::unique_ptr<carlo::Integrator> make_path_integrator(const carlo::Scene& scene,
                                                         const PathOptions& options);

@@ -24,7 +24,7 @@ common/scene/sdf.cpp|get_if<Solid>|the other kind of step follows by std::get, w
 common/scene/load_scene.cpp|lights.environment = |<emitter type="constant">
 common/scene/load_scene.cpp|lights.points.push_back|<emitter type="point">
 solutions/renderer/lights.cpp|lights.points[entry.index]|the entry is that of a point light
-solutions/renderer/flat/flat_scene.cpp|= scene.lights.environment|FlatScene::suits() lets no scene with other lights come
+solutions/renderer/lanes/lane_scene.cpp|= scene.lights.environment|LaneScene::suits() lets no scene with other lights come
 solutions/renderer/bench/triangles.cpp|get_if<carlo::Mesh>|the memory of meshes is what is asked for
 solutions/renderer/bench/scaling.cpp|holds_alternative<carlo::Parallelogram>|looks for a lamp to cut, an error if there is none
 solutions/renderer/bench/scaling.cpp|get_if<carlo::Diffuse>|the lamp of one scene, of which this makes another
@@ -54,8 +54,8 @@ done <<<"$reasons"
 # Places --------------------------------------------------------------------------------------------
 
 {
-  grep -rnE '\b(match|match_flat|std::visit)\(' common solutions labs | grep -v '^common/scene/match.h:' |
-    grep -v ':auto match_flat(' | grep -v '^common/verdict/' # kinds of figures are none of the renderer's
+  grep -rnE '\b(match|match_lanes|std::visit)\(' common solutions labs | grep -v '^common/scene/match.h:' |
+    grep -v ':auto match_lanes(' | grep -v '^common/verdict/' # kinds of figures are none of the renderer's
   grep -rnE 'auto& \[(.*\benvironment|parallelograms)\b' common solutions labs
   grep -rnE -A1 'switch \(' common solutions labs | sed -nE '/case [A-Za-z:]*Kind::/{s/^([^ ]*)-([0-9]+)-.*/\1 \2/p}' |
     while read -r file line; do printf '%s:%d:\n' "$file" "$((line - 1))"; done

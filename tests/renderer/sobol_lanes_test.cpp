@@ -3,7 +3,7 @@
 
 #include "random/hash.h"
 #include "random/to_float.h"
-#include "renderer/flat/flat_kernel.h"
+#include "renderer/lanes/lane_kernel.h"
 #include "sampling/samplers.h"
 #include "sampling/sobol.h"
 #include "walsh.h"
@@ -24,7 +24,7 @@
 #include <hwy/highway.h>
 
 // After the two above, which compile it anew.
-#include "renderer/flat/points-inl.h"
+#include "renderer/lanes/points-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace renderer {
@@ -82,7 +82,7 @@ std::vector<std::uint32_t> words(std::uint64_t seed, std::size_t count) {
 
 template <class Check>
 void on_all_instruction_sets(const Check& check) {
-  for (const std::string& name : renderer::flat_instruction_sets()) {
+  for (const std::string& name : renderer::lane_instruction_sets()) {
     renderer::use_instruction_set(name);
     INFO(name);
     check();

@@ -5,8 +5,8 @@
 #include "cli/error.h"
 #include "cli/main_guard.h"
 #include "render_cost.h"
-#include "renderer/flat/flat_integrator.h"
-#include "renderer/flat/flat_scene.h"
+#include "renderer/lanes/lane_integrator.h"
+#include "renderer/lanes/lane_scene.h"
 #include "scene/needs.h"
 
 #include <cstdlib>
@@ -16,15 +16,15 @@ namespace {
 int run(int argc, char** argv) {
   if (argc != 3) throw carlo::Error("expected SCENE SEED, got {} arguments", argc - 1);
   const carlo::Scene scene = bench::load_cost_scene(argv[1]);
-  if (!renderer::FlatScene::suits(carlo::needs(scene), scene)) {
+  if (!renderer::LaneScene::suits(carlo::needs(scene), scene)) {
     throw carlo::Error("{} is no scene for the vector kernel", argv[1]);
   }
-  const renderer::FlatScene flat(scene);
-  if (flat.phong || flat.close()) {
+  const renderer::LaneScene lanes(scene);
+  if (lanes.phong || lanes.close()) {
     throw carlo::Error("{} needs more than diffuse parallelograms that keep apart", argv[1]);
   }
   const auto integrator =
-      renderer::make_flat_integrator(scene, std::strtoull(argv[2], nullptr, 10), {});
+      renderer::make_lane_integrator(scene, std::strtoull(argv[2], nullptr, 10), {});
   bench::print_render_cost(*integrator, scene);
   return 0;
 }

@@ -1,7 +1,7 @@
 // The vector kernel with one combination only: diffuse surfaces, no spheres. It takes the place of
-// flat_kernel.cpp in carlo_bench_lambert.
+// lane_kernel.cpp in carlo_bench_lambert.
 
-#include "renderer/flat/flat_kernel.h"
+#include "renderer/lanes/lane_kernel.h"
 
 // This file is compiled once for each instruction set.
 #undef HWY_TARGET_INCLUDE
@@ -10,13 +10,13 @@
 #include <hwy/highway.h>
 
 // After the two above, which compile it anew.
-#include "renderer/flat/tile-inl.h"
+#include "renderer/lanes/tile-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-HWY_ATTR void render_lambert(const FlatJob& job, std::span<std::array<double, 3>> means,
+HWY_ATTR void render_lambert(const LaneJob& job, std::span<std::array<double, 3>> means,
                              carlo::Counts& counts) {
   run<Features<false, false>>(job, means, counts);
 }
@@ -35,12 +35,12 @@ namespace renderer {
 HWY_EXPORT(render_lambert);
 HWY_EXPORT(instruction_set);
 
-void render_flat(const FlatJob& job, std::span<std::array<double, 3>> means,
-                 carlo::Counts& counts) {
+void render_lanes(const LaneJob& job, std::span<std::array<double, 3>> means,
+                  carlo::Counts& counts) {
   HWY_DYNAMIC_DISPATCH(render_lambert)(job, means, counts);
 }
 
-std::string flat_instruction_set() {
+std::string lane_instruction_set() {
   return HWY_DYNAMIC_DISPATCH(instruction_set)();
 }
 

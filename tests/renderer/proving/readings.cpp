@@ -1,7 +1,7 @@
 #include "proving/readings.h"
 
 #include "cli/error.h"
-#include "renderer/flat/flat_scene.h"
+#include "renderer/lanes/lane_scene.h"
 #include "scene/needs.h"
 #include "scene_renderer/lab_integrator.h"
 #include "scene_tools.h"
@@ -30,7 +30,7 @@ std::unique_ptr<Integrator> make_kernel(const Scene& scene, std::size_t kernel, 
       return nullptr;
     }
   }
-  if (kernel == 1 && !renderer::FlatScene::suits(needs(scene), scene)) return nullptr;
+  if (kernel == 1 && !renderer::LaneScene::suits(needs(scene), scene)) return nullptr;
   return renderer::make_path_integrator(
       scene, {.seed = seed,
               .spp = spp,

@@ -7,14 +7,14 @@
 #define CARLO_PATHS_INL
 #endif
 
-#include "renderer/flat/bsdf-inl.h"
-#include "renderer/flat/flat_kernel.h"
-#include "renderer/flat/flat_scene.h"
-#include "renderer/flat/intersect-inl.h"
-#include "renderer/flat/lights-inl.h"
-#include "renderer/flat/lookup-inl.h"
-#include "renderer/flat/points-inl.h"
-#include "renderer/flat/vector_math-inl.h"
+#include "renderer/lanes/bsdf-inl.h"
+#include "renderer/lanes/intersect-inl.h"
+#include "renderer/lanes/lane_kernel.h"
+#include "renderer/lanes/lane_scene.h"
+#include "renderer/lanes/lights-inl.h"
+#include "renderer/lanes/lookup-inl.h"
+#include "renderer/lanes/points-inl.h"
+#include "renderer/lanes/vector_math-inl.h"
 
 #include <hwy/highway.h>
 
@@ -49,7 +49,7 @@ struct Paths {
 };
 
 /// The points of a dimension pair whose random word is k.
-HWY_INLINE V2 points(const FlatJob& job, U reversed_index, U k) {
+HWY_INLINE V2 points(const LaneJob& job, U reversed_index, U k) {
   return job.sobol ? sobol_2d(reversed_index, k) : random_2d(reversed_index, k);
 }
 
@@ -57,7 +57,7 @@ HWY_INLINE V2 points(const FlatJob& job, U reversed_index, U k) {
 template <class Needs>
 class Walk {
  public:
-  HWY_INLINE Walk(const FlatJob& job, carlo::Counts& counts)
+  HWY_INLINE Walk(const LaneJob& job, carlo::Counts& counts)
       : job_(job),
         s_(job.scene),
         counts_(counts),
@@ -226,8 +226,8 @@ class Walk {
     paths.beta = hn::Div(set(1), select(risky, q, set(1))) * paths.beta;
   }
 
-  const FlatJob& job_;
-  const FlatScene& s_;
+  const LaneJob& job_;
+  const LaneScene& s_;
   carlo::Counts& counts_;
   float per_threshold_;
 };

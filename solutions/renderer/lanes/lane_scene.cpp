@@ -1,9 +1,9 @@
-#include "renderer/flat/flat_scene.h"
+#include "renderer/lanes/lane_scene.h"
 
 #include "geometry/planes.h"
 #include "numeric/robust.h"
-#include "renderer/flat/flat_boxes.h"
-#include "renderer/flat/flat_shape.h"
+#include "renderer/lanes/lane_boxes.h"
+#include "renderer/lanes/lane_shape.h"
 #include "scene/match.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ struct Reflectances {
   float exponent = 0;
 };
 
-/// Of a material that the kernels know. FlatScene::suits() lets no surface have another.
+/// Of a material that the kernels know. LaneScene::suits() lets no surface have another.
 std::optional<Reflectances> reflectances(const carlo::Material& material) {
   using Result = std::optional<Reflectances>;
   return carlo::match(
@@ -60,31 +60,31 @@ float f(double x) {
   return static_cast<float>(x);
 }
 
-void add_plane(FlatScene& flat, std::size_t i, const Parallelogram& quad) {
+void add_plane(LaneScene& lanes, std::size_t i, const Parallelogram& quad) {
   const Vec3d o(quad.origin), u(quad.u), v(quad.v), n = glm::normalize(glm::cross(u, v));
   // The dual vectors: a . u = 2, a . v = 0, and the other way round.
   const Vec3d across = glm::cross(v, n), a = 2.0 * across / glm::dot(across, u);
   const Vec3d along = glm::cross(n, u), b = 2.0 * along / glm::dot(along, v);
-  flat.nx[i] = f(n.x), flat.ny[i] = f(n.y), flat.nz[i] = f(n.z);
-  flat.d[i] = f(glm::dot(n, o));
-  flat.ax[i] = f(a.x), flat.ay[i] = f(a.y), flat.az[i] = f(a.z);
-  flat.a0[i] = f(glm::dot(a, o) + 1);
-  flat.bx[i] = f(b.x), flat.by[i] = f(b.y), flat.bz[i] = f(b.z);
-  flat.b0[i] = f(glm::dot(b, o) + 1);
+  lanes.nx[i] = f(n.x), lanes.ny[i] = f(n.y), lanes.nz[i] = f(n.z);
+  lanes.d[i] = f(glm::dot(n, o));
+  lanes.ax[i] = f(a.x), lanes.ay[i] = f(a.y), lanes.az[i] = f(a.z);
+  lanes.a0[i] = f(glm::dot(a, o) + 1);
+  lanes.bx[i] = f(b.x), lanes.by[i] = f(b.y), lanes.bz[i] = f(b.z);
+  lanes.b0[i] = f(glm::dot(b, o) + 1);
 }
 
-void add_material(FlatScene& flat, const carlo::Material& material) {
-  const std::size_t i = flat.materials++;
+void add_material(LaneScene& lanes, const carlo::Material& material) {
+  const std::size_t i = lanes.materials++;
   const std::optional<Reflectances> r = reflectances(material);
   if (!r) return;
   const Vec3d kd = Vec3d(r->kd) / carlo::pi,
               ks = Vec3d(r->ks) * (static_cast<double>(r->exponent) + 2) / (2 * carlo::pi);
-  flat.kd_r[i] = f(kd.r), flat.kd_g[i] = f(kd.g), flat.kd_b[i] = f(kd.b);
-  flat.ks_r[i] = f(ks.r), flat.ks_g[i] = f(ks.g), flat.ks_b[i] = f(ks.b);
-  flat.exponent[i] = r->exponent;
+  lanes.kd_r[i] = f(kd.r), lanes.kd_g[i] = f(kd.g), lanes.kd_b[i] = f(kd.b);
+  lanes.ks_r[i] = f(ks.r), lanes.ks_g[i] = f(ks.g), lanes.ks_b[i] = f(ks.b);
+  lanes.exponent[i] = r->exponent;
   const double d = sum(r->kd), s = sum(r->ks);
-  flat.diffuse[i] = d + s > 0 ? f(d / (d + s)) : 1;
-  flat.two_sided[i] = material.two_sided ? 1 : 0;
+  lanes.diffuse[i] = d + s > 0 ? f(d / (d + s)) : 1;
+  lanes.two_sided[i] = material.two_sided ? 1 : 0;
 }
 
 double area(const Parallelogram& quad) {
@@ -95,28 +95,28 @@ double area(const Parallelogram& quad) {
 double power(const carlo::Shape& shape) {
   if (!shape.emits()) return 0;
   return sum(shape.radiance) *
-         match_flat(
+         match_lanes(
              shape, [](const Parallelogram& quad) { return area(quad); },
              [](const carlo::Sphere&) -> double {
                throw carlo::Error("the vector kernel has no lamps that are spheres");
              });
 }
 
-void add_light(FlatScene& flat, std::size_t i, const Parallelogram& quad, double chance,
+void add_light(LaneScene& lanes, std::size_t i, const Parallelogram& quad, double chance,
                double running) {
-  const std::size_t l = flat.lights++;
-  flat.lx[l] = quad.origin.x, flat.ly[l] = quad.origin.y, flat.lz[l] = quad.origin.z;
-  flat.lux[l] = quad.u.x, flat.luy[l] = quad.u.y, flat.luz[l] = quad.u.z;
-  flat.lvx[l] = quad.v.x, flat.lvy[l] = quad.v.y, flat.lvz[l] = quad.v.z;
-  flat.light_surface[l] = static_cast<std::uint32_t>(i);
-  flat.light_cdf[l] = f(running);
-  flat.light_density[i] = f(chance / area(quad));
+  const std::size_t l = lanes.lights++;
+  lanes.lx[l] = quad.origin.x, lanes.ly[l] = quad.origin.y, lanes.lz[l] = quad.origin.z;
+  lanes.lux[l] = quad.u.x, lanes.luy[l] = quad.u.y, lanes.luz[l] = quad.u.z;
+  lanes.lvx[l] = quad.v.x, lanes.lvy[l] = quad.v.y, lanes.lvz[l] = quad.v.z;
+  lanes.light_surface[l] = static_cast<std::uint32_t>(i);
+  lanes.light_cdf[l] = f(running);
+  lanes.light_density[i] = f(chance / area(quad));
 }
 
 /// Writes the shapes' columns one by one.
 class Writer {
  public:
-  Writer(FlatScene& flat, const carlo::Scene& scene) : flat_(flat), scene_(scene) {
+  Writer(LaneScene& lanes, const carlo::Scene& scene) : lanes_(lanes), scene_(scene) {
     for (const carlo::Shape& shape : scene.shapes)
       power_ += power(shape);
   }
@@ -124,32 +124,32 @@ class Writer {
   void quad(std::size_t number, std::size_t shape_index) {
     const carlo::Shape& shape = scene_.shapes[shape_index];
     const auto& quad = std::get<Parallelogram>(shape.geometry);
-    add_plane(flat_, number, quad);
-    flat_.plane[number] = static_cast<std::uint32_t>(number);
-    flat_.coordinates[number] = std::abs(flat_.d[number]);
+    add_plane(lanes_, number, quad);
+    lanes_.plane[number] = static_cast<std::uint32_t>(number);
+    lanes_.coordinates[number] = std::abs(lanes_.d[number]);
     quads_.push_back(quad);
     numbers_.push_back(number);
     look(number, shape);
     if (!shape.emits()) return;
     const double chance = power(shape) / power_;
-    add_light(flat_, number, quad, chance, running_ += chance);
+    add_light(lanes_, number, quad, chance, running_ += chance);
   }
 
   /// A box that takes so many numbers.
   void box(const FoundBox& box, std::uint32_t numbers) {
     for (std::size_t face = 0; face < box.shape.size(); ++face)
-      if (box.shape[face]) quad(flat_.surfaces + face, *box.shape[face]);
-    flat_.surfaces += numbers;
+      if (box.shape[face]) quad(lanes_.surfaces + face, *box.shape[face]);
+    lanes_.surfaces += numbers;
   }
 
   void sphere(const carlo::Shape& shape, const carlo::Sphere& sphere) {
-    const std::size_t i = flat_.surfaces++;
-    flat_.cx[i] = sphere.center.x, flat_.cy[i] = sphere.center.y, flat_.cz[i] = sphere.center.z;
-    flat_.radius[i] = sphere.flipped ? -sphere.radius : sphere.radius;
-    flat_.width[i] = 2 * sphere.radius;
+    const std::size_t i = lanes_.surfaces++;
+    lanes_.cx[i] = sphere.center.x, lanes_.cy[i] = sphere.center.y, lanes_.cz[i] = sphere.center.z;
+    lanes_.radius[i] = sphere.flipped ? -sphere.radius : sphere.radius;
+    lanes_.width[i] = 2 * sphere.radius;
     const Vec3 c = glm::abs(sphere.center);
-    flat_.coordinates[i] = c.x + c.y + c.z + sphere.radius;
-    flat_.plane[i] = static_cast<std::uint32_t>(i);
+    lanes_.coordinates[i] = c.x + c.y + c.z + sphere.radius;
+    lanes_.plane[i] = static_cast<std::uint32_t>(i);
     look(i, shape);
   }
 
@@ -159,13 +159,13 @@ class Writer {
     for (std::size_t k = 0; k < quads_.size(); ++k) {
       const std::size_t i = numbers_[k], first = numbers_[planes.of[k].first];
       if (first == i) continue;
-      const float along = flat_.nx[i] * flat_.nx[first] + flat_.ny[i] * flat_.ny[first] +
-                          flat_.nz[i] * flat_.nz[first];
+      const float along = lanes_.nx[i] * lanes_.nx[first] + lanes_.ny[i] * lanes_.ny[first] +
+                          lanes_.nz[i] * lanes_.nz[first];
       const float sign = along < 0 ? -1.0f : 1.0f;
-      flat_.plane[i] = static_cast<std::uint32_t>(first);
-      flat_.nx[i] = sign * flat_.nx[first], flat_.ny[i] = sign * flat_.ny[first];
-      flat_.nz[i] = sign * flat_.nz[first], flat_.d[i] = sign * flat_.d[first];
-      flat_.coplanar = flat_.coplanar || by_itself(k) || by_itself(planes.of[k].first);
+      lanes_.plane[i] = static_cast<std::uint32_t>(first);
+      lanes_.nx[i] = sign * lanes_.nx[first], lanes_.ny[i] = sign * lanes_.ny[first];
+      lanes_.nz[i] = sign * lanes_.nz[first], lanes_.d[i] = sign * lanes_.d[first];
+      lanes_.coplanar = lanes_.coplanar || by_itself(k) || by_itself(planes.of[k].first);
     }
   }
 
@@ -173,19 +173,19 @@ class Writer {
   /// Whether the parallelogram quads_[k] is met or aimed at as such, not as a side of a box.
   bool by_itself(std::size_t k) const {
     const std::size_t i = numbers_[k];
-    return i >= flat_.first_quad || flat_.light_density[i] > 0;
+    return i >= lanes_.first_quad || lanes_.light_density[i] > 0;
   }
 
   void look(std::size_t i, const carlo::Shape& shape) {
     const carlo::Material& material = scene_.materials[shape.material];
-    flat_.material[i] = shape.material;
-    flat_.le_r[i] = shape.radiance.r, flat_.le_g[i] = shape.radiance.g,
-    flat_.le_b[i] = shape.radiance.b;
-    flat_.phong = flat_.phong || reflectances(material).value().ks != Rgb(0);
-    flat_.one_sided = flat_.one_sided || !material.two_sided;
+    lanes_.material[i] = shape.material;
+    lanes_.le_r[i] = shape.radiance.r, lanes_.le_g[i] = shape.radiance.g,
+    lanes_.le_b[i] = shape.radiance.b;
+    lanes_.phong = lanes_.phong || reflectances(material).value().ks != Rgb(0);
+    lanes_.one_sided = lanes_.one_sided || !material.two_sided;
   }
 
-  FlatScene& flat_;
+  LaneScene& lanes_;
   const carlo::Scene& scene_;
   double power_ = 0, running_ = 0;
   std::vector<Parallelogram> quads_;
@@ -197,7 +197,7 @@ struct Extent {
 };
 
 Extent extent_of(const carlo::Shape& shape) {
-  return match_flat(
+  return match_lanes(
       shape,
       [](const Parallelogram& quad) -> Extent {
         const Vec3d o(quad.origin), u(quad.u), v(quad.v);
@@ -211,7 +211,7 @@ Extent extent_of(const carlo::Shape& shape) {
 }
 
 bool is_sphere(const carlo::Shape& shape) {
-  return match_flat(
+  return match_lanes(
       shape, [](const Parallelogram&) { return false; }, [](const carlo::Sphere&) { return true; });
 }
 
@@ -224,7 +224,7 @@ bool touch(const Extent& a, const Extent& b) {
          glm::all(glm::lessThanEqual(b.lower, a.upper + margin));
 }
 
-/// FlatScene::touching, `quads` the parallelograms outside of boxes.
+/// LaneScene::touching, `quads` the parallelograms outside of boxes.
 bool any_touches(const carlo::Scene& scene, const std::vector<std::size_t>& quads) {
   std::vector<std::size_t> loose = quads;
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
@@ -239,15 +239,15 @@ bool any_touches(const carlo::Scene& scene, const std::vector<std::size_t>& quad
 
 /// How many numbers the scene's surfaces take.
 std::size_t numbers(const carlo::Scene& scene) {
-  const FlatBoxes boxes = find_boxes(scene);
+  const LaneBoxes boxes = find_boxes(scene);
   const auto spheres = std::count_if(scene.shapes.begin(), scene.shapes.end(), is_sphere);
-  return boxes.solids.size() * FlatScene::sides + (boxes.enclosure ? FlatScene::sides_used : 0) +
+  return boxes.solids.size() * LaneScene::sides + (boxes.enclosure ? LaneScene::sides_used : 0) +
          boxes.others.size() + static_cast<std::size_t>(spheres);
 }
 
 }  // namespace
 
-bool FlatScene::suits(const carlo::Needs& needs, const carlo::Scene& scene) {
+bool LaneScene::suits(const carlo::Needs& needs, const carlo::Scene& scene) {
   carlo::Needs others = needs;
   others.parallelograms = others.spheres = others.parallelogram_lights = 0;
   others.diffuse = others.phong = others.one_sided = others.two_sided = false;
@@ -256,14 +256,14 @@ bool FlatScene::suits(const carlo::Needs& needs, const carlo::Scene& scene) {
          scene.materials.size() <= most_materials && numbers(scene) <= most;
 }
 
-FlatScene::FlatScene(const carlo::Scene& scene) {
+LaneScene::LaneScene(const carlo::Scene& scene) {
   sobol = sobol_points(scene.sampler).value();
   const Rgb around = scene.lights.environment;
   environment[0] = around.r, environment[1] = around.g, environment[2] = around.b;
   for (const carlo::Material& m : scene.materials)
     add_material(*this, m);
   Writer write(*this, scene);
-  const FlatBoxes boxes = find_boxes(scene);
+  const LaneBoxes boxes = find_boxes(scene);
   for (const FoundBox& solid : boxes.solids) {
     solids.push_back(solid.box);
     write.box(solid, sides);
@@ -279,7 +279,7 @@ FlatScene::FlatScene(const carlo::Scene& scene) {
     write.quad(surfaces++, i);
   first_sphere = surfaces;
   for (const carlo::Shape& shape : scene.shapes) {
-    match_flat(
+    match_lanes(
         shape, [](const Parallelogram&) {},  // has its number already
         [&](const carlo::Sphere& sphere) { write.sphere(shape, sphere); });
   }

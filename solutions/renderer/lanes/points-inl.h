@@ -7,7 +7,7 @@
 #define CARLO_POINTS_INL
 #endif
 
-#include "renderer/flat/vector_math-inl.h"
+#include "renderer/lanes/vector_math-inl.h"
 
 #include <hwy/highway.h>
 

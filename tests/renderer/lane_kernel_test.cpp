@@ -6,11 +6,11 @@
 // deviations of 8 (tiles) and 6 (images) standard errors are seen with probability .999; both
 // sides get 1024 samples a pixel.
 
-#include "renderer/flat/flat_kernel.h"
+#include "renderer/lanes/lane_kernel.h"
 
 #include "lab_scenes.h"
-#include "renderer/flat/flat_boxes.h"
-#include "renderer/flat/flat_scene.h"
+#include "renderer/lanes/lane_boxes.h"
+#include "renderer/lanes/lane_scene.h"
 #include "scene/needs.h"
 #include "scene_tools.h"
 #include "tiles.h"
@@ -85,11 +85,11 @@ Scene boxes() {
 }
 
 /// The scenes of the tree that the kernel takes, and the two above.
-std::vector<Named> flat_scenes() {
+std::vector<Named> lane_scenes() {
   std::vector<Named> scenes{{"assorted", assorted()}, {"boxes", boxes()}};
   for (const std::string& name : lab_scenes::names()) {
     Scene scene = lab_scenes::load(name);
-    if (renderer::FlatScene::suits(needs(scene), scene)) scenes.push_back({name, std::move(scene)});
+    if (renderer::LaneScene::suits(needs(scene), scene)) scenes.push_back({name, std::move(scene)});
   }
   return scenes;
 }
@@ -110,10 +110,10 @@ tiles::Estimate estimate(const Scene& scene, renderer::Kernel kernel, std::uint6
 }  // namespace
 
 TEST_CASE("The vector kernel agrees with the scalar integrator") {
-  const std::vector<Named> scenes = flat_scenes();
+  const std::vector<Named> scenes = lane_scenes();
   REQUIRE(scenes.size() >= 4);
   for (const auto& [name, full] : scenes) {
-    REQUIRE(renderer::FlatScene::suits(needs(full), full));
+    REQUIRE(renderer::LaneScene::suits(needs(full), full));
     const Scene oracle_scene = small(full, SamplerKind::independent);
     const tiles::Estimate oracle = estimate(oracle_scene, renderer::Kernel::scalar, 1);
     for (const SamplerKind sampler : {SamplerKind::independent, SamplerKind::sobol}) {
@@ -137,14 +137,14 @@ TEST_CASE("The vector kernel agrees with the scalar integrator") {
 }
 
 TEST_CASE("The vector kernel finds boxes") {
-  const renderer::FlatBoxes found = renderer::find_boxes(boxes());
+  const renderer::LaneBoxes found = renderer::find_boxes(boxes());
   CHECK(found.solids.size() == 2);
   REQUIRE(found.enclosure);
   CHECK(found.enclosure->box.faces == 0x3F);
   CHECK(found.camera_inside);
   CHECK(found.others.size() == 6);  // what shines
 
-  const renderer::FlatBoxes cornell = renderer::find_boxes(lab_scenes::load("cornell_phong"));
+  const renderer::LaneBoxes cornell = renderer::find_boxes(lab_scenes::load("cornell_phong"));
   CHECK(cornell.solids.size() == 2);
   REQUIRE(cornell.enclosure);
   CHECK(std::popcount(cornell.enclosure->box.faces) == 5);
@@ -167,7 +167,7 @@ TEST_CASE("The vector kernel's images agree on all instruction sets") {
   for (const Scene& full : {boxes(), lab_scenes::load("cornell_phong")}) {
     const Scene scene = small(full, SamplerKind::sobol);
     const tiles::Estimate best = estimate(scene, renderer::Kernel::best, 1);
-    for (const std::string& name : renderer::flat_instruction_sets()) {
+    for (const std::string& name : renderer::lane_instruction_sets()) {
       renderer::use_instruction_set(name);
       const tiles::Estimate other = estimate(scene, renderer::Kernel::best, 1);
       renderer::use_instruction_set("");

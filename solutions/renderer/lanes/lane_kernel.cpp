@@ -1,4 +1,4 @@
-#include "renderer/flat/flat_kernel.h"
+#include "renderer/lanes/lane_kernel.h"
 
 #include "cli/error.h"
 
@@ -11,25 +11,25 @@
 
 // This file is compiled once for each instruction set.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "renderer/flat/flat_kernel.cpp"
+#define HWY_TARGET_INCLUDE "renderer/lanes/lane_kernel.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 // After the two above, which compile it anew.
-#include "renderer/flat/tile-inl.h"
+#include "renderer/lanes/tile-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-HWY_ATTR void render_tile(const FlatJob& job, std::span<std::array<double, 3>> means,
+HWY_ATTR void render_tile(const LaneJob& job, std::span<std::array<double, 3>> means,
                           carlo::Counts& counts) {
 #if HWY_TARGET == HWY_SSSE3
   // Machines of before 2013 pay for what their scene does not need, so that nobody waits for three
   // more kernels.
   run<Features<true, true>>(job, means, counts);
 #else
-  const FlatScene& s = job.scene;
+  const LaneScene& s = job.scene;
   const bool close = s.close();
   if (s.phong) {
     close ? run<Features<true, true>>(job, means, counts)
@@ -55,16 +55,16 @@ namespace renderer {
 HWY_EXPORT(render_tile);
 HWY_EXPORT(instruction_set);
 
-void render_flat(const FlatJob& job, std::span<std::array<double, 3>> means,
-                 carlo::Counts& counts) {
+void render_lanes(const LaneJob& job, std::span<std::array<double, 3>> means,
+                  carlo::Counts& counts) {
   HWY_DYNAMIC_DISPATCH(render_tile)(job, means, counts);
 }
 
-std::string flat_instruction_set() {
+std::string lane_instruction_set() {
   return HWY_DYNAMIC_DISPATCH(instruction_set)();
 }
 
-std::vector<std::string> flat_instruction_sets() {
+std::vector<std::string> lane_instruction_sets() {
   std::vector<std::string> names;
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
     names.emplace_back(hwy::TargetName(target));
@@ -73,7 +73,7 @@ std::vector<std::string> flat_instruction_sets() {
 
 void use_instruction_set(const std::string& name) {
   hwy::SetSupportedTargetsForTest(0);
-  const std::vector<std::string> names = flat_instruction_sets();
+  const std::vector<std::string> names = lane_instruction_sets();
   if (!name.empty()) {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) {

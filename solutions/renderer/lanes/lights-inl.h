@@ -7,9 +7,9 @@
 #define CARLO_LIGHTS_INL
 #endif
 
-#include "renderer/flat/flat_scene.h"
-#include "renderer/flat/lookup-inl.h"
-#include "renderer/flat/vector_math-inl.h"
+#include "renderer/lanes/lane_scene.h"
+#include "renderer/lanes/lookup-inl.h"
+#include "renderer/lanes/vector_math-inl.h"
 
 #include <hwy/highway.h>
 
@@ -30,7 +30,7 @@ HWY_INLINE V3 across(V3 corner, V2 u, V3 edge_u, V3 edge_v) {
   return add_scaled(add_scaled(corner, u.x, edge_u), u.y, edge_v);
 }
 
-HWY_INLINE LightPoints sample_only_light(const FlatScene& s, V2 u) {
+HWY_INLINE LightPoints sample_only_light(const LaneScene& s, V2 u) {
   const std::uint32_t i = s.light_surface[0];
   return {across(set(s.lx[0], s.ly[0], s.lz[0]), u, set(s.lux[0], s.luy[0], s.luz[0]),
                  set(s.lvx[0], s.lvy[0], s.lvz[0])),
@@ -38,7 +38,7 @@ HWY_INLINE LightPoints sample_only_light(const FlatScene& s, V2 u) {
           set(1 / s.light_density[i]), set_word(s.plane[i])};
 }
 
-HWY_INLINE LightPoints sample_light(const FlatScene& s, V2 u) {
+HWY_INLINE LightPoints sample_light(const LaneScene& s, V2 u) {
   if (s.lights == 1) return sample_only_light(s, u);
   // The first light whose running sum is above u.x, which is stretched again.
   U index = set_word(0);

@@ -10,7 +10,7 @@
 namespace renderer {
 
 /// A parallelepiped as three slabs: |axis_k . p - center_k| <= half_k, axes of length 1.
-struct FlatBox {
+struct LaneBox {
   std::array<std::array<float, 3>, 3> axis{};
   std::array<float, 3> center{}, half{};
   /// Bit 2 k + 1: the face where axis_k . p - center_k = half_k belongs to it; bit 2 k: the other.
@@ -28,7 +28,7 @@ struct FlatBox {
 ///   the camera on the inner side of each. Rays from surfaces start inside of it, and rays of the
 ///   camera meet it where they leave it. Nothing lies behind its sides: it casts no shadow;
 /// - all others.
-struct FlatScene {
+struct LaneScene {
   static constexpr std::size_t most = 128;  ///< numbers of surfaces
   static constexpr std::size_t most_materials = 32;
   static constexpr std::uint32_t sides = 8;       ///< numbers that a solid takes,
@@ -43,13 +43,13 @@ struct FlatScene {
   /// independent and Sobol' points. What is not on this list goes to the scalar path tracer.
   static bool suits(const carlo::Needs& needs, const carlo::Scene& scene);
 
-  explicit FlatScene(const carlo::Scene& scene);
+  explicit LaneScene(const carlo::Scene& scene);
 
-  /// Solid i has the numbers from i * sides on, one for each side in the order of FlatBox::faces.
+  /// Solid i has the numbers from i * sides on, one for each side in the order of LaneBox::faces.
   /// The enclosure, if there is one, follows with the numbers that it uses; then other
   /// parallelograms, then spheres.
-  std::vector<FlatBox> solids;
-  FlatBox enclosure;
+  std::vector<LaneBox> solids;
+  LaneBox enclosure;
   bool enclosed = false, camera_inside = false;
   std::uint32_t first_quad = 0, first_sphere = 0, surfaces = 0;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/flat/flat_scene.h"
+#include "renderer/lanes/lane_scene.h"
 #include "scene/scene.h"
 
 #include <array>
@@ -12,20 +12,20 @@ namespace renderer {
 
 /// A parallelepiped among a scene's shapes.
 struct FoundBox {
-  FlatBox box;
-  /// The shape that is each side, in the order of FlatBox::faces.
+  LaneBox box;
+  /// The shape that is each side, in the order of LaneBox::faces.
   std::array<std::optional<std::size_t>, 6> shape;
 };
 
-/// A scene's parallelograms, sorted into boxes as FlatScene wants them. Sides agree with their
+/// A scene's parallelograms, sorted into boxes as LaneScene wants them. Sides agree with their
 /// shapes to a millionth of the box's size.
-struct FlatBoxes {
+struct LaneBoxes {
   std::vector<FoundBox> solids;
   std::optional<FoundBox> enclosure;
   bool camera_inside = false;       ///< of the enclosure
   std::vector<std::size_t> others;  ///< parallelograms in no box
 };
 
-FlatBoxes find_boxes(const carlo::Scene& scene);
+LaneBoxes find_boxes(const carlo::Scene& scene);
 
 }  // namespace renderer

@@ -1,7 +1,7 @@
-#include "renderer/flat/flat_boxes.h"
+#include "renderer/lanes/lane_boxes.h"
 
 #include "geometry/planes.h"
-#include "renderer/flat/flat_shape.h"
+#include "renderer/lanes/lane_shape.h"
 
 #include <algorithm>
 #include <bit>
@@ -35,7 +35,7 @@ struct Parallelepiped {
 
 const Parallelogram* parallelogram(const Scene& scene, std::size_t i) {
   using Result = const Parallelogram*;
-  return match_flat(
+  return match_lanes(
       scene.shapes[i], [](const Parallelogram& quad) -> Result { return &quad; },
       [](const carlo::Sphere&) -> Result { return nullptr; });
 }
@@ -75,7 +75,7 @@ std::optional<Parallelepiped> spanned(const Parallelogram& a, const Parallelogra
   return std::nullopt;
 }
 
-/// The side of the box (0 to 5, as in FlatBox::faces) that the parallelogram is.
+/// The side of the box (0 to 5, as in LaneBox::faces) that the parallelogram is.
 std::optional<unsigned> side(const Parallelepiped& box, const Parallelogram& quad) {
   const auto points = corners(quad);
   for (unsigned f = 0; f < 6; ++f) {
@@ -92,8 +92,8 @@ std::optional<unsigned> side(const Parallelepiped& box, const Parallelogram& qua
   return std::nullopt;
 }
 
-FlatBox slabs(const Parallelepiped& box) {
-  FlatBox result;
+LaneBox slabs(const Parallelepiped& box) {
+  LaneBox result;
   const Vec3d middle = box.origin + 0.5 * (box.edge[0] + box.edge[1] + box.edge[2]);
   for (unsigned k = 0; k < 3; ++k) {
     Vec3d n = glm::normalize(glm::cross(box.edge[(k + 1) % 3], box.edge[(k + 2) % 3]));
@@ -117,9 +117,9 @@ FoundBox gather_sides(const Scene& scene, const Parallelepiped& box,
   return found;
 }
 
-/// How far p is on the inner side of every one of the box's faces (bits as in FlatBox::faces);
+/// How far p is on the inner side of every one of the box's faces (bits as in LaneBox::faces);
 /// below 0: on the outer side of one.
-double depth_inside(const FlatBox& box, const Vec3d& p, std::uint32_t faces = 0x3F) {
+double depth_inside(const LaneBox& box, const Vec3d& p, std::uint32_t faces = 0x3F) {
   double least = std::numeric_limits<double>::infinity();
   for (unsigned f = 0; f < 6; ++f) {
     if ((faces >> f & 1) == 0) continue;
@@ -132,7 +132,7 @@ double depth_inside(const FlatBox& box, const Vec3d& p, std::uint32_t faces = 0x
 }
 
 /// Whether all shapes lie in the box, and the camera does not see the outer side of its sides.
-bool holds(const FlatBox& box, const Scene& scene) {
+bool holds(const LaneBox& box, const Scene& scene) {
   const Vec3d camera(scene.camera.origin);
   if (!(depth_inside(box, camera, box.faces) > tolerance * glm::length(camera))) return false;
   const auto inside = [&](const Vec3d& p) {
@@ -140,7 +140,7 @@ bool holds(const FlatBox& box, const Scene& scene) {
     return depth_inside(box, p) >= -tolerance * size;
   };
   return std::all_of(scene.shapes.begin(), scene.shapes.end(), [&](const carlo::Shape& shape) {
-    return match_flat(
+    return match_lanes(
         shape,
         [&](const Parallelogram& quad) {
           const auto points = corners(quad);
@@ -185,7 +185,7 @@ bool overlap(const Parallelogram& a, const Parallelogram& b) {
 /// Whether a front in the plane of some side looks out of the box: one of another shape that covers
 /// the side, so that it matters which of them is met; or the side itself is black from outside.
 bool covered(const Scene& scene, const FoundBox& box, const std::vector<std::size_t>& quads) {
-  const auto looks_out = [](const Parallelogram& quad, const FlatBox& slabs, unsigned f) {
+  const auto looks_out = [](const Parallelogram& quad, const LaneBox& slabs, unsigned f) {
     const auto& axis = slabs.axis[f / 2];
     const double along =
         glm::dot(glm::cross(Vec3d(quad.u), Vec3d(quad.v)), Vec3d(axis[0], axis[1], axis[2]));
@@ -229,11 +229,11 @@ FoundBox largest_box(const Scene& scene, std::size_t first, const std::vector<st
 
 }  // namespace
 
-FlatBoxes find_boxes(const Scene& scene) {
+LaneBoxes find_boxes(const Scene& scene) {
   std::vector<std::size_t> quads;
   for (std::size_t i = 0; i < scene.shapes.size(); ++i)
     if (parallelogram(scene, i) != nullptr) quads.push_back(i);
-  FlatBoxes result;
+  LaneBoxes result;
   const Vec3d camera(scene.camera.origin);
   for (std::vector<std::size_t> left = quads; !left.empty();) {
     const std::size_t first = left.front();

@@ -9,9 +9,9 @@
 
 namespace renderer {
 
-/// What the case for a shape that the kernels draw gives. FlatScene::suits() lets no others come.
+/// What the case for a shape that the kernels draw gives. LaneScene::suits() lets no others come.
 template <class OfQuad, class OfSphere>
-auto match_flat(const carlo::Shape& shape, OfQuad of_quad, OfSphere of_sphere) {
+auto match_lanes(const carlo::Shape& shape, OfQuad of_quad, OfSphere of_sphere) {
   using Result = std::invoke_result_t<OfQuad, const carlo::Parallelogram&>;
   const auto no = [](const char* shapes) {
     return carlo::Error("the vector kernel draws no {}", shapes);

@@ -8,8 +8,8 @@
 #endif
 
 #include "random/hash.h"
-#include "renderer/flat/paths-inl.h"
-#include "renderer/flat/vector_math-inl.h"
+#include "renderer/lanes/paths-inl.h"
+#include "renderer/lanes/vector_math-inl.h"
 
 #include <hwy/highway.h>
 
@@ -22,7 +22,7 @@ namespace renderer {
 namespace HWY_NAMESPACE {
 
 /// Through the film's point (x, y), in pixels; of length 1. Camera::ray() in lanes.
-HWY_INLINE V3 camera_direction(const FlatJob& job, V x, V y) {
+HWY_INLINE V3 camera_direction(const LaneJob& job, V x, V y) {
   const carlo::Camera& c = job.camera;
   const V fx = hn::MulSub(x, set(2 / static_cast<float>(job.width)), set(1));
   const V fy = hn::NegMulAdd(y, set(2 / static_cast<float>(job.height)), set(1));
@@ -36,7 +36,7 @@ HWY_INLINE V3 camera_direction(const FlatJob& job, V x, V y) {
 /// once, and taken as lanes become free.
 class Starts {
  public:
-  HWY_ATTR explicit Starts(const FlatJob& job)
+  HWY_ATTR explicit Starts(const LaneJob& job)
       : left_(
             std::uint64_t{job.tile.samples} *
             static_cast<std::uint64_t>((job.tile.x1 - job.tile.x0) * (job.tile.y1 - job.tile.y0))),
@@ -162,7 +162,7 @@ class Starts {
   std::uint32_t pixel_ = 0, sample_ = 0;  ///< the next
   int x_, y_;
   std::uint32_t pixel_key_ = 0;
-  const FlatJob& job_;
+  const LaneJob& job_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -7,7 +7,7 @@
 #include "render/driver.h"
 #include "render/render_app.h"
 #include "renderer/bench/spread.h"
-#include "renderer/flat/flat_kernel.h"
+#include "renderer/lanes/lane_kernel.h"
 #include "renderer/path_integrator.h"
 #include "report/stopwatch.h"
 #include "scene/load_scene.h"
@@ -45,7 +45,7 @@ struct Variant {
   std::string name;
   std::string kernel = "best";  ///< or "scalar", or an instruction set
   carlo::SamplerKind sampler = carlo::SamplerKind::sobol;
-  renderer::FlatChoices choices{};
+  renderer::LaneChoices choices{};
   std::vector<double> seconds{}, rel_mse{}, product{};
 };
 

@@ -7,8 +7,8 @@
 #define CARLO_SUMS_INL
 #endif
 
-#include "renderer/flat/paths-inl.h"
-#include "renderer/flat/vector_math-inl.h"
+#include "renderer/lanes/paths-inl.h"
+#include "renderer/lanes/vector_math-inl.h"
 
 #include <hwy/highway.h>
 

@@ -8,8 +8,8 @@
 #endif
 
 #include "numeric/robust.h"
-#include "renderer/flat/flat_scene.h"
-#include "renderer/flat/vector_math-inl.h"
+#include "renderer/lanes/lane_scene.h"
+#include "renderer/lanes/vector_math-inl.h"
 
 #include <hwy/highway.h>
 
@@ -34,7 +34,7 @@ struct Origins {
   V3 o;
   V3 came;  ///< the direction in which the path came there; 0 for the camera
   U last;   ///< the surface; `nothing` for the camera
-  U plane;  ///< its plane (FlatScene::plane)
+  U plane;  ///< its plane (LaneScene::plane)
 
   /// The plane, where planes are the surfaces' own unless the scene is `close`.
   template <bool close>
@@ -65,7 +65,7 @@ struct PlaneHit {
   V t;
   M inside;
 };
-HWY_INLINE PlaneHit meet_quad(const FlatScene& s, std::size_t i, V3 o, V3 d) {
+HWY_INLINE PlaneHit meet_quad(const LaneScene& s, std::size_t i, V3 o, V3 d) {
   const V3 n = set(s.nx[i], s.ny[i], s.nz[i]);
   const V below = hn::Sub(set(s.d[i]), dot(n, o)), along = dot(n, d);
   const V t = hn::Div(below, along);
@@ -76,7 +76,7 @@ HWY_INLINE PlaneHit meet_quad(const FlatScene& s, std::size_t i, V3 o, V3 d) {
 }
 
 /// What rounding may hide of an origin's distance from a surface: `rounding` times this sum of
-/// coordinates, and those of the surface (FlatScene::coordinates). It is local: what lies far away
+/// coordinates, and those of the surface (LaneScene::coordinates). It is local: what lies far away
 /// blurs nothing here.
 HWY_INLINE V coordinates(V3 o) {
   return hn::Add(hn::Abs(o.x), hn::Add(hn::Abs(o.y), hn::Abs(o.z)));
@@ -97,7 +97,7 @@ struct SlabHit {
   V enters, leaves;
   V along;  ///< the direction's component along the slab's axis
 };
-HWY_INLINE SlabHit meet_slab(const FlatBox& box, std::size_t k, V3 o, V3 d) {
+HWY_INLINE SlabHit meet_slab(const LaneBox& box, std::size_t k, V3 o, V3 d) {
   const V3 axis = set(box.axis[k][0], box.axis[k][1], box.axis[k][2]);
   const V from =
       hn::MulAdd(axis.x, o.x, hn::MulAdd(axis.y, o.y, hn::MulSub(axis.z, o.z, set(box.center[k]))));
@@ -123,7 +123,7 @@ HWY_INLINE U left(std::size_t k, V along) {
 
 /// Where rays leave the enclosure. Those from surfaces start inside, even if their origins are
 /// rounded; the camera's may miss it.
-HWY_INLINE Hits leave_enclosure(const FlatScene& s, V3 o, V3 d, U last) {
+HWY_INLINE Hits leave_enclosure(const LaneScene& s, V3 o, V3 d, U last) {
   const SlabHit x = meet_slab(s.enclosure, 0, o, d), y = meet_slab(s.enclosure, 1, o, d),
                 z = meet_slab(s.enclosure, 2, o, d);
   V leaves = x.leaves;
@@ -144,7 +144,7 @@ HWY_INLINE Hits leave_enclosure(const FlatScene& s, V3 o, V3 d, U last) {
     const M misses = hn::Or(hn::Gt(enters, leaves), hn::Lt(leaves, set(0)));
     met = hn::AndNot(hn::And(misses, same(last, set_word(nothing))), met);
   }
-  const auto first = static_cast<std::uint32_t>(s.solids.size()) * FlatScene::sides;
+  const auto first = static_cast<std::uint32_t>(s.solids.size()) * LaneScene::sides;
   return {
       select(met, hn::Max(leaves, set(0)), set(longest)),
       hn::IfThenElse(hn::RebindMask(du_, met), hn::Add(side, set_word(first)), set_word(nothing))};
@@ -152,13 +152,13 @@ HWY_INLINE Hits leave_enclosure(const FlatScene& s, V3 o, V3 d, U last) {
 
 /// The box that a surface is a side of.
 HWY_INLINE U box_of(U surface) {
-  static_assert(FlatScene::sides == 8);
+  static_assert(LaneScene::sides == 8);
   return hn::ShiftRight<3>(surface);
 }
 
 /// From outside, where every path is, a solid lies ahead if the middle of the chord does: that does
 /// not depend on the rounding of an origin that touches it.
-HWY_INLINE void meet_solid(const FlatScene& s, std::uint32_t i, V3 o, V3 d, U last_box,
+HWY_INLINE void meet_solid(const LaneScene& s, std::uint32_t i, V3 o, V3 d, U last_box,
                            Hits& hits) {
   const SlabHit x = meet_slab(s.solids[i], 0, o, d), y = meet_slab(s.solids[i], 1, o, d),
                 z = meet_slab(s.solids[i], 2, o, d);
@@ -174,7 +174,7 @@ HWY_INLINE void meet_solid(const FlatScene& s, std::uint32_t i, V3 o, V3 d, U la
   const M ahead = hn::Gt(hn::Add(enters, leaves), set(0));
   const M nearer = hn::And(hn::And(hn::Le(enters, leaves), hn::Lt(enters, hits.t)),
                            hn::And(ahead, differs(last_box, set_word(i))));
-  take(hits, nearer, enters, hn::Add(side, set_word(i * FlatScene::sides)));
+  take(hits, nearer, enters, hn::Add(side, set_word(i * LaneScene::sides)));
 }
 
 /// Where a line meets a sphere: t of the middle of the chord, and of its ends.
@@ -184,7 +184,7 @@ struct Chord {
 };
 /// Source: Haines et al., "Precision improvements for ray/sphere intersection", Ray Tracing Gems,
 /// chapter 7. d has length 1.
-HWY_INLINE Chord meet_sphere(const FlatScene& s, std::size_t i, V3 o, V3 d) {
+HWY_INLINE Chord meet_sphere(const LaneScene& s, std::size_t i, V3 o, V3 d) {
   const V3 from_center = o - set(s.cx[i], s.cy[i], s.cz[i]);
   const V middle = hn::Neg(dot(from_center, d));
   const V3 closest = add_scaled(from_center, middle, d);
@@ -205,7 +205,7 @@ HWY_INLINE V turned(V3 came) {
 /// From outside a sphere is met where the ray enters, from inside where it leaves. From the sphere
 /// itself a ray meets it once more if it is inside, as the path was that came there: always, though
 /// rounding may have put a grazing ray's origin outside, so that the line misses the sphere.
-HWY_INLINE void meet_sphere(const FlatScene& s, std::uint32_t i, const Origins& from, V3 d,
+HWY_INLINE void meet_sphere(const LaneScene& s, std::uint32_t i, const Origins& from, V3 d,
                             V of_origin, Hits& hits) {
   const U number = set_word(i);
   const Chord chord = meet_sphere(s, std::size_t{i}, from.o, d);
@@ -230,7 +230,7 @@ HWY_INLINE void meet_sphere(const FlatScene& s, std::uint32_t i, const Origins& 
 }
 
 template <bool close>
-HWY_INLINE void meet_quad(const FlatScene& s, std::uint32_t i, const Origins& from, V3 d,
+HWY_INLINE void meet_quad(const LaneScene& s, std::uint32_t i, const Origins& from, V3 d,
                           V of_origin, Hits& hits) {
   const PlaneHit hit = meet_quad(s, i, from.o, d);
   const M there = hn::And(hit.inside, differs(set_word(s.plane[i]), from.starts_on<close>()));
@@ -252,7 +252,7 @@ HWY_INLINE void meet_quad(const FlatScene& s, std::uint32_t i, const Origins& fr
 
 /// The first surface along rays; d has length 1.
 template <bool close>
-HWY_INLINE Hits closest(const FlatScene& s, const Origins& from, V3 d) {
+HWY_INLINE Hits closest(const LaneScene& s, const Origins& from, V3 d) {
   Hits hits{set(longest), set_word(nothing)};
   if (s.enclosed) hits = leave_enclosure(s, from.o, d, from.last);
   V of_origin = set(0);
@@ -278,7 +278,7 @@ struct Segments {
 };
 
 /// Both ends lie outside: the middle of the chord, between them, tells whether the solid does.
-HWY_INLINE M solid_blocks(const FlatBox& box, const Segments& way) {
+HWY_INLINE M solid_blocks(const LaneBox& box, const Segments& way) {
   const SlabHit x = meet_slab(box, 0, way.from.o, way.d), y = meet_slab(box, 1, way.from.o, way.d),
                 z = meet_slab(box, 2, way.from.o, way.d);
   const V enters = hn::Max(x.enters, hn::Max(y.enters, z.enters)),
@@ -292,7 +292,7 @@ HWY_INLINE M solid_blocks(const FlatBox& box, const Segments& way) {
 /// Parallelogram i lies between if the ends are on different sides of its plane: by the ends
 /// themselves, for how far away a light is would blur what is close to it.
 template <bool close>
-HWY_INLINE M quad_blocks(const FlatScene& s, std::uint32_t i, const Segments& way, V of_origin) {
+HWY_INLINE M quad_blocks(const LaneScene& s, std::uint32_t i, const Segments& way, V of_origin) {
   const PlaneHit hit = meet_quad(s, i, way.from.o, way.d);
   const U plane = set_word(s.plane[i]);
   const M there = hn::And(hit.inside, hn::And(differs(plane, way.from.starts_on<close>()),
@@ -308,7 +308,7 @@ HWY_INLINE M quad_blocks(const FlatScene& s, std::uint32_t i, const Segments& wa
 }
 
 /// An end that touches a sphere is rarer than rounding could show.
-HWY_INLINE M sphere_blocks(const FlatScene& s, std::uint32_t i, const Segments& way) {
+HWY_INLINE M sphere_blocks(const LaneScene& s, std::uint32_t i, const Segments& way) {
   const Chord chord = meet_sphere(s, std::size_t{i}, way.from.o, way.d);
   const V nearly = hn::Mul(way.distance, set(1 - 1e-6f));  // for a light inside of the sphere
   const M starts = same(way.from.last, set_word(i));
@@ -325,7 +325,7 @@ HWY_INLINE M sphere_blocks(const FlatScene& s, std::uint32_t i, const Segments& 
 
 /// Which of `asked` reach their end without meeting anything between.
 template <bool close>
-HWY_INLINE M unoccluded(const FlatScene& s, const Segments& way, M asked) {
+HWY_INLINE M unoccluded(const LaneScene& s, const Segments& way, M asked) {
   M clear = asked;
   const U from_box = box_of(way.from.last);
   for (std::uint32_t i = 0; i < s.solids.size(); ++i) {

@@ -7,10 +7,10 @@
 #define CARLO_TILE_INL
 #endif
 
-#include "renderer/flat/flat_kernel.h"
-#include "renderer/flat/paths-inl.h"
-#include "renderer/flat/starts-inl.h"
-#include "renderer/flat/sums-inl.h"
+#include "renderer/lanes/lane_kernel.h"
+#include "renderer/lanes/paths-inl.h"
+#include "renderer/lanes/starts-inl.h"
+#include "renderer/lanes/sums-inl.h"
 
 #include <hwy/highway.h>
 
@@ -22,9 +22,9 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// render_flat() for scenes that need no more than `Needs`.
+/// render_lanes() for scenes that need no more than `Needs`.
 template <class Needs>
-HWY_ATTR void run(const FlatJob& job, std::span<std::array<double, 3>> means,
+HWY_ATTR void run(const LaneJob& job, std::span<std::array<double, 3>> means,
                   carlo::Counts& counts) {
   Starts starts(job);
   Sums sums(job.tile);
