@@ -113,7 +113,9 @@ class Charge {
   /// Whether its time is over, and whether that is its own doing.
   std::optional<Outcome::End> over(std::chrono::duration<double> deadline) const {
     const bool enough = taken() - waited_ >= deadline.count();
-    const bool proven = !pressure().is_high() || ran_ >= deadline.count();
+    // Many processes that take from one another run little each, and together as long as any may.
+    const bool ran = ran_ >= deadline.count() || worked_ >= deadline.count();
+    const bool proven = ran || !pressure().is_high();
     if (enough && proven) return Outcome::End::deadline;
     if (taken() >= patience * deadline.count()) return Outcome::End::starved;
     return {};
