@@ -52,7 +52,12 @@ export class Runs {
         const job = this.#job(command, command[0] === "render" ? "png" : "html");
         if (!fs.existsSync(job.program) || job.isAnswered()) continue;
         fs.mkdirSync(this.folder, { recursive: true });
-        await new Promise((done) => execFile(job.program, job.words, this.#options, done));
+        await new Promise((done) =>
+          execFile(job.program, job.words, this.#options, (error) => {
+            if (error) job.forget();
+            done();
+          }),
+        );
       }
     };
     await Promise.all(Array.from({ length: os.cpus().length }, worker));
@@ -73,18 +78,21 @@ export class Runs {
         ? [...command.slice(1), "--quiet", "-o", base]
         : [...command.slice(3), "--json", `${base}.json`, "--page", `${base}.html`];
     const isAnswered = () => fs.existsSync(file) && fs.statSync(file).mtimeMs > fs.statSync(program).mtimeMs;
-    return { program, words, file, isAnswered };
+    // A program may write an answer and fail after it.
+    const forget = () => ["json", "html", "png"].forEach((kind) => fs.rmSync(`${base}.${kind}`, { force: true }));
+    return { program, words, file, isAnswered, forget };
   }
 
   /** Runs the command unless its answer is younger than its program; returns the answer's file. */
   #kept(command, extension, { fresh = false }) {
-    const { program, words, file, isAnswered } = this.#job(command, extension);
+    const { program, words, file, isAnswered, forget } = this.#job(command, extension);
     if (!fs.existsSync(program)) throw new UserError(`${program} is not built`);
     if (!fresh && isAnswered()) return file;
     fs.mkdirSync(this.folder, { recursive: true });
     const { status, signal, stdout, stderr, error } = spawnSync(program, words, this.#options);
     if (error) throw new UserError(`${spoken(command)}: ${error.message}`);
     if (status !== 0) {
+      forget();
       const said = (stderr.trim() || stdout.trim()).split("\n").at(-1);
       throw new UserError(`${spoken(command)} failed (${signal ?? `exit code ${status}`}): ${said}`);
     }
