@@ -69,18 +69,20 @@ fuzz() {
   [ -z "$keep" ] || { corpus=$keep/$target && mkdir -p "$corpus"; }
   seeds "$folder/seeds" "$target"
   # What sanitizers keep to themselves counts as well: little of it.
-  local code=0
-  (cd "${keep:-$work}" &&
+  local code=0 TIMEFORMAT=%U
+  # The processor time says what a wall time does not when other programs run.
+  { time (cd "${keep:-$work}" &&
     CARLO_FUZZ_TARGET=$target CARLO_FUZZ_FOLDER=$folder ASAN_OPTIONS=quarantine_size_mb=8:malloc_context_size=8 \
       "$build/bin/carlo_fuzz" "$corpus" "$folder/seeds" -max_total_time="$seconds" -runs="$runs" -timeout=60 \
       -rss_limit_mb=640 -malloc_limit_mb=256 -artifact_prefix="finding-$target-" -print_final_stats=1 \
-      >"$folder/log" 2>&1) || code=$?
+      >"$folder/log" 2>&1) || code=$?; } 2>"$folder/seconds"
   local inputs
   inputs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/log")
   local peak
   peak=$(sed -n 's/^stat::peak_rss_mb: *//p' "$folder/log")
   if [ "$code" = 0 ]; then
-    printf '%-10s %10s inputs, %4s MB at most, no finding\n' "$target" "$inputs" "$peak"
+    printf '%-10s %10s inputs in %6.0f processor s, %4s MB at most, no finding\n' "$target" "$inputs" \
+      "$(tail -n 1 "$folder/seconds")" "$peak"
     return 0
   fi
   printf '%-10s FINDING (exit code %s):\n' "$target" "$code"
