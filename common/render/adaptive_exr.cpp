@@ -56,9 +56,22 @@ std::array<double, doubles> to_doubles(const HalfPixel& pixel, double noise) {
   return values;
 }
 
+/// A double is exact to so many samples; a film counts them in 64 bits.
+constexpr double most_samples = 0x1p53;
+
 HalfPixel from_doubles(const std::array<double, doubles>& values, bool finished) {
   const auto mean = [&](std::size_t m) {
-    return GroupedMean({values[3 * m], values[3 * m + 1], values[3 * m + 2]});
+    const GroupedMean::Sums s{values[3 * m], values[3 * m + 1], values[3 * m + 2]};
+    const bool counted =
+        s.samples >= 0 && s.samples <= most_samples && s.samples == std::floor(s.samples);
+    if (!counted) {
+      throw Error("a pixel's half has {} samples, expected a whole number up to {}", s.samples,
+                  most_samples);
+    }
+    if (!std::isfinite(s.sum) || !std::isfinite(s.squares) || s.squares < 0) {
+      throw Error("a pixel's half has the sum {} and squared deviations {}", s.sum, s.squares);
+    }
+    return GroupedMean(s);
   };
   return {{mean(0), mean(1), mean(2), mean(3)}, mean(4), finished};
 }

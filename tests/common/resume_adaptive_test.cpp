@@ -7,10 +7,15 @@
 #include "temporary_folder.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
 
+#include <bit>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace {
@@ -227,6 +232,23 @@ TEST_CASE("An adaptive render does not go on from another one") {
   }
   refused("adaptive_round", "1e9");
   refused("adaptive_round", "2.5");
+
+  const auto refused_value = [&](const std::string& channel, double value, const char* word) {
+    ExrFile file = file_of(result);
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    file.counts.at("adaptive.A." + channel + ".0")[0] = static_cast<std::uint32_t>(bits);
+    file.counts.at("adaptive.A." + channel + ".1")[0] = static_cast<std::uint32_t>(bits >> 32);
+    write_exr(path, file);
+    CHECK_THROWS_WITH(EarlierRender(path).adaptive_state(),
+                      Catch::Matchers::ContainsSubstring(word));
+  };
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double value : {0x1p700, 0x1p54, -1.0, 1.5, nan}) {
+    refused_value("R.samples", value, "samples");
+    refused_value("seen.samples", value, "samples");
+  }
+  refused_value("seen.sum", nan, "sum");
+  refused_value("seen.squares", -1, "squared");
 
   ExrFile incomplete = file_of(result);
   incomplete.counts.erase("adaptive.B.Y.sum.1");

@@ -35,7 +35,7 @@ struct Result {
 /// Short for workers that hang, long for those that end by themselves, however busy the machine is.
 Result run(Level level, const std::string& probe, bool hangs = false) {
   Limits limits;
-  limits.deadline = std::chrono::milliseconds(hangs ? 1500 : 60000);
+  limits.deadline = std::chrono::milliseconds(hangs ? 800 : 60000);
   Result result;
   const Clock::time_point start = Clock::now();
   try {
@@ -116,9 +116,9 @@ TEST_CASE("misbehaviour gives its verdict in time and leaves no process", "[work
       Case{"_exit 0", Status::crashed, "by exit() or the like, before the function returned"},
       Case{"quick_exit 0", Status::crashed, "by exit() or the like, before the function returned"},
       Case{"exit 3", Status::crashed, "exit code 3"}, Case{"abort", Status::crashed, "abort"},
-      Case{"hang", Status::timeout, "not done after 1.5 seconds"},
-      Case{"stops itself", Status::timeout, "not done after 1.5 seconds"},
-      Case{"one byte, then silence", Status::timeout, "not done after 1.5 seconds"},
+      Case{"hang", Status::timeout, "not done after 0.8 seconds"},
+      Case{"stops itself", Status::timeout, "not done after 0.8 seconds"},
+      Case{"one byte, then silence", Status::timeout, "not done after 0.8 seconds"},
       Case{"flood stdout", Status::crashed, "printed more than"},
       Case{"flood result", Status::crashed, "sent more than any answer holds"},
       Case{"truncated frame", Status::crashed, "cut short"},
@@ -318,7 +318,7 @@ TEST_CASE("a fork bomb ends with its worker", "[worker]") {
   const Worker worker(FIXTURE_WORKER, level);
   if (!has(worker.sandbox().description(), "own user")) SKIP("no user of its own to count for");
   Limits limits;
-  limits.deadline = std::chrono::milliseconds(1500);
+  limits.deadline = std::chrono::milliseconds(800);
   limits.processes = 64;
   CHECK_THROWS_AS(run_probe(worker, "forks without end", {}, {}, limits), ProbeFailure);
   CHECK(no_child_left());
