@@ -77,7 +77,8 @@ run() {
   local start=$SECONDS
   "${grade[@]}" -j "$2" -o "$scratch/$1" >"$scratch/$1.log" 2>&1 ||
     fail "$1: the grader ended with $?: $(tail -n 3 "$scratch/$1.log")"
-  printf '%s: %d s, %s\n' "$1" "$((SECONDS - start))" "$(head -n 1 "$scratch/$1.log")"
+  printf '%s: %d s, %s\nSHA-256 of class.csv: %s\n' "$1" "$((SECONDS - start))" "$(head -n 1 "$scratch/$1.log")" \
+    "$(sha256sum <"$scratch/$1/class.csv" | cut -d' ' -f1)"
   diff <(expected) <(marks "$scratch/$1") || fail "$1: these are not the marks deserved"
   [ -e "$scratch/first.csv" ] || cp "$scratch/$1/class.csv" "$scratch/first.csv"
   cmp "$scratch/first.csv" "$scratch/$1/class.csv" || fail "$1: class.csv has other bytes"
