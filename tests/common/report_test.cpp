@@ -5,6 +5,7 @@
 #include "report/notebook.h"
 #include "report/page.h"
 #include "report/table.h"
+#include "texts.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <nlohmann/json.hpp>
@@ -21,14 +22,6 @@ using carlo::Page;
 using carlo::Table;
 
 namespace {
-
-std::size_t occurrences(const std::string& text, const std::string& part) {
-  std::size_t count = 0;
-  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) {
-    ++count;
-  }
-  return count;
-}
 
 std::vector<std::string> lines(const std::string& text) {
   std::istringstream in(text);

@@ -2,6 +2,7 @@
 
 #include "cli/error.h"
 #include "report/packed.h"
+#include "texts.h"
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -15,13 +16,6 @@
 namespace {
 
 using namespace carlo;
-
-std::size_t occurrences(const std::string& text, const std::string& part) {
-  std::size_t count = 0;
-  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size())
-    ++count;
-  return count;
-}
 
 std::string page_with(const std::vector<Viewer>& viewers) {
   Page page("A page");

@@ -31,8 +31,8 @@ student_patterns() {
 ^common/
 ^labs/(CMakeLists\.txt|README\.md)$
 ^tests/CMakeLists\.txt$
-^tests/grader/(CMakeLists\.txt|README\.md|[a-z_]+\.cmake|[a-z_]+_test\.cpp|has\.h)$
-^tests/grader/(fixtures|judge|page|protocol|replay|worker)/
+^tests/grader/(CMakeLists\.txt|README\.md|[a-z_]+\.cmake)$
+^tests/grader/(judge|page|protocol|replay|worker)/
 END
   while read -r lab; do
     [ "$(number_of "$lab")" -le "$last" ] || continue

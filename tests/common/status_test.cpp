@@ -8,7 +8,7 @@
 #include "course/compiler_messages.h"
 #include "course/own_files.h"
 #include "course/verdicts.h"
-#include "grader/has.h"
+#include "texts.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <fmt/core.h>

@@ -1,9 +1,9 @@
-#include "grader/has.h"
 #include "grader/judge/compare.h"
 #include "grader/judge/figures.h"
 #include "grader/judge/results.h"
 #include "grader/page/figure_svg.h"
 #include "grader/page/grade_page.h"
+#include "texts.h"
 #include "verdict/verdict_json.h"
 
 #include <catch2/catch_test_macros.hpp>

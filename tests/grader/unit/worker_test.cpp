@@ -3,8 +3,8 @@
 
 #include "cli/atomic_file.h"
 #include "cli/error.h"
-#include "grader/has.h"
 #include "grader/judge/run.h"
+#include "texts.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -47,15 +47,30 @@ Result run(Level level, const std::string& probe, bool hangs = false) {
   return result;
 }
 
-/// The same as the grader does it: where the machine was too busy for a verdict, once more.
-Result run_again_if_busy(Level level, const std::string& probe, bool hangs) {
+/// Calls as the grader does: where the machine was too busy for a verdict, once more. A machine
+/// that is too busy four times tells nothing of the judge, and the test is skipped.
+template <class F>
+auto again_if_busy(const F& f) {
   for (int attempt = 1;; ++attempt) {
     try {
-      return run(level, probe, hangs);
+      return f();
     } catch (const Error& error) {
-      if (attempt == 4 || !has(error.what(), "too busy")) throw;
+      if (!has(error.what(), "too busy")) throw;
+      if (attempt == 4) SKIP(error.what());
     }
   }
+}
+
+/// Whether the probe is ended or fails.
+bool fails(const Worker& worker, const std::string& probe, const Limits& limits) {
+  return again_if_busy([&] {
+    try {
+      run_probe(worker, probe, {}, {}, limits);
+      return false;
+    } catch (const ProbeFailure&) {
+      return true;
+    }
+  });
 }
 
 bool works(Level level) {
@@ -134,7 +149,7 @@ TEST_CASE("misbehaviour gives its verdict in time and leaves no process", "[work
       Case{"survivor", Status::passed, ""});
   INFO(expected.probe << " at level " << to_string(level));
   const Result result =
-      run_again_if_busy(level, expected.probe, expected.status == Status::timeout);
+      again_if_busy([&] { return run(level, expected.probe, expected.status == Status::timeout); });
   INFO(result.message << " | " << result.printed);
   CHECK(result.status == expected.status);
   CHECK(has(result.message, expected.message));
@@ -269,6 +284,9 @@ TEST_CASE("the probes of an exercise have a time in all", "[run]") {
       run.probe("almost late", {}, {});
     } catch (const ProbeFailure& failure) {
       if (has(failure.what(), "of this exercise have taken")) break;
+    } catch (const Error& error) {
+      if (has(error.what(), "too busy")) SKIP(error.what());
+      throw;
     }
     run.end_test(true);
     if (run.records().back().status == Status::timeout) return;  // a busy machine
@@ -284,7 +302,7 @@ TEST_CASE("a deadline leaves out the time for which others had the processors", 
   Charged charged;
   CHECK(run_probe(worker, "half a second of work", {}, {}, limits, &charged).seconds > 1.2);
   CHECK(charged.seconds < 1.2);
-  CHECK_THROWS_AS(run_probe(worker, "hang", {}, {}, limits), ProbeFailure);
+  CHECK(fails(worker, "hang", limits));
 }
 
 TEST_CASE("the disk cannot be filled, by files without a name neither", "[worker]") {
@@ -320,7 +338,7 @@ TEST_CASE("a fork bomb ends with its worker", "[worker]") {
   Limits limits;
   limits.deadline = std::chrono::milliseconds(800);
   limits.processes = 64;
-  CHECK_THROWS_AS(run_probe(worker, "forks without end", {}, {}, limits), ProbeFailure);
+  CHECK(fails(worker, "forks without end", limits));
   CHECK(no_child_left());
 }
 

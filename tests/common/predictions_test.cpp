@@ -2,7 +2,7 @@
 
 #include "cli/atomic_file.h"
 #include "cli/error.h"
-#include "grader/has.h"
+#include "texts.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <fmt/core.h>

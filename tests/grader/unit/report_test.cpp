@@ -1,8 +1,8 @@
 #include "cli/error.h"
-#include "grader/has.h"
 #include "grader/judge/compare.h"
 #include "grader/judge/results.h"
 #include "grader/judge/run.h"
+#include "texts.h"
 #include "verdict/verdict_text.h"
 
 #include <catch2/catch_test_macros.hpp>

@@ -2,8 +2,7 @@
 #include "cli/error.h"
 #include "course/exercises.h"
 #include "course/hints.h"
-#include "grader/has.h"
-#include "grader/judge/consistency.h"
+#include "texts.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers.hpp>
@@ -157,21 +156,4 @@ TEST_CASE("a spoilt record of hints is an error that says what to do", "[course]
     write_file(folder.state(), text);
     CHECK_THROWS_AS(HintState(folder.state()), Error);
   }
-}
-
-TEST_CASE("disagreements of stub, handout and tests with lab.json are told", "[course]") {
-  const Folder folder;
-  folder.write_lab(lab_json(exercise("Lab 1.1") + "," + exercise("Lab 1.2")));
-  const Lab lab = load_labs(folder.labs())[0];
-  const std::string both = "Lab 1.1 and Lab 1.2";
-  const std::vector<grader::TestName> tests{{"Lab 1.1: a", {"lab01", "ex1"}},
-                                            {"Lab 1.2: b", {"lab01", "ex2"}}};
-  CHECK(grader::disagreements(lab, both, both, tests).empty());
-  CHECK(grader::disagreements(lab, "Lab 1.1", both, tests).size() == 1);
-  CHECK(grader::disagreements(lab, both, both + " Lab 1.3", tests).size() == 1);
-  CHECK(grader::disagreements(lab, both, both, {tests[0]}).size() == 1);
-  CHECK(grader::disagreements(lab, both, both, {tests[0], {"Lab 1.2: b", {"lab01"}}}).size() == 1);
-  Lab bare = lab;
-  bare.exercises[0].hints.pop_back();
-  CHECK(grader::disagreements(bare, both, both, tests).size() == 1);
 }
