@@ -7,7 +7,7 @@ set -euo pipefail
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/..")
 cd "$root"
 case ${1:-} in
-  '') checks=-clang-analyzer-* ;;
+  '') checks='-clang-analyzer-*' ;;
   --all) checks='' ;;
   --help | -h)
     sed -n '2,/^set/{s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}" | sed '$d'

@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # What tests of a program's messages share. To be sourced; `finish` comes last.
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT

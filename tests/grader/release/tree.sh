@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Which files of the suite leave it, and how archives of them are made. To be sourced; ROOT is the
 # suite's folder.
 #
