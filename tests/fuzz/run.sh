@@ -69,7 +69,7 @@ fuzz() {
   [ -z "$keep" ] || { corpus=$keep/$target && mkdir -p "$corpus"; }
   seeds "$folder/seeds" "$target"
   # What sanitizers keep to themselves counts as well: little of it.
-  local code=0 TIMEFORMAT=%U
+  local code=0 TIMEFORMAT="%U %S"
   # The processor time says what a wall time does not when other programs run.
   { time (cd "${keep:-$work}" &&
     CARLO_FUZZ_TARGET=$target CARLO_FUZZ_FOLDER=$folder ASAN_OPTIONS=quarantine_size_mb=8:malloc_context_size=8 \
@@ -82,7 +82,7 @@ fuzz() {
   peak=$(sed -n 's/^stat::peak_rss_mb: *//p' "$folder/log")
   if [ "$code" = 0 ]; then
     printf '%-10s %10s inputs in %6.0f processor s, %4s MB at most, no finding\n' "$target" "$inputs" \
-      "$(tail -n 1 "$folder/seconds")" "$peak"
+      "$(awk 'END { print $1 + $2 }' "$folder/seconds")" "$peak"
     return 0
   fi
   printf '%-10s FINDING (exit code %s):\n' "$target" "$code"

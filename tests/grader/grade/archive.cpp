@@ -9,8 +9,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cerrno>
 #include <memory>
 #include <optional>
+#include <set>
+#include <stdexcept>
 #include <vector>
 
 namespace carlo::grader {
@@ -30,10 +33,20 @@ std::string reason(archive* reader) {
   return text == nullptr ? "spoilt" : text;
 }
 
+/// What is wrong with an archive is the fault of whoever made it, and an Error; what keeps us from
+/// reading it is not.
+[[noreturn]] void fail(archive* reader, const std::string& what) {
+  static const std::set<int> of_the_machine{EACCES, EPERM,  EIO,    ENOMEM, EMFILE,
+                                            ENFILE, ENOENT, ESTALE, EINTR,  EAGAIN};
+  const std::string words = what + reason(reader);
+  if (of_the_machine.contains(archive_errno(reader))) throw std::runtime_error(words);
+  throw Error("{}", words);
+}
+
 /// Only formats that students' machines make: fewer parsers meet what strangers wrote.
 Reader make_reader() {
   Reader reader(archive_read_new());
-  if (!reader) throw Error("out of memory");
+  if (!reader) throw std::runtime_error("out of memory");
   archive_read_support_format_zip(reader.get());
   archive_read_support_format_tar(reader.get());
   archive_read_support_filter_gzip(reader.get());
@@ -43,7 +56,7 @@ Reader make_reader() {
 Reader reader_of(const fs::path& file) {
   Reader reader = make_reader();
   if (archive_read_open_filename(reader.get(), file.c_str(), 65536) != ARCHIVE_OK) {
-    throw Error("no zip or tar archive: {}", reason(reader.get()));
+    fail(reader.get(), "no zip or tar archive: ");
   }
   return reader;
 }
@@ -104,7 +117,7 @@ class EntryWalk {
   bool next(archive_entry*& entry) {
     const int status = archive_read_next_header(reader_, &entry);
     if (status == ARCHIVE_EOF) return false;
-    if (status != ARCHIVE_OK && status != ARCHIVE_WARN) throw Error("{}", reason(reader_));
+    if (status != ARCHIVE_OK && status != ARCHIVE_WARN) fail(reader_, "");
     return true;
   }
 
@@ -154,7 +167,7 @@ class EntryWalk {
     std::array<char, 65536> block{};
     while (true) {
       const la_ssize_t got = archive_read_data(reader_, block.data(), block.size());
-      if (got < 0) throw Error("{}", reason(reader_));
+      if (got < 0) fail(reader_, "");
       if (got == 0) return;
       use_.bytes += static_cast<std::size_t>(got);
       if (use_.bytes > limits_.total_bytes) {
@@ -205,7 +218,7 @@ void visit_archive(std::string_view bytes, const ArchiveLimits& limits, const Vi
                    const Refusal& refused) {
   const Reader reader = make_reader();
   if (archive_read_open_memory(reader.get(), bytes.data(), bytes.size()) != ARCHIVE_OK) {
-    throw Error("no zip or tar archive: {}", reason(reader.get()));
+    fail(reader.get(), "no zip or tar archive: ");
   }
   EntryWalk(reader.get(), limits).all(visit, refused);
 }

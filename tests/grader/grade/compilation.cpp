@@ -110,6 +110,8 @@ std::string cut_short(const Outcome& outcome) {
       return "the compiler filled the disk";
     case End::flooded_memory:
       return "the compiler took too much memory";
+    case End::flooded_processes:
+      return "the compiler started too many processes";
     case End::signalled:
       return "the compiler was ended: " + signal_name(outcome.code);
     default:
@@ -124,6 +126,9 @@ bool has_ending(const std::string& text, const std::string& ending) {
 /// Whether what was read, and not the machine, is why nm failed.
 bool is_of_the_object(const Outcome& outcome) {
   using End = Outcome::End;
+  if (tells_of_the_machine(outcome.output, outcome.peak_bytes, compile_limits().memory_bytes)) {
+    return false;
+  }
   return outcome.end == End::flooded_output || outcome.end == End::flooded_memory ||
          outcome.end == End::exited;
 }
@@ -195,8 +200,10 @@ bool Compilation::keeps_apart(const std::string& name, const fs::path& object,
 
 Symbols Compilation::symbols_of(const fs::path& object) {
   const Outcome outcome = symbols_in(object);
+  // It could be read before (keeps_apart()).
+  if (!outcome.succeeded()) throw Error("nm cannot read {}", object.string());
   Symbols symbols;
-  if (outcome.succeeded()) add_symbols(symbols, outcome.output);
+  add_symbols(symbols, outcome.output);
   return symbols;
 }
 
@@ -209,7 +216,10 @@ void Compilation::rename(const fs::path& object, const std::string& redefinition
       run({"/usr/bin/objcopy", "--redefine-syms=" + (work.path() / "names.txt").string(),
            object.string(), renamed.string()},
           {{object}, work.path()});
-  if (outcome.succeeded()) take_elf(renamed, object, readable_by_all);
+  // An object that was read before has names that can be replaced.
+  if (!outcome.succeeded() || !take_elf(renamed, object, readable_by_all)) {
+    throw Error("objcopy cannot rename in {}: {}", object.string(), outcome.output.substr(0, 300));
+  }
 }
 
 bool Compilation::link(const std::vector<fs::path>& objects, const fs::path& worker,

@@ -1,11 +1,13 @@
 #include "cli/error.h"
 #include "grader/grade/apart.h"
 #include "grader/grade/archive.h"
+#include "grader/grade/handed_in.h"
 #include "grader/grade/intake.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 #include <sstream>
 #include <string>
@@ -98,27 +100,49 @@ class Finder {
     }
   }
 
-  std::vector<Source> sources;
+  Submissions found;
 
  private:
   void folder(const fs::path& path) {
     std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(path)) {
-      const bool deep = entry.is_directory() && !entry.is_symlink();
-      std::string name = entry.path().filename().string();
-      if (deep) name += "/";
-      names.push_back(name);
-    }
+    for (const auto& entry : fs::directory_iterator(path))
+      names.push_back(entry.path().filename().string() + (is_folder(entry) ? "/" : ""));
     std::sort(names.begin(), names.end());
     if (one_ || looks_like_one(names, labs_)) {
-      sources.push_back({path.filename().string(), path});
+      if (!one_) refuse_class(path, names);
+      found.sources.push_back({path.filename().string(), path});
       return;
     }
     for (std::string name : names) {
       const bool deep = name.back() == '/';
       if (deep) name.pop_back();
-      if (is_clutter(name) || (!deep && !is_archive_name(name))) continue;
-      sources.push_back({deep ? name : without_archive_ending(name), path / name});
+      if (is_clutter(name)) continue;
+      if (deep || is_archive_name(name)) {
+        found.sources.push_back({deep ? name : without_archive_ending(name), path / name});
+      } else {
+        found.left_out.push_back((path / name).string());
+      }
+    }
+  }
+
+  /// A class of which one member looks like a lab would be taken for one submission: all others'
+  /// work with it.
+  void refuse_class(const fs::path& path, const std::vector<std::string>& names) const {
+    std::set<std::string> of_the_tree{"labs",  "steps", "common", "solutions", "tests",
+                                      "build", "out",   "slides", "cmake",     "docs"};
+    for (const CourseLab& lab : labs_)
+      of_the_tree.insert(lab.folder);
+    for (std::string name : names) {
+      const bool deep = name.back() == '/';
+      if (deep) name.pop_back();
+      const bool lab = name.size() > 3 && std::isdigit(static_cast<unsigned char>(name[0])) != 0 &&
+                       std::isdigit(static_cast<unsigned char>(name[1])) != 0 && name[2] == '_';
+      if (is_clutter(name) || lab || of_the_tree.contains(name)) continue;
+      if (!deep && !is_archive_name(name)) continue;
+      throw Error(
+          "{}: one submission, or a class? It has labs or exercise files at its top, and {} "
+          "beside them: say --one, or give them a folder of their own",
+          path.string(), name);
     }
   }
 
@@ -129,77 +153,36 @@ class Finder {
     if (!one_ && !looks_like_one(paths, labs_)) wrapper = shared_folder(paths);
     if (!wrapper.empty()) paths = below(paths, wrapper);
     if (one_ || paths.empty() || looks_like_one(paths, labs_)) {
-      sources.push_back({name, path});
+      found.sources.push_back({name, path});
       return;
     }
     std::set<std::string> parts;
+    std::vector<std::string> beside;
     for (const std::string& entry : paths) {
       const std::string first = first_part(entry);
-      if (!is_clutter(first) && (first != entry || is_archive_name(first))) parts.insert(first);
+      if (is_clutter(first)) continue;
+      if (first != entry || is_archive_name(first)) {
+        parts.insert(first);
+      } else {
+        beside.push_back((path / entry).string());
+      }
     }
-    if (parts.empty()) sources.push_back({name, path});
+    if (parts.empty()) {
+      found.sources.push_back({name, path});
+    } else {
+      found.left_out.insert(found.left_out.end(), beside.begin(), beside.end());
+    }
     for (const std::string& part : parts) {
       std::string inside = wrapper;
       if (!inside.empty()) inside += "/";
       inside += part;
-      sources.push_back({without_archive_ending(part), path, inside});
+      found.sources.push_back({without_archive_ending(part), path, inside});
     }
   }
 
   const std::vector<CourseLab>& labs_;
   bool one_;
 };
-
-/// Whether a text is UTF-8 without control characters, blanks and marks that change the direction
-/// of writing (U+0080 to U+009F, U+2000 to U+206F); and without the wide forms of =, + and @, which
-/// begin a formula in some spreadsheets (U+FF00 to U+FF3F), and what is no character (U+FFC0 on).
-bool is_harmless_utf8(const std::string& text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const auto byte = [&](std::size_t at) {
-      return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U;
-    };
-    const unsigned first = byte(i);
-    const std::size_t length = first < 0x80   ? 1
-                               : first < 0xC2 ? 0
-                               : first < 0xE0 ? 2
-                               : first < 0xF0 ? 3
-                               : first < 0xF5 ? 4
-                                              : 0;
-    if (length == 0) return false;
-    for (std::size_t k = 1; k < length; ++k) {
-      if ((byte(i + k) & 0xC0) != 0x80) return false;
-    }
-    if (first == 0xC2 && byte(i + 1) < 0xA1) return false;
-    if (first == 0xE2 && (byte(i + 1) == 0x80 || byte(i + 1) == 0x81)) return false;
-    if (first == 0xEF && (byte(i + 1) == 0xBC || byte(i + 1) == 0xBF)) return false;
-    i += length;
-  }
-  return true;
-}
-
-}  // namespace
-
-std::string folder_name(const std::string& wanted, std::vector<std::string>& taken) {
-  const bool keep_letters = is_harmless_utf8(wanted);
-  std::string name;
-  for (const char c : wanted.substr(0, 100)) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool plain = std::isalnum(byte) != 0 || c == '.' || c == '_' || c == '-';
-    name += (byte < 0x80 && plain) || (byte >= 0x80 && keep_letters) ? c : '_';
-  }
-  while (!name.empty() && !is_harmless_utf8(name))  // cut within a letter
-    name.pop_back();
-  while (!name.empty() && (name.front() == '.' || name.front() == '-'))
-    name.erase(0, 1);
-  if (name.empty()) name = "unnamed";
-  std::string unique = name;
-  for (int i = 2; std::find(taken.begin(), taken.end(), unique) != taken.end(); ++i)
-    unique = fmt::format("{}-{}", name, i);
-  taken.push_back(unique);
-  return unique;
-}
-
-namespace {
 
 /// What is wanted comes before what only becomes it; a folder before an archive.
 int claim(const Source& source) {
@@ -230,17 +213,17 @@ std::string Source::handed_in() const {
   return inside.empty() ? file : file + "/" + inside;
 }
 
-std::vector<Source> find_submissions(const std::vector<fs::path>& paths,
-                                     const std::vector<CourseLab>& labs, bool one) {
+Submissions find_submissions(const std::vector<fs::path>& paths, const std::vector<CourseLab>& labs,
+                             bool one) {
   Finder finder(labs, one);
   for (const fs::path& path : paths)
     finder.add(path);
-  if (finder.sources.empty()) {
+  if (finder.found.sources.empty()) {
     throw Error("{}: no submission in it, expected folders or archives, one a student",
                 paths.empty() ? "" : paths.front().string());
   }
-  name_all(finder.sources);
-  return finder.sources;
+  name_all(finder.found.sources);
+  return finder.found;
 }
 
 }  // namespace carlo::grader

@@ -4,6 +4,7 @@
 #include "cli/error.h"
 #include "grader/grade/apart.h"
 #include "grader/grade/archive.h"
+#include "grader/grade/handed_in.h"
 #include "grader/grade/sha256.h"
 #include "verdict/printed.h"
 
@@ -27,21 +28,11 @@ constexpr std::size_t longest_name = 300;          // in bytes, of what is told
 constexpr std::size_t most_looked_at = 1'000'000;  // files and folders of a submission
 constexpr int deepest_archive = 2;
 
-/// Folders that are not the student's work: in a whole tree that was handed in, files of the
-/// exercises' names stand there too.
-bool is_foreign_folder(const std::string& name) {
-  static const std::set<std::string> names{"solutions", "tests", "common",   "build",
-                                           "out",       ".git",  "__MACOSX", ".carlo"};
-  return names.count(name) != 0;
-}
-
-bool is_in_foreign_folder(const std::string& path) {
-  for (std::size_t at = 0, slash = path.find('/'); slash != std::string::npos;
-       at = slash + 1, slash = path.find('/', at)) {
-    if (is_foreign_folder(path.substr(at, slash - at))) return true;
-  }
-  return false;
-}
+/// Folders that no student writes into.
+const std::set<std::string> hidden_folders{".git", "__MACOSX", ".carlo"};
+/// And those that are not the student's work in a whole tree that was handed in, where files of the
+/// exercises' names stand too. Where nothing else was handed in they are.
+const std::set<std::string> course_folders{"solutions", "tests", "common", "build", "out"};
 
 std::string plain_text(std::string text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
@@ -58,10 +49,16 @@ struct Candidate {
   std::string path, text, problem;
 };
 
+struct Collected {
+  std::map<std::string, std::vector<Candidate>> candidates;  ///< by file name
+  std::vector<std::string> ignored;
+};
+
 /// Gathers what a submission holds.
 class Collector {
  public:
-  explicit Collector(const std::vector<CourseLab>& labs) {
+  /// With `all`, also from course_folders.
+  Collector(const std::vector<CourseLab>& labs, bool all) : all_(all) {
     for (const CourseLab& lab : labs) {
       for (const std::string& file : lab.files)
         wanted_.insert(last_part(file));
@@ -69,14 +66,12 @@ class Collector {
   }
 
   void folder(const fs::path& root) {
-    constexpr auto skip = fs::directory_options::skip_permission_denied;
     std::set<std::string> taken, others;
     std::size_t seen = 0;
     std::error_code ec;
-    for (fs::recursive_directory_iterator it(root, skip, ec), end; it != end && !ec;
-         it.increment(ec)) {
+    for (fs::recursive_directory_iterator it(root, ec), end; it != end && !ec; it.increment(ec)) {
       const std::string path = it->path().lexically_relative(root).string();
-      if (it->is_directory() && !it->is_symlink()) {
+      if (is_folder(*it)) {
         if (is_foreign_folder(it->path().filename().string()) || it.depth() > 32) {
           ignore(path + "/");
           it.disable_recursion_pending();
@@ -113,13 +108,13 @@ class Collector {
     });
   }
 
-  std::map<std::string, std::vector<Candidate>> candidates;
-  std::vector<std::string> ignored;
+  Collected collected;
 
  private:
   void ignore(const std::string& what) {
-    if (ignored.size() < most_ignored) ignored.push_back(clipped(harmless(what), longest_name));
-    if (ignored.size() == most_ignored) ignored.push_back("and more");
+    std::vector<std::string>& list = collected.ignored;
+    if (list.size() < most_ignored) list.push_back(clipped(harmless(what), longest_name));
+    if (list.size() == most_ignored) list.push_back("and more");
   }
 
   /// A file that is there and that we cannot read is not the student's fault: no Error, which would
@@ -140,6 +135,18 @@ class Collector {
     } catch (const Error& error) {
       ignore(fmt::format("{}: {}", path, error.what()));
     }
+  }
+
+  bool is_foreign_folder(const std::string& name) const {
+    return hidden_folders.contains(name) || (!all_ && course_folders.contains(name));
+  }
+
+  bool is_in_foreign_folder(const std::string& path) const {
+    for (std::size_t at = 0, slash = path.find('/'); slash != std::string::npos;
+         at = slash + 1, slash = path.find('/', at)) {
+      if (is_foreign_folder(path.substr(at, slash - at))) return true;
+    }
+    return false;
   }
 
   static bool is_plain_file(const fs::path& path) {
@@ -210,13 +217,14 @@ class Collector {
       found.text = sha256(found.text);
     }
     // Two that differ tell all; a thousand copies would fill the memory.
-    std::vector<Candidate>& list = candidates[last_part(path)];
+    std::vector<Candidate>& list = collected.candidates[last_part(path)];
     const bool known = std::any_of(list.begin(), list.end(), [&](const Candidate& earlier) {
       return earlier.text == found.text;
     });
     if (!known && list.size() < 2) list.push_back(found);
   }
 
+  bool all_;
   std::set<std::string> wanted_;
   // Archives in archives count together: each alone may be small.
   ArchiveUse use_;
@@ -252,20 +260,26 @@ std::string digest_of(const std::map<int, LabFiles>& labs) {
   return digest.hex();
 }
 
-Intake gather(const Source& source, const std::vector<CourseLab>& labs) {
-  Collector collector(labs);
+Collected collect(const Source& source, const std::vector<CourseLab>& labs, bool all) {
+  Collector collector(labs, all);
   if (fs::is_directory(source.path)) {
     collector.folder(source.path);
   } else {
     collector.archive(source.path, source.inside);
   }
+  return std::move(collector.collected);
+}
+
+Intake gather(const Source& source, const std::vector<CourseLab>& labs) {
+  Collected collected = collect(source, labs, false);
+  if (collected.candidates.empty()) collected = collect(source, labs, true);
   Intake intake;
-  intake.ignored = collector.ignored;
+  intake.ignored = collected.ignored;
   for (const CourseLab& lab : labs) {
     LabFiles& files = intake.labs[lab.lab.number];
     for (const std::string& file : lab.files) {
-      const auto found = collector.candidates.find(last_part(file));
-      if (found != collector.candidates.end()) choose(file, found->second, files);
+      const auto found = collected.candidates.find(last_part(file));
+      if (found != collected.candidates.end()) choose(file, found->second, files);
     }
   }
   intake.digest = digest_of(intake.labs);

@@ -20,13 +20,19 @@ struct Source {
   std::string handed_in() const;
 };
 
+struct Submissions {
+  std::vector<Source> sources;
+  std::vector<std::string> left_out;  ///< files and links beside them, in a folder of a class
+};
+
 /// Finds the submissions in `paths`. A path that holds exercise files, or labs, at its top is one
 /// submission (`one`: whatever it looks like); another folder or archive holds one in each of its
 /// folders and archives, as Gradescope and Moodle export them. Of several that would have one name,
 /// that one keeps it whose own it is, letter for letter (of "a_b" and "a b" the first), a folder
-/// before an archive. Throws Error when there is none.
-std::vector<Source> find_submissions(const std::vector<std::filesystem::path>& paths,
-                                     const std::vector<CourseLab>& labs, bool one);
+/// before an archive. Throws Error when there is none, or a folder may be one submission or
+/// several.
+Submissions find_submissions(const std::vector<std::filesystem::path>& paths,
+                             const std::vector<CourseLab>& labs, bool one);
 
 /// What of a submission belongs to one lab.
 struct LabFiles {
@@ -45,9 +51,5 @@ struct Intake {
 /// have the same content. Line ends and a byte order mark are made plain. Throws Error only when
 /// the source is not there any more.
 Intake take_in(const Source& source, const std::vector<CourseLab>& labs);
-
-/// A name for a folder: letters, digits, and . _ - within; at most 100 bytes; not one of `taken`,
-/// to which it is added.
-std::string folder_name(const std::string& wanted, std::vector<std::string>& taken);
 
 }  // namespace carlo::grader

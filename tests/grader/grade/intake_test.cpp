@@ -4,12 +4,16 @@
 #include "cli/error.h"
 #include "cli/scratch_folder.h"
 #include "grader/grade/archive.h"
+#include "grader/grade/handed_in.h"
 
 #include <archive.h>
 #include <archive_entry.h>
 #include <catch2/catch_test_macros.hpp>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -79,7 +83,7 @@ Intake take(const fs::path& path) {
 
 std::vector<std::string> names(const fs::path& path, bool one = false) {
   std::vector<std::string> list;
-  for (const Source& source : find_submissions({path}, demo_labs(), one))
+  for (const Source& source : find_submissions({path}, demo_labs(), one).sources)
     list.push_back(source.name);
   return list;
 }
@@ -249,7 +253,7 @@ TEST_CASE("one submission or many is seen from what stands at the top", "[intake
   CHECK(names(root / "wrapped.zip") == std::vector<std::string>{"wrapped"});
   put(root / "export.zip", zip({{"all/dora/integration.cpp", "d"}, {"all/emil.zip", "PK"}}));
   CHECK(names(root / "export.zip") == std::vector<std::string>{"dora", "emil"});
-  const Source dora = find_submissions({root / "export.zip"}, demo_labs(), false)[0];
+  const Source dora = find_submissions({root / "export.zip"}, demo_labs(), false).sources[0];
   CHECK(take_in(dora, demo_labs()).labs.at(1).files.at("integration.cpp") == "d");
 }
 
@@ -261,7 +265,7 @@ TEST_CASE("what one packed into a class's archive is no matter of the others", "
   entries.push_back({"carol/integration.cpp", "c"});
   put(folder.path() / "export.zip", zip(entries));
   const std::vector<Source> found =
-      find_submissions({folder.path() / "export.zip"}, demo_labs(), false);
+      find_submissions({folder.path() / "export.zip"}, demo_labs(), false).sources;
   REQUIRE(found.size() == 3);
   CHECK(take_in(found[0], demo_labs()).labs.at(1).files.at("integration.cpp") == "a");
   CHECK(take_in(found[1], demo_labs()).labs.at(1).files.empty());
@@ -320,7 +324,7 @@ TEST_CASE("a name is whose own it is, and others are told of", "[intake]") {
   put(folder.path() / "alice.tar.gz", "spoilt");
   put(folder.path() / "alice.zip", "spoilt");
   std::map<std::string, std::pair<std::string, bool>> names;
-  for (const Source& source : find_submissions({folder.path()}, demo_labs(), false))
+  for (const Source& source : find_submissions({folder.path()}, demo_labs(), false).sources)
     names[source.handed_in()] = {source.name, source.renamed};
   const auto of = [](const std::string& name, bool renamed) { return std::pair(name, renamed); };
   CHECK(names.at("a_b") == of("a_b", false));
@@ -339,4 +343,77 @@ TEST_CASE("the digest changes with what is judged, and with nothing else", "[int
   CHECK(take(folder.path()).digest == before);
   put(folder.path() / "integration.cpp", "two");
   CHECK(take(folder.path()).digest != before);
+}
+
+TEST_CASE(
+    "work in a folder that is called as one of the course's is found, where there is no other",
+    "[intake]") {
+  for (const char* name : {"solutions", "tests", "common", "build", "out"}) {
+    const ScratchFolder folder;
+    put(folder.path() / name / "integration.cpp", "one");
+    CHECK(take(folder.path()).labs.at(1).files.at("integration.cpp") == "one");
+    put(folder.path() / "a.zip", zip({{std::string(name) + "/integration.cpp", "two"}}));
+    CHECK(take(folder.path() / "a.zip").labs.at(1).files.at("integration.cpp") == "two");
+    put(folder.path() / "integration.cpp", "three");
+    CHECK(take(folder.path()).labs.at(1).files.at("integration.cpp") == "three");
+  }
+}
+
+TEST_CASE("links that lead in a circle are no folders", "[intake]") {
+  const ScratchFolder folder;
+  put(folder.path() / "alice/integration.cpp", "one");
+  for (const char* place : {"loop", "alice/loop"})
+    fs::create_symlink("loop", folder.path() / place);
+  CHECK(names(folder.path()) == std::vector<std::string>{"alice"});
+  const Intake intake = take(folder.path() / "alice");
+  CHECK(intake.labs.at(1).files.at("integration.cpp") == "one");
+  CHECK(has(intake.ignored, "a link"));
+}
+
+TEST_CASE("what stands beside submissions is told of, and a class is no submission", "[intake]") {
+  const ScratchFolder folder;
+  put(folder.path() / "alice/integration.cpp", "one");
+  put(folder.path() / "bob.tar.xz", "packed otherwise");
+  put(folder.path() / ".DS_Store", "");
+  const Submissions found = find_submissions({folder.path()}, demo_labs(), false);
+  CHECK(found.sources.size() == 1);
+  CHECK(found.left_out == std::vector<std::string>{fs::canonical(folder.path()) / "bob.tar.xz"});
+  for (const char* name : {"labs", "steps", "01_integration"}) {
+    put(folder.path() / name / "integration.cpp", "two");
+    CHECK_THROWS_AS(names(folder.path()), Error);
+    CHECK(names(folder.path(), true).size() == 1);
+    fs::remove_all(folder.path() / name);
+  }
+  put(folder.path() / "integration.cpp", "two");
+  CHECK_THROWS_AS(names(folder.path()), Error);
+}
+
+// As root nothing is unreadable: in a process of somebody else's.
+TEST_CASE("what we may not read is an error, not work that was not handed in", "[intake]") {
+  const ScratchFolder folder;
+  put(folder.path() / "alice/deep/integration.cpp", "one");
+  put(folder.path() / "bob.zip", zip({{"integration.cpp", "one"}}));
+  fs::permissions(folder.path(),
+                  fs::perms::owner_all | fs::perms::others_read | fs::perms::others_exec);
+  fs::permissions(folder.path() / "alice/deep", fs::perms::none);
+  fs::permissions(folder.path() / "bob.zip", fs::perms::none);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    constexpr uid_t nobody = 65534;
+    if (::geteuid() == 0 && ::setresuid(nobody, nobody, nobody) != 0) ::_exit(3);
+    const auto refused = [&](const char* name) {
+      try {
+        (void)take(folder.path() / name);
+        return false;
+      } catch (const std::exception&) {
+        return true;
+      }
+    };
+    ::_exit((refused("alice") ? 0 : 1) + (refused("bob.zip") ? 0 : 2));
+  }
+  int status = 0;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  REQUIRE(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 0);
+  fs::permissions(folder.path() / "alice/deep", fs::perms::owner_all);
 }

@@ -164,8 +164,19 @@ std::size_t tell_renamed(const std::vector<Source>& sources) {
   return count;
 }
 
-int finish(const Course& course, const std::vector<Record>& records,
-           const std::vector<Source>& sources, const fs::path& out) {
+/// A file beside the submissions may be one. Returns how many.
+std::size_t tell_left_out(const std::vector<std::string>& files) {
+  constexpr std::size_t shown = 20;
+  for (std::size_t i = 0; i < std::min(files.size(), shown); ++i) {
+    fmt::print(stderr, "carlo: {} is no folder, .zip, .tar, .tar.gz or .tgz: not graded\n",
+               harmless(files[i]));
+  }
+  if (files.size() > shown) fmt::print(stderr, "carlo: and {} others\n", files.size() - shown);
+  return files.size();
+}
+
+int finish(const Course& course, const std::vector<Record>& records, const Submissions& submissions,
+           const fs::path& out) {
   write_file(out / "class.csv", class_csv(records));
   write_file(out / "timing.csv", timing_csv(records));
   const auto failures = std::count_if(records.begin(), records.end(),
@@ -175,12 +186,18 @@ int finish(const Course& course, const std::vector<Record>& records,
   for (const CourseLab& lab : course.labs)
     fmt::print("{}", costs(records, lab));
   fmt::print("marks: {}\n", (out / "class.csv").string());
-  const std::size_t renamed = tell_renamed(sources);
+  const std::size_t renamed = tell_renamed(submissions.sources);
+  const std::size_t left_out = tell_left_out(submissions.left_out);
   if (failures == 0 && renamed > 0) {
     throw Error(
         "{} submissions have names that others have: class.csv says in its last column "
         "where each was found",
         renamed);
+  }
+  if (failures == 0 && left_out > 0) {
+    throw Error(
+        "{} files beside the submissions were not graded: take them away, or make them folders",
+        left_out);
   }
   if (failures == 0) return 0;
   throw Error(
@@ -219,8 +236,9 @@ int run(const Options& options) {
   const fs::path tree = fs::canonical(options.tree), build = fs::canonical(options.build);
   const fs::path out = options.out;
   const std::vector<CourseLab> labs = course_labs(tree / "labs", options.labs);
-  const std::vector<Source> sources =
+  const Submissions submissions =
       find_submissions({options.paths.begin(), options.paths.end()}, labs, options.one);
+  const std::vector<Source>& sources = submissions.sources;
   refuse_among(sources, options);
   fs::create_directories(out);
   const Descriptor lock = sole_user(out);
@@ -244,7 +262,7 @@ int run(const Options& options) {
   };
   const std::vector<Record> records = grade_class(course, sources, out, workers, tell);
   progress.clear();
-  return finish(course, records, sources, out);
+  return finish(course, records, submissions, out);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "grader/grade/outputs.h"
 
 #include "cli/atomic_file.h"
+#include "grader/grade/handed_in.h"
 #include "grader/page/grade_page.h"
 #include "verdict/printed.h"
 
@@ -60,9 +61,12 @@ std::string heading(const Record& record) {
 /// A name that a stranger chose, as a cell: in quotes, and begun so that it is no formula.
 std::string source_cell(const std::string& source) {
   std::string text = "\"./";
-  for (const char c : clipped(harmless(source), 300)) {
+  const std::string shown = clipped(harmless(source), 300);
+  const bool keep_letters = is_harmless_utf8(shown);
+  for (const char c : shown) {
     if (c == '"') text += c;
-    text += c == '\n' || c == '\r' ? ' ' : c;
+    const bool letter = static_cast<unsigned char>(c) < 0x80 || keep_letters;
+    text += c == '\n' || c == '\r' ? ' ' : letter ? c : '?';
   }
   return text + "\"";
 }

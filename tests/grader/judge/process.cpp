@@ -86,9 +86,12 @@ std::optional<Outcome::End> broken_together(const Family& family, const Command&
     return Outcome::End::flooded_disk;
   }
   const bool counted = limits.memory_bytes != unlimited && !address_sanitizer();
-  if (counted && resident_bytes(family) > limits.memory_bytes) {
-    return Outcome::End::flooded_memory;
-  }
+  if (counted && memory_bytes(family) > limits.memory_bytes) return Outcome::End::flooded_memory;
+  // The system counts them by users, and together with those of others whose user is the same.
+  constexpr std::size_t sandbox_own = 16;
+  const bool few =
+      limits.processes == unlimited || threads_of(family) <= limits.processes + sandbox_own;
+  if (!few) return Outcome::End::flooded_processes;
   return {};
 }
 
@@ -97,6 +100,17 @@ class Charge {
  public:
   double taken() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
+  /// To be called each time round. Who watches sleeps for hundredths of a second and looks for
+  /// tenths: when it comes much later than that, and did not wait for a processor, all of us stood
+  /// still (a control group that was frozen, a virtual machine that was moved).
+  void beat() {
+    const double now = taken(), waited = held_up();
+    const double gap = (now - last_beat_) - (waited - last_wait_);
+    if (gap > longest_beat) frozen_ += gap;
+    last_beat_ = now;
+    last_wait_ = waited;
+  }
+
   /// Looks at all its processes.
   void look(const Family& family) {
     worked_ = (processor_seconds(family) + reaped() - reaped_) / processors_;
@@ -104,24 +118,26 @@ class Charge {
     ran_ = std::max(ran_, times.ran);
     // Whoever starts it and takes it down waits too, on its behalf.
     const double longest = std::max(times.waited, held_up());
-    waited_ = std::max(waited_, std::min(longest, taken() - worked_));
+    waited_ = std::max(waited_, std::min(longest, taken() - frozen_ - worked_));
   }
 
-  double waited() const { return waited_; }
-  Pressure pressure() const { return {taken(), held_up(), worked_}; }
+  double waited() const { return waited_ + frozen_; }
+  Pressure pressure() const { return {taken(), held_up() + frozen_, worked_}; }
 
   /// Whether its time is over, and whether that is its own doing.
   std::optional<Outcome::End> over(std::chrono::duration<double> deadline) const {
-    const bool enough = taken() - waited_ >= deadline.count();
+    const bool enough = taken() - waited() >= deadline.count();
     // Many processes that take from one another run little each, and together as long as any may.
     const bool ran = ran_ >= deadline.count() || worked_ >= deadline.count();
     const bool proven = ran || !pressure().is_high();
     if (enough && proven) return Outcome::End::deadline;
-    if (taken() >= patience * deadline.count()) return Outcome::End::starved;
+    if (taken() - frozen_ >= patience * deadline.count()) return Outcome::End::starved;
     return {};
   }
 
  private:
+  static constexpr double longest_beat = 1;  ///< seconds
+
   double held_up() const { return own_times().waited - own_wait_; }
 
   /// Of children that are gone.
@@ -139,6 +155,7 @@ class Charge {
   double reaped_ = reaped(), own_wait_ = own_times().waited;
   double waited_ = 0, worked_ = 0;
   double ran_ = 0;  ///< of the thread that ran longest
+  double frozen_ = 0, last_beat_ = 0, last_wait_ = 0;
 };
 
 /// Follows the child to its end or to the first limit that it breaks.
@@ -146,6 +163,7 @@ void follow(pid_t pid, Reader& result, Reader& output, const Command& command, c
             Charge& charge, Outcome& outcome) {
   Clock::time_point next_look = Clock::now() + std::chrono::milliseconds(100);
   while (true) {
+    charge.beat();
     const bool over = ended(pid, outcome);  // asked first: what it wrote is there by now
     if (!result.drain()) outcome.end = Outcome::End::flooded_result;
     if (!output.drain()) outcome.end = Outcome::End::flooded_output;

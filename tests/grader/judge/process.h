@@ -21,7 +21,8 @@ struct Limits {
   std::size_t file_bytes = std::size_t{16} << 20;      ///< the largest file
   std::size_t scratch_bytes = std::size_t{256} << 20;  ///< all files in the scratch folder
   std::size_t open_files = 64;
-  std::size_t processes = 256;  ///< and threads; not enforced for root's own processes
+  /// And threads: as many at a time where the user is its own; elsewhere as seen by who watches.
+  std::size_t processes = 256;
   std::size_t result_bytes = std::size_t{64} << 20;
   std::size_t output_bytes = std::size_t{4} << 20;  ///< printed; of it `output_kept` is kept
   std::size_t output_kept = std::size_t{8} << 10;
@@ -56,6 +57,7 @@ struct Outcome {
     flooded_result,
     flooded_disk,
     flooded_memory,
+    flooded_processes,
     not_started
   };
   End end = End::not_started;

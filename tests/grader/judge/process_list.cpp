@@ -32,9 +32,9 @@ std::string proc_file(pid_t id, const char* name) {
 
 /// From /proc/PID/stat. The name in the second field may hold anything, so the fields are counted
 /// from its last parenthesis: the parent's id is the 4th, the ticks of processor time are the 14th
-/// to 17th, the resident pages are the 24th.
+/// to 17th, the number of threads is the 20th, the resident pages are the 24th.
 ProcessEntry entry_of(pid_t id) {
-  ProcessEntry entry{id, 0, 0, 0};
+  ProcessEntry entry{id};
   const std::string line = proc_file(id, "stat");
   const auto name_end = line.rfind(')');
   if (name_end == std::string::npos) return entry;
@@ -46,6 +46,7 @@ ProcessEntry entry_of(pid_t id) {
     if (number >= 14 && number <= 17) {
       entry.seconds += static_cast<double>(value) / static_cast<double>(::sysconf(_SC_CLK_TCK));
     }
+    if (number == 20 && value > 0) entry.threads = static_cast<std::size_t>(value);
     if (number == 24 && value > 0) {
       entry.resident_bytes =
           static_cast<std::size_t>(value) * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
@@ -92,6 +93,15 @@ std::vector<ProcessEntry> descendants_of(pid_t ancestor) {
     }
   }
   return family;
+}
+
+std::size_t page_table_bytes(pid_t id) {
+  std::istringstream words(proc_file(id, "status"));
+  for (std::string word; words >> word;) {
+    std::size_t kilobytes = 0;
+    if (word == "VmPTE:" && words >> kilobytes) return kilobytes << 10;
+  }
+  return 0;
 }
 
 bool has_process_of(uid_t user) {

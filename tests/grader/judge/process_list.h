@@ -12,6 +12,7 @@ struct ProcessEntry {
   pid_t id = 0, parent = 0;
   std::size_t resident_bytes = 0;
   double seconds = 0;  ///< of processor time, and of the children that it has waited for
+  std::size_t threads = 0;
 };
 
 /// All processes that are there now, as /proc tells; those that end meanwhile may be missing.
@@ -19,6 +20,10 @@ std::vector<ProcessEntry> list_processes();
 
 /// Of these the descendants of one.
 std::vector<ProcessEntry> descendants_of(pid_t ancestor);
+
+/// What the kernel keeps to find a process's pages, which no limit and no resident size counts: 0
+/// when it is gone.
+std::size_t page_table_bytes(pid_t id);
 
 /// Whether a process runs under this user id, really, effectively or by what it has saved.
 bool has_process_of(uid_t user);

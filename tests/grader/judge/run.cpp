@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <thread>
 #include <utility>
 
 namespace carlo::grader {
@@ -70,6 +71,9 @@ std::string why_hopeless(Status status) {
                                            : "your code took too long";
 }
 
+/// Of a probe for which the machine may have had no room.
+constexpr int most_attempts = 4;
+
 /// Of a function: whoever names it chooses how long it is.
 constexpr std::size_t longest_name = 200;
 
@@ -121,6 +125,10 @@ void check_end(const Outcome& outcome, const Limits& limits) {
       fail(Status::crashed, fmt::format("its processes took more than {} MB of memory together",
                                         limits.memory_bytes >> 20));
       break;
+    case End::flooded_processes:
+      fail(Status::crashed,
+           fmt::format("it started more than {} threads and processes", limits.processes));
+      break;
     case End::starved:
     case End::not_started:
       throw Error("the program could not be run");
@@ -155,14 +163,24 @@ std::uint64_t local_seed() {
 
 Answer run_probe(const Worker& worker, const std::string& name, const Params& params,
                  const Shape& shape, const Limits& limits, Charged* charged) {
-  const Outcome outcome =
-      worker.run({"--probe", name, "--params", to_text(params), "--fd", "3"}, limits);
-  if (charged != nullptr) *charged = {outcome.seconds - outcome.waited, outcome.pressure};
-  check_end(outcome, limits);
-  std::optional<Frame> frame = decode(outcome.result);
+  Outcome outcome;
+  std::optional<Frame> frame;
+  // A thread that cannot be started may be the doing of others, whose threads count with ours.
+  for (int attempt = 1; attempt <= most_attempts; ++attempt) {
+    if (attempt > 1) std::this_thread::sleep_for(std::chrono::milliseconds(250) * attempt);
+    outcome = worker.run({"--probe", name, "--params", to_text(params), "--fd", "3"}, limits);
+    if (charged != nullptr) *charged = {outcome.seconds - outcome.waited, outcome.pressure};
+    check_end(outcome, limits);
+    frame = decode(outcome.result);
+    if (!frame || frame->status != Frame::Status::exhausted) break;
+  }
   if (!frame) throw ProbeFailure(Status::crashed, "its answer was cut short or no answer at all");
   if (frame->status == Frame::Status::not_implemented) {
     throw undone(*frame);
+  }
+  if (frame->status == Frame::Status::exhausted) {
+    throw Error("a thread could not be started, {} times: by the machine, or there are too many",
+                most_attempts);
   }
   if (frame->status == Frame::Status::error) {
     throw printing(

@@ -78,11 +78,18 @@ ThreadTimes own_times() {
   return times_in("/proc/thread-self/schedstat");
 }
 
-std::size_t resident_bytes(const Family& family) {
+std::size_t memory_bytes(const Family& family) {
   std::size_t bytes = 0;
   for (const ProcessEntry& entry : family)
-    bytes += entry.resident_bytes;
+    bytes += entry.resident_bytes + page_table_bytes(entry.id);
   return bytes;
+}
+
+std::size_t threads_of(const Family& family) {
+  std::size_t threads = 0;
+  for (const ProcessEntry& entry : family)
+    threads += entry.threads;
+  return threads;
 }
 
 double processor_seconds(const Family& family) {

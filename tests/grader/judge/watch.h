@@ -17,8 +17,12 @@ using Family = std::vector<ProcessEntry>;
 /// and not open.
 bool fuller_than(const std::filesystem::path& folder, const Family& family, std::size_t most);
 
-/// The resident memory of all together, in bytes. Pages that they share count for each of them.
-std::size_t resident_bytes(const Family& family);
+/// The memory of all together, in bytes: what is resident, and its page tables. Pages that they
+/// share count for each of them.
+std::size_t memory_bytes(const Family& family);
+
+/// Their threads; a process has one at least.
+std::size_t threads_of(const Family& family);
 
 /// Seconds of threads that are there now (Linux, proc(5): schedstat). 0 where the system does not
 /// tell.

@@ -41,14 +41,14 @@ std::optional<Frame> decode(std::string_view bytes) {
   std::memcpy(&header, bytes.data(), sizeof(Header));
   const std::string_view payload = bytes.substr(sizeof(Header));
   if (header.magic != magic_word || header.bytes != payload.size()) return std::nullopt;
-  if (header.status > static_cast<std::uint32_t>(Frame::Status::not_implemented)) {
+  if (header.status > static_cast<std::uint32_t>(Frame::Status::exhausted)) {
     return std::nullopt;
   }
   Frame frame;
   frame.status = static_cast<Frame::Status>(header.status);
-  if (frame.status == Frame::Status::error && (header.columns != 0 || header.rows != 0)) {
-    return std::nullopt;
-  }
+  const bool plain =
+      frame.status == Frame::Status::error || frame.status == Frame::Status::exhausted;
+  if (plain && (header.columns != 0 || header.rows != 0)) return std::nullopt;
   if (frame.status != Frame::Status::rows) {
     if (header.columns > payload.size()) return std::nullopt;
     if (header.rows > payload.size() - header.columns) return std::nullopt;

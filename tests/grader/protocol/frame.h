@@ -19,7 +19,8 @@ struct Rows {
 
 /// What a worker sends back, once: a table, or a text saying why there is none.
 struct Frame {
-  enum class Status : std::uint32_t { rows = 0, error = 1, not_implemented = 2 };
+  /// exhausted: an error that the system gives when there are too many threads, of whomever.
+  enum class Status : std::uint32_t { rows = 0, error = 1, not_implemented = 2, exhausted = 3 };
   Status status = Status::rows;
   Rows rows;
   std::string text;

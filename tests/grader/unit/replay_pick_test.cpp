@@ -1,6 +1,5 @@
-#include "grader/replay/pick.h"
-
 #include "cli/error.h"
+#include "grader/replay/pick.h"
 
 #include <catch2/catch_test_macros.hpp>
 

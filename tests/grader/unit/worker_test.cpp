@@ -294,6 +294,59 @@ TEST_CASE("the probes of an exercise have a time in all", "[run]") {
   CHECK(started < 30);
 }
 
+TEST_CASE("threads that cannot be started are no proof against whoever starts them", "[worker]") {
+  Limits limits;
+  limits.deadline = std::chrono::seconds(60);
+  const Worker worker(FIXTURE_WORKER, Level::limits);
+  try {
+    run_probe(worker, "no thread left", {}, {}, limits);
+    FAIL("an answer");
+  } catch (const Error& error) {
+    CHECK(has(error.what(), "could not be started"));
+  }
+  // Too many are: seen from outside where the user is not its own.
+  limits.processes = 64;
+  try {
+    run_probe(worker, "many threads", {}, {}, limits);
+    FAIL("an answer");
+  } catch (const ProbeFailure& failure) {
+    CHECK(has(failure.what(), "more than 64 threads"));
+  }
+}
+
+TEST_CASE("page tables count as memory", "[worker]") {
+  if (address_sanitizer()) SKIP("the sanitizer's own memory cannot be told apart");
+  Limits limits;
+  limits.deadline = std::chrono::seconds(60);
+  limits.memory_bytes = std::size_t{300} << 20;
+  try {
+    run_probe(Worker(FIXTURE_WORKER, Level::limits), "many page tables", {}, {}, limits);
+    FAIL("an answer");
+  } catch (const ProbeFailure& failure) {
+    CHECK(has(failure.what(), "of memory together"));
+  }
+}
+
+// Whoever watches is stopped for longer than the deadline, as all are when a control group is
+// frozen.
+TEST_CASE("a deadline leaves out the time for which the grader stood still", "[worker]") {
+  const Worker worker(FIXTURE_WORKER, Level::limits);
+  const pid_t watcher = ::getpid();
+  const pid_t freezer = ::fork();
+  if (freezer == 0) {
+    ::usleep(300'000);
+    ::kill(watcher, SIGSTOP);
+    ::sleep(4);
+    ::kill(watcher, SIGCONT);
+    ::_exit(0);
+  }
+  Limits limits;
+  limits.deadline = std::chrono::milliseconds(2500);
+  const double seconds = run_probe(worker, "sleeps 5 seconds", {}, {}, limits).seconds;
+  CHECK(seconds > 4);
+  ::waitpid(freezer, nullptr, 0);
+}
+
 // With programs beside it that keep all processors busy: busy_test.sh.
 TEST_CASE("a deadline leaves out the time for which others had the processors", "[.busy]") {
   Limits limits;

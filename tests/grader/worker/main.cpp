@@ -18,6 +18,7 @@
 #include <new>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace carlo::grader {
@@ -35,6 +36,10 @@ Frame run(Probe probe, const Params& params) {
   } catch (const std::bad_alloc&) {
     frame.status = Frame::Status::error;
     frame.text = "out of memory (std::bad_alloc)";
+  } catch (const std::system_error& error) {
+    const bool no_thread = error.code() == std::errc::resource_unavailable_try_again;
+    frame.status = no_thread ? Frame::Status::exhausted : Frame::Status::error;
+    frame.text = error.what();
   } catch (const std::exception& error) {
     frame.status = Frame::Status::error;
     frame.text = error.what();
