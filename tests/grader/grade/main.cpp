@@ -196,7 +196,7 @@ int finish(const Course& course, const std::vector<Record>& records, const Submi
   }
   if (failures == 0 && left_out > 0) {
     throw Error(
-        "{} files beside the submissions were not graded: take them away, or make them folders",
+        "not all that stands beside the submissions is one ({} files): take it away, or make folders",
         left_out);
   }
   if (failures == 0) return 0;
