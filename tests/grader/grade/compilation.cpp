@@ -126,11 +126,10 @@ bool has_ending(const std::string& text, const std::string& ending) {
 /// Whether what was read, and not the machine, is why nm failed.
 bool is_of_the_object(const Outcome& outcome) {
   using End = Outcome::End;
-  if (tells_of_the_machine(outcome.output, outcome.peak_bytes, compile_limits().memory_bytes)) {
-    return false;
+  if (outcome.end == End::exited) {
+    return !tells_of_the_machine(outcome.output, outcome.peak_bytes, compile_limits().memory_bytes);
   }
-  return outcome.end == End::flooded_output || outcome.end == End::flooded_memory ||
-         outcome.end == End::exited;
+  return outcome.end == End::flooded_output || outcome.end == End::flooded_memory;
 }
 
 }  // namespace
