@@ -22,6 +22,7 @@ std::vector<std::string> frame_seeds() {
   constexpr double inf = std::numeric_limits<double>::infinity();
   return {encode({.rows = {2, {1, 2, inf, -0.0}}, .text = {}}),
           encode({.status = Frame::Status::error, .rows = {}, .text = "what went wrong"}),
+          encode({.status = Frame::Status::exhausted, .rows = {}, .text = "no thread"}),
           encode({.status = Frame::Status::not_implemented,
                   .rows = {},
                   .text = "it is not done",

@@ -67,8 +67,9 @@ struct Outcome {
                                ///< not started
   std::size_t lost_lines = 0;  ///< that it printed beyond `output`, or began to
   double seconds = 0;          ///< wall clock
-  double waited = 0;  ///< of these: ready to run, but others had the processors; not charged
-  Pressure pressure;  ///< what the machine was like meanwhile
+  /// Of these: ready to run, but others had the processors; and all of us stood still. Not charged.
+  double waited = 0;
+  Pressure pressure;           ///< what the machine was like meanwhile
   std::size_t peak_bytes = 0;  ///< resident memory of the largest process, as far as it was reaped
 
   bool succeeded() const { return end == End::exited && code == 0; }

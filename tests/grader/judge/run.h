@@ -50,7 +50,8 @@ struct Charged {
 };
 
 /// Runs one probe in a fresh worker. Throws ProbeFailure unless exactly the table of `shape` comes
-/// back, in time, from a worker that then ends well.
+/// back, in time, from a worker that then ends well. Throws Error where it is not to blame: the
+/// program could not be run, or a thread could not be started, in several attempts.
 /// `charged`, where it is given, is set also when it throws.
 Answer run_probe(const Worker& worker, const std::string& name, const Params& params,
                  const Shape& shape, const Limits& limits, Charged* charged = nullptr);

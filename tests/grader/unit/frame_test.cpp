@@ -19,6 +19,7 @@ namespace {
 
 const Frame table{Frame::Status::rows, {2, {1.5, -0.0, 3, 4}}, {}};
 const Frame text{Frame::Status::error, {}, "n must be positive"};
+const Frame exhausted{Frame::Status::exhausted, {}, "no thread"};
 
 }  // namespace
 
@@ -28,12 +29,15 @@ TEST_CASE("a frame survives the way there and back", "[frame]") {
   CHECK(back->rows.columns == 2);
   CHECK(back->rows.values == table.rows.values);
   CHECK(back->rows.count() == 2);
-  CHECK(decode(encode(text))->text == text.text);
+  for (const Frame& frame : {text, exhausted}) {
+    CHECK(decode(encode(frame))->text == frame.text);
+    CHECK(decode(encode(frame))->status == frame.status);
+  }
   CHECK(decode(encode({}))->rows.count() == 0);
 }
 
 TEST_CASE("a frame that is cut short or too long is refused", "[frame]") {
-  for (const Frame& frame : {table, text}) {
+  for (const Frame& frame : {table, text, exhausted}) {
     const std::string bytes = encode(frame);
     for (std::size_t length = 0; length < bytes.size(); ++length) {
       CHECK_FALSE(decode(bytes.substr(0, length)).has_value());
@@ -53,9 +57,11 @@ TEST_CASE("a frame with impossible sizes is refused", "[frame]") {
     CHECK_FALSE(decode(bytes).has_value());
   }
   for (const std::size_t offset : {12U, 16U}) {  // a text has neither columns nor rows
-    std::string bytes = encode(text);
-    bytes[offset] = 1;
-    CHECK_FALSE(decode(bytes).has_value());
+    for (const Frame& frame : {text, exhausted}) {
+      std::string bytes = encode(frame);
+      bytes[offset] = 1;
+      CHECK_FALSE(decode(bytes).has_value());
+    }
   }
 }
 
