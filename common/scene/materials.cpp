@@ -1,6 +1,6 @@
 #include "scene/materials.h"
 
-#include "scene/match.h"
+#include "scene/needs.h"
 #include "scene/text.h"
 
 #include <array>
@@ -77,13 +77,6 @@ Mirror parse_conductor(Properties& bsdf) {
 Dielectric parse_dielectric(Properties& bsdf) {
   const float inside = refractive_index(bsdf, "intIOR", 1.5046f);
   return {inside, refractive_index(bsdf, "extIOR", 1.000277f)};
-}
-
-/// Whether light goes through: such a surface has no black back.
-bool passes_light(const Material& material) {
-  return match(
-      material.model, [](const Diffuse&) { return false; }, [](const Phong&) { return false; },
-      [](const Mirror&) { return false; }, [](const Dielectric&) { return true; });
 }
 
 }  // namespace

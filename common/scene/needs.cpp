@@ -83,6 +83,12 @@ Needs needs(const Scene& scene) {
   return n;
 }
 
+bool passes_light(const Material& material) {
+  return match(
+      material.model, [](const Diffuse&) { return false; }, [](const Phong&) { return false; },
+      [](const Mirror&) { return false; }, [](const Dielectric&) { return true; });
+}
+
 std::string describe(const Needs& n) {
   // A member that is added is an error here, until it is told or is not told on purpose.
   const auto& [parallelograms, spheres, disks, meshes, triangles, sdfs, diffuse, phong, mirror,

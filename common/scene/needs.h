@@ -27,6 +27,9 @@ struct Needs {
 
 Needs needs(const Scene& scene);
 
+/// Whether light goes through: such a surface has no black back.
+bool passes_light(const Material& material);
+
 /// One line for the report: "18 parallelograms; phong, two-sided; 1 parallelogram light".
 std::string describe(const Needs& needs);
 

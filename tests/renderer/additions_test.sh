@@ -24,7 +24,6 @@ common/scene/sdf.cpp|get_if<Solid>|the other kind of step follows by std::get, w
 common/scene/load_scene.cpp|lights.environment = |<emitter type="constant">
 common/scene/load_scene.cpp|lights.points.push_back|<emitter type="point">
 solutions/renderer/lights.cpp|lights.points[entry.index]|the entry is that of a point light
-solutions/renderer/lanes/lane_scene.cpp|= scene.lights.environment|LaneScene::suits() lets no scene with other lights come
 solutions/renderer/bench/triangles.cpp|get_if<carlo::Mesh>|the memory of meshes is what is asked for
 solutions/renderer/bench/scaling.cpp|holds_alternative<carlo::Parallelogram>|looks for a lamp to cut, an error if there is none
 solutions/renderer/bench/scaling.cpp|get_if<carlo::Diffuse>|the lamp of one scene, of which this makes another

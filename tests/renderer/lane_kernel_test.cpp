@@ -84,9 +84,41 @@ Scene boxes() {
   return scene;
 }
 
-/// The scenes of the tree that the kernel takes, and the two above.
+/// Mirrors, glass and round lamps: a closed room with a mirror for a block, a block of glass, a
+/// pane before a wall, balls of both; lamps of different power that shine outwards, one of them
+/// behind glass, and one that shines inwards, with something in it.
+Scene polished() {
+  Scene scene;
+  scene.materials = {{Diffuse{Rgb(0.6f, 0.5f, 0.4f)}, true},
+                     {Phong{Rgb(0.3f), Rgb(0.4f, 0.5f, 0.6f), 20}, true},
+                     {Diffuse{Rgb(0.5f)}, false},
+                     {carlo::Mirror{Rgb(0.9f, 0.8f, 0.7f)}, true},
+                     {carlo::Dielectric{1.5f, 1}, false},
+                     {carlo::Dielectric{1, 1.33f}, false}};
+  add_box(scene, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 3}, 0);
+  add_box(scene, {-1, 0, 0}, {0.8f, 0, 0}, {0.2f, 0.7f, 0}, {0.1f, 0.2f, 1}, 3);
+  add_box(scene, {0.5f, 0.4f, 0}, {0.7f, 0.2f, 0}, {-0.2f, 0.7f, 0}, {0, 0, 0.5f}, 4);
+  scene.shapes.push_back({Parallelogram{{-1, 1.7f, 0.5f}, {2, 0, 0}, {0, 0, 2}}, 4, Rgb(0)});
+  const auto add = [&](Vec3 center, float radius, bool flipped, std::uint32_t material,
+                       Rgb radiance = Rgb(0)) {
+    scene.shapes.push_back({carlo::Sphere{center, radius, flipped}, material, radiance});
+  };
+  add({-1.3f, -0.5f, 0.4f}, 0.4f, false, 4);
+  add({-1.3f, -0.5f, 0.4f}, 0.2f, false, 5);
+  add({1.4f, -0.6f, 0.4f}, 0.4f, false, 3);
+  add({0.1f, -0.7f, 2}, 0.15f, false, 2, Rgb(12, 10, 8));
+  add({0.9f, 0.7f, 1.3f}, 0.25f, false, 4);
+  add({0.9f, 0.7f, 1.3f}, 0.05f, false, 2, Rgb(40));
+  add({-0.6f, 0.4f, 1.6f}, 0.3f, true, 0, Rgb(0.5f, 0.8f, 1));
+  add({-0.6f, 0.5f, 1.6f}, 0.1f, false, 1);
+  add_box(scene, {-0.2f, 0.9f, 2.5f}, {0.4f, 0, 0}, {0, 0.4f, 0}, {0, 0, 0.2f}, 2, Rgb(2, 3, 4));
+  scene.camera = scene_tools::look_at({0.1f, -1.9f, 1.4f}, {0, 0, 1}, {0, 0, 1}, 70);
+  return scene;
+}
+
+/// The scenes of the tree that the kernel takes, and the three above.
 std::vector<Named> lane_scenes() {
-  std::vector<Named> scenes{{"assorted", assorted()}, {"boxes", boxes()}};
+  std::vector<Named> scenes{{"assorted", assorted()}, {"boxes", boxes()}, {"polished", polished()}};
   for (const std::string& name : lab_scenes::names()) {
     Scene scene = lab_scenes::load(name);
     if (renderer::LaneScene::suits(needs(scene), scene)) scenes.push_back({name, std::move(scene)});
@@ -111,7 +143,7 @@ tiles::Estimate estimate(const Scene& scene, renderer::Kernel kernel, std::uint6
 
 TEST_CASE("The vector kernel agrees with the scalar integrator") {
   const std::vector<Named> scenes = lane_scenes();
-  REQUIRE(scenes.size() >= 4);
+  REQUIRE(scenes.size() >= 16);
   for (const auto& [name, full] : scenes) {
     REQUIRE(renderer::LaneScene::suits(needs(full), full));
     const Scene oracle_scene = small(full, SamplerKind::independent);
@@ -164,7 +196,7 @@ TEST_CASE("The vector kernel finds boxes") {
 // Instruction sets draw the same points and differ in rounding, so their images differ far less
 // than by 3 of their standard errors; a wrong lane or lookup does not.
 TEST_CASE("The vector kernel's images agree on all instruction sets") {
-  for (const Scene& full : {boxes(), lab_scenes::load("cornell_phong")}) {
+  for (const Scene& full : {boxes(), polished(), lab_scenes::load("cornell_phong")}) {
     const Scene scene = small(full, SamplerKind::sobol);
     const tiles::Estimate best = estimate(scene, renderer::Kernel::best, 1);
     for (const std::string& name : renderer::lane_instruction_sets()) {

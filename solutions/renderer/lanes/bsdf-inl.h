@@ -71,6 +71,36 @@ HWY_INLINE V3 sample_direction(const Surfaces& s, V2 u) {
       to_world(frame, hn::Mul(r, azimuth.cos), hn::Mul(r, azimuth.sin), hn::Sqrt(cos2)));
 }
 
+/// What mirrors and glass do with a ray.
+struct Reflections {
+  V3 d;
+  V3 weight;
+  V eta2;     ///< radiance is compressed by this: it counts in `weight`, but is no absorption
+  M through;  ///< goes on behind the surface
+};
+
+/// Rays of direction d; n stands on the side they come from, which is the outer one if `front`.
+/// `ior`: inner index over outer one, 0 for mirrors, which reflect `reflectance`. Where u is below
+/// Fresnel's reflectance (of unpolarised light), glass reflects.
+HWY_INLINE Reflections reflect(V3 d, V3 n, M front, V3 reflectance, V ior, V u) {
+  const M glass = hn::Gt(ior, set(0));
+  const V inner = select(glass, ior, set(1));
+  const V eta = select(front, hn::Div(set(1), inner), inner);
+  const V cos_o = hn::Min(hn::Neg(dot(n, d)), set(1));
+  const V sin2_t = hn::Mul(hn::Mul(eta, eta), hn::NegMulAdd(cos_o, cos_o, set(1)));
+  const V cos_t = hn::Sqrt(hn::Max(hn::Sub(set(1), sin2_t), set(0)));
+  const V parallel = hn::Div(hn::NegMulAdd(eta, cos_t, cos_o), hn::MulAdd(eta, cos_t, cos_o));
+  const V perpendicular = hn::Div(hn::MulSub(eta, cos_o, cos_t), hn::MulAdd(eta, cos_o, cos_t));
+  const V fresnel =
+      hn::Mul(set(0.5f), hn::MulAdd(parallel, parallel, hn::Mul(perpendicular, perpendicular)));
+  const M through = hn::And(glass, hn::And(hn::Lt(sin2_t, set(1)), hn::Ge(u, fresnel)));
+  const V3 mirrored = add_scaled(d, hn::Add(cos_o, cos_o), n);
+  const V3 refracted = add_scaled(eta * d, hn::MulSub(eta, cos_o, cos_t), n);
+  const V eta2 = select(through, hn::Mul(eta, eta), set(1));
+  return {normalize(select(through, refracted, mirrored)),
+          select(glass, {eta2, eta2, eta2}, reflectance), eta2, through};
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace renderer
 HWY_AFTER_NAMESPACE();

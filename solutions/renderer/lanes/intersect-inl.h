@@ -32,9 +32,10 @@ HWY_INLINE M differs(U a, U b) {
 /// Where rays start: on surfaces, or at the camera.
 struct Origins {
   V3 o;
-  V3 came;  ///< the direction in which the path came there; 0 for the camera
-  U last;   ///< the surface; `nothing` for the camera
-  U plane;  ///< its plane (LaneScene::plane)
+  V3 came;    ///< the direction in which the path came there; 0 for the camera
+  U last;     ///< the surface; `nothing` for the camera
+  U plane;    ///< its plane (LaneScene::plane)
+  M through;  ///< whether the ray goes on behind the surface, through glass
 
   /// The plane, where planes are the surfaces' own unless the scene is `close`.
   template <bool close>
@@ -57,7 +58,7 @@ HWY_INLINE void take(Hits& hits, M nearer, V t, U surface) {
 /// edge pass between none.
 constexpr float reach = 1 + 4e-7f;
 
-/// Where a ray meets the plane of parallelogram i, and whether that is inside of it.
+/// Where a ray meets the plane of parallelogram or disk i, and whether that is inside of it.
 struct PlaneHit {
   V3 n;
   V below;  ///< how far the origin lies from the plane, against n
@@ -65,14 +66,18 @@ struct PlaneHit {
   V t;
   M inside;
 };
-HWY_INLINE PlaneHit meet_quad(const LaneScene& s, std::size_t i, V3 o, V3 d) {
+enum class Outline { quad, disk };
+template <Outline outline>
+HWY_INLINE PlaneHit meet_plane(const LaneScene& s, std::size_t i, V3 o, V3 d) {
   const V3 n = set(s.nx[i], s.ny[i], s.nz[i]);
   const V below = hn::Sub(set(s.d[i]), dot(n, o)), along = dot(n, d);
   const V t = hn::Div(below, along);
   const V3 p = add_scaled(o, t, d);
   const V a = hn::Sub(dot(set(s.ax[i], s.ay[i], s.az[i]), p), set(s.a0[i]));
   const V b = hn::Sub(dot(set(s.bx[i], s.by[i], s.bz[i]), p), set(s.b0[i]));
-  return {n, below, along, t, hn::Le(hn::Max(hn::Abs(a), hn::Abs(b)), set(reach))};
+  const V outwards =
+      outline == Outline::disk ? hn::MulAdd(a, a, hn::Mul(b, b)) : hn::Max(hn::Abs(a), hn::Abs(b));
+  return {n, below, along, t, hn::Le(outwards, set(reach))};
 }
 
 /// What rounding may hide of an origin's distance from a surface: `rounding` times this sum of
@@ -203,15 +208,18 @@ HWY_INLINE V turned(V3 came) {
 }
 
 /// From outside a sphere is met where the ray enters, from inside where it leaves. From the sphere
-/// itself a ray meets it once more if it is inside, as the path was that came there: always, though
-/// rounding may have put a grazing ray's origin outside, so that the line misses the sphere.
+/// itself a ray meets it once more if it is inside, as the path was that came there, or the other
+/// way round through glass: always, though rounding may have put a grazing ray's origin outside, so
+/// that the line misses the sphere.
+template <bool full>
 HWY_INLINE void meet_sphere(const LaneScene& s, std::uint32_t i, const Origins& from, V3 d,
                             V of_origin, Hits& hits) {
   const U number = set_word(i);
   const Chord chord = meet_sphere(s, std::size_t{i}, from.o, d);
   const M starts = same(from.last, number);
   const V outwards = dot(from.came, from.o - set(s.cx[i], s.cy[i], s.cz[i]));
-  const V from_inside = hn::Mul(turned(from.came), outwards);
+  V from_inside = hn::Mul(turned(from.came), outwards);
+  if constexpr (full) from_inside = select(from.through, hn::Neg(from_inside), from_inside);
   const M outside = hn::AndNot(starts, hn::Gt(chord.enters, set(0)));
   V t = select(outside, chord.enters, hn::Max(chord.leaves, set(0)));
   M ahead = hn::Gt(select(starts, from_inside, t), set(0));
@@ -229,10 +237,10 @@ HWY_INLINE void meet_sphere(const LaneScene& s, std::uint32_t i, const Origins& 
   take(hits, hn::And(hn::And(met, ahead), hn::Lt(t, hits.t)), t, number);
 }
 
-template <bool close>
-HWY_INLINE void meet_quad(const LaneScene& s, std::uint32_t i, const Origins& from, V3 d,
+template <bool close, Outline outline>
+HWY_INLINE void meet_flat(const LaneScene& s, std::uint32_t i, const Origins& from, V3 d,
                           V of_origin, Hits& hits) {
-  const PlaneHit hit = meet_quad(s, i, from.o, d);
+  const PlaneHit hit = meet_plane<outline>(s, i, from.o, d);
   const M there = hn::And(hit.inside, differs(set_word(s.plane[i]), from.starts_on<close>()));
   V t = hit.t;
   M ahead = hn::Gt(t, set(0));
@@ -251,17 +259,21 @@ HWY_INLINE void meet_quad(const LaneScene& s, std::uint32_t i, const Origins& fr
 }
 
 /// The first surface along rays; d has length 1.
-template <bool close>
+template <bool close, bool full>
 HWY_INLINE Hits closest(const LaneScene& s, const Origins& from, V3 d) {
   Hits hits{set(longest), set_word(nothing)};
   if (s.enclosed) hits = leave_enclosure(s, from.o, d, from.last);
   V of_origin = set(0);
   if (close) of_origin = coordinates(from.o);
-  for (std::uint32_t i = s.first_quad; i < s.first_sphere; ++i)
-    meet_quad<close>(s, i, from, d, of_origin, hits);
+  for (std::uint32_t i = s.first_quad; i < s.first_disk; ++i)
+    meet_flat<close, Outline::quad>(s, i, from, d, of_origin, hits);
+  if constexpr (full) {
+    for (std::uint32_t i = s.first_disk; i < s.first_sphere; ++i)
+      meet_flat<close, Outline::disk>(s, i, from, d, of_origin, hits);
+  }
   if constexpr (close) {
     for (std::uint32_t i = s.first_sphere; i < s.surfaces; ++i)
-      meet_sphere(s, i, from, d, of_origin, hits);
+      meet_sphere<full>(s, i, from, d, of_origin, hits);
   }
   const U last_box = box_of(from.last);
   for (std::uint32_t i = 0; i < s.solids.size(); ++i)
@@ -289,11 +301,11 @@ HWY_INLINE M solid_blocks(const LaneBox& box, const Segments& way) {
                          hn::Lt(twice_middle, hn::Add(way.distance, way.distance))));
 }
 
-/// Parallelogram i lies between if the ends are on different sides of its plane: by the ends
-/// themselves, for how far away a light is would blur what is close to it.
-template <bool close>
-HWY_INLINE M quad_blocks(const LaneScene& s, std::uint32_t i, const Segments& way, V of_origin) {
-  const PlaneHit hit = meet_quad(s, i, way.from.o, way.d);
+/// Parallelogram or disk i lies between if the ends are on different sides of its plane: by the
+/// ends themselves, for how far away a light is would blur what is close to it.
+template <bool close, Outline outline>
+HWY_INLINE M flat_blocks(const LaneScene& s, std::uint32_t i, const Segments& way, V of_origin) {
+  const PlaneHit hit = meet_plane<outline>(s, i, way.from.o, way.d);
   const U plane = set_word(s.plane[i]);
   const M there = hn::And(hit.inside, hn::And(differs(plane, way.from.starts_on<close>()),
                                               differs(plane, way.to_plane)));
@@ -307,24 +319,31 @@ HWY_INLINE M quad_blocks(const LaneScene& s, std::uint32_t i, const Segments& wa
   return hn::And(there, between);
 }
 
-/// An end that touches a sphere is rarer than rounding could show.
+/// An end that touches a sphere is rarer than rounding could show. A lamp is in the way of its own
+/// points only if they face inwards and the origin is outside.
+template <bool full>
 HWY_INLINE M sphere_blocks(const LaneScene& s, std::uint32_t i, const Segments& way) {
   const Chord chord = meet_sphere(s, std::size_t{i}, way.from.o, way.d);
   const V nearly = hn::Mul(way.distance, set(1 - 1e-6f));  // for a light inside of the sphere
   const M starts = same(way.from.last, set_word(i));
   const M outside = hn::AndNot(starts, hn::Gt(chord.enters, set(0)));
-  const M by_near =
+  M by_near =
       hn::And(outside, hn::Or(hn::Lt(chord.middle, way.distance), hn::Lt(chord.enters, nearly)));
   const V outwards = dot(way.from.came, way.from.o - set(s.cx[i], s.cy[i], s.cz[i]));
   const V from_inside = hn::Mul(turned(way.from.came), outwards);
   const M ahead = hn::Gt(select(starts, from_inside, chord.leaves), set(0));
-  const M by_far = hn::And(hn::AndNot(outside, ahead), hn::Lt(chord.leaves, nearly));
+  M by_far = hn::And(hn::AndNot(outside, ahead), hn::Lt(chord.leaves, nearly));
+  if constexpr (full) {
+    const M itself = same(way.to_plane, set_word(i));
+    by_far = hn::AndNot(itself, by_far);
+    if (s.radius[i] > 0) by_near = hn::AndNot(itself, by_near);
+  }
   const M met = hn::Or(chord.met, hn::And(starts, hn::Gt(from_inside, set(0))));
   return hn::And(met, hn::Or(by_near, by_far));
 }
 
 /// Which of `asked` reach their end without meeting anything between.
-template <bool close>
+template <bool close, bool full>
 HWY_INLINE M unoccluded(const LaneScene& s, const Segments& way, M asked) {
   M clear = asked;
   const U from_box = box_of(way.from.last);
@@ -334,13 +353,17 @@ HWY_INLINE M unoccluded(const LaneScene& s, const Segments& way, M asked) {
   }
   V of_origin = set(0);
   if (close) of_origin = coordinates(way.from.o);
-  for (std::uint32_t i = s.first_quad; i < s.first_sphere; ++i) {
-    if (s.lights == 1 && i == s.light_surface[0]) continue;
-    clear = hn::AndNot(quad_blocks<close>(s, i, way, of_origin), clear);
+  for (std::uint32_t i = s.first_quad; i < s.first_disk; ++i) {
+    if (s.lights == 1 && i == s.light_surface[0] && !(full && s.point_lights())) continue;
+    clear = hn::AndNot(flat_blocks<close, Outline::quad>(s, i, way, of_origin), clear);
+  }
+  if constexpr (full) {
+    for (std::uint32_t i = s.first_disk; i < s.first_sphere; ++i)
+      clear = hn::AndNot(flat_blocks<close, Outline::disk>(s, i, way, of_origin), clear);
   }
   if constexpr (close) {
     for (std::uint32_t i = s.first_sphere; i < s.surfaces; ++i)
-      clear = hn::AndNot(sphere_blocks(s, i, way), clear);
+      clear = hn::AndNot(sphere_blocks<full>(s, i, way), clear);
   }
   return clear;
 }

@@ -2,6 +2,7 @@
 
 #include "geometry/planes.h"
 #include "renderer/lanes/lane_shape.h"
+#include "scene/needs.h"
 
 #include <algorithm>
 #include <bit>
@@ -37,12 +38,8 @@ const Parallelogram* parallelogram(const Scene& scene, std::size_t i) {
   using Result = const Parallelogram*;
   return match_lanes(
       scene.shapes[i], [](const Parallelogram& quad) -> Result { return &quad; },
+      [](const carlo::Disk&) -> Result { return nullptr; },
       [](const carlo::Sphere&) -> Result { return nullptr; });
-}
-
-std::array<Vec3d, 4> corners(const Parallelogram& quad) {
-  const Vec3d o(quad.origin), u(quad.u), v(quad.v);
-  return {o, o + u, o + v, o + u + v};
 }
 
 int common_corners(const Parallelogram& a, const Parallelogram& b, double near) {
@@ -139,13 +136,20 @@ bool holds(const LaneBox& box, const Scene& scene) {
     const double size = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), 1e-30});
     return depth_inside(box, p) >= -tolerance * size;
   };
+  const auto holds_quad = [&](const Parallelogram& quad) {
+    const auto points = corners(quad);
+    return std::all_of(points.begin(), points.end(), inside);
+  };
+  // A light just outside would be hidden by the wall, which casts no shadow.
+  const auto& [lights, environment] = scene.lights;
+  (void)environment;  // nothing is behind a wall that is not there
+  for (const carlo::PointLight& light : lights) {
+    const Vec3d p(light.position);
+    if (!(depth_inside(box, p) > tolerance * glm::length(p))) return false;
+  }
   return std::all_of(scene.shapes.begin(), scene.shapes.end(), [&](const carlo::Shape& shape) {
     return match_lanes(
-        shape,
-        [&](const Parallelogram& quad) {
-          const auto points = corners(quad);
-          return std::all_of(points.begin(), points.end(), inside);
-        },
+        shape, holds_quad, [&](const carlo::Disk& disk) { return holds_quad(square_around(disk)); },
         [&](const carlo::Sphere& sphere) {
           const auto r = static_cast<double>(sphere.radius);
           return depth_inside(box, Vec3d(sphere.center)) >= r * (1 - tolerance);
@@ -156,6 +160,54 @@ bool holds(const LaneBox& box, const Scene& scene) {
 bool dark(const Scene& scene, const FoundBox& box) {
   return std::none_of(box.shape.begin(), box.shape.end(),
                       [&](const auto& i) { return i && scene.shapes[*i].emits(); });
+}
+
+/// The part of a line, along an axis, that points or a ball take.
+struct Interval {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  void add(double x) { low = std::min(low, x), high = std::max(high, x); }
+};
+Interval along(const Vec3d& axis, const carlo::Shape& shape) {
+  Interval result;
+  const auto of_quad = [&](const Parallelogram& quad) {
+    for (const Vec3d& p : corners(quad))
+      result.add(glm::dot(axis, p));
+  };
+  match_lanes(
+      shape, of_quad, [&](const carlo::Disk& disk) { of_quad(square_around(disk)); },
+      [&](const carlo::Sphere& sphere) {
+        const double middle = glm::dot(axis, Vec3d(sphere.center)), r = sphere.radius;
+        result.add(middle - r), result.add(middle + r);
+      });
+  return result;
+}
+
+/// Whether a light may reach into the box: no plane along a side parts them. The ends of a shadow
+/// ray must lie outside of solids.
+bool lit_inside(const Scene& scene, const LaneBox& box) {
+  const auto part = [&](const auto& interval_along) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3d axis(box.axis[k][0], box.axis[k][1], box.axis[k][2]);
+      const Interval light = interval_along(axis);
+      const double center = box.center[k], half = box.half[k];
+      const double near = tolerance * (std::abs(center) + half);
+      if (light.low >= center + half - near || light.high <= center - half + near) return true;
+    }
+    return false;
+  };
+  const auto& [points, environment] = scene.lights;
+  (void)environment;  // is around
+  return std::any_of(scene.shapes.begin(), scene.shapes.end(),
+                     [&](const carlo::Shape& shape) {
+                       return shape.emits() &&
+                              !part([&](const Vec3d& axis) { return along(axis, shape); });
+                     }) ||
+         std::any_of(points.begin(), points.end(), [&](const carlo::PointLight& light) {
+           return !part([&](const Vec3d& axis) {
+             const double x = glm::dot(axis, Vec3d(light.position));
+             return Interval{x, x};
+           });
+         });
 }
 
 /// Whether two parallelograms of one plane have more than edges in common: no line along an edge of
@@ -230,10 +282,14 @@ FoundBox largest_box(const Scene& scene, std::size_t first, const std::vector<st
 }  // namespace
 
 LaneBoxes find_boxes(const Scene& scene) {
-  std::vector<std::size_t> quads;
-  for (std::size_t i = 0; i < scene.shapes.size(); ++i)
-    if (parallelogram(scene, i) != nullptr) quads.push_back(i);
   LaneBoxes result;
+  std::vector<std::size_t> quads;
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+    if (parallelogram(scene, i) == nullptr) continue;
+    // Paths get behind glass.
+    (carlo::passes_light(scene.materials[scene.shapes[i].material]) ? result.others : quads)
+        .push_back(i);
+  }
   const Vec3d camera(scene.camera.origin);
   for (std::vector<std::size_t> left = quads; !left.empty();) {
     const std::size_t first = left.front();
@@ -243,7 +299,7 @@ LaneBoxes find_boxes(const Scene& scene) {
     if (!result.enclosure && sides >= least_sides && holds(box.box, scene)) {
       result.enclosure = box;
       result.camera_inside = depth_inside(box.box, camera) > tolerance * size;
-    } else if (sides == 6 && dark(scene, box) &&
+    } else if (sides == 6 && dark(scene, box) && !lit_inside(scene, box.box) &&
                depth_inside(box.box, camera) < -tolerance * size) {
       result.solids.push_back(box);
     } else {

@@ -15,7 +15,8 @@ class LaneIntegrator final : public carlo::Integrator {
   std::string name() const override {
     std::string text = fmt::format("vector path tracer, {}", lanes_.phong ? "phong" : "diffuse");
     add(text, lanes_.solids.size(), lanes_.enclosed ? "boxes in a box" : "boxes");
-    add(text, lanes_.first_sphere - lanes_.first_quad, "other parallelograms");
+    add(text, lanes_.first_disk - lanes_.first_quad, "other parallelograms");
+    add(text, lanes_.first_sphere - lanes_.first_disk, "disks");
     add(text, lanes_.surfaces - lanes_.first_sphere, "spheres");
     return fmt::format("{}, {}", text, lane_instruction_set());
   }

@@ -25,13 +25,15 @@ namespace HWY_NAMESPACE {
 HWY_ATTR void render_tile(const LaneJob& job, std::span<std::array<double, 3>> means,
                           carlo::Counts& counts) {
 #if HWY_TARGET == HWY_SSSE3
-  // Machines of before 2013 pay for what their scene does not need, so that nobody waits for three
+  // Machines of before 2013 pay for what their scene does not need, so that nobody waits for four
   // more kernels.
-  run<Features<true, true>>(job, means, counts);
+  run<Features<true, true, true>>(job, means, counts);
 #else
   const LaneScene& s = job.scene;
   const bool close = s.close();
-  if (s.phong) {
+  if (s.full()) {
+    run<Features<true, true, true>>(job, means, counts);
+  } else if (s.phong) {
     close ? run<Features<true, true>>(job, means, counts)
           : run<Features<true, false>>(job, means, counts);
   } else {

@@ -22,21 +22,22 @@ using Vec3d = glm::dvec3;
 struct Reflectances {
   Rgb kd{0}, ks{0};
   float exponent = 0;
+  bool specular = false;
+  float ior = 0;  ///< of glass
 };
 
-/// Of a material that the kernels know. LaneScene::suits() lets no surface have another.
-std::optional<Reflectances> reflectances(const carlo::Material& material) {
-  using Result = std::optional<Reflectances>;
+Reflectances reflectances(const carlo::Material& material) {
   return carlo::match(
-      material.model,
-      [](const carlo::Diffuse& m) -> Result {
-        return {{m.reflectance, Rgb(0), 0}};
+      material.model, [](const carlo::Diffuse& m) { return Reflectances{m.reflectance}; },
+      [](const carlo::Phong& m) {
+        return Reflectances{m.kd, m.ks, m.exponent};
       },
-      [](const carlo::Phong& m) -> Result {
-        return {{m.kd, m.ks, m.exponent}};
+      [](const carlo::Mirror& m) {
+        return Reflectances{Rgb(0), m.reflectance, 0, true};
       },
-      [](const carlo::Mirror&) -> Result { return {}; },
-      [](const carlo::Dielectric&) -> Result { return {}; });
+      [](const carlo::Dielectric& m) {
+        return Reflectances{Rgb(0), Rgb(0), 0, true, m.int_ior / m.ext_ior};
+      });
 }
 
 /// Whether the points of a sampler that the kernels know are Sobol's; if not, they are independent.
@@ -75,42 +76,48 @@ void add_plane(LaneScene& lanes, std::size_t i, const Parallelogram& quad) {
 
 void add_material(LaneScene& lanes, const carlo::Material& material) {
   const std::size_t i = lanes.materials++;
-  const std::optional<Reflectances> r = reflectances(material);
-  if (!r) return;
-  const Vec3d kd = Vec3d(r->kd) / carlo::pi,
-              ks = Vec3d(r->ks) * (static_cast<double>(r->exponent) + 2) / (2 * carlo::pi);
+  const Reflectances r = reflectances(material);
+  const double lobe = r.specular ? 1 : (static_cast<double>(r.exponent) + 2) / (2 * carlo::pi);
+  const Vec3d kd = Vec3d(r.kd) / carlo::pi, ks = Vec3d(r.ks) * lobe;
   lanes.kd_r[i] = f(kd.r), lanes.kd_g[i] = f(kd.g), lanes.kd_b[i] = f(kd.b);
   lanes.ks_r[i] = f(ks.r), lanes.ks_g[i] = f(ks.g), lanes.ks_b[i] = f(ks.b);
-  lanes.exponent[i] = r->exponent;
-  const double d = sum(r->kd), s = sum(r->ks);
+  lanes.exponent[i] = r.exponent;
+  const double d = sum(r.kd), s = sum(r.ks);
   lanes.diffuse[i] = d + s > 0 ? f(d / (d + s)) : 1;
-  lanes.two_sided[i] = material.two_sided ? 1 : 0;
+  lanes.specular[i] = r.specular ? 1 : 0;
+  lanes.ior[i] = r.ior;
+  lanes.two_sided[i] = material.two_sided || r.ior > 0 ? 1 : 0;
 }
 
 double area(const Parallelogram& quad) {
   return glm::length(glm::cross(Vec3d(quad.u), Vec3d(quad.v)));
 }
+double area(const carlo::Disk& disk) {
+  const double r = disk.radius;
+  return carlo::pi * r * r;
+}
+double area(const carlo::Sphere& sphere) {
+  const double r = sphere.radius;
+  return 4 * carlo::pi * r * r;
+}
 
 /// Of a light, what light sampling's choice goes by.
 double power(const carlo::Shape& shape) {
   if (!shape.emits()) return 0;
-  return sum(shape.radiance) *
-         match_lanes(
-             shape, [](const Parallelogram& quad) { return area(quad); },
-             [](const carlo::Sphere&) -> double {
-               throw carlo::Error("the vector kernel has no lamps that are spheres");
-             });
+  return sum(shape.radiance) * match_lanes(
+                                   shape, [](const Parallelogram& quad) { return area(quad); },
+                                   [](const carlo::Disk& disk) { return area(disk); },
+                                   [](const carlo::Sphere& sphere) { return area(sphere); });
+}
+double power(const carlo::PointLight& light) {
+  return 4 * sum(light.intensity);
 }
 
-void add_light(LaneScene& lanes, std::size_t i, const Parallelogram& quad, double chance,
-               double running) {
-  const std::size_t l = lanes.lights++;
-  lanes.lx[l] = quad.origin.x, lanes.ly[l] = quad.origin.y, lanes.lz[l] = quad.origin.z;
-  lanes.lux[l] = quad.u.x, lanes.luy[l] = quad.u.y, lanes.luz[l] = quad.u.z;
-  lanes.lvx[l] = quad.v.x, lanes.lvy[l] = quad.v.y, lanes.lvz[l] = quad.v.z;
-  lanes.light_surface[l] = static_cast<std::uint32_t>(i);
-  lanes.light_cdf[l] = f(running);
-  lanes.light_density[i] = f(chance / area(quad));
+/// Corner and edges of a light that is a parallelogram; center and radii of a disk.
+void add_edges(LaneScene& lanes, std::size_t l, Vec3 o, Vec3 u, Vec3 v) {
+  lanes.lx[l] = o.x, lanes.ly[l] = o.y, lanes.lz[l] = o.z;
+  lanes.lux[l] = u.x, lanes.luy[l] = u.y, lanes.luz[l] = u.z;
+  lanes.lvx[l] = v.x, lanes.lvy[l] = v.y, lanes.lvz[l] = v.z;
 }
 
 /// Writes the shapes' columns one by one.
@@ -119,20 +126,29 @@ class Writer {
   Writer(LaneScene& lanes, const carlo::Scene& scene) : lanes_(lanes), scene_(scene) {
     for (const carlo::Shape& shape : scene.shapes)
       power_ += power(shape);
+    const auto& [points, environment] = scene.lights;
+    (void)environment;  // is left to rays that meet no surface
+    for (const carlo::PointLight& light : points)
+      power_ += power(light);
   }
 
   void quad(std::size_t number, std::size_t shape_index) {
     const carlo::Shape& shape = scene_.shapes[shape_index];
     const auto& quad = std::get<Parallelogram>(shape.geometry);
-    add_plane(lanes_, number, quad);
-    lanes_.plane[number] = static_cast<std::uint32_t>(number);
-    lanes_.coordinates[number] = std::abs(lanes_.d[number]);
-    quads_.push_back(quad);
-    numbers_.push_back(number);
-    look(number, shape);
+    plane(number, quad, shape);
     if (!shape.emits()) return;
-    const double chance = power(shape) / power_;
-    add_light(lanes_, number, quad, chance, running_ += chance);
+    add_edges(lanes_, lanes_.lights, quad.origin, quad.u, quad.v);
+    light(number, shape, area(quad));
+  }
+
+  void disk(const carlo::Shape& shape, const carlo::Disk& disk) {
+    const std::size_t i = lanes_.surfaces++;
+    plane(i, square_around(disk), shape);
+    if (!shape.emits()) return;
+    lanes_.disk_lights = true;
+    const Frame frame(disk.normal);
+    add_edges(lanes_, lanes_.lights, disk.center, disk.radius * frame.s, disk.radius * frame.t);
+    light(i, shape, area(disk));
   }
 
   /// A box that takes so many numbers.
@@ -151,6 +167,21 @@ class Writer {
     lanes_.coordinates[i] = c.x + c.y + c.z + sphere.radius;
     lanes_.plane[i] = static_cast<std::uint32_t>(i);
     look(i, shape);
+    if (!shape.emits()) return;
+    lanes_.sphere_lights = true;
+    light(i, shape, sphere.flipped ? area(sphere) : 2 * carlo::pi);
+  }
+
+  /// After all that are surfaces.
+  void point(const carlo::PointLight& light) {
+    if (light.intensity == Rgb(0)) return;
+    const double chance = power(light) / power_;
+    const std::size_t l = lanes_.lights++;
+    add_edges(lanes_, l, light.position, Vec3(0), Vec3(0));
+    const Vec3d whole = Vec3d(light.intensity) / chance;
+    lanes_.intensity_r[l] = f(whole.r), lanes_.intensity_g[l] = f(whole.g),
+    lanes_.intensity_b[l] = f(whole.b);
+    lanes_.light_cdf[l] = f(running_ += chance);
   }
 
   /// Surfaces of one plane get the number and the numbers of the first.
@@ -176,13 +207,33 @@ class Writer {
     return i >= lanes_.first_quad || lanes_.light_density[i] > 0;
   }
 
+  void plane(std::size_t number, const Parallelogram& quad, const carlo::Shape& shape) {
+    add_plane(lanes_, number, quad);
+    lanes_.plane[number] = static_cast<std::uint32_t>(number);
+    lanes_.coordinates[number] = std::abs(lanes_.d[number]);
+    quads_.push_back(quad);
+    numbers_.push_back(number);
+    look(number, shape);
+  }
+
+  /// The light that surface i is; its points or directions are uniform over `measure`.
+  void light(std::size_t i, const carlo::Shape& shape, double measure) {
+    const double chance = power(shape) / power_;
+    const std::size_t l = lanes_.lights++;
+    lanes_.light_surface[l] = static_cast<std::uint32_t>(i);
+    lanes_.light_cdf[l] = f(running_ += chance);
+    lanes_.light_density[i] = f(chance / measure);
+  }
+
   void look(std::size_t i, const carlo::Shape& shape) {
     const carlo::Material& material = scene_.materials[shape.material];
+    const Reflectances r = reflectances(material);
     lanes_.material[i] = shape.material;
     lanes_.le_r[i] = shape.radiance.r, lanes_.le_g[i] = shape.radiance.g,
     lanes_.le_b[i] = shape.radiance.b;
-    lanes_.phong = lanes_.phong || reflectances(material).value().ks != Rgb(0);
-    lanes_.one_sided = lanes_.one_sided || !material.two_sided;
+    lanes_.phong = lanes_.phong || (!r.specular && r.ks != Rgb(0));
+    lanes_.any_specular = lanes_.any_specular || r.specular;
+    lanes_.one_sided = lanes_.one_sided || !(material.two_sided || r.ior > 0);
   }
 
   LaneScene& lanes_;
@@ -197,22 +248,24 @@ struct Extent {
 };
 
 Extent extent_of(const carlo::Shape& shape) {
+  const auto of_quad = [](const Parallelogram& quad) -> Extent {
+    const Vec3d o(quad.origin), u(quad.u), v(quad.v);
+    return {o + glm::min(u, Vec3d(0)) + glm::min(v, Vec3d(0)),
+            o + glm::max(u, Vec3d(0)) + glm::max(v, Vec3d(0))};
+  };
   return match_lanes(
-      shape,
-      [](const Parallelogram& quad) -> Extent {
-        const Vec3d o(quad.origin), u(quad.u), v(quad.v);
-        return {o + glm::min(u, Vec3d(0)) + glm::min(v, Vec3d(0)),
-                o + glm::max(u, Vec3d(0)) + glm::max(v, Vec3d(0))};
-      },
+      shape, of_quad, [&](const carlo::Disk& disk) { return of_quad(square_around(disk)); },
       [](const carlo::Sphere& sphere) -> Extent {
         const Vec3d c(sphere.center), r(static_cast<double>(sphere.radius));
         return {c - r, c + r};
       });
 }
 
-bool is_sphere(const carlo::Shape& shape) {
+/// No parallelogram, so in no box.
+bool is_round(const carlo::Shape& shape) {
   return match_lanes(
-      shape, [](const Parallelogram&) { return false; }, [](const carlo::Sphere&) { return true; });
+      shape, [](const Parallelogram&) { return false; }, [](const carlo::Disk&) { return true; },
+      [](const carlo::Sphere&) { return true; });
 }
 
 /// Whether two extents are no further apart than some roundings of their coordinates.
@@ -228,7 +281,7 @@ bool touch(const Extent& a, const Extent& b) {
 bool any_touches(const carlo::Scene& scene, const std::vector<std::size_t>& quads) {
   std::vector<std::size_t> loose = quads;
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
-    if (is_sphere(scene.shapes[i])) loose.push_back(i);
+    if (is_round(scene.shapes[i])) loose.push_back(i);
   }
   for (const std::size_t i : loose) {
     for (std::size_t j = 0; j < scene.shapes.size(); ++j)
@@ -240,25 +293,29 @@ bool any_touches(const carlo::Scene& scene, const std::vector<std::size_t>& quad
 /// How many numbers the scene's surfaces take.
 std::size_t numbers(const carlo::Scene& scene) {
   const LaneBoxes boxes = find_boxes(scene);
-  const auto spheres = std::count_if(scene.shapes.begin(), scene.shapes.end(), is_sphere);
+  const auto rounds = std::count_if(scene.shapes.begin(), scene.shapes.end(), is_round);
   return boxes.solids.size() * LaneScene::sides + (boxes.enclosure ? LaneScene::sides_used : 0) +
-         boxes.others.size() + static_cast<std::size_t>(spheres);
+         boxes.others.size() + static_cast<std::size_t>(rounds);
 }
 
 }  // namespace
 
 bool LaneScene::suits(const carlo::Needs& needs, const carlo::Scene& scene) {
   carlo::Needs others = needs;
-  others.parallelograms = others.spheres = others.parallelogram_lights = 0;
-  others.diffuse = others.phong = others.one_sided = others.two_sided = false;
+  others.parallelograms = others.disks = others.spheres = 0;
+  others.parallelogram_lights = others.disk_lights = others.sphere_lights = 0;
+  others.point_lights = 0;
+  others.diffuse = others.phong = others.mirror = others.dielectric = false;
+  others.one_sided = others.two_sided = false;
   others.environment = others.depth_limit = false;
   return others == carlo::Needs{} && sobol_points(scene.sampler) && needs.primitives() <= most &&
+         needs.area_lights() + needs.point_lights <= most &&
          scene.materials.size() <= most_materials && numbers(scene) <= most;
 }
 
 LaneScene::LaneScene(const carlo::Scene& scene) {
   sobol = sobol_points(scene.sampler).value();
-  const Rgb around = scene.lights.environment;
+  const auto& [points, around] = scene.lights;
   environment[0] = around.r, environment[1] = around.g, environment[2] = around.b;
   for (const carlo::Material& m : scene.materials)
     add_material(*this, m);
@@ -277,12 +334,22 @@ LaneScene::LaneScene(const carlo::Scene& scene) {
   first_quad = surfaces;
   for (const std::size_t i : boxes.others)
     write.quad(surfaces++, i);
+  // Parallelograms have their numbers already.
+  first_disk = surfaces;
+  for (const carlo::Shape& shape : scene.shapes) {
+    match_lanes(
+        shape, [](const Parallelogram&) {},
+        [&](const carlo::Disk& disk) { write.disk(shape, disk); }, [](const carlo::Sphere&) {});
+  }
   first_sphere = surfaces;
   for (const carlo::Shape& shape : scene.shapes) {
     match_lanes(
-        shape, [](const Parallelogram&) {},  // has its number already
+        shape, [](const Parallelogram&) {}, [](const carlo::Disk&) {},
         [&](const carlo::Sphere& sphere) { write.sphere(shape, sphere); });
   }
+  first_point = lights;
+  for (const carlo::PointLight& light : points)
+    write.point(light);
   write.share_planes();
   touching = any_touches(scene, boxes.others);
 }

@@ -17,16 +17,18 @@ struct LaneBox {
   std::uint32_t faces = 0;
 };
 
-/// A scene of few parallelograms and spheres as the vector kernels read it. Surfaces have numbers;
-/// what belongs to a surface is found by its number in columns, a property a column.
+/// A scene of few parallelograms, disks and spheres as the vector kernels read it. Surfaces have
+/// numbers; what belongs to a surface is found by its number in columns, a property a column.
 ///
 /// Three kinds of parallelograms are told apart, since boxes are cheaper than their sides:
-/// - solids: parallelepipeds of six sides without emission, none of them black from outside
-///   or covered by another, the camera outside. No path is ever inside of one, so that it is met
-///   from outside only, and never by a ray that leaves it;
-/// - the enclosure: a parallelepiped that holds the whole scene, of which some sides are there, and
-///   the camera on the inner side of each. Rays from surfaces start inside of it, and rays of the
-///   camera meet it where they leave it. Nothing lies behind its sides: it casts no shadow;
+/// - solids: parallelepipeds of six sides without emission, none of them glass, black from outside
+///   or covered by another, the camera and all lights outside. No path is ever inside of one, so
+///   that it is met from outside only, and never by a ray that leaves it;
+/// - the enclosure: a parallelepiped that holds the whole scene, of which some sides are there,
+/// none
+///   of them glass, and the camera on the inner side of each. Rays from surfaces start inside of
+///   it, and rays of the camera meet it where they leave it. Nothing lies behind its sides: it
+///   casts no shadow;
 /// - all others.
 struct LaneScene {
   static constexpr std::size_t most = 128;  ///< numbers of surfaces
@@ -38,22 +40,23 @@ struct LaneScene {
   template <class T>
   using MaterialColumn = std::array<T, most_materials>;
 
-  /// Whether the kernels can render the scene: parallelograms and spheres of diffuse and Phong
-  /// materials, at most `most` and `most_materials`; parallelogram lights, and light from around;
-  /// independent and Sobol' points. What is not on this list goes to the scalar path tracer.
+  /// Whether the kernels can render the scene: parallelograms, disks and spheres of any material,
+  /// at most `most` and `most_materials`; those that emit, points that do, at most `most` of all,
+  /// and light from around; independent and Sobol' points. What is not on this list goes to the
+  /// scalar path tracer.
   static bool suits(const carlo::Needs& needs, const carlo::Scene& scene);
 
   explicit LaneScene(const carlo::Scene& scene);
 
   /// Solid i has the numbers from i * sides on, one for each side in the order of LaneBox::faces.
   /// The enclosure, if there is one, follows with the numbers that it uses; then other
-  /// parallelograms, then spheres.
+  /// parallelograms, then disks, then spheres.
   std::vector<LaneBox> solids;
   LaneBox enclosure;
   bool enclosed = false, camera_inside = false;
-  std::uint32_t first_quad = 0, first_sphere = 0, surfaces = 0;
+  std::uint32_t first_quad = 0, first_disk = 0, first_sphere = 0, surfaces = 0;
 
-  /// Of a parallelogram: the plane n p = d with unit normal n.
+  /// Of a parallelogram, or of the square around a disk: the plane n p = d with unit normal n.
   Column<float> nx{}, ny{}, nz{}, d{};
   /// And a p - a0, b p - b0: -1 to 1 across it.
   Column<float> ax{}, ay{}, az{}, a0{}, bx{}, by{}, bz{}, b0{};
@@ -72,29 +75,43 @@ struct LaneScene {
   bool touching = false;
   Column<std::uint32_t> material{};
   Column<float> le_r{}, le_g{}, le_b{};
-  /// Per area, of the points that light sampling draws there; 0: no light.
+  /// Per area, of the points that light sampling draws there; 0: no light. Of a sphere that emits
+  /// outwards (`by_cone`) the chance of its choice, over 2 pi: its directions are drawn instead.
   Column<float> light_density{};
 
   /// What the surface does with light: kd / pi, ks (n + 2) / (2 pi). `diffuse` is the share of kd
   /// in kd + ks.
   std::uint32_t materials = 0;
   MaterialColumn<float> kd_r{}, kd_g{}, kd_b{}, ks_r{}, ks_g{}, ks_b{}, exponent{}, diffuse{};
-  MaterialColumn<std::uint32_t> two_sided{};
+  MaterialColumn<std::uint32_t> two_sided{};  ///< glass is
+  /// Of a mirror ks is its reflectance. Of glass `ior` is the index inside over that outside, of
+  /// other materials 0.
+  MaterialColumn<std::uint32_t> specular{};  ///< mirrors and glass
+  MaterialColumn<float> ior{};
+  bool any_specular = false;
 
   std::uint32_t lights = 0;
-  /// Light i: corner, edges, its surface's number, and the running sum of the chances with which
-  /// lights are chosen.
+  std::uint32_t first_point = 0;  ///< among the lights: these are no surfaces
+  /// Light i: its surface's number, and the running sum of the chances with which lights are
+  /// chosen; of a parallelogram corner and edges, of a disk center and radii, of a point its place.
   Column<float> lx{}, ly{}, lz{}, lux{}, luy{}, luz{}, lvx{}, lvy{}, lvz{};
   Column<std::uint32_t> light_surface{};
   Column<float> light_cdf{};
+  /// Of a point: its intensity over the chance of its choice.
+  Column<float> intensity_r{}, intensity_g{}, intensity_b{};
 
   float environment[3] = {0, 0, 0};
   bool sobol = false;  ///< points, or independent ones
   bool phong = false, one_sided = false;
 
+  bool sphere_lights = false, disk_lights = false;
+
+  bool disks() const { return first_sphere > first_disk; }
+  bool point_lights() const { return lights > first_point; }
   bool spheres() const { return surfaces > first_sphere; }
-  /// Whether it needs what Features::close is for.
+  /// Whether it needs what Features::close is for, and what Features::full is for.
   bool close() const { return spheres() || touching || coplanar; }
+  bool full() const { return any_specular || sphere_lights || disks() || point_lights(); }
 };
 
 }  // namespace renderer

@@ -7,6 +7,7 @@
 #define CARLO_LIGHTS_INL
 #endif
 
+#include "renderer/lanes/intersect-inl.h"
 #include "renderer/lanes/lane_scene.h"
 #include "renderer/lanes/lookup-inl.h"
 #include "renderer/lanes/vector_math-inl.h"
@@ -19,11 +20,16 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// Points of lights, uniform over each one's area.
+/// Points of lights, uniform over each one's area, or over the directions to a sphere.
 struct LightPoints {
   V3 p, n, Le;
   V area;  ///< one over the density per area, the light's choice included
   U plane;
+  // For Features::full alone:
+  M seen{};     ///< nothing is drawn of a sphere where rounding hides which side of it one is on
+  M by_cone{};  ///< the density is one of directions:
+  V solid_angle{};  ///< one over it
+  M point{};        ///< n is none, and Le is intensity
 };
 
 HWY_INLINE V3 across(V3 corner, V2 u, V3 edge_u, V3 edge_v) {
@@ -38,8 +44,84 @@ HWY_INLINE LightPoints sample_only_light(const LaneScene& s, V2 u) {
           set(1 / s.light_density[i]), set_word(s.plane[i])};
 }
 
-HWY_INLINE LightPoints sample_light(const LaneScene& s, V2 u) {
-  if (s.lights == 1) return sample_only_light(s, u);
+HWY_INLINE M is_from(std::uint32_t first, U number) {
+  return hn::Not(hn::RebindMask(d_, hn::Gt(set_word(first), number)));
+}
+HWY_INLINE M is_sphere(const LaneScene& s, U surface) {
+  return is_from(s.first_sphere, surface);
+}
+
+/// Uniform in the disk of radius 1 about the origin.
+HWY_INLINE V2 in_disk(V2 u) {
+  const V r = hn::Sqrt(u.x);
+  const SinCos azimuth = turn(u.y);
+  return {hn::Mul(r, azimuth.cos), hn::Mul(r, azimuth.sin)};
+}
+
+/// Spheres that emit, a lane a sphere.
+struct Balls {
+  V3 center;
+  V radius;       ///< below 0: emits inwards
+  V coordinates;  ///< LaneScene's
+};
+HWY_INLINE Balls balls(const LaneScene& s, const Numbers& at_surface) {
+  return {at_surface(s.cx, s.cy, s.cz), at_surface(s.radius.data()),
+          at_surface(s.coordinates.data())};
+}
+
+/// What rounding may hide of a distance between a point and such a sphere.
+HWY_INLINE V blur(const Balls& ball, V3 p) {
+  return hn::Mul(set(rounding), hn::Add(coordinates(p), ball.coordinates));
+}
+
+/// The cone of directions in which a sphere is seen: 1 - cos of half its angle, which is below that
+/// of a quarter turn; `seen` where the point p lies outside of the sphere, without a doubt.
+struct Cones {
+  V3 axis;
+  V distance, one_minus_cos;
+  M seen;
+};
+HWY_INLINE Cones cone_of(const Balls& ball, V3 p) {
+  const V3 to_center = ball.center - p;
+  const V distance2 = dot(to_center, to_center), distance = hn::Sqrt(distance2);
+  const V sin2 = hn::Min(hn::Div(hn::Mul(ball.radius, ball.radius), distance2), set(1));
+  const V cosine = hn::Sqrt(hn::Sub(set(1), sin2));
+  return {hn::Div(set(1), distance) * to_center, distance, hn::Div(sin2, hn::Add(set(1), cosine)),
+          hn::Gt(hn::Sub(distance, ball.radius), blur(ball, p))};
+}
+
+/// The near point in a direction of the cone, or any point of a sphere that emits inwards: where
+/// that is behind the sphere itself, or rounding hides whether it faces p, is seen later.
+HWY_INLINE void sample_balls(const Balls& ball, V3 p, V2 u, M chosen, LightPoints& points) {
+  const Cones cone = cone_of(ball, p);
+  const M outwards = hn::Gt(ball.radius, set(0));
+  // 1 - cos: uniform.
+  const V h = hn::Mul(u.x, select(outwards, cone.one_minus_cos, set(2)));
+  const SinCos azimuth = turn(u.y);
+  const V z = hn::Sub(set(1), h), r = hn::Sqrt(hn::Mul(h, hn::Sub(set(2), h)));
+  // How far away the near end of the chord in that direction is; and the end as seen from the
+  // center, in a way that keeps its digits where the distance is a thousand times the radius.
+  const V aside = hn::Mul(cone.distance, r);
+  const V half =
+      hn::Sqrt(hn::Max(hn::MulSub(ball.radius, ball.radius, hn::Mul(aside, aside)), set(0)));
+  const V t = hn::Sub(hn::Mul(cone.distance, z), half);
+  const V back = hn::MulAdd(h, hn::Add(cone.distance, t), half);
+  const V side = select(outwards, hn::Mul(t, r), r), ahead = select(outwards, hn::Neg(back), z);
+  const V3 n = normalize(to_world(frame_about(cone.axis), hn::Mul(side, azimuth.cos),
+                                  hn::Mul(side, azimuth.sin), ahead));
+  points.p = select(chosen, add_scaled(ball.center, hn::Abs(ball.radius), n), points.p);
+  points.n = select(chosen, hn::CopySign(set(1), ball.radius) * n, points.n);
+  points.by_cone = hn::And(chosen, outwards);
+  const V cosine_by_distance = dot(points.n, p - points.p);
+  const M faces = hn::Gt(cosine_by_distance, blur(ball, p));
+  points.seen = hn::Or(hn::Not(chosen), select_mask(outwards, cone.seen, faces));
+  points.solid_angle = hn::Mul(points.area, cone.one_minus_cos);
+}
+
+/// Seen from the points p.
+template <bool full>
+HWY_INLINE LightPoints sample_light(const LaneScene& s, V3 p, V2 u) {
+  if (!full && s.lights == 1) return sample_only_light(s, u);
   // The first light whose running sum is above u.x, which is stretched again.
   U index = set_word(0);
   V lower = set(0), upper = set(s.light_cdf[0]);
@@ -53,11 +135,48 @@ HWY_INLINE LightPoints sample_light(const LaneScene& s, V2 u) {
   const Numbers light(index, s.lights);
   const U surface = light(s.light_surface.data());
   const Numbers at_surface(surface, s.surfaces);
-  return {
+  if (full && s.disk_lights) {
+    const M disk = hn::AndNot(is_sphere(s, surface), is_from(s.first_disk, surface));
+    const V2 place = in_disk(u);
+    u = {select(disk, place.x, u.x), select(disk, place.y, u.y)};
+  }
+  LightPoints points{
       across(light(s.lx, s.ly, s.lz), u, light(s.lux, s.luy, s.luz), light(s.lvx, s.lvy, s.lvz)),
       at_surface(s.nx, s.ny, s.nz), at_surface(s.le_r, s.le_g, s.le_b),
       hn::Div(set(1), at_surface(s.light_density.data())),
       s.coplanar ? at_surface(s.plane.data()) : surface};
+  if (full && s.sphere_lights) {
+    const M chosen = is_sphere(s, surface);
+    sample_balls(balls(s, at_surface), p, u, chosen, points);
+  }
+  if (full && s.point_lights()) {
+    points.point = is_from(s.first_point, index);
+    points.p = select(points.point, light(s.lx, s.ly, s.lz), points.p);
+    points.Le = select(points.point, light(s.intensity_r, s.intensity_g, s.intensity_b), points.Le);
+    points.area = select(points.point, set(1), points.area);
+    points.plane =
+        hn::IfThenElse(hn::RebindMask(du_, points.point), set_word(nothing), points.plane);
+    points.seen = hn::Or(points.seen, points.point);
+    points.by_cone = hn::AndNot(points.point, points.by_cone);
+  }
+  return points;
+}
+
+/// The density with which sample_light() draws, at p, the way to a point that the ray from there
+/// meets at distance t: per solid angle. `density` is the surface's light_density.
+template <bool full>
+HWY_INLINE V light_pdf(const LaneScene& s, const Numbers& at_surface, U surface, V density, V3 p,
+                       V t, V cosine) {
+  const V by_area = hn::Div(hn::Mul(density, hn::Mul(t, t)), cosine);
+  if (!full || !s.sphere_lights) return by_area;
+  const M ball = is_sphere(s, surface);
+  const Balls of_ball = balls(s, at_surface);
+  const Cones cone = cone_of(of_ball, p);
+  const M outwards = hn::Gt(of_ball.radius, set(0));
+  const V by_direction = hn::Div(density, cone.one_minus_cos);
+  const M seen = select_mask(outwards, cone.seen, hn::Gt(hn::Mul(cosine, t), blur(of_ball, p)));
+  const V of_sphere = hn::IfThenElseZero(seen, select(outwards, by_direction, by_area));
+  return select(ball, of_sphere, by_area);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -31,16 +31,18 @@ constexpr std::uint32_t longest_path = 1 << 16;
 constexpr std::uint32_t key_step = 0x9E3779B1;
 
 /// What a scene needs, for which the code is compiled: `phong` materials; `close`: spheres, or
-/// parallelograms that touch others or share a plane with them.
-template <bool phong_, bool close_>
+/// parallelograms that touch others or share a plane with them; `full`: mirrors, glass, disks,
+/// spheres and points that emit.
+template <bool phong_, bool close_, bool full_ = false>
 struct Features {
-  static constexpr bool phong = phong_, close = close_;
+  static constexpr bool phong = phong_, close = close_, full = full_;
 };
 
 struct Paths {
   Origins from;
   V3 d, beta, L;
   V pdf;             ///< of d; below 0: emission counts whole
+  V compressed;      ///< by how much refractions have compressed radiance; 1 out of the glass
   U depth;           ///< segments so far
   U key;             ///< of the next vertex
   U reversed_index;  ///< of the sample
@@ -70,7 +72,7 @@ class Walk {
     const U k = mix(paths.key);
     const V2 u_light = points(job_, paths.reversed_index, k);
     const V2 u_lobe = points(job_, paths.reversed_index, second_word(k));
-    const Hits hits = closest<Needs::close>(s_, paths.from, paths.d);
+    const Hits hits = closest<Needs::close, Needs::full>(s_, paths.from, paths.d);
     paths.depth = hn::Add(paths.depth, set_word(1));
     const M met = differs(hits.surface, set_word(nothing));
     add_sky(paths, hn::AndNot(met, paths.alive));
@@ -93,7 +95,14 @@ class Walk {
     if (hn::AllFalse(d_, paths.alive)) return;
     const V side = hn::CopySign(set(1), cosine);
     arrive(paths, hits.t, p, number, at_surface);
-    scatter(paths, surface_at(paths.d, p, side * shape_normal, material), u_light, u_lobe);
+    const V3 normal = side * shape_normal;
+    paths.key = hn::Add(paths.key, set_word(key_step));
+    if (Needs::full && s_.any_specular) {
+      reflect_or_scatter(paths, p, normal, front, material, u_light, u_lobe);
+    } else {
+      scatter(paths, surface_at(paths.d, p, normal, material), u_light, u_lobe);
+    }
+    roulette(paths);
   }
 
  private:
@@ -139,16 +148,16 @@ class Walk {
                                M seen) const {
     if (s_.lights == 0) return;
     M bright = seen;
-    if (s_.lights == 1) {
+    if (s_.lights == 1 && !(Needs::full && s_.point_lights())) {
       bright = hn::And(seen, same(number, set_word(s_.light_surface[0])));
       if (hn::AllFalse(d_, bright)) return;
     }
     const V density = at_surface(s_.light_density.data());
     bright = hn::And(bright, hn::Gt(density, set(0)));
     if (hn::AllFalse(d_, bright)) return;
-    const V light_pdf = hn::Div(hn::Mul(density, hn::Mul(t, t)), cosine);
+    const V pdf = light_pdf<Needs::full>(s_, at_surface, number, density, paths.from.o, t, cosine);
     const M whole = hn::Lt(paths.pdf, set(0));
-    const V weight = select(whole, set(1), weigh(hn::Div(light_pdf, paths.pdf)));
+    const V weight = select(whole, set(1), weigh(hn::Div(pdf, paths.pdf)));
     const V3 Le = at_surface(s_.le_r, s_.le_g, s_.le_b);
     paths.L = select(bright, paths.L + weight * (paths.beta * Le), paths.L);
   }
@@ -162,6 +171,7 @@ class Walk {
       const M hidden = hn::Lt(t, hn::Mul(set(64 * rounding), coordinates(p)));
       paths.from.came = select(hidden, set(-2) * paths.d, paths.d);
     }
+    if constexpr (Needs::full) paths.from.through = hn::FirstN(d_, 0);
   }
 
   HWY_INLINE Surfaces surface_at(V3 d, V3 p, V3 n, const Numbers& material) const {
@@ -178,10 +188,31 @@ class Walk {
     return surface;
   }
 
+  /// Where some of the surfaces are mirrors or glass.
+  HWY_INLINE void reflect_or_scatter(Paths& paths, V3 p, V3 n, M front, const Numbers& material,
+                                     V2 u_light, V2 u_lobe) const {
+    const M specular = hn::And(paths.alive, differs(material(s_.specular.data()), set_word(0)));
+    const Surfaces surface = surface_at(paths.d, p, n, material);
+    if (hn::AllFalse(d_, specular)) {
+      scatter(paths, surface, u_light, u_lobe);
+      return;
+    }
+    const Reflections next = reflect(paths.d, n, front, material(s_.ks_r, s_.ks_g, s_.ks_b),
+                                     material(s_.ior.data()), u_lobe.x);
+    const V3 beta = paths.beta * next.weight;
+    paths.alive = hn::AndNot(specular, paths.alive);
+    if (!hn::AllFalse(d_, paths.alive)) scatter(paths, surface, u_light, u_lobe);
+    paths.alive = hn::Or(paths.alive, specular);
+    paths.beta = select(specular, beta, paths.beta);
+    paths.d = select(specular, next.d, paths.d);
+    paths.pdf = select(specular, set(-1), paths.pdf);
+    paths.compressed = select(specular, hn::Mul(paths.compressed, next.eta2), paths.compressed);
+    paths.from.through = hn::And(specular, next.through);
+  }
+
   HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, V2 u_light, V2 u_lobe) const {
     if (s_.lights > 0) add_direct(paths, surface, u_light);
     const V3 wi = sample_direction<Needs::phong>(surface, u_lobe);
-    paths.key = hn::Add(paths.key, set_word(key_step));
     const V cosine = dot(surface.n, wi);
     const Bsdfs bsdf = evaluate<Needs::phong>(surface, wi, cosine);
     const M above = hn::And(hn::Gt(cosine, set(0)), hn::Gt(bsdf.pdf, set(0)));
@@ -190,34 +221,42 @@ class Walk {
     paths.beta = paths.beta * (weight * bsdf.f);
     paths.pdf = s_.lights > 0 ? bsdf.pdf : set(-1);
     paths.d = wi;
-    roulette(paths);
   }
 
   /// Light that arrives straight from points drawn on the lights.
   HWY_INLINE void add_direct(Paths& paths, const Surfaces& surface, V2 u) const {
-    const LightPoints light = sample_light(s_, u);
+    const LightPoints light = sample_light<Needs::full>(s_, surface.p, u);
     const V3 to_light = light.p - surface.p;
     const V distance2 = dot(to_light, to_light), inverse = hn::Div(set(1), hn::Sqrt(distance2));
     const V3 wi = inverse * to_light;
     const V cosine = dot(surface.n, wi);
-    const V light_cosine = hn::Neg(dot(light.n, wi));
-    const M faces =
-        hn::And(hn::And(hn::Gt(cosine, set(0)), hn::Gt(light_cosine, set(0))),
-                hn::And(paths.alive, differs(light.plane, paths.from.starts_on<Needs::close>())));
+    V light_cosine = hn::Neg(dot(light.n, wi));
+    if (Needs::full && s_.point_lights()) light_cosine = select(light.point, set(1), light_cosine);
+    M elsewhere = differs(light.plane, paths.from.starts_on<Needs::close>());
+    // A sphere that emits inwards lights itself.
+    if (Needs::full && s_.sphere_lights)
+      elsewhere = hn::And(hn::Or(elsewhere, is_sphere(s_, light.plane)), light.seen);
+    const M faces = hn::And(hn::And(hn::Gt(cosine, set(0)), hn::Gt(light_cosine, set(0))),
+                            hn::And(paths.alive, elsewhere));
     if (hn::AllFalse(d_, faces)) return;
     counts_.rays += hn::CountTrue(d_, faces);
     const Segments way{paths.from, wi, light.p, hn::Mul(distance2, inverse), light.plane};
-    const M clear = unoccluded<Needs::close>(s_, way, faces);
+    const M clear = unoccluded<Needs::close, Needs::full>(s_, way, faces);
     const Bsdfs bsdf = evaluate<Needs::phong>(surface, wi, cosine);
     // Solid angle: one over the density of wi by light sampling.
-    const V solid_angle = hn::Mul(hn::Mul(light.area, light_cosine), hn::Mul(inverse, inverse));
-    const V ratio = hn::Mul(bsdf.pdf, solid_angle);
+    V solid_angle = hn::Mul(hn::Mul(light.area, light_cosine), hn::Mul(inverse, inverse));
+    if (Needs::full && s_.sphere_lights)
+      solid_angle = select(light.by_cone, light.solid_angle, solid_angle);
+    V ratio = hn::Mul(bsdf.pdf, solid_angle);
+    // No ray meets a point: nothing to compete with.
+    if (Needs::full && s_.point_lights()) ratio = hn::IfThenZeroElse(light.point, ratio);
     const V weight = hn::Mul(hn::Mul(cosine, solid_angle), weigh(ratio));
     paths.L = select(clear, paths.L + weight * (paths.beta * (bsdf.f * light.Le)), paths.L);
   }
 
   HWY_INLINE void roulette(Paths& paths) const {
-    const V q = hn::Mul(max_element(paths.beta), set(per_threshold_));
+    V q = hn::Mul(max_element(paths.beta), set(per_threshold_));
+    if (Needs::full && s_.any_specular) q = hn::Div(q, paths.compressed);
     const M risky = hn::Lt(q, set(1));
     const V u =
         to_unit(mix(hn::Xor(hn::Mul(paths.key, set_word(0x85EBCA6B)), paths.reversed_index)));

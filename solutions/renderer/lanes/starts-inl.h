@@ -81,6 +81,10 @@ class Starts {
       paths.from.came = select(starts, set(0, 0, 0), paths.from.came);
       paths.from.plane = hn::IfThenElse(starts_u, set_word(nothing), paths.from.plane);
     }
+    if constexpr (Needs::full) {
+      paths.from.through = hn::AndNot(starts, paths.from.through);
+      paths.compressed = select(starts, set(1), paths.compressed);
+    }
     paths.d = select(starts, {floats(dx_.data()), floats(dy_.data()), floats(dz_.data())}, paths.d);
     paths.beta = select(starts, set(1, 1, 1), paths.beta);
     paths.L = select(starts, set(0, 0, 0), paths.L);

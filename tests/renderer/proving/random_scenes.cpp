@@ -18,7 +18,8 @@ Rgb random_colour(Random& random, double low, double high) {
   return {r, g, b};
 }
 
-/// What the kernels take: surfaces that scatter, of both kinds and sides.
+/// Surfaces that scatter, of both kinds and sides; in half of the scenes a mirror, glass or both
+/// instead of one.
 void add_materials(Scene& scene, Random& random) {
   for (int i = 0; i < 4; ++i) {
     const Rgb kd = random_colour(random, .1, .5), ks = random_colour(random, .05, .3);
@@ -27,6 +28,13 @@ void add_materials(Scene& scene, Random& random) {
     scene.materials.push_back(i % 2 == 0
                                   ? diffuse(kd, two_sided)
                                   : carlo::Material{carlo::Phong{kd, ks, exponent}, two_sided});
+  }
+  if (random.uniform() < .3)
+    scene.materials[1] = {carlo::Mirror{random_colour(random, .3, .9)}, true};
+  if (random.uniform() < .3) {
+    const auto ior = static_cast<float>(random.uniform(1.1, 2));
+    scene.materials[2] = {
+        random.uniform() < .3 ? carlo::Dielectric{1, ior} : carlo::Dielectric{ior, 1}, false};
   }
 }
 
