@@ -13,9 +13,6 @@ namespace {
 
 using Vec3d = glm::dvec3;
 
-constexpr double least_step = 1e-6;  // in sizes
-constexpr int steps_to_doubling = 512;
-
 /// The part of [begin, end] in which the ray o + s d is inside the box.
 void clip(const sdf::Box& box, Vec3d o, Vec3d d, double& begin, double& end) {
   for (int i = 0; i < 3; ++i) {

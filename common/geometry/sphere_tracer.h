@@ -32,6 +32,16 @@ class SphereTracer {
   /// coordinate, and the unit normal.
   Point point(Vec3 o, Vec3 d, double t) const;
 
+  /// In sizes of the sdf; and after how many steps it doubles.
+  static constexpr double least_step = 1e-6;
+  static constexpr int steps_to_doubling = 512;
+
+  /// A box that holds the surface, in the sdf's coordinates, with room for rounding; half of the
+  /// surface's own diagonal; and the farthest that a point of the box is from the origin.
+  const sdf::Box& box() const { return box_; }
+  double size() const { return size_; }
+  double reach() const { return reach_; }
+
   /// The corners of a box in world space that holds the surface.
   Vec3 lower() const { return lower_; }
   Vec3 upper() const { return upper_; }

@@ -13,6 +13,7 @@
 
 #include <hwy/highway.h>
 
+#include <cstddef>
 #include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
@@ -36,6 +37,7 @@ struct Origins {
   U last;     ///< the surface; `nothing` for the camera
   U plane;    ///< its plane (LaneScene::plane)
   M through;  ///< whether the ray goes on behind the surface, through glass
+  V3 clear;   ///< o as sdfs see it: off its surface, as carlo::offset_origin() moves it
 
   /// The plane, where planes are the surfaces' own unless the scene is `close`.
   template <bool close>
@@ -258,7 +260,7 @@ HWY_INLINE void meet_flat(const LaneScene& s, std::uint32_t i, const Origins& fr
   take(hits, hn::And(hn::And(nearer, ahead), there), t, set_word(i));
 }
 
-/// The first surface along rays; d has length 1.
+/// The first surface along rays, but for sdfs; d has length 1.
 template <bool close, bool full>
 HWY_INLINE Hits closest(const LaneScene& s, const Origins& from, V3 d) {
   Hits hits{set(longest), set_word(nothing)};
@@ -272,7 +274,7 @@ HWY_INLINE Hits closest(const LaneScene& s, const Origins& from, V3 d) {
       meet_flat<close, Outline::disk>(s, i, from, d, of_origin, hits);
   }
   if constexpr (close) {
-    for (std::uint32_t i = s.first_sphere; i < s.surfaces; ++i)
+    for (std::uint32_t i = s.first_sphere; i < s.first_sdf; ++i)
       meet_sphere<full>(s, i, from, d, of_origin, hits);
   }
   const U last_box = box_of(from.last);
@@ -342,7 +344,7 @@ HWY_INLINE M sphere_blocks(const LaneScene& s, std::uint32_t i, const Segments& 
   return hn::And(met, hn::Or(by_near, by_far));
 }
 
-/// Which of `asked` reach their end without meeting anything between.
+/// Which of `asked` reach their end without meeting anything between, but for sdfs.
 template <bool close, bool full>
 HWY_INLINE M unoccluded(const LaneScene& s, const Segments& way, M asked) {
   M clear = asked;
@@ -362,7 +364,7 @@ HWY_INLINE M unoccluded(const LaneScene& s, const Segments& way, M asked) {
       clear = hn::AndNot(flat_blocks<close, Outline::disk>(s, i, way, of_origin), clear);
   }
   if constexpr (close) {
-    for (std::uint32_t i = s.first_sphere; i < s.surfaces; ++i)
+    for (std::uint32_t i = s.first_sphere; i < s.first_sdf; ++i)
       clear = hn::AndNot(sphere_blocks<full>(s, i, way), clear);
   }
   return clear;

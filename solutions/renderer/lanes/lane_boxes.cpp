@@ -39,7 +39,8 @@ const Parallelogram* parallelogram(const Scene& scene, std::size_t i) {
   return match_lanes(
       scene.shapes[i], [](const Parallelogram& quad) -> Result { return &quad; },
       [](const carlo::Disk&) -> Result { return nullptr; },
-      [](const carlo::Sphere&) -> Result { return nullptr; });
+      [](const carlo::Sphere&) -> Result { return nullptr; },
+      [](const carlo::Sdf&) -> Result { return nullptr; });
 }
 
 int common_corners(const Parallelogram& a, const Parallelogram& b, double near) {
@@ -153,6 +154,15 @@ bool holds(const LaneBox& box, const Scene& scene) {
         [&](const carlo::Sphere& sphere) {
           const auto r = static_cast<double>(sphere.radius);
           return depth_inside(box, Vec3d(sphere.center)) >= r * (1 - tolerance);
+        },
+        [&](const carlo::Sdf& sdf) {
+          const auto [lower, upper] = carlo::sdf::bounds(sdf, sdf.place);
+          for (unsigned i = 0; i < 8; ++i) {
+            const Vec3d corner((i & 1) != 0 ? upper.x : lower.x, (i & 2) != 0 ? upper.y : lower.y,
+                               (i & 4) != 0 ? upper.z : lower.z);
+            if (!inside(corner)) return false;
+          }
+          return true;
         });
   });
 }
@@ -178,6 +188,10 @@ Interval along(const Vec3d& axis, const carlo::Shape& shape) {
       [&](const carlo::Sphere& sphere) {
         const double middle = glm::dot(axis, Vec3d(sphere.center)), r = sphere.radius;
         result.add(middle - r), result.add(middle + r);
+      },
+      [&](const carlo::Sdf&) {  // does not emit
+        result.add(-std::numeric_limits<double>::infinity());
+        result.add(std::numeric_limits<double>::infinity());
       });
   return result;
 }

@@ -17,7 +17,8 @@ class LaneIntegrator final : public carlo::Integrator {
     add(text, lanes_.solids.size(), lanes_.enclosed ? "boxes in a box" : "boxes");
     add(text, lanes_.first_disk - lanes_.first_quad, "other parallelograms");
     add(text, lanes_.first_sphere - lanes_.first_disk, "disks");
-    add(text, lanes_.surfaces - lanes_.first_sphere, "spheres");
+    add(text, lanes_.first_sdf - lanes_.first_sphere, "spheres");
+    add(text, lanes_.sdfs.size(), "sdfs");
     return fmt::format("{}, {}", text, lane_instruction_set());
   }
 

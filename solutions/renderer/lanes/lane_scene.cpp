@@ -107,7 +107,8 @@ double power(const carlo::Shape& shape) {
   return sum(shape.radiance) * match_lanes(
                                    shape, [](const Parallelogram& quad) { return area(quad); },
                                    [](const carlo::Disk& disk) { return area(disk); },
-                                   [](const carlo::Sphere& sphere) { return area(sphere); });
+                                   [](const carlo::Sphere& sphere) { return area(sphere); },
+                                   [](const carlo::Sdf&) { return 0.0; });  // none emits
 }
 double power(const carlo::PointLight& light) {
   return 4 * sum(light.intensity);
@@ -170,6 +171,13 @@ class Writer {
     if (!shape.emits()) return;
     lanes_.sphere_lights = true;
     light(i, shape, sphere.flipped ? area(sphere) : 2 * carlo::pi);
+  }
+
+  void sdf(const carlo::Shape& shape, const carlo::Sdf& sdf) {
+    const std::size_t i = lanes_.surfaces++;
+    lanes_.sdfs.push_back(lane_sdf(sdf));
+    lanes_.plane[i] = static_cast<std::uint32_t>(i);
+    look(i, shape);
   }
 
   /// After all that are surfaces.
@@ -258,6 +266,10 @@ Extent extent_of(const carlo::Shape& shape) {
       [](const carlo::Sphere& sphere) -> Extent {
         const Vec3d c(sphere.center), r(static_cast<double>(sphere.radius));
         return {c - r, c + r};
+      },
+      [](const carlo::Sdf& sdf) -> Extent {
+        const carlo::sdf::Box box = carlo::sdf::bounds(sdf, sdf.place);
+        return {box.lower, box.upper};
       });
 }
 
@@ -265,7 +277,7 @@ Extent extent_of(const carlo::Shape& shape) {
 bool is_round(const carlo::Shape& shape) {
   return match_lanes(
       shape, [](const Parallelogram&) { return false; }, [](const carlo::Disk&) { return true; },
-      [](const carlo::Sphere&) { return true; });
+      [](const carlo::Sphere&) { return true; }, [](const carlo::Sdf&) { return true; });
 }
 
 /// Whether two extents are no further apart than some roundings of their coordinates.
@@ -302,7 +314,7 @@ std::size_t numbers(const carlo::Scene& scene) {
 
 bool LaneScene::suits(const carlo::Needs& needs, const carlo::Scene& scene) {
   carlo::Needs others = needs;
-  others.parallelograms = others.disks = others.spheres = 0;
+  others.parallelograms = others.disks = others.spheres = others.sdfs = 0;
   others.parallelogram_lights = others.disk_lights = others.sphere_lights = 0;
   others.point_lights = 0;
   others.diffuse = others.phong = others.mirror = others.dielectric = false;
@@ -339,13 +351,21 @@ LaneScene::LaneScene(const carlo::Scene& scene) {
   for (const carlo::Shape& shape : scene.shapes) {
     match_lanes(
         shape, [](const Parallelogram&) {},
-        [&](const carlo::Disk& disk) { write.disk(shape, disk); }, [](const carlo::Sphere&) {});
+        [&](const carlo::Disk& disk) { write.disk(shape, disk); }, [](const carlo::Sphere&) {},
+        [](const carlo::Sdf&) {});
   }
   first_sphere = surfaces;
   for (const carlo::Shape& shape : scene.shapes) {
     match_lanes(
         shape, [](const Parallelogram&) {}, [](const carlo::Disk&) {},
-        [&](const carlo::Sphere& sphere) { write.sphere(shape, sphere); });
+        [&](const carlo::Sphere& sphere) { write.sphere(shape, sphere); },
+        [](const carlo::Sdf&) {});
+  }
+  first_sdf = surfaces;
+  for (const carlo::Shape& shape : scene.shapes) {
+    match_lanes(
+        shape, [](const Parallelogram&) {}, [](const carlo::Disk&) {}, [](const carlo::Sphere&) {},
+        [&](const carlo::Sdf& sdf) { write.sdf(shape, sdf); });
   }
   first_point = lights;
   for (const carlo::PointLight& light : points)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/lanes/lane_sdf.h"
 #include "scene/needs.h"
 #include "scene/scene.h"
 
@@ -40,21 +41,22 @@ struct LaneScene {
   template <class T>
   using MaterialColumn = std::array<T, most_materials>;
 
-  /// Whether the kernels can render the scene: parallelograms, disks and spheres of any material,
-  /// at most `most` and `most_materials`; those that emit, points that do, at most `most` of all,
-  /// and light from around; independent and Sobol' points. What is not on this list goes to the
-  /// scalar path tracer.
+  /// Whether the kernels can render the scene: parallelograms, disks, spheres and signed distance
+  /// functions of any material, at most `most` and `most_materials`; those that emit, points that
+  /// do, at most `most` of all, and light from around; independent and Sobol' points. What is not
+  /// on this list goes to the scalar path tracer.
   static bool suits(const carlo::Needs& needs, const carlo::Scene& scene);
 
   explicit LaneScene(const carlo::Scene& scene);
 
   /// Solid i has the numbers from i * sides on, one for each side in the order of LaneBox::faces.
   /// The enclosure, if there is one, follows with the numbers that it uses; then other
-  /// parallelograms, then disks, then spheres.
+  /// parallelograms, then disks, then spheres, then signed distance functions.
   std::vector<LaneBox> solids;
   LaneBox enclosure;
   bool enclosed = false, camera_inside = false;
-  std::uint32_t first_quad = 0, first_disk = 0, first_sphere = 0, surfaces = 0;
+  std::uint32_t first_quad = 0, first_disk = 0, first_sphere = 0, first_sdf = 0, surfaces = 0;
+  std::vector<LaneSdf> sdfs;
 
   /// Of a parallelogram, or of the square around a disk: the plane n p = d with unit normal n.
   Column<float> nx{}, ny{}, nz{}, d{};
@@ -108,10 +110,12 @@ struct LaneScene {
 
   bool disks() const { return first_sphere > first_disk; }
   bool point_lights() const { return lights > first_point; }
-  bool spheres() const { return surfaces > first_sphere; }
+  bool spheres() const { return first_sdf > first_sphere; }
   /// Whether it needs what Features::close is for, and what Features::full is for.
   bool close() const { return spheres() || touching || coplanar; }
-  bool full() const { return any_specular || sphere_lights || disks() || point_lights(); }
+  bool full() const {
+    return any_specular || sphere_lights || disks() || point_lights() || !sdfs.empty();
+  }
 };
 
 }  // namespace renderer

@@ -14,10 +14,13 @@
 #include "renderer/lanes/lights-inl.h"
 #include "renderer/lanes/lookup-inl.h"
 #include "renderer/lanes/points-inl.h"
+#include "renderer/lanes/sdf_hits-inl.h"
 #include "renderer/lanes/vector_math-inl.h"
 
 #include <hwy/highway.h>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
@@ -67,12 +70,57 @@ class Walk {
 
   /// Follows every path's ray to the next surface, gathers light there and draws the next ray.
   HWY_INLINE void extend(Paths& paths) const {
+    Vertex vertex;
+    find(paths, vertex);
+    shade(paths, vertex);
+  }
+
+  /// The same, where there are sdfs.
+  HWY_NOINLINE void extend_batch(std::array<Paths, batch>& paths) const {
+    std::array<Vertex, batch> vertices;
+    std::array<ToSurface, batch> ways;
+    for (std::size_t w = 0; w < batch; ++w) {
+      find(paths[w], vertices[w]);
+      ways[w] = {paths[w].from.clear, paths[w].d, paths[w].alive, vertices[w].hits, {}};
+    }
+    meet_sdfs(s_, ways);
+    std::array<ToLight, batch> lights;
+    for (std::size_t w = 0; w < batch; ++w) {
+      vertices[w].hits = ways[w].hits;
+      vertices[w].sdf = &ways[w].sdf;
+      vertices[w].to_light.clear = hn::FirstN(d_, 0);
+      shade(paths[w], vertices[w]);
+      lights[w] = vertices[w].to_light;
+    }
+    block_by_sdfs(s_, lights);
+    for (std::size_t w = 0; w < batch; ++w) {
+      const V3 whole = paths[w].L + vertices[w].direct;
+      paths[w].L = select(lights[w].clear, whole, paths[w].L);
+    }
+  }
+
+ private:
+  /// What becomes of a register's paths at their next vertices.
+  struct Vertex {
+    V2 u_light, u_lobe;
+    Hits hits;
+    // Where there are sdfs:
+    const SdfHits* sdf = nullptr;
+    ToLight to_light;  ///< ways to lights that nothing else blocks,
+    V3 direct;         ///< and what they bring
+  };
+
+  HWY_INLINE void find(const Paths& paths, Vertex& vertex) const {
     counts_.rays += hn::CountTrue(d_, paths.alive);
     // Ahead of what they serve: the processor works on them while it waits for the intersection.
     const U k = mix(paths.key);
-    const V2 u_light = points(job_, paths.reversed_index, k);
-    const V2 u_lobe = points(job_, paths.reversed_index, second_word(k));
-    const Hits hits = closest<Needs::close, Needs::full>(s_, paths.from, paths.d);
+    vertex.u_light = points(job_, paths.reversed_index, k);
+    vertex.u_lobe = points(job_, paths.reversed_index, second_word(k));
+    vertex.hits = closest<Needs::close, Needs::full>(s_, paths.from, paths.d);
+  }
+
+  HWY_INLINE void shade(Paths& paths, Vertex& vertex) const {
+    const Hits& hits = vertex.hits;
     paths.depth = hn::Add(paths.depth, set_word(1));
     const M met = differs(hits.surface, set_word(nothing));
     add_sky(paths, hn::AndNot(met, paths.alive));
@@ -83,6 +131,8 @@ class Walk {
     const Numbers at_surface(number, s_.surfaces);
     V3 p, shape_normal;
     place(paths, hits.t, number, at_surface, p, shape_normal);
+    if (Needs::full && !s_.sdfs.empty())
+      place_on_sdfs(s_, paths.from.clear, paths.d, number, *vertex.sdf, p, shape_normal);
     const V cosine = hn::Neg(dot(shape_normal, paths.d));
     const M front = hn::Gt(cosine, set(0));
     add_emission(paths, hits.t, number, at_surface, cosine, hn::And(front, paths.alive));
@@ -96,16 +146,16 @@ class Walk {
     const V side = hn::CopySign(set(1), cosine);
     arrive(paths, hits.t, p, number, at_surface);
     const V3 normal = side * shape_normal;
+    if (Needs::full && !s_.sdfs.empty()) paths.from.clear = off_surface(p, normal, paths.d);
     paths.key = hn::Add(paths.key, set_word(key_step));
     if (Needs::full && s_.any_specular) {
-      reflect_or_scatter(paths, p, normal, front, material, u_light, u_lobe);
+      reflect_or_scatter(paths, p, normal, front, material, vertex);
     } else {
-      scatter(paths, surface_at(paths.d, p, normal, material), u_light, u_lobe);
+      scatter(paths, surface_at(paths.d, p, normal, material), vertex);
     }
     roulette(paths);
   }
 
- private:
   /// The weight of a sample against another technique whose density is `ratio` times as large.
   HWY_INLINE V weigh(V ratio) const {
     const V other_part = job_.choices.power_heuristic ? hn::Mul(ratio, ratio) : ratio;
@@ -190,29 +240,32 @@ class Walk {
 
   /// Where some of the surfaces are mirrors or glass.
   HWY_INLINE void reflect_or_scatter(Paths& paths, V3 p, V3 n, M front, const Numbers& material,
-                                     V2 u_light, V2 u_lobe) const {
+                                     Vertex& vertex) const {
     const M specular = hn::And(paths.alive, differs(material(s_.specular.data()), set_word(0)));
     const Surfaces surface = surface_at(paths.d, p, n, material);
     if (hn::AllFalse(d_, specular)) {
-      scatter(paths, surface, u_light, u_lobe);
+      scatter(paths, surface, vertex);
       return;
     }
     const Reflections next = reflect(paths.d, n, front, material(s_.ks_r, s_.ks_g, s_.ks_b),
-                                     material(s_.ior.data()), u_lobe.x);
+                                     material(s_.ior.data()), vertex.u_lobe.x);
     const V3 beta = paths.beta * next.weight;
     paths.alive = hn::AndNot(specular, paths.alive);
-    if (!hn::AllFalse(d_, paths.alive)) scatter(paths, surface, u_light, u_lobe);
+    if (!hn::AllFalse(d_, paths.alive)) scatter(paths, surface, vertex);
     paths.alive = hn::Or(paths.alive, specular);
     paths.beta = select(specular, beta, paths.beta);
     paths.d = select(specular, next.d, paths.d);
     paths.pdf = select(specular, set(-1), paths.pdf);
     paths.compressed = select(specular, hn::Mul(paths.compressed, next.eta2), paths.compressed);
     paths.from.through = hn::And(specular, next.through);
+    if (!s_.sdfs.empty() && !hn::AllFalse(d_, paths.from.through))
+      paths.from.clear =
+          select(paths.from.through, off_surface(p, set(-1) * n, set(0, 0, 0)), paths.from.clear);
   }
 
-  HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, V2 u_light, V2 u_lobe) const {
-    if (s_.lights > 0) add_direct(paths, surface, u_light);
-    const V3 wi = sample_direction<Needs::phong>(surface, u_lobe);
+  HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, Vertex& vertex) const {
+    if (s_.lights > 0) add_direct(paths, surface, vertex);
+    const V3 wi = sample_direction<Needs::phong>(surface, vertex.u_lobe);
     const V cosine = dot(surface.n, wi);
     const Bsdfs bsdf = evaluate<Needs::phong>(surface, wi, cosine);
     const M above = hn::And(hn::Gt(cosine, set(0)), hn::Gt(bsdf.pdf, set(0)));
@@ -224,8 +277,8 @@ class Walk {
   }
 
   /// Light that arrives straight from points drawn on the lights.
-  HWY_INLINE void add_direct(Paths& paths, const Surfaces& surface, V2 u) const {
-    const LightPoints light = sample_light<Needs::full>(s_, surface.p, u);
+  HWY_INLINE void add_direct(Paths& paths, const Surfaces& surface, Vertex& vertex) const {
+    const LightPoints light = sample_light<Needs::full>(s_, surface.p, vertex.u_light);
     const V3 to_light = light.p - surface.p;
     const V distance2 = dot(to_light, to_light), inverse = hn::Div(set(1), hn::Sqrt(distance2));
     const V3 wi = inverse * to_light;
@@ -251,7 +304,13 @@ class Walk {
     // No ray meets a point: nothing to compete with.
     if (Needs::full && s_.point_lights()) ratio = hn::IfThenZeroElse(light.point, ratio);
     const V weight = hn::Mul(hn::Mul(cosine, solid_angle), weigh(ratio));
-    paths.L = select(clear, paths.L + weight * (paths.beta * (bsdf.f * light.Le)), paths.L);
+    const V3 direct = weight * (paths.beta * (bsdf.f * light.Le));
+    if (Needs::full && !s_.sdfs.empty()) {
+      vertex.direct = direct;
+      vertex.to_light = {paths.from.clear, light.p, clear};
+    } else {
+      paths.L = select(clear, paths.L + direct, paths.L);
+    }
   }
 
   HWY_INLINE void roulette(Paths& paths) const {

@@ -84,6 +84,7 @@ class Starts {
     if constexpr (Needs::full) {
       paths.from.through = hn::AndNot(starts, paths.from.through);
       paths.compressed = select(starts, set(1), paths.compressed);
+      paths.from.clear = select(starts, set(o.x, o.y, o.z), paths.from.clear);
     }
     paths.d = select(starts, {floats(dx_.data()), floats(dy_.data()), floats(dz_.data())}, paths.d);
     paths.beta = select(starts, set(1, 1, 1), paths.beta);

@@ -15,6 +15,7 @@
 #include <hwy/highway.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -29,16 +30,29 @@ HWY_ATTR void run(const LaneJob& job, std::span<std::array<double, 3>> means,
   Starts starts(job);
   Sums sums(job.tile);
   const Walk<Needs> walk(job, counts);
-  Paths paths{};
-  paths.alive = hn::FirstN(d_, 0);
+  const bool batches = Needs::full && !job.scene.sdfs.empty();
+  std::array<Paths, Needs::full ? batch : 1> paths{};
+  const std::size_t registers = batches ? batch : 1;
+  std::array<M, Needs::full ? batch : 1> before;
+  for (Paths& some : paths)
+    some.alive = hn::FirstN(d_, 0);
   for (std::uint64_t round = 0;; ++round) {
-    starts.refill<Needs>(paths, counts);
-    if (hn::AllFalse(d_, paths.alive)) break;
+    bool alive = false;
+    for (std::size_t w = 0; w < registers; ++w) {
+      starts.refill<Needs>(paths[w], counts);
+      before[w] = paths[w].alive;
+      alive = alive || !hn::AllFalse(d_, before[w]);
+    }
+    if (!alive) break;
     if (round % 4096 == 4095 && carlo::render_interrupted()) return;
-    const M before = paths.alive;
-    walk.extend(paths);
-    const M ended = hn::AndNot(paths.alive, before);
-    if (!hn::AllFalse(d_, ended)) sums.add(paths, ended, counts);
+    if constexpr (Needs::full) {
+      if (batches) walk.extend_batch(paths);
+    }
+    if (!batches) walk.extend(paths[0]);
+    for (std::size_t w = 0; w < registers; ++w) {
+      const M ended = hn::AndNot(paths[w].alive, before[w]);
+      if (!hn::AllFalse(d_, ended)) sums.add(paths[w], ended, counts);
+    }
   }
   sums.means(means);
 }

@@ -1,0 +1,225 @@
+// Signed distance functions, a lane a point, in double. Included once for each instruction set.
+
+#if defined(CARLO_SDF_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef CARLO_SDF_INL
+#undef CARLO_SDF_INL
+#else
+#define CARLO_SDF_INL
+#endif
+
+#include "renderer/lanes/lane_sdf.h"
+#include "renderer/lanes/vector_math-inl.h"
+
+#include <hwy/contrib/math/math-inl.h>
+#include <hwy/highway.h>
+
+#include <array>
+#include <cstddef>
+
+HWY_BEFORE_NAMESPACE();
+namespace renderer {
+namespace HWY_NAMESPACE {
+
+using DD = hn::ScalableTag<double>;
+using VD = hn::Vec<DD>;
+using MD = hn::Mask<DD>;
+constexpr DD dd_;
+constexpr std::size_t doubles = hn::MaxLanes(dd_);
+
+HWY_INLINE VD number(double x) {
+  return hn::Set(dd_, x);
+}
+
+struct V3D {
+  VD x, y, z;
+};
+HWY_INLINE V3D numbers(glm::dvec3 v) {
+  return {number(v.x), number(v.y), number(v.z)};
+}
+HWY_INLINE V3D operator+(V3D a, V3D b) {
+  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+HWY_INLINE V3D operator-(V3D a, V3D b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+HWY_INLINE V3D operator*(VD s, V3D a) {
+  return {hn::Mul(s, a.x), hn::Mul(s, a.y), hn::Mul(s, a.z)};
+}
+HWY_INLINE VD dot(V3D a, V3D b) {
+  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+}
+HWY_INLINE VD length(V3D a) {
+  return hn::Sqrt(dot(a, a));
+}
+HWY_INLINE V3D select(MD m, V3D yes, V3D no) {
+  return {hn::IfThenElse(m, yes.x, no.x), hn::IfThenElse(m, yes.y, no.y),
+          hn::IfThenElse(m, yes.z, no.z)};
+}
+/// m v, and m^T v.
+HWY_INLINE V3D turned(const glm::dmat3& m, V3D v) {
+  return v.x * numbers(m[0]) + v.y * numbers(m[1]) + v.z * numbers(m[2]);
+}
+HWY_INLINE V3D turned_back(const glm::dmat3& m, V3D v) {
+  return {dot(numbers(m[0]), v), dot(numbers(m[1]), v), dot(numbers(m[2]), v)};
+}
+HWY_INLINE V3D operator*(V3D a, double s) {
+  return number(s) * a;
+}
+/// 0 where v is.
+HWY_INLINE V3D direction_of(V3D v) {
+  const VD l = length(v);
+  const VD inverse = hn::IfThenElseZero(hn::Gt(l, number(0)), hn::Div(number(1), l));
+  return inverse * v;
+}
+
+/// A distance, and its gradient where `slopes` ask for it.
+struct Jet {
+  VD value;
+  V3D gradient;
+};
+
+template <bool slopes>
+HWY_INLINE Jet ball(const LaneSdf::Step& s, V3D q) {
+  Jet jet{hn::Sub(length(q), number(s.size[0])), {}};
+  if constexpr (slopes) jet.gradient = direction_of(q);
+  return jet;
+}
+
+template <bool slopes>
+HWY_INLINE Jet torus(const LaneSdf::Step& s, V3D q) {
+  const VD from_axis = hn::Sqrt(hn::MulAdd(q.x, q.x, hn::Mul(q.y, q.y)));
+  const VD from_circle = hn::Sub(from_axis, number(s.size[0]));
+  const VD l = hn::Sqrt(hn::MulAdd(from_circle, from_circle, hn::Mul(q.z, q.z)));
+  Jet jet{hn::Sub(l, number(s.size[1])), {}};
+  if constexpr (slopes) {
+    const VD share =
+        hn::IfThenElse(hn::Gt(from_axis, number(0)), hn::Div(from_circle, from_axis), number(1));
+    jet.gradient = direction_of({hn::Mul(q.x, share), hn::Mul(q.y, share), q.z});
+  }
+  return jet;
+}
+
+template <bool slopes>
+HWY_INLINE Jet rounded_box(const LaneSdf::Step& s, V3D q) {
+  const V3D half = numbers(s.a);
+  const VD zero = number(0);
+  const V3D b{hn::Sub(hn::Abs(q.x), half.x), hn::Sub(hn::Abs(q.y), half.y),
+              hn::Sub(hn::Abs(q.z), half.z)};
+  const VD most = hn::Max(b.x, hn::Max(b.y, b.z));
+  const V3D beyond{hn::Max(b.x, zero), hn::Max(b.y, zero), hn::Max(b.z, zero)};
+  Jet jet{hn::Sub(hn::Add(length(beyond), hn::Min(most, zero)), number(s.size[0])), {}};
+  if constexpr (slopes) {
+    // Inside of the inner box towards the nearest of its faces.
+    const MD within = hn::Le(most, zero);
+    const VD one = number(1);
+    const MD by_x = hn::Eq(b.x, most), by_y = hn::AndNot(by_x, hn::Eq(b.y, most));
+    const V3D nearest{hn::IfThenElseZero(by_x, one), hn::IfThenElseZero(by_y, one),
+                      hn::IfThenZeroElse(hn::Or(by_x, by_y), one)};
+    const V3D out = select(within, nearest, beyond);
+    jet.gradient = direction_of(
+        {hn::CopySign(out.x, q.x), hn::CopySign(out.y, q.y), hn::CopySign(out.z, q.z)});
+  }
+  return jet;
+}
+
+template <bool slopes>
+HWY_INLINE Jet capsule(const LaneSdf::Step& s, V3D q) {
+  const V3D from = q - numbers(s.a), along = numbers(s.b);
+  const VD place = hn::Mul(dot(from, along), number(s.size[1]));
+  const VD clamped = hn::Min(hn::Max(place, number(0)), number(1));
+  const V3D away = from - clamped * along;
+  Jet jet{hn::Sub(length(away), number(s.size[0])), {}};
+  if constexpr (slopes) jet.gradient = direction_of(away);
+  return jet;
+}
+
+template <bool slopes>
+HWY_INLINE Jet gyroid(const LaneSdf::Step& s, V3D q) {
+  const V3D a = q * s.size[0];
+  const V3D sine{hn::Sin(dd_, a.x), hn::Sin(dd_, a.y), hn::Sin(dd_, a.z)};
+  const V3D cosine{hn::Cos(dd_, a.x), hn::Cos(dd_, a.y), hn::Cos(dd_, a.z)};
+  const VD g = dot(sine, {cosine.y, cosine.z, cosine.x});
+  const VD scale = number(1 / s.size[2]);
+  Jet jet{hn::MulSub(hn::Abs(g), scale, number(s.size[1])), {}};
+  if constexpr (slopes) {
+    const V3D slope{hn::MulSub(cosine.x, cosine.y, hn::Mul(sine.z, sine.x)),
+                    hn::MulSub(cosine.y, cosine.z, hn::Mul(sine.x, sine.y)),
+                    hn::MulSub(cosine.z, cosine.x, hn::Mul(sine.y, sine.z))};
+    jet.gradient = hn::CopySign(number(s.size[0] / s.size[2]), g) * slope;
+  }
+  return jet;
+}
+
+HWY_INLINE Jet negated(Jet a) {
+  return {hn::Neg(a.value), number(-1) * a.gradient};
+}
+
+/// carlo::sdf::Combine's minimum, smoothed by k.
+template <bool slopes>
+HWY_INLINE Jet minimum(const Jet& a, const Jet& b, double k) {
+  VD overlap = number(0);
+  if (k > 0) {
+    overlap = hn::Max(hn::NegMulAdd(hn::Abs(hn::Sub(a.value, b.value)), number(1 / k), number(1)),
+                      number(0));
+  }
+  Jet jet{hn::NegMulAdd(hn::Mul(number(0.25 * k), overlap), overlap, hn::Min(a.value, b.value)),
+          {}};
+  if constexpr (slopes) {
+    const VD other = hn::Mul(number(0.5), overlap);
+    const VD of_b = hn::IfThenElse(hn::Lt(a.value, b.value), other, hn::Sub(number(1), other));
+    jet.gradient = hn::Sub(number(1), of_b) * a.gradient + of_b * b.gradient;
+  }
+  return jet;
+}
+
+template <bool slopes>
+HWY_INLINE Jet form(const LaneSdf::Step& s, V3D q) {
+  switch (s.kind) {
+    case LaneSdf::Kind::ball:
+      return ball<slopes>(s, q);
+    case LaneSdf::Kind::torus:
+      return torus<slopes>(s, q);
+    case LaneSdf::Kind::rounded_box:
+      return rounded_box<slopes>(s, q);
+    case LaneSdf::Kind::capsule:
+      return capsule<slopes>(s, q);
+    case LaneSdf::Kind::gyroid:
+      return gyroid<slopes>(s, q);
+    case LaneSdf::Kind::unite:
+    case LaneSdf::Kind::intersect:
+    case LaneSdf::Kind::subtract:
+      break;  // no forms
+  }
+  return {number(0), {number(0), number(0), number(0)}};
+}
+
+/// F at points of its own coordinates.
+template <bool slopes>
+HWY_NOINLINE Jet evaluate(const LaneSdf& sdf, const V3D& p) {
+  std::array<Jet, carlo::sdf::most_waiting> stack;
+  Jet* end = stack.data();
+  for (const LaneSdf::Step& s : sdf.steps) {
+    if (s.kind < LaneSdf::Kind::unite) {
+      Jet jet = form<slopes>(s, turned(s.turn, p - numbers(s.origin)));
+      jet.value = hn::Mul(jet.value, number(s.scale));
+      // The gradient of scale F(turn p), where turn is a rotation over the scale.
+      if constexpr (slopes) jet.gradient = turned_back(s.turn, jet.gradient) * s.scale;
+      *end++ = jet;
+      continue;
+    }
+    const Jet b = *--end, a = end[-1];
+    if (s.kind == LaneSdf::Kind::unite) {
+      end[-1] = minimum<slopes>(a, b, s.smoothing);
+    } else {
+      const bool both = s.kind == LaneSdf::Kind::intersect;
+      end[-1] = negated(minimum<slopes>(negated(a), both ? negated(b) : b, s.smoothing));
+    }
+  }
+  return stack[0];
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace renderer
+HWY_AFTER_NAMESPACE();
+
+#endif  // CARLO_SDF_INL

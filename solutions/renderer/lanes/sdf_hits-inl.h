@@ -1,0 +1,139 @@
+// Sdfs among a scene's surfaces: which of them a batch of rays meets. Included once for each
+// instruction set.
+
+#if defined(CARLO_SDF_HITS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef CARLO_SDF_HITS_INL
+#undef CARLO_SDF_HITS_INL
+#else
+#define CARLO_SDF_HITS_INL
+#endif
+
+#include "renderer/lanes/intersect-inl.h"
+#include "renderer/lanes/lane_scene.h"
+#include "renderer/lanes/sphere_tracing-inl.h"
+#include "renderer/lanes/vector_math-inl.h"
+
+#include <hwy/highway.h>
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace renderer {
+namespace HWY_NAMESPACE {
+
+/// A register's rays o + t d on their way to a surface.
+struct ToSurface {
+  V3 o, d;
+  M wanted;
+  Hits hits;  ///< so far
+  SdfHits sdf;
+};
+
+/// Sphere tracing, only where it may be nearer than what was met so far.
+HWY_NOINLINE void meet_sdfs(const LaneScene& s, std::array<ToSurface, batch>& ways) {
+  for (std::size_t k = 0; k < s.sdfs.size(); ++k) {
+    SdfRays rays;
+    for (std::size_t w = 0; w < batch; ++w) {
+      const ToSurface& way = ways[w];
+      rays_near(s.sdfs[k], way.o, way.d, way.hits.t, way.wanted,
+                static_cast<std::uint32_t>(w * lanes), rays);
+    }
+    if (rays.count == 0) continue;
+    trace(s.sdfs[k], rays);
+    alignas(64) std::array<float, batch * lanes> t;
+    t.fill(-1);
+    for (std::size_t i = 0; i < rays.count; ++i) {
+      if (!(rays.s[i] >= 0)) continue;
+      const double far = rays.s[i] * rays.t_per_s[i];
+      t[rays.lane[i]] = static_cast<float>(far);
+      ways[rays.lane[i] / lanes].sdf.t[rays.lane[i] % lanes] = far;
+    }
+    for (std::size_t w = 0; w < batch; ++w) {
+      const V met = hn::Load(d_, t.data() + w * lanes);
+      take(ways[w].hits, hn::Ge(met, set(0)), met,
+           set_word(s.first_sdf + static_cast<std::uint32_t>(k)));
+    }
+  }
+}
+
+/// Points and normals, in double until they are rounded once, of the lanes whose surface is an sdf.
+HWY_NOINLINE void place_on_sdfs(const LaneScene& s, const V3& o, const V3& d, const U& surface,
+                                const SdfHits& hits, V3& p, V3& n) {
+  const Rows origins(o), directions(d);
+  SdfPoints points{};
+  M any = hn::FirstN(d_, 0);
+  for (std::size_t k = 0; k < s.sdfs.size(); ++k) {
+    const M here = same(surface, set_word(s.first_sdf + static_cast<std::uint32_t>(k)));
+    std::uint32_t left = bits(here);
+    if (left == 0) continue;
+    any = hn::Or(any, here);
+    SdfRays rays;
+    for (; left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
+      rays.add(s.sdfs[k], lane, origins[lane], directions[lane], 0);
+      rays.s[rays.count - 1] = hits.t[lane] / rays.t_per_s[rays.count - 1];
+    }
+    points_of(s.sdfs[k], rays, points);
+  }
+  p = select(any,
+             {hn::Load(d_, points.px.data()), hn::Load(d_, points.py.data()),
+              hn::Load(d_, points.pz.data())},
+             p);
+  n = select(any,
+             {hn::Load(d_, points.nx.data()), hn::Load(d_, points.ny.data()),
+              hn::Load(d_, points.nz.data())},
+             n);
+}
+
+/// carlo::offset_origin(): the point p of a surface moved to the side of n, off the surface by what
+/// its rounding asks for; for a path that came along d, |d| = 1, and stays on that side.
+HWY_INLINE V3 off_surface(V3 p, V3 n, V3 d) {
+  const V3 size{hn::Abs(p.x), hn::Abs(p.y), hn::Abs(p.z)};
+  const V3 error = set(rounding) * size;
+  const V3 back = add_scaled(p, hn::Mul(set(-2), hn::Sqrt(dot(error, error))), d);
+  const V3 off = dot({hn::Abs(n.x), hn::Abs(n.y), hn::Abs(n.z)}, error) * n;
+  // Rounding takes back no more than this.
+  const auto moved = [](V x, V offset, V of_x) HWY_ATTR {
+    return hn::Add(hn::Add(x, offset), hn::CopySign(hn::Mul(set(0x1p-23f), of_x), offset));
+  };
+  return {moved(back.x, off.x, size.x), moved(back.y, off.y, size.y), moved(back.z, off.z, size.z)};
+}
+
+/// A register's ways from o to points of lights, of which none lies on an sdf.
+struct ToLight {
+  V3 o, to;
+  M clear;  ///< so far
+};
+
+/// Takes those away that an sdf blocks.
+HWY_NOINLINE void block_by_sdfs(const LaneScene& s, std::array<ToLight, batch>& ways) {
+  const U of_lane = hn::Shl(set_word(1), hn::Iota(du_, 0));
+  for (const LaneSdf& sdf : s.sdfs) {
+    SdfRays rays;
+    for (std::size_t w = 0; w < batch; ++w) {
+      const V3 to = ways[w].to - ways[w].o;
+      const V distance = hn::Sqrt(dot(to, to));
+      rays_near(sdf, ways[w].o, hn::Div(set(1), distance) * to, distance, ways[w].clear,
+                static_cast<std::uint32_t>(w * lanes), rays);
+    }
+    if (rays.count == 0) continue;
+    trace(sdf, rays);
+    std::array<std::uint32_t, batch> blocked{};
+    for (std::size_t i = 0; i < rays.count; ++i) {
+      if (rays.s[i] >= 0) blocked[rays.lane[i] / lanes] |= std::uint32_t{1} << rays.lane[i] % lanes;
+    }
+    for (std::size_t w = 0; w < batch; ++w) {
+      const M free = same(hn::And(of_lane, set_word(blocked[w])), set_word(0));
+      ways[w].clear = hn::And(ways[w].clear, free);
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace renderer
+HWY_AFTER_NAMESPACE();
+
+#endif  // CARLO_SDF_HITS_INL
