@@ -21,6 +21,7 @@ cd "$tree"
 reasons='
 common/scene/digits.cpp|get_if<Parallelogram>|only parallelograms have planes that floats misplace; what is near to them is thing_of()
 common/scene/sdf.cpp|get_if<Solid>|the other kind of step follows by std::get, which throws
+solutions/renderer/lanes/lane_sdf.cpp|get_if<sdf::Solid>|the other kind of step follows by std::get, which throws
 common/scene/load_scene.cpp|lights.environment = |<emitter type="constant">
 common/scene/load_scene.cpp|lights.points.push_back|<emitter type="point">
 solutions/renderer/lights.cpp|lights.points[entry.index]|the entry is that of a point light

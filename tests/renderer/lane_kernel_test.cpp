@@ -116,9 +116,46 @@ Scene polished() {
   return scene;
 }
 
-/// The scenes of the tree that the kernel takes, and the three above.
+/// Signed distance functions of all forms and operations, one that stands on the floor, of all
+/// materials, under lamps that are a disk and a point.
+Scene modelled() {
+  namespace sdf = carlo::sdf;
+  Scene scene;
+  scene.materials = {{Diffuse{Rgb(0.6f, 0.5f, 0.4f)}, true},
+                     {Phong{Rgb(0.3f), Rgb(0.4f, 0.5f, 0.6f), 20}, true},
+                     {Diffuse{Rgb(0.5f)}, false},
+                     {carlo::Mirror{Rgb(0.9f, 0.8f, 0.7f)}, true},
+                     {carlo::Dielectric{1.5f, 1}, false}};
+  scene.shapes.push_back({Parallelogram{{-3, -3, 0}, {6, 0, 0}, {0, 6, 0}}, 0, Rgb(0)});
+  scene.shapes.push_back({carlo::Disk{{0, 0, 2.5f}, {0, 0, -1}, 0.4f}, 2, Rgb(8)});
+  scene.lights.points.push_back({{1.5f, -1.5f, 2}, Rgb(2, 1.5f, 1)});
+  const auto add = [&](std::vector<sdf::Step> steps, glm::dvec3 at, double scale,
+                       std::uint32_t material, bool flipped = false) {
+    const glm::dmat3 turn(0.8, 0.6, 0, -0.6, 0.8, 0, 0, 0, 1);
+    scene.shapes.push_back(
+        {carlo::Sdf{std::move(steps), {turn, at, scale}, flipped}, material, Rgb(0)});
+  };
+  const sdf::Solid box{sdf::RoundedBox{{0.5, 0.4, 0.3}, 0.1}, {}},
+      bite{sdf::Ball{0.4}, {glm::dmat3(1), {0.4, 0, 0.3}, 1}},
+      rod{sdf::Capsule{{0, 0, -0.5}, {0, 0, 0.5}, 0.2}, {}};
+  add({box, bite, sdf::Combine{sdf::Operation::subtract, 0.05}}, {-0.8, 0.3, 0.3}, 1, 2);
+  add({sdf::Solid{sdf::Torus{0.4, 0.15}, {}}}, {0.6, -0.6, 0.4}, 1, 4);
+  add({rod, sdf::Solid{sdf::Ball{0.3}, {glm::dmat3(1), {0, 0, 0.6}, 0.8}},
+       sdf::Combine{sdf::Operation::unite, 0.2}},
+      {0.8, 0.8, 0.5}, 0.7, 3);
+  add({sdf::Solid{sdf::Ball{1}, {}}, sdf::Solid{sdf::Gyroid{0.9, 0.1}, {}},
+       sdf::Combine{sdf::Operation::intersect, 0.02}},
+      {-0.3, -0.8, 0.45}, 0.4, 1, true);
+  scene.camera = scene_tools::look_at({0.1f, -3.5f, 1.8f}, {0, 0, 0.5f}, {0, 0, 1}, 45);
+  return scene;
+}
+
+/// The scenes of the tree that the kernel takes, and the four above.
 std::vector<Named> lane_scenes() {
-  std::vector<Named> scenes{{"assorted", assorted()}, {"boxes", boxes()}, {"polished", polished()}};
+  std::vector<Named> scenes{{"assorted", assorted()},
+                            {"boxes", boxes()},
+                            {"polished", polished()},
+                            {"modelled", modelled()}};
   for (const std::string& name : lab_scenes::names()) {
     Scene scene = lab_scenes::load(name);
     if (renderer::LaneScene::suits(needs(scene), scene)) scenes.push_back({name, std::move(scene)});
@@ -143,7 +180,7 @@ tiles::Estimate estimate(const Scene& scene, renderer::Kernel kernel, std::uint6
 
 TEST_CASE("The vector kernel agrees with the scalar integrator") {
   const std::vector<Named> scenes = lane_scenes();
-  REQUIRE(scenes.size() >= 16);
+  REQUIRE(scenes.size() >= 18);
   for (const auto& [name, full] : scenes) {
     REQUIRE(renderer::LaneScene::suits(needs(full), full));
     const Scene oracle_scene = small(full, SamplerKind::independent);
@@ -196,7 +233,7 @@ TEST_CASE("The vector kernel finds boxes") {
 // Instruction sets draw the same points and differ in rounding, so their images differ far less
 // than by 3 of their standard errors; a wrong lane or lookup does not.
 TEST_CASE("The vector kernel's images agree on all instruction sets") {
-  for (const Scene& full : {boxes(), polished(), lab_scenes::load("cornell_phong")}) {
+  for (const Scene& full : {boxes(), polished(), modelled(), lab_scenes::load("cornell_phong")}) {
     const Scene scene = small(full, SamplerKind::sobol);
     const tiles::Estimate best = estimate(scene, renderer::Kernel::best, 1);
     for (const std::string& name : renderer::lane_instruction_sets()) {

@@ -5,33 +5,34 @@
 #include "scene/match.h"
 
 #include <cmath>
+#include <variant>
 
 namespace renderer {
 namespace {
 
 namespace sdf = carlo::sdf;
-using Kind = LaneSdf::Kind;
+using Part = LaneSdf::Part;
 using Step = LaneSdf::Step;
 
 Step step_of(const sdf::Solid& solid) {
   Step step = carlo::match(
-      solid.form, [](const sdf::Ball& f) { return Step{.kind = Kind::ball, .size = {f.radius}}; },
+      solid.form, [](const sdf::Ball& f) { return Step{.part = Part::ball, .size = {f.radius}}; },
       [](const sdf::Torus& f) {
-        return Step{.kind = Kind::torus, .size = {f.major, f.minor}};
+        return Step{.part = Part::torus, .size = {f.major, f.minor}};
       },
       [](const sdf::RoundedBox& f) {
-        return Step{.kind = Kind::rounded_box, .size = {f.radius}, .a = f.half - f.radius};
+        return Step{.part = Part::rounded_box, .size = {f.radius}, .a = f.half - f.radius};
       },
       [](const sdf::Capsule& f) {
         const glm::dvec3 along = f.b - f.a;
-        return Step{.kind = Kind::capsule,
+        return Step{.part = Part::capsule,
                     .size = {f.radius, 1 / glm::dot(along, along)},
                     .a = f.a,
                     .b = along};
       },
       [](const sdf::Gyroid& f) {
         const double frequency = 2 * carlo::pi / f.period;
-        return Step{.kind = Kind::gyroid,
+        return Step{.part = Part::gyroid,
                     .size = {frequency, 0.5 * f.thickness, std::sqrt(3.0) * frequency}};
       });
   step.turn = glm::transpose(solid.place.rotation) / solid.place.scale;
@@ -41,18 +42,18 @@ Step step_of(const sdf::Solid& solid) {
 }
 
 Step step_of(const sdf::Combine& combine) {
-  const auto of_kind = [&](Kind kind) {
-    return Step{.kind = kind, .smoothing = combine.smoothing};
+  const auto of_part = [&](Part part) {
+    return Step{.part = part, .smoothing = combine.smoothing};
   };
   switch (combine.operation) {
     case sdf::Operation::unite:
-      return of_kind(Kind::unite);
+      return of_part(Part::unite);
     case sdf::Operation::intersect:
-      return of_kind(Kind::intersect);
+      return of_part(Part::intersect);
     case sdf::Operation::subtract:
       break;
   }
-  return of_kind(Kind::subtract);
+  return of_part(Part::subtract);
 }
 
 }  // namespace
@@ -60,10 +61,11 @@ Step step_of(const sdf::Combine& combine) {
 LaneSdf lane_sdf(const carlo::Sdf& shape) {
   const carlo::SphereTracer tracer(shape);
   LaneSdf lanes{{}, shape.place, shape.flipped, tracer.box(), tracer.size(), tracer.reach()};
-  for (const sdf::Step& step : shape.steps)
-    lanes.steps.push_back(carlo::match(
-        step, [](const sdf::Solid& solid) { return step_of(solid); },
-        [](const sdf::Combine& combine) { return step_of(combine); }));
+  for (const sdf::Step& step : shape.steps) {
+    const auto* solid = std::get_if<sdf::Solid>(&step);
+    lanes.steps.push_back(solid != nullptr ? step_of(*solid)
+                                           : step_of(std::get<sdf::Combine>(step)));
+  }
   return lanes;
 }
 

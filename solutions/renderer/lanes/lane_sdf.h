@@ -10,11 +10,11 @@ namespace renderer {
 /// A signed distance function as the vector kernels read it: carlo::Sdf's steps, their kinds as
 /// numbers, what does not depend on the point worked out. All in double, as in the SphereTracer.
 struct LaneSdf {
-  enum class Kind { ball, torus, rounded_box, capsule, gyroid, unite, intersect, subtract };
+  enum class Part { ball, torus, rounded_box, capsule, gyroid, unite, intersect, subtract };
 
   /// The last three combine, and have a smoothing alone.
   struct Step {
-    Kind kind;
+    Part part;
     /// A form's own coordinates are turn (p - origin) of the sdf's, and its distance counts `scale`
     /// times.
     glm::dmat3 turn{1};

@@ -174,20 +174,20 @@ HWY_INLINE Jet minimum(const Jet& a, const Jet& b, double k) {
 
 template <bool slopes>
 HWY_INLINE Jet form(const LaneSdf::Step& s, V3D q) {
-  switch (s.kind) {
-    case LaneSdf::Kind::ball:
+  switch (s.part) {
+    case LaneSdf::Part::ball:
       return ball<slopes>(s, q);
-    case LaneSdf::Kind::torus:
+    case LaneSdf::Part::torus:
       return torus<slopes>(s, q);
-    case LaneSdf::Kind::rounded_box:
+    case LaneSdf::Part::rounded_box:
       return rounded_box<slopes>(s, q);
-    case LaneSdf::Kind::capsule:
+    case LaneSdf::Part::capsule:
       return capsule<slopes>(s, q);
-    case LaneSdf::Kind::gyroid:
+    case LaneSdf::Part::gyroid:
       return gyroid<slopes>(s, q);
-    case LaneSdf::Kind::unite:
-    case LaneSdf::Kind::intersect:
-    case LaneSdf::Kind::subtract:
+    case LaneSdf::Part::unite:
+    case LaneSdf::Part::intersect:
+    case LaneSdf::Part::subtract:
       break;  // no forms
   }
   return {number(0), {number(0), number(0), number(0)}};
@@ -199,7 +199,7 @@ HWY_NOINLINE Jet evaluate(const LaneSdf& sdf, const V3D& p) {
   std::array<Jet, carlo::sdf::most_waiting> stack;
   Jet* end = stack.data();
   for (const LaneSdf::Step& s : sdf.steps) {
-    if (s.kind < LaneSdf::Kind::unite) {
+    if (s.part < LaneSdf::Part::unite) {
       Jet jet = form<slopes>(s, turned(s.turn, p - numbers(s.origin)));
       jet.value = hn::Mul(jet.value, number(s.scale));
       // The gradient of scale F(turn p), where turn is a rotation over the scale.
@@ -208,10 +208,10 @@ HWY_NOINLINE Jet evaluate(const LaneSdf& sdf, const V3D& p) {
       continue;
     }
     const Jet b = *--end, a = end[-1];
-    if (s.kind == LaneSdf::Kind::unite) {
+    if (s.part == LaneSdf::Part::unite) {
       end[-1] = minimum<slopes>(a, b, s.smoothing);
     } else {
-      const bool both = s.kind == LaneSdf::Kind::intersect;
+      const bool both = s.part == LaneSdf::Part::intersect;
       end[-1] = negated(minimum<slopes>(negated(a), both ? negated(b) : b, s.smoothing));
     }
   }

@@ -146,16 +146,27 @@ class March {
         if (next_ray_ < rays_.count) continue;
         return count;
       }
-      const VD next = hn::Min(hn::Add(s_, hn::Max(hn::Abs(f_), least_)), end_);
-      const VD x = hn::IfThenElse(fresh_, s_, next);
+      const VD safe = hn::Max(hn::Abs(f_), least_);
+      const VD step = hn::Div(hn::Add(safe, safe), hn::Sub(number(1), slope_));
+      const VD next = hn::Min(hn::Add(s_, step), end_);
+      const VD x = hn::IfThenElse(fresh_, s_, next), way = hn::Sub(x, s_);
       const VD f = evaluate<false>(sdf_, at(o_, d_, x)).value;
       const MD walking = hn::AndNot(fresh_, going_);
-      const MD crossed = hn::And(walking, hn::Lt(hn::Mul(f, side_), number(0)));
+      // A step of more than is safe stands if the balls around both ends leave no gap.
+      const VD beyond = hn::Mul(f, side_);
+      const MD longer = hn::And(walking, hn::Gt(slope_, number(-1)));
+      const MD gap = hn::And(longer, hn::Gt(way, hn::Add(hn::Abs(f_), beyond)));
+      const MD stands = hn::AndNot(gap, walking);
+      const MD crossed = hn::And(stands, hn::Lt(beyond, number(0)));
       if (!hn::AllFalse(dd_, crossed)) keep(crossed, x, f, found, count);
-      const MD over = hn::And(walking, hn::Ge(x, end_));
+      const MD over = hn::And(stands, hn::Ge(x, end_));
       going_ = hn::AndNot(hn::Or(crossed, over), going_);
-      s_ = x;
-      f_ = f;
+      const VD rise = hn::Div(hn::Sub(beyond, hn::Mul(f_, side_)), way);
+      const VD mean = hn::MulAdd(number(0.3), rise, hn::Mul(number(0.7), slope_));
+      slope_ = hn::IfThenElse(stands, hn::Min(mean, number(most_slope)), number(-1));
+      const MD moves = hn::Not(gap);
+      s_ = hn::IfThenElse(moves, x, s_);
+      f_ = hn::IfThenElse(moves, f, f_);
       if (!hn::AllFalse(dd_, fresh_)) start();
       steps_ = hn::Add(steps_, number(1));
       const MD slow = hn::Ge(steps_, number(carlo::SphereTracer::steps_to_doubling));
@@ -227,6 +238,7 @@ class March {
     }
   }
 
+  static constexpr double most_slope = 0.5;
   const LaneSdf& sdf_;
   SdfRays& rays_;
   std::size_t next_ray_ = 0;
@@ -234,6 +246,7 @@ class March {
   MD going_ = hn::FirstN(dd_, 0), fresh_ = hn::FirstN(dd_, 0);
   VD s_ = number(0), f_ = number(0), side_ = number(1), least_ = number(0), steps_ = number(0);
   VD end_ = number(0), fine_ = number(0);
+  VD slope_ = number(-1);  ///< of F along the ray, a mean of the last steps'
   V3D o_{number(0), number(0), number(0)}, d_ = o_;
 };
 

@@ -33,7 +33,7 @@ HWY_ATTR void run(const LaneJob& job, std::span<std::array<double, 3>> means,
   const bool batches = Needs::full && !job.scene.sdfs.empty();
   std::array<Paths, Needs::full ? batch : 1> paths{};
   const std::size_t registers = batches ? batch : 1;
-  std::array<M, Needs::full ? batch : 1> before;
+  std::array<M, Needs::full ? batch : 1> before{};
   for (Paths& some : paths)
     some.alive = hn::FirstN(d_, 0);
   for (std::uint64_t round = 0;; ++round) {
