@@ -33,7 +33,7 @@ struct ToSurface {
 };
 
 /// Sphere tracing, only where it may be nearer than what was met so far.
-HWY_NOINLINE void meet_sdfs(const LaneScene& s, std::array<ToSurface, batch>& ways) {
+inline HWY_NOINLINE void meet_sdfs(const LaneScene& s, std::array<ToSurface, batch>& ways) {
   for (std::size_t k = 0; k < s.sdfs.size(); ++k) {
     SdfRays rays;
     for (std::size_t w = 0; w < batch; ++w) {
@@ -60,8 +60,8 @@ HWY_NOINLINE void meet_sdfs(const LaneScene& s, std::array<ToSurface, batch>& wa
 }
 
 /// Points and normals, in double until they are rounded once, of the lanes whose surface is an sdf.
-HWY_NOINLINE void place_on_sdfs(const LaneScene& s, const V3& o, const V3& d, const U& surface,
-                                const SdfHits& hits, V3& p, V3& n) {
+inline HWY_NOINLINE void place_on_sdfs(const LaneScene& s, const V3& o, const V3& d,
+                                       const U& surface, const SdfHits& hits, V3& p, V3& n) {
   const Rows origins(o), directions(d);
   SdfPoints points{};
   M any = hn::FirstN(d_, 0);
@@ -109,7 +109,7 @@ struct ToLight {
 };
 
 /// Takes those away that an sdf blocks.
-HWY_NOINLINE void block_by_sdfs(const LaneScene& s, std::array<ToLight, batch>& ways) {
+inline HWY_NOINLINE void block_by_sdfs(const LaneScene& s, std::array<ToLight, batch>& ways) {
   const U of_lane = hn::Shl(set_word(1), hn::Iota(du_, 0));
   for (const LaneSdf& sdf : s.sdfs) {
     SdfRays rays;

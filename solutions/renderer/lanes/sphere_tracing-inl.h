@@ -251,7 +251,7 @@ class March {
 };
 
 /// Fills SdfRays::s.
-HWY_NOINLINE void trace(const LaneSdf& sdf, SdfRays& rays) {
+inline HWY_NOINLINE void trace(const LaneSdf& sdf, SdfRays& rays) {
   SdfRays::Row<std::int64_t> found;
   const std::size_t count = March(sdf, rays).run(found);
   for (std::size_t i = 0; i < count; i += doubles) {
@@ -276,7 +276,7 @@ struct SdfPoints {
 };
 
 /// `rays` met the sdf at SdfRays::s.
-HWY_NOINLINE void points_of(const LaneSdf& sdf, const SdfRays& rays, SdfPoints& points) {
+inline HWY_NOINLINE void points_of(const LaneSdf& sdf, const SdfRays& rays, SdfPoints& points) {
   for (std::size_t i = 0; i < rays.count; i += doubles) {
     const VL ray =
         some_of([](std::size_t k) { return static_cast<std::int64_t>(k); }, i, rays.count);
