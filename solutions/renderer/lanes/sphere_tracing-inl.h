@@ -159,7 +159,7 @@ class March {
       const MD stands = hn::AndNot(gap, walking);
       const MD crossed = hn::And(stands, hn::Lt(beyond, number(0)));
       if (!hn::AllFalse(dd_, crossed)) keep(crossed, x, f, found, count);
-      const MD over = hn::And(stands, hn::Ge(x, end_));
+      const MD over = hn::AndNot(hn::Lt(x, end_), stands);  // NaN ends, too
       going_ = hn::AndNot(hn::Or(crossed, over), going_);
       const VD rise = hn::Div(hn::Sub(beyond, hn::Mul(f_, side_)), way);
       const VD mean = hn::MulAdd(number(0.3), rise, hn::Mul(number(0.7), slope_));
