@@ -9,6 +9,7 @@
 #include "scene/match.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <vector>
@@ -313,11 +314,20 @@ void fill_triangle(const Mesh& mesh, float u, float v, Hit& hit) {
   hit.n = Vec3(glm::normalize(glm::cross(Vec3d(b) - Vec3d(a), Vec3d(c) - Vec3d(a))));
 }
 
-/// A point that was rounded from double to float once.
-void fill_analytic(const SurfacePoint& point, Hit& hit) {
+/// A point that was rounded from double to float once. What double leaves is relative to the
+/// surface's coordinates and size: where p's own coordinate is about 0, it is all there is.
+void fill_analytic(const SurfacePoint& point, Vec3 coordinates, Hit& hit) {
   hit.p = point.p;
-  hit.p_error = rounding_bound(3) * glm::abs(point.p);
+  hit.p_error = rounding_bound(3) * glm::abs(point.p) +
+                Vec3(0x1p-49f *
+                     (std::abs(coordinates.x) + std::abs(coordinates.y) + std::abs(coordinates.z)));
   hit.n = point.n;
+}
+
+/// Of a sphere or a disk.
+template <class S>
+Vec3 coordinates_of(const S& s) {
+  return glm::abs(s.center) + Vec3(s.radius);
 }
 
 void fill_sdf(const SphereTracer::Point& point, Hit& hit) {
@@ -332,7 +342,7 @@ void Intersector::Impl::fill_quad(const Flat& met, const Ray& ray, double t, Hit
   const Vec3 p = quad_point(met.quad, ray.o, ray.d, t).p;
   const Flat& flat = met.coplanar.empty() ? met : facing(met, p, ray.d);
   hit.shape = flat.shape;
-  fill_analytic({p, Vec3(flat.quad.n)}, hit);
+  fill_analytic({p, Vec3(flat.quad.n)}, glm::max(glm::abs(flat.lower), glm::abs(flat.upper)), hit);
   hit.p_error += flat.gap;
 }
 
@@ -348,11 +358,13 @@ void Intersector::Impl::fill(const RTCRayHit& query, const Ray& ray, Hit& hit) c
       return;
     case Kind::spheres:
       hit.shape = spheres[primitive].shape;
-      fill_analytic(sphere_point(*spheres[primitive].surface, ray.o, ray.d, hit.t), hit);
+      fill_analytic(sphere_point(*spheres[primitive].surface, ray.o, ray.d, hit.t),
+                    coordinates_of(*spheres[primitive].surface), hit);
       return;
     case Kind::disks:
       hit.shape = disks[primitive].shape;
-      fill_analytic(disk_point(*disks[primitive].surface, ray.o, ray.d, hit.t), hit);
+      fill_analytic(disk_point(*disks[primitive].surface, ray.o, ray.d, hit.t),
+                    coordinates_of(*disks[primitive].surface), hit);
       return;
     case Kind::sdfs:
       hit.shape = sdfs[primitive].shape;
