@@ -22,6 +22,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 HWY_BEFORE_NAMESPACE();
 namespace renderer {
@@ -35,7 +36,7 @@ constexpr std::uint32_t key_step = 0x9E3779B1;
 
 /// What a scene needs, for which the code is compiled: `phong` materials; `close`: spheres, or
 /// parallelograms that touch others or share a plane with them; `full`: mirrors, glass, disks,
-/// spheres and points that emit.
+/// sdfs, spheres and points that emit.
 template <bool phong_, bool close_, bool full_ = false>
 struct Features {
   static constexpr bool phong = phong_, close = close_, full = full_;
@@ -75,41 +76,27 @@ class Walk {
     shade(paths, vertex);
   }
 
-  /// The same, where there are sdfs.
-  HWY_NOINLINE void extend_batch(std::array<Paths, batch>& paths) const {
+  /// The same for one register of paths, or `batch` of them where there are sdfs.
+  HWY_NOINLINE void extend_batch(std::span<Paths> paths) const {
+    const bool sdfs = !s_.sdfs.empty();
     std::array<Vertex, batch> vertices;
-    std::array<ToSurface, batch> ways;
-    for (std::size_t w = 0; w < batch; ++w) {
+    for (std::size_t w = 0; w < paths.size(); ++w) {
       find(paths[w], vertices[w]);
-      ways[w] = {paths[w].from.clear, paths[w].d, paths[w].alive, vertices[w].hits, {}};
-    }
-    meet_sdfs(s_, ways);
-    std::array<ToLight, batch> lights;
-    for (std::size_t w = 0; w < batch; ++w) {
-      vertices[w].hits = ways[w].hits;
-      vertices[w].sdf = &ways[w].sdf;
+      if (sdfs) vertices[w].way = {paths[w].from.clear, paths[w].d, paths[w].alive};
       vertices[w].to_light.clear = hn::FirstN(d_, 0);
-      shade(paths[w], vertices[w]);
-      lights[w] = vertices[w].to_light;
     }
-    block_by_sdfs(s_, lights);
+    if (sdfs) meet_sdfs(s_, vertices);
+    for (std::size_t w = 0; w < paths.size(); ++w)
+      shade(paths[w], vertices[w]);
+    if (!sdfs) return;
+    block_by_sdfs(s_, vertices);
     for (std::size_t w = 0; w < batch; ++w) {
       const V3 whole = paths[w].L + vertices[w].direct;
-      paths[w].L = select(lights[w].clear, whole, paths[w].L);
+      paths[w].L = select(vertices[w].to_light.clear, whole, paths[w].L);
     }
   }
 
  private:
-  /// What becomes of a register's paths at their next vertices.
-  struct Vertex {
-    V2 u_light, u_lobe;
-    Hits hits;
-    // Where there are sdfs:
-    const SdfHits* sdf = nullptr;
-    ToLight to_light;  ///< ways to lights that nothing else blocks,
-    V3 direct;         ///< and what they bring
-  };
-
   HWY_INLINE void find(const Paths& paths, Vertex& vertex) const {
     counts_.rays += hn::CountTrue(d_, paths.alive);
     // Ahead of what they serve: the processor works on them while it waits for the intersection.
@@ -131,8 +118,7 @@ class Walk {
     const Numbers at_surface(number, s_.surfaces);
     V3 p, shape_normal;
     place(paths, hits.t, number, at_surface, p, shape_normal);
-    if (Needs::full && !s_.sdfs.empty())
-      place_on_sdfs(s_, paths.from.clear, paths.d, number, *vertex.sdf, p, shape_normal);
+    if (Needs::full && !s_.sdfs.empty()) place_on_sdfs(s_, vertex, number, p, shape_normal);
     const V cosine = hn::Neg(dot(shape_normal, paths.d));
     const M front = hn::Gt(cosine, set(0));
     add_emission(paths, hits.t, number, at_surface, cosine, hn::And(front, paths.alive));
@@ -148,11 +134,18 @@ class Walk {
     const V3 normal = side * shape_normal;
     if (Needs::full && !s_.sdfs.empty()) paths.from.clear = off_surface(p, normal, paths.d);
     paths.key = hn::Add(paths.key, set_word(key_step));
+    M specular = hn::FirstN(d_, 0);
+    Reflections reflections{};
     if (Needs::full && s_.any_specular) {
-      reflect_or_scatter(paths, p, normal, front, material, vertex);
-    } else {
-      scatter(paths, surface_at(paths.d, p, normal, material), vertex);
+      specular = hn::And(paths.alive, differs(material(s_.specular.data()), set_word(0)));
+      reflections = reflect(paths.d, normal, front, material(s_.ks_r, s_.ks_g, s_.ks_b),
+                            material(s_.ior.data()), vertex.u_lobe.x);
+      reflections.weight = paths.beta * reflections.weight;
+      paths.alive = hn::AndNot(specular, paths.alive);
     }
+    if (!Needs::full || !hn::AllFalse(d_, paths.alive))
+      scatter(paths, surface_at(paths.d, p, normal, material), vertex);
+    if (Needs::full && s_.any_specular) go_on(paths, specular, reflections, p, normal);
     roulette(paths);
   }
 
@@ -238,22 +231,10 @@ class Walk {
     return surface;
   }
 
-  /// Where some of the surfaces are mirrors or glass.
-  HWY_INLINE void reflect_or_scatter(Paths& paths, V3 p, V3 n, M front, const Numbers& material,
-                                     Vertex& vertex) const {
-    const M specular = hn::And(paths.alive, differs(material(s_.specular.data()), set_word(0)));
-    const Surfaces surface = surface_at(paths.d, p, n, material);
-    if (hn::AllFalse(d_, specular)) {
-      scatter(paths, surface, vertex);
-      return;
-    }
-    const Reflections next = reflect(paths.d, n, front, material(s_.ks_r, s_.ks_g, s_.ks_b),
-                                     material(s_.ior.data()), vertex.u_lobe.x);
-    const V3 beta = paths.beta * next.weight;
-    paths.alive = hn::AndNot(specular, paths.alive);
-    if (!hn::AllFalse(d_, paths.alive)) scatter(paths, surface, vertex);
+  /// From mirrors and glass, of normal n on the side that the path came from.
+  HWY_INLINE void go_on(Paths& paths, M specular, const Reflections& next, V3 p, V3 n) const {
     paths.alive = hn::Or(paths.alive, specular);
-    paths.beta = select(specular, beta, paths.beta);
+    paths.beta = select(specular, next.weight, paths.beta);
     paths.d = select(specular, next.d, paths.d);
     paths.pdf = select(specular, set(-1), paths.pdf);
     paths.compressed = select(specular, hn::Mul(paths.compressed, next.eta2), paths.compressed);

@@ -24,21 +24,36 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// A register's rays o + t d on their way to a surface.
-struct ToSurface {
+/// A register's rays o + t d, as sdfs see them.
+struct Way {
   V3 o, d;
   M wanted;
-  Hits hits;  ///< so far
-  SdfHits sdf;
+};
+
+/// A register's ways from o to points of lights, of which none lies on an sdf.
+struct ToLight {
+  V3 o, to;
+  M clear;  ///< so far
+};
+
+/// What becomes of a register's paths at their next vertices.
+struct Vertex {
+  V2 u_light, u_lobe;
+  Hits hits;
+  // Where there are sdfs:
+  Way way;
+  std::array<double, lanes> t{};  ///< of those that met one
+  ToLight to_light;               ///< ways to lights that nothing else blocks,
+  V3 direct;                      ///< and what they bring
 };
 
 /// Sphere tracing, only where it may be nearer than what was met so far.
-inline HWY_NOINLINE void meet_sdfs(const LaneScene& s, std::array<ToSurface, batch>& ways) {
+inline HWY_NOINLINE void meet_sdfs(const LaneScene& s, std::array<Vertex, batch>& vertices) {
   for (std::size_t k = 0; k < s.sdfs.size(); ++k) {
     SdfRays rays;
     for (std::size_t w = 0; w < batch; ++w) {
-      const ToSurface& way = ways[w];
-      rays_near(s.sdfs[k], way.o, way.d, way.hits.t, way.wanted,
+      const Way& way = vertices[w].way;
+      rays_near(s.sdfs[k], way.o, way.d, vertices[w].hits.t, way.wanted,
                 static_cast<std::uint32_t>(w * lanes), rays);
     }
     if (rays.count == 0) continue;
@@ -49,20 +64,20 @@ inline HWY_NOINLINE void meet_sdfs(const LaneScene& s, std::array<ToSurface, bat
       if (!(rays.s[i] >= 0)) continue;
       const double far = rays.s[i] * rays.t_per_s[i];
       t[rays.lane[i]] = static_cast<float>(far);
-      ways[rays.lane[i] / lanes].sdf.t[rays.lane[i] % lanes] = far;
+      vertices[rays.lane[i] / lanes].t[rays.lane[i] % lanes] = far;
     }
     for (std::size_t w = 0; w < batch; ++w) {
       const V met = hn::Load(d_, t.data() + w * lanes);
-      take(ways[w].hits, hn::Ge(met, set(0)), met,
+      take(vertices[w].hits, hn::Ge(met, set(0)), met,
            set_word(s.first_sdf + static_cast<std::uint32_t>(k)));
     }
   }
 }
 
 /// Points and normals, in double until they are rounded once, of the lanes whose surface is an sdf.
-inline HWY_NOINLINE void place_on_sdfs(const LaneScene& s, const V3& o, const V3& d,
-                                       const U& surface, const SdfHits& hits, V3& p, V3& n) {
-  const Rows origins(o), directions(d);
+inline HWY_NOINLINE void place_on_sdfs(const LaneScene& s, const Vertex& vertex, const U& surface,
+                                       V3& p, V3& n) {
+  const Rows origins(vertex.way.o), directions(vertex.way.d);
   SdfPoints points{};
   M any = hn::FirstN(d_, 0);
   for (std::size_t k = 0; k < s.sdfs.size(); ++k) {
@@ -74,7 +89,7 @@ inline HWY_NOINLINE void place_on_sdfs(const LaneScene& s, const V3& o, const V3
     for (; left != 0; left &= left - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
       rays.add(s.sdfs[k], lane, origins[lane], directions[lane], 0);
-      rays.s[rays.count - 1] = hits.t[lane] / rays.t_per_s[rays.count - 1];
+      rays.s[rays.count - 1] = vertex.t[lane] / rays.t_per_s[rays.count - 1];
     }
     points_of(s.sdfs[k], rays, points);
   }
@@ -102,21 +117,16 @@ HWY_INLINE V3 off_surface(V3 p, V3 n, V3 d) {
   return {moved(back.x, off.x, size.x), moved(back.y, off.y, size.y), moved(back.z, off.z, size.z)};
 }
 
-/// A register's ways from o to points of lights, of which none lies on an sdf.
-struct ToLight {
-  V3 o, to;
-  M clear;  ///< so far
-};
-
 /// Takes those away that an sdf blocks.
-inline HWY_NOINLINE void block_by_sdfs(const LaneScene& s, std::array<ToLight, batch>& ways) {
+inline HWY_NOINLINE void block_by_sdfs(const LaneScene& s, std::array<Vertex, batch>& vertices) {
   const U of_lane = hn::Shl(set_word(1), hn::Iota(du_, 0));
   for (const LaneSdf& sdf : s.sdfs) {
     SdfRays rays;
     for (std::size_t w = 0; w < batch; ++w) {
-      const V3 to = ways[w].to - ways[w].o;
+      const ToLight& way = vertices[w].to_light;
+      const V3 to = way.to - way.o;
       const V distance = hn::Sqrt(dot(to, to));
-      rays_near(sdf, ways[w].o, hn::Div(set(1), distance) * to, distance, ways[w].clear,
+      rays_near(sdf, way.o, hn::Div(set(1), distance) * to, distance, way.clear,
                 static_cast<std::uint32_t>(w * lanes), rays);
     }
     if (rays.count == 0) continue;
@@ -127,7 +137,8 @@ inline HWY_NOINLINE void block_by_sdfs(const LaneScene& s, std::array<ToLight, b
     }
     for (std::size_t w = 0; w < batch; ++w) {
       const M free = same(hn::And(of_lane, set_word(blocked[w])), set_word(0));
-      ways[w].clear = hn::And(ways[w].clear, free);
+      M& clear = vertices[w].to_light.clear;
+      clear = hn::And(clear, free);
     }
   }
 }

@@ -118,7 +118,7 @@ HWY_INLINE VD narrowed(const LaneSdf& sdf, const V3D& o, const V3D& d, Brackets 
 /// The part of [begin, end] in which rays are inside of the sdf's box.
 HWY_INLINE void clip(const LaneSdf& sdf, const V3D& o, const V3D& d, VD& begin, VD& end) {
   const auto slab = [&](VD from, VD along, double lower, double upper) HWY_ATTR {
-    // 1 / 0 is infinite and from - lower is rarely 0: Min and Max then take the other number.
+    // A component of 0 becomes one so small that no quotient is 0 / 0.
     const VD inverse =
         hn::Div(number(1), hn::IfThenElse(hn::Eq(along, number(0)), number(0x1p-1000), along));
     const VD a = hn::Mul(hn::Sub(number(lower), from), inverse),
@@ -264,11 +264,6 @@ inline HWY_NOINLINE void trace(const LaneSdf& sdf, SdfRays& rays) {
       rays.s[static_cast<std::size_t>(found[i + k])] = s[k];
   }
 }
-
-/// What rays of a register met of sdfs: the t, in double.
-struct SdfHits {
-  std::array<double, lanes> t;
-};
 
 /// Where rays of a register met sdfs: the points, rounded once, and the unit normals.
 struct SdfPoints {

@@ -30,10 +30,11 @@ HWY_ATTR void run(const LaneJob& job, std::span<std::array<double, 3>> means,
   Starts starts(job);
   Sums sums(job.tile);
   const Walk<Needs> walk(job, counts);
-  const bool batches = Needs::full && !job.scene.sdfs.empty();
-  std::array<Paths, Needs::full ? batch : 1> paths{};
-  const std::size_t registers = batches ? batch : 1;
-  std::array<M, Needs::full ? batch : 1> before{};
+  // One register of paths, where there are sdfs a batch; of one alone, the compiler knows.
+  constexpr std::size_t most = Needs::full ? batch : 1;
+  const std::size_t registers = Needs::full && !job.scene.sdfs.empty() ? most : 1;
+  std::array<Paths, most> paths{};
+  std::array<M, most> before{};
   for (Paths& some : paths)
     some.alive = hn::FirstN(d_, 0);
   for (std::uint64_t round = 0;; ++round) {
@@ -45,10 +46,10 @@ HWY_ATTR void run(const LaneJob& job, std::span<std::array<double, 3>> means,
     }
     if (!alive) break;
     if (round % 4096 == 4095 && carlo::render_interrupted()) return;
-    if constexpr (Needs::full) {
-      if (batches) walk.extend_batch(paths);
-    }
-    if (!batches) walk.extend(paths[0]);
+    if constexpr (Needs::full)
+      walk.extend_batch({paths.data(), registers});
+    else
+      walk.extend(paths[0]);
     for (std::size_t w = 0; w < registers; ++w) {
       const M ended = hn::AndNot(paths[w].alive, before[w]);
       if (!hn::AllFalse(d_, ended)) sums.add(paths[w], ended, counts);
