@@ -1,10 +1,10 @@
 // The vector kernel and the scalar integrator agree: on every tile and in the mean of every scene
 // that the kernel takes, with Sobol' and with independent points. A tile's channel is outside of 5
-// standard errors with probability 5.7e-7, the image outside of 3 with 2.7e-3: of the 10 or so
-// comparisons of an image another seed would fail somewhere with probability .08, so the seed is
-// fixed. Standard errors of Sobol' points are upper bounds. Power: as in agreement_test.cpp, whose
-// deviations of 8 (tiles) and 6 (images) standard errors are seen with probability .999; both
-// sides get 1024 samples a pixel.
+// standard errors with probability 5.7e-7, the image outside of 3 with 2.7e-3: of the 36 images'
+// three channels, which go together in most, another seed would fail somewhere with probability .1
+// to .25, so the seed is fixed. Standard errors of Sobol' points are upper bounds. Power: as in
+// agreement_test.cpp, whose deviations of 8 (tiles) and 6 (images) standard errors are seen with
+// probability .999; both sides get 1024 samples a pixel.
 
 #include "renderer/lanes/lane_kernel.h"
 
