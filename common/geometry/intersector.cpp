@@ -5,12 +5,12 @@
 #include "geometry/embree.h"
 #include "geometry/planes.h"
 #include "geometry/sphere_tracer.h"
+#include "geometry/triangles.h"
 #include "numeric/robust.h"
 #include "scene/match.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -263,14 +263,6 @@ struct Intersector::Impl {
     rtcReleaseGeometry(geometry);
   }
 
-  template <class T>
-  T* new_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t count) {
-    auto* data =
-        static_cast<T*>(rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), count));
-    if (data == nullptr) throw Error("Embree is out of memory");
-    return data;
-  }
-
   template <class Callbacks, class S>
   void add_user(std::vector<Primitive<S>>& primitives, Kind kind) {
     if (primitives.empty()) return;
@@ -285,16 +277,8 @@ struct Intersector::Impl {
   }
 
   void add_mesh(std::size_t i) {
-    const Mesh& mesh = *meshes[i].surface;
     ++added;
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* v = new_buffer<Vec3>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3,
-                               mesh.positions.size());
-    std::memcpy(v, mesh.positions.data(), mesh.positions.size() * sizeof(Vec3));
-    auto* index = new_buffer<glm::uvec3>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3,
-                                         mesh.triangles.size());
-    std::memcpy(index, mesh.triangles.data(), mesh.triangles.size() * sizeof(glm::uvec3));
-    attach(geometry, first_mesh + static_cast<unsigned>(i));
+    attach(embree_triangles(device, *meshes[i].surface), first_mesh + static_cast<unsigned>(i));
   }
 
   void fill(const RTCRayHit& query, const Ray& ray, Hit& hit) const;
@@ -302,17 +286,6 @@ struct Intersector::Impl {
 };
 
 namespace {
-
-void fill_triangle(const Mesh& mesh, float u, float v, Hit& hit) {
-  const glm::uvec3 corner = mesh.triangles[hit.primitive];
-  const Vec3 a = mesh.positions[corner.x], b = mesh.positions[corner.y],
-             c = mesh.positions[corner.z];
-  hit.p = (1 - u - v) * a + u * b + v * c;
-  hit.p_error = rounding_bound(12) * glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c)));
-  // In double: a sliver's edges are nearly parallel, and their float cross product is noise.
-  using Vec3d = glm::dvec3;
-  hit.n = Vec3(glm::normalize(glm::cross(Vec3d(b) - Vec3d(a), Vec3d(c) - Vec3d(a))));
-}
 
 /// A point that was rounded from double to float once. What double leaves is relative to the
 /// surface's coordinates and size: where p's own coordinate is about 0, it is all there is.
@@ -377,7 +350,10 @@ void Intersector::Impl::fill(const RTCRayHit& query, const Ray& ray, Hit& hit) c
   const Primitive<Mesh>& mesh = meshes[id - first_mesh];
   hit.shape = mesh.shape;
   hit.primitive = primitive;
-  fill_triangle(*mesh.surface, query.hit.u, query.hit.v, hit);
+  const TrianglePoint point = triangle_point(*mesh.surface, primitive, query.hit.u, query.hit.v);
+  hit.p = point.p;
+  hit.p_error = point.error;
+  hit.n = point.n;
 }
 
 Intersector::Intersector(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}

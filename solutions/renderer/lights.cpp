@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+#include <memory>
 
 namespace renderer {
 namespace {
@@ -35,27 +35,6 @@ bool is_rectangle(const Parallelogram& s) {
   return std::abs(glm::dot(s.u, s.v)) <= 1e-5f * glm::length(s.u) * glm::length(s.v);
 }
 
-double triangle_area(const Mesh& mesh, glm::uvec3 corner) {
-  const Vec3d a(mesh.positions[corner.x]);
-  return 0.5 * glm::length(glm::cross(Vec3d(mesh.positions[corner.y]) - a,
-                                      Vec3d(mesh.positions[corner.z]) - a));
-}
-
-std::vector<double> running_sum(std::vector<double> values) {
-  double sum = 0;
-  for (double& v : values)
-    v = sum += v;
-  return values;
-}
-
-std::vector<double> mesh_areas(const Mesh& mesh) {
-  std::vector<double> areas;
-  areas.reserve(mesh.triangles.size());
-  for (const glm::uvec3 corner : mesh.triangles)
-    areas.push_back(triangle_area(mesh, corner));
-  return running_sum(std::move(areas));
-}
-
 double area_of(const Parallelogram& s) {
   return glm::length(glm::cross(Vec3d(s.u), Vec3d(s.v)));
 }
@@ -68,16 +47,6 @@ double area_of(const Disk& s) {
 
 [[noreturn]] void refuse(const Sdf&) {
   throw carlo::Error("an sdf cannot emit");
-}
-
-/// The element of a running sum that u, in [0, 1), falls into; u becomes its place within.
-std::size_t pick(std::span<const double> sums, float& u) {
-  const double x = static_cast<double>(u) * sums.back();
-  const auto it = std::upper_bound(sums.begin(), sums.end() - 1, x);
-  const auto i = static_cast<std::size_t>(it - sums.begin());
-  const double lower = i == 0 ? 0 : sums[i - 1];
-  u = std::clamp(static_cast<float>((x - lower) / (sums[i] - lower)), 0.0f, 0x1.fffffep-1f);
-  return i;
 }
 
 AreaPoint sample_area(const Parallelogram& s, Vec2 u) {
@@ -102,22 +71,15 @@ AreaPoint sample_area(const Disk& s, Vec2 u) {
           carlo::rounding_bound(12) * (glm::abs(s.center) + Vec3(s.radius))};
 }
 
-AreaPoint sample_area(const Mesh& mesh, std::span<const double> areas, Vec2 u) {
-  const glm::uvec3 corner = mesh.triangles[pick(areas, u.x)];
-  const Vec3 a = mesh.positions[corner.x], ab = mesh.positions[corner.y] - a,
-             ac = mesh.positions[corner.z] - a;
-  const float root = std::sqrt(u.x);
-  return {a + root * (1 - u.y) * ab + root * u.y * ac,
-          Vec3(glm::normalize(glm::cross(Vec3d(ab), Vec3d(ac)))),
-          carlo::rounding_bound(12) * (glm::abs(a) + glm::abs(ab) + glm::abs(ac))};
-}
-
-AreaPoint sample_area(const Shape& shape, std::span<const double> mesh_areas, Vec2 u) {
+AreaPoint sample_area(const Shape& shape, const MeshLight* mesh, Vec2 u) {
   return carlo::match(
       shape.geometry, [&](const Parallelogram& s) { return sample_area(s, u); },
       [&](const Sphere& s) { return sample_area(s, u); },
       [&](const Disk& s) { return sample_area(s, u); },
-      [&](const Mesh& s) { return sample_area(s, mesh_areas, u); },
+      [&](const Mesh&) -> AreaPoint {
+        const carlo::TrianglePoint point = mesh->sample(u);
+        return {point.p, point.n, point.error};
+      },
       [](const Sdf& s) -> AreaPoint { refuse(s); });
 }
 
@@ -174,7 +136,6 @@ float area_pdf(Vec3 from, Vec3 p, Vec3 n, double area) {
 
 Lights::Lights(const Scene& scene) : scene_(scene) {
   entry_of_shape_.resize(scene.shapes.size());
-  mesh_cdf_.resize(scene.shapes.size());
   std::vector<double> power;
   const auto brightness = [](Rgb c) { return static_cast<double>(c.r + c.g + c.b); };
   for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
@@ -219,8 +180,8 @@ Lights::Entry Lights::shape_entry(std::uint32_t index) {
         entry.shades_itself = false;
       },
       [&](const Mesh& s) {
-        mesh_cdf_[index] = mesh_areas(s);
-        entry.area = mesh_cdf_[index].back();
+        entry.mesh = std::make_shared<const MeshLight>(s);
+        entry.area = entry.mesh->area();
       },
       [](const Sdf& s) { refuse(s); });
   return entry;
@@ -280,7 +241,7 @@ std::optional<LightSample> Lights::sample_shape(const Entry& entry, const Place&
     return result(sample_sphere_cone(*entry.ball, from.p, u),
                   cone_pdf(cone_of(*entry.ball, from.p)));
   }
-  const AreaPoint point = sample_area(shape, mesh_cdf_[entry.index], u);
+  const AreaPoint point = sample_area(shape, entry.mesh.get(), u);
   if (!in_front(from, Vec3d(point.p), point.error, Vec3d(point.n))) return std::nullopt;
   return result(point, area_pdf(from.p, point.p, point.n, entry.area));
 }

@@ -2,10 +2,12 @@
 
 #include "geometry/intersector.h"
 #include "numeric/vec.h"
+#include "renderer/mesh_light.h"
 #include "renderer/spherical_rectangle.h"
 #include "scene/scene.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -56,7 +58,8 @@ class Lights {
     std::uint32_t index;  ///< among the scene's shapes or point lights
     std::optional<RectangleFrame> rectangle = std::nullopt;  ///< of lights sampled by solid angle,
     const carlo::Sphere* ball = nullptr;  ///< and of those sampled by their cone of directions
-    bool shades_itself = true;            ///< as LightSample's
+    std::shared_ptr<const MeshLight> mesh = nullptr;  ///< of a mesh
+    bool shades_itself = true;                        ///< as LightSample's
     double probability = 0;
     double area = 0;
   };
@@ -72,7 +75,6 @@ class Lights {
   std::vector<Entry> entries_;
   std::vector<double> cdf_;  ///< of the choice, ends at 1
   std::vector<std::uint32_t> entry_of_shape_;
-  std::vector<std::vector<double>> mesh_cdf_;  ///< per shape: area CDF of a mesh light's triangles
 };
 
 }  // namespace renderer

@@ -37,7 +37,7 @@ struct Origins {
   U last;     ///< the surface; `nothing` for the camera
   U plane;    ///< its plane (LaneScene::plane)
   M through;  ///< whether the ray goes on behind the surface, through glass
-  V3 clear;   ///< o as sdfs see it: off its surface, as carlo::offset_origin() moves it
+  V3 clear;   ///< o as sdfs and meshes see it: as carlo::offset_origin() moves it
 
   /// The plane, where planes are the surfaces' own unless the scene is `close`.
   template <bool close>
@@ -89,6 +89,9 @@ HWY_INLINE V coordinates(V3 o) {
   return hn::Add(hn::Abs(o.x), hn::Add(hn::Abs(o.y), hn::Abs(o.z)));
 }
 constexpr float rounding = carlo::rounding_bound(8);
+HWY_INLINE V3 rounding_of(V3 p) {
+  return set(rounding) * V3{hn::Abs(p.x), hn::Abs(p.y), hn::Abs(p.z)};
+}
 HWY_INLINE M within_rounding(V distance, V of_origin, float of_surface) {
   return hn::Le(hn::Abs(distance), hn::Mul(set(rounding), hn::Add(of_origin, set(of_surface))));
 }
@@ -260,7 +263,7 @@ HWY_INLINE void meet_flat(const LaneScene& s, std::uint32_t i, const Origins& fr
   take(hits, hn::And(hn::And(nearer, ahead), there), t, set_word(i));
 }
 
-/// The first surface along rays, but for sdfs; d has length 1.
+/// The first surface along rays, but for sdfs and meshes; d has length 1.
 template <bool close, bool full>
 HWY_INLINE Hits closest(const LaneScene& s, const Origins& from, V3 d) {
   Hits hits{set(longest), set_word(nothing)};
@@ -344,7 +347,7 @@ HWY_INLINE M sphere_blocks(const LaneScene& s, std::uint32_t i, const Segments& 
   return hn::And(met, hn::Or(by_near, by_far));
 }
 
-/// Which of `asked` reach their end without meeting anything between, but for sdfs.
+/// Which of `asked` reach their end without meeting anything between, but for sdfs and meshes.
 template <bool close, bool full>
 HWY_INLINE M unoccluded(const LaneScene& s, const Segments& way, M asked) {
   M clear = asked;

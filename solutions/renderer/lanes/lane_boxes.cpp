@@ -2,6 +2,7 @@
 
 #include "geometry/planes.h"
 #include "renderer/lanes/lane_shape.h"
+#include "scene/match.h"
 #include "scene/needs.h"
 
 #include <algorithm>
@@ -36,10 +37,11 @@ struct Parallelepiped {
 
 const Parallelogram* parallelogram(const Scene& scene, std::size_t i) {
   using Result = const Parallelogram*;
-  return match_lanes(
-      scene.shapes[i], [](const Parallelogram& quad) -> Result { return &quad; },
+  return carlo::match(
+      scene.shapes[i].geometry, [](const Parallelogram& quad) -> Result { return &quad; },
       [](const carlo::Disk&) -> Result { return nullptr; },
       [](const carlo::Sphere&) -> Result { return nullptr; },
+      [](const carlo::Mesh&) -> Result { return nullptr; },
       [](const carlo::Sdf&) -> Result { return nullptr; });
 }
 
@@ -149,11 +151,16 @@ bool holds(const LaneBox& box, const Scene& scene) {
     if (!(depth_inside(box, p) > tolerance * glm::length(p))) return false;
   }
   return std::all_of(scene.shapes.begin(), scene.shapes.end(), [&](const carlo::Shape& shape) {
-    return match_lanes(
-        shape, holds_quad, [&](const carlo::Disk& disk) { return holds_quad(square_around(disk)); },
+    return carlo::match(
+        shape.geometry, holds_quad,
+        [&](const carlo::Disk& disk) { return holds_quad(square_around(disk)); },
         [&](const carlo::Sphere& sphere) {
           const auto r = static_cast<double>(sphere.radius);
           return depth_inside(box, Vec3d(sphere.center)) >= r * (1 - tolerance);
+        },
+        [&](const carlo::Mesh& mesh) {
+          return std::all_of(mesh.positions.begin(), mesh.positions.end(),
+                             [&](const carlo::Vec3& p) { return inside(Vec3d(p)); });
         },
         [&](const carlo::Sdf& sdf) {
           const auto [lower, upper] = carlo::sdf::bounds(sdf, sdf.place);
@@ -183,11 +190,15 @@ Interval along(const Vec3d& axis, const carlo::Shape& shape) {
     for (const Vec3d& p : corners(quad))
       result.add(glm::dot(axis, p));
   };
-  match_lanes(
-      shape, of_quad, [&](const carlo::Disk& disk) { of_quad(square_around(disk)); },
+  carlo::match(
+      shape.geometry, of_quad, [&](const carlo::Disk& disk) { of_quad(square_around(disk)); },
       [&](const carlo::Sphere& sphere) {
         const double middle = glm::dot(axis, Vec3d(sphere.center)), r = sphere.radius;
         result.add(middle - r), result.add(middle + r);
+      },
+      [&](const carlo::Mesh& mesh) {
+        for (const carlo::Vec3& p : mesh.positions)
+          result.add(glm::dot(axis, Vec3d(p)));
       },
       [&](const carlo::Sdf&) {  // does not emit
         result.add(-std::numeric_limits<double>::infinity());

@@ -19,6 +19,7 @@ class LaneIntegrator final : public carlo::Integrator {
     add(text, lanes_.first_sphere - lanes_.first_disk, "disks");
     add(text, lanes_.first_sdf - lanes_.first_sphere, "spheres");
     add(text, lanes_.sdfs.size(), "sdfs");
+    add(text, lanes_.surfaces - lanes_.first_mesh, "meshes");
     return fmt::format("{}, {}", text, lane_instruction_set());
   }
 

@@ -8,7 +8,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <optional>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace renderer {
@@ -104,10 +108,11 @@ double area(const carlo::Sphere& sphere) {
 /// Of a light, what light sampling's choice goes by.
 double power(const carlo::Shape& shape) {
   if (!shape.emits()) return 0;
-  return sum(shape.radiance) * match_lanes(
-                                   shape, [](const Parallelogram& quad) { return area(quad); },
-                                   [](const carlo::Disk& disk) { return area(disk); },
-                                   [](const carlo::Sphere& sphere) { return area(sphere); },
+  return sum(shape.radiance) * carlo::match(
+                                   shape.geometry, [](const Parallelogram& s) { return area(s); },
+                                   [](const carlo::Disk& s) { return area(s); },
+                                   [](const carlo::Sphere& s) { return area(s); },
+                                   [](const carlo::Mesh& s) { return MeshLight(s).area(); },
                                    [](const carlo::Sdf&) { return 0.0; });  // none emits
 }
 double power(const carlo::PointLight& light) {
@@ -178,6 +183,17 @@ class Writer {
     lanes_.sdfs.push_back(lane_sdf(sdf));
     lanes_.plane[i] = static_cast<std::uint32_t>(i);
     look(i, shape);
+  }
+
+  /// With the number after the last mesh's.
+  void mesh(const carlo::Shape& shape, const carlo::Mesh& mesh) {
+    const std::size_t i = lanes_.surfaces++;
+    lanes_.plane[i] = static_cast<std::uint32_t>(i);
+    look(i, shape);
+    lanes_.mesh_lights.emplace_back();
+    if (!shape.emits()) return;
+    lanes_.any_mesh_light = true;
+    light(i, shape, lanes_.mesh_lights.back().emplace(mesh).area());
   }
 
   /// After all that are surfaces.
@@ -255,18 +271,30 @@ struct Extent {
   Vec3d lower, upper;
 };
 
+Extent extent_of(const carlo::Mesh& mesh) {
+  Extent extent{Vec3d(std::numeric_limits<double>::infinity()),
+                Vec3d(-std::numeric_limits<double>::infinity())};
+  for (const Vec3& p : mesh.positions) {
+    extent.lower = glm::min(extent.lower, Vec3d(p));
+    extent.upper = glm::max(extent.upper, Vec3d(p));
+  }
+  return extent;
+}
+
 Extent extent_of(const carlo::Shape& shape) {
   const auto of_quad = [](const Parallelogram& quad) -> Extent {
     const Vec3d o(quad.origin), u(quad.u), v(quad.v);
     return {o + glm::min(u, Vec3d(0)) + glm::min(v, Vec3d(0)),
             o + glm::max(u, Vec3d(0)) + glm::max(v, Vec3d(0))};
   };
-  return match_lanes(
-      shape, of_quad, [&](const carlo::Disk& disk) { return of_quad(square_around(disk)); },
+  return carlo::match(
+      shape.geometry, of_quad,
+      [&](const carlo::Disk& disk) { return of_quad(square_around(disk)); },
       [](const carlo::Sphere& sphere) -> Extent {
         const Vec3d c(sphere.center), r(static_cast<double>(sphere.radius));
         return {c - r, c + r};
       },
+      [](const carlo::Mesh& mesh) { return extent_of(mesh); },
       [](const carlo::Sdf& sdf) -> Extent {
         const carlo::sdf::Box box = carlo::sdf::bounds(sdf, sdf.place);
         return {box.lower, box.upper};
@@ -274,10 +302,8 @@ Extent extent_of(const carlo::Shape& shape) {
 }
 
 /// No parallelogram, so in no box.
-bool is_round(const carlo::Shape& shape) {
-  return match_lanes(
-      shape, [](const Parallelogram&) { return false; }, [](const carlo::Disk&) { return true; },
-      [](const carlo::Sphere&) { return true; }, [](const carlo::Sdf&) { return true; });
+bool in_no_box(const carlo::Shape& shape) {
+  return !std::holds_alternative<Parallelogram>(shape.geometry);
 }
 
 /// Whether two extents are no further apart than some roundings of their coordinates.
@@ -292,12 +318,14 @@ bool touch(const Extent& a, const Extent& b) {
 /// LaneScene::touching, `quads` the parallelograms outside of boxes.
 bool any_touches(const carlo::Scene& scene, const std::vector<std::size_t>& quads) {
   std::vector<std::size_t> loose = quads;
+  std::vector<Extent> extents;
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
-    if (is_round(scene.shapes[i])) loose.push_back(i);
+    extents.push_back(extent_of(scene.shapes[i]));
+    if (in_no_box(scene.shapes[i])) loose.push_back(i);
   }
   for (const std::size_t i : loose) {
-    for (std::size_t j = 0; j < scene.shapes.size(); ++j)
-      if (i != j && touch(extent_of(scene.shapes[i]), extent_of(scene.shapes[j]))) return true;
+    for (std::size_t j = 0; j < extents.size(); ++j)
+      if (i != j && touch(extents[i], extents[j])) return true;
   }
   return false;
 }
@@ -305,9 +333,33 @@ bool any_touches(const carlo::Scene& scene, const std::vector<std::size_t>& quad
 /// How many numbers the scene's surfaces take.
 std::size_t numbers(const carlo::Scene& scene) {
   const LaneBoxes boxes = find_boxes(scene);
-  const auto rounds = std::count_if(scene.shapes.begin(), scene.shapes.end(), is_round);
+  const auto others = std::count_if(scene.shapes.begin(), scene.shapes.end(), in_no_box);
   return boxes.solids.size() * LaneScene::sides + (boxes.enclosure ? LaneScene::sides_used : 0) +
-         boxes.others.size() + static_cast<std::size_t>(rounds);
+         boxes.others.size() + static_cast<std::size_t>(others);
+}
+
+template <class Kind>
+using Found = std::vector<std::pair<const carlo::Shape*, const Kind*>>;
+
+/// The shapes that are no parallelograms, by kind.
+struct Sorted {
+  Found<carlo::Disk> disks;
+  Found<carlo::Sphere> spheres;
+  Found<carlo::Sdf> sdfs;
+  Found<carlo::Mesh> meshes;
+};
+
+Sorted sort(const carlo::Scene& scene) {
+  Sorted sorted;
+  for (const carlo::Shape& shape : scene.shapes) {
+    carlo::match(
+        shape.geometry, [](const Parallelogram&) {},
+        [&](const carlo::Disk& s) { sorted.disks.emplace_back(&shape, &s); },
+        [&](const carlo::Sphere& s) { sorted.spheres.emplace_back(&shape, &s); },
+        [&](const carlo::Mesh& s) { sorted.meshes.emplace_back(&shape, &s); },
+        [&](const carlo::Sdf& s) { sorted.sdfs.emplace_back(&shape, &s); });
+  }
+  return sorted;
 }
 
 }  // namespace
@@ -315,14 +367,17 @@ std::size_t numbers(const carlo::Scene& scene) {
 bool LaneScene::suits(const carlo::Needs& needs, const carlo::Scene& scene) {
   carlo::Needs others = needs;
   others.parallelograms = others.disks = others.spheres = others.sdfs = 0;
+  others.meshes = others.triangles = 0;
   others.parallelogram_lights = others.disk_lights = others.sphere_lights = 0;
-  others.point_lights = 0;
+  others.triangle_lights = others.point_lights = 0;
   others.diffuse = others.phong = others.mirror = others.dielectric = false;
   others.one_sided = others.two_sided = false;
   others.environment = others.depth_limit = false;
-  return others == carlo::Needs{} && sobol_points(scene.sampler) && needs.primitives() <= most &&
-         needs.area_lights() + needs.point_lights <= most &&
-         scene.materials.size() <= most_materials && numbers(scene) <= most;
+  const auto lamps = static_cast<std::size_t>(std::count_if(
+      scene.shapes.begin(), scene.shapes.end(), [](const carlo::Shape& s) { return s.emits(); }));
+  return others == carlo::Needs{} && sobol_points(scene.sampler) && scene.shapes.size() <= most &&
+         lamps + needs.point_lights <= most && scene.materials.size() <= most_materials &&
+         numbers(scene) <= most;
 }
 
 LaneScene::LaneScene(const carlo::Scene& scene) {
@@ -347,26 +402,23 @@ LaneScene::LaneScene(const carlo::Scene& scene) {
   for (const std::size_t i : boxes.others)
     write.quad(surfaces++, i);
   // Parallelograms have their numbers already.
+  const Sorted sorted = sort(scene);
   first_disk = surfaces;
-  for (const carlo::Shape& shape : scene.shapes) {
-    match_lanes(
-        shape, [](const Parallelogram&) {},
-        [&](const carlo::Disk& disk) { write.disk(shape, disk); }, [](const carlo::Sphere&) {},
-        [](const carlo::Sdf&) {});
-  }
+  for (const auto& [shape, disk] : sorted.disks)
+    write.disk(*shape, *disk);
   first_sphere = surfaces;
-  for (const carlo::Shape& shape : scene.shapes) {
-    match_lanes(
-        shape, [](const Parallelogram&) {}, [](const carlo::Disk&) {},
-        [&](const carlo::Sphere& sphere) { write.sphere(shape, sphere); },
-        [](const carlo::Sdf&) {});
-  }
+  for (const auto& [shape, sphere] : sorted.spheres)
+    write.sphere(*shape, *sphere);
   first_sdf = surfaces;
-  for (const carlo::Shape& shape : scene.shapes) {
-    match_lanes(
-        shape, [](const Parallelogram&) {}, [](const carlo::Disk&) {}, [](const carlo::Sphere&) {},
-        [&](const carlo::Sdf& sdf) { write.sdf(shape, sdf); });
+  for (const auto& [shape, sdf] : sorted.sdfs)
+    write.sdf(*shape, *sdf);
+  first_mesh = surfaces;
+  std::vector<const carlo::Mesh*> traced;
+  for (const auto& [shape, mesh] : sorted.meshes) {
+    write.mesh(*shape, *mesh);
+    traced.push_back(mesh);
   }
+  if (!traced.empty()) meshes = std::make_unique<carlo::MeshTracer>(traced);
   first_point = lights;
   for (const carlo::PointLight& light : points)
     write.point(light);

@@ -1,11 +1,15 @@
 #pragma once
 
+#include "geometry/mesh_tracer.h"
 #include "renderer/lanes/lane_sdf.h"
+#include "renderer/mesh_light.h"
 #include "scene/needs.h"
 #include "scene/scene.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace renderer {
@@ -41,22 +45,25 @@ struct LaneScene {
   template <class T>
   using MaterialColumn = std::array<T, most_materials>;
 
-  /// Whether the kernels can render the scene: parallelograms, disks, spheres and signed distance
-  /// functions of any material, at most `most` and `most_materials`; those that emit, points that
-  /// do, at most `most` of all, and light from around; independent and Sobol' points. What is not
-  /// on this list goes to the scalar path tracer.
+  /// Whether the kernels can render the scene: shapes of all kinds and of any material, at most
+  /// `most` (a mesh is one) and `most_materials`; those that emit, points that do, at most `most`
+  /// of both, and light from around; independent and Sobol' points. What is not on this list goes
+  /// to the scalar path tracer.
   static bool suits(const carlo::Needs& needs, const carlo::Scene& scene);
 
   explicit LaneScene(const carlo::Scene& scene);
 
   /// Solid i has the numbers from i * sides on, one for each side in the order of LaneBox::faces.
   /// The enclosure, if there is one, follows with the numbers that it uses; then other
-  /// parallelograms, then disks, then spheres, then signed distance functions.
+  /// parallelograms, then disks, then spheres, then signed distance functions, then meshes.
   std::vector<LaneBox> solids;
   LaneBox enclosure;
   bool enclosed = false, camera_inside = false;
-  std::uint32_t first_quad = 0, first_disk = 0, first_sphere = 0, first_sdf = 0, surfaces = 0;
+  std::uint32_t first_quad = 0, first_disk = 0, first_sphere = 0, first_sdf = 0, first_mesh = 0;
+  std::uint32_t surfaces = 0;  ///< behind the last
   std::vector<LaneSdf> sdfs;
+  std::unique_ptr<carlo::MeshTracer> meshes;          ///< if there are any; and of each
+  std::vector<std::optional<MeshLight>> mesh_lights;  ///< that emits, points on it
 
   /// Of a parallelogram, or of the square around a disk: the plane n p = d with unit normal n.
   Column<float> nx{}, ny{}, nz{}, d{};
@@ -106,15 +113,17 @@ struct LaneScene {
   bool sobol = false;  ///< points, or independent ones
   bool phong = false, one_sided = false;
 
-  bool sphere_lights = false, disk_lights = false;
+  bool sphere_lights = false, disk_lights = false, any_mesh_light = false;
 
   bool disks() const { return first_sphere > first_disk; }
   bool point_lights() const { return lights > first_point; }
   bool spheres() const { return first_sdf > first_sphere; }
+  /// Whether there are surfaces that rays are asked about one by one, after all others.
+  bool searched() const { return !sdfs.empty() || meshes != nullptr; }
   /// Whether it needs what Features::close is for, and what Features::full is for.
   bool close() const { return spheres() || touching || coplanar; }
   bool full() const {
-    return any_specular || sphere_lights || disks() || point_lights() || !sdfs.empty();
+    return any_specular || sphere_lights || disks() || point_lights() || searched();
   }
 };
 

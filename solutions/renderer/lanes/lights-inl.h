@@ -10,10 +10,14 @@
 #include "renderer/lanes/intersect-inl.h"
 #include "renderer/lanes/lane_scene.h"
 #include "renderer/lanes/lookup-inl.h"
+#include "renderer/lanes/mesh_hits-inl.h"
 #include "renderer/lanes/vector_math-inl.h"
 
 #include <hwy/highway.h>
 
+#include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
@@ -30,6 +34,7 @@ struct LightPoints {
   M by_cone{};  ///< the density is one of directions:
   V solid_angle{};  ///< one over it
   M point{};        ///< n is none, and Le is intensity
+  V3 error{};       ///< of p, where the scene has meshes
 };
 
 HWY_INLINE V3 across(V3 corner, V2 u, V3 edge_u, V3 edge_v) {
@@ -48,7 +53,7 @@ HWY_INLINE M is_from(std::uint32_t first, U number) {
   return hn::Not(hn::RebindMask(d_, hn::Gt(set_word(first), number)));
 }
 HWY_INLINE M is_sphere(const LaneScene& s, U surface) {
-  return is_from(s.first_sphere, surface);
+  return hn::AndNot(is_from(s.first_sdf, surface), is_from(s.first_sphere, surface));
 }
 
 /// Uniform in the disk of radius 1 about the origin.
@@ -118,6 +123,24 @@ HWY_INLINE void sample_balls(const Balls& ball, V3 p, V2 u, M chosen, LightPoint
   points.solid_angle = hn::Mul(points.area, cone.one_minus_cos);
 }
 
+/// Points on lamps that are meshes, of the lanes that chose one.
+inline HWY_NOINLINE void sample_meshes(const LaneScene& s, U surface, V2 u, M chosen,
+                                       LightPoints& light) {
+  alignas(64) std::array<float, lanes> ux, uy;
+  alignas(64) std::array<std::uint32_t, lanes> number;
+  hn::Store(u.x, d_, ux.data());
+  hn::Store(u.y, d_, uy.data());
+  hn::Store(surface, du_, number.data());
+  PointColumns points{};
+  for (std::uint32_t left = bits(chosen); left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(left));
+    points.set(i, s.mesh_lights[number[i] - s.first_mesh]->sample({ux[i], uy[i]}));
+  }
+  light.p = select(chosen, points.at(points.px, points.py, points.pz), light.p);
+  light.n = select(chosen, points.at(points.nx, points.ny, points.nz), light.n);
+  light.error = select(chosen, points.at(points.ex, points.ey, points.ez), light.error);
+}
+
 /// Seen from the points p.
 template <bool full>
 HWY_INLINE LightPoints sample_light(const LaneScene& s, V3 p, V2 u) {
@@ -136,7 +159,7 @@ HWY_INLINE LightPoints sample_light(const LaneScene& s, V3 p, V2 u) {
   const U surface = light(s.light_surface.data());
   const Numbers at_surface(surface, s.surfaces);
   if (full && s.disk_lights) {
-    const M disk = hn::AndNot(is_sphere(s, surface), is_from(s.first_disk, surface));
+    const M disk = hn::AndNot(is_from(s.first_sphere, surface), is_from(s.first_disk, surface));
     const V2 place = in_disk(u);
     u = {select(disk, place.x, u.x), select(disk, place.y, u.y)};
   }
@@ -148,6 +171,10 @@ HWY_INLINE LightPoints sample_light(const LaneScene& s, V3 p, V2 u) {
   if (full && s.sphere_lights) {
     const M chosen = is_sphere(s, surface);
     sample_balls(balls(s, at_surface), p, u, chosen, points);
+  }
+  if (full && s.meshes) {
+    points.error = rounding_of(points.p);
+    if (s.any_mesh_light) sample_meshes(s, surface, u, is_from(s.first_mesh, surface), points);
   }
   if (full && s.point_lights()) {
     points.point = is_from(s.first_point, index);

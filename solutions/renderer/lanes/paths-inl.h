@@ -13,6 +13,7 @@
 #include "renderer/lanes/lane_scene.h"
 #include "renderer/lanes/lights-inl.h"
 #include "renderer/lanes/lookup-inl.h"
+#include "renderer/lanes/mesh_hits-inl.h"
 #include "renderer/lanes/points-inl.h"
 #include "renderer/lanes/sdf_hits-inl.h"
 #include "renderer/lanes/vector_math-inl.h"
@@ -36,7 +37,7 @@ constexpr std::uint32_t key_step = 0x9E3779B1;
 
 /// What a scene needs, for which the code is compiled: `phong` materials; `close`: spheres, or
 /// parallelograms that touch others or share a plane with them; `full`: mirrors, glass, disks,
-/// sdfs, spheres and points that emit.
+/// sdfs, meshes, spheres and points that emit.
 template <bool phong_, bool close_, bool full_ = false>
 struct Features {
   static constexpr bool phong = phong_, close = close_, full = full_;
@@ -81,18 +82,26 @@ class Walk {
     const bool sdfs = !s_.sdfs.empty();
     std::array<Vertex, batch> vertices;
     for (std::size_t w = 0; w < paths.size(); ++w) {
-      find(paths[w], vertices[w]);
-      if (sdfs) vertices[w].way = {paths[w].from.clear, paths[w].d, paths[w].alive};
-      vertices[w].to_light.clear = hn::FirstN(d_, 0);
+      Vertex& vertex = vertices[w];
+      find(paths[w], vertex);
+      vertex.way = {paths[w].from.clear, paths[w].d, paths[w].alive};
+      vertex.to_light.clear = hn::FirstN(d_, 0);
     }
     if (sdfs) meet_sdfs(s_, vertices);
-    for (std::size_t w = 0; w < paths.size(); ++w)
-      shade(paths[w], vertices[w]);
-    if (!sdfs) return;
-    block_by_sdfs(s_, vertices);
-    for (std::size_t w = 0; w < batch; ++w) {
+    for (std::size_t w = 0; w < paths.size(); ++w) {
+      Vertex& vertex = vertices[w];
+      if (s_.meshes) {
+        meet_meshes(s_, vertex.way.o, vertex.way.d, vertex.way.wanted, vertex.of_mesh, vertex.hits);
+      }
+      shade(paths[w], vertex);
+    }
+    if (!s_.searched()) return;
+    if (sdfs) block_by_sdfs(s_, vertices);
+    for (std::size_t w = 0; w < paths.size(); ++w) {
+      ToLight& way = vertices[w].to_light;
+      if (s_.meshes) block_by_meshes(s_, way.o, way.to, way.share, way.clear);
       const V3 whole = paths[w].L + vertices[w].direct;
-      paths[w].L = select(vertices[w].to_light.clear, whole, paths[w].L);
+      paths[w].L = select(way.clear, whole, paths[w].L);
     }
   }
 
@@ -118,7 +127,7 @@ class Walk {
     const Numbers at_surface(number, s_.surfaces);
     V3 p, shape_normal;
     place(paths, hits.t, number, at_surface, p, shape_normal);
-    if (Needs::full && !s_.sdfs.empty()) place_on_sdfs(s_, vertex, number, p, shape_normal);
+    if (Needs::full && s_.searched()) place_searched(vertex, paths.alive, number, p, shape_normal);
     const V cosine = hn::Neg(dot(shape_normal, paths.d));
     const M front = hn::Gt(cosine, set(0));
     add_emission(paths, hits.t, number, at_surface, cosine, hn::And(front, paths.alive));
@@ -132,7 +141,8 @@ class Walk {
     const V side = hn::CopySign(set(1), cosine);
     arrive(paths, hits.t, p, number, at_surface);
     const V3 normal = side * shape_normal;
-    if (Needs::full && !s_.sdfs.empty()) paths.from.clear = off_surface(p, normal, paths.d);
+    if (Needs::full && s_.searched())
+      paths.from.clear = off_surface(p, vertex.error, normal, paths.d);
     paths.key = hn::Add(paths.key, set_word(key_step));
     M specular = hn::FirstN(d_, 0);
     Reflections reflections{};
@@ -145,7 +155,8 @@ class Walk {
     }
     if (!Needs::full || !hn::AllFalse(d_, paths.alive))
       scatter(paths, surface_at(paths.d, p, normal, material), vertex);
-    if (Needs::full && s_.any_specular) go_on(paths, specular, reflections, p, normal);
+    if (Needs::full && s_.any_specular)
+      go_on(paths, specular, reflections, p, vertex.error, normal);
     roulette(paths);
   }
 
@@ -184,6 +195,15 @@ class Walk {
       normal = select(flat, normal, hn::CopySign(set(1), radius) * outward);
       p = select(flat, p, add_scaled(center, hn::Abs(radius), outward));
     }
+  }
+
+  /// Of the lanes that met an sdf or a mesh, and of all the rounding error.
+  HWY_INLINE void place_searched(Vertex& vertex, M alive, U number, V3& p, V3& normal) const {
+    if (!s_.sdfs.empty()) place_on_sdfs(s_, vertex, number, p, normal);
+    vertex.error = rounding_of(p);
+    if (!s_.meshes) return;
+    const M here = hn::And(is_from(s_.first_mesh, number), alive);
+    place_on_meshes(s_, vertex.of_mesh, here, p, normal, vertex.error);
   }
 
   /// Emission met by the rays, weighed against light sampling.
@@ -232,16 +252,18 @@ class Walk {
   }
 
   /// From mirrors and glass, of normal n on the side that the path came from.
-  HWY_INLINE void go_on(Paths& paths, M specular, const Reflections& next, V3 p, V3 n) const {
+  HWY_INLINE void go_on(Paths& paths, M specular, const Reflections& next, V3 p, V3 error,
+                        V3 n) const {
     paths.alive = hn::Or(paths.alive, specular);
     paths.beta = select(specular, next.weight, paths.beta);
     paths.d = select(specular, next.d, paths.d);
     paths.pdf = select(specular, set(-1), paths.pdf);
     paths.compressed = select(specular, hn::Mul(paths.compressed, next.eta2), paths.compressed);
     paths.from.through = hn::And(specular, next.through);
-    if (!s_.sdfs.empty() && !hn::AllFalse(d_, paths.from.through))
-      paths.from.clear =
-          select(paths.from.through, off_surface(p, set(-1) * n, set(0, 0, 0)), paths.from.clear);
+    if (s_.searched() && !hn::AllFalse(d_, paths.from.through)) {
+      const V3 beyond = off_surface(p, error, set(-1) * n, set(0, 0, 0));
+      paths.from.clear = select(paths.from.through, beyond, paths.from.clear);
+    }
   }
 
   HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, Vertex& vertex) const {
@@ -267,9 +289,10 @@ class Walk {
     V light_cosine = hn::Neg(dot(light.n, wi));
     if (Needs::full && s_.point_lights()) light_cosine = select(light.point, set(1), light_cosine);
     M elsewhere = differs(light.plane, paths.from.starts_on<Needs::close>());
-    // A sphere that emits inwards lights itself.
-    if (Needs::full && s_.sphere_lights)
-      elsewhere = hn::And(hn::Or(elsewhere, is_sphere(s_, light.plane)), light.seen);
+    // A sphere that emits inwards lights itself, and so does a mesh.
+    if (Needs::full && (s_.sphere_lights || s_.any_mesh_light))
+      elsewhere = hn::Or(elsewhere, is_from(s_.first_sphere, light.plane));
+    if (Needs::full && s_.sphere_lights) elsewhere = hn::And(elsewhere, light.seen);
     const M faces = hn::And(hn::And(hn::Gt(cosine, set(0)), hn::Gt(light_cosine, set(0))),
                             hn::And(paths.alive, elsewhere));
     if (hn::AllFalse(d_, faces)) return;
@@ -286,12 +309,21 @@ class Walk {
     if (Needs::full && s_.point_lights()) ratio = hn::IfThenZeroElse(light.point, ratio);
     const V weight = hn::Mul(hn::Mul(cosine, solid_angle), weigh(ratio));
     const V3 direct = weight * (paths.beta * (bsdf.f * light.Le));
-    if (Needs::full && !s_.sdfs.empty()) {
+    if (Needs::full && s_.searched()) {
       vertex.direct = direct;
-      vertex.to_light = {paths.from.clear, light.p, clear};
+      vertex.to_light = {paths.from.clear, light.p, set(1), clear};
+      if (s_.meshes) end_before_meshes(light, vertex.to_light);
     } else {
       paths.L = select(clear, paths.L + direct, paths.L);
     }
+  }
+
+  /// carlo::shadow_ray(): the way ends in front of what the lamp is fixed to.
+  HWY_INLINE void end_before_meshes(const LightPoints& light, ToLight& way) const {
+    const V3 before = off_surface(light.p, light.error, light.n, set(0, 0, 0));
+    way.to = s_.point_lights() ? select(light.point, light.p, before) : before;
+    if (s_.any_mesh_light)
+      way.share = select(is_from(s_.first_mesh, light.plane), set(1 - 1e-6f), set(1));
   }
 
   HWY_INLINE void roulette(Paths& paths) const {

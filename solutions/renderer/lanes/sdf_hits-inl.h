@@ -8,6 +8,7 @@
 #define CARLO_SDF_HITS_INL
 #endif
 
+#include "geometry/mesh_tracer.h"
 #include "renderer/lanes/intersect-inl.h"
 #include "renderer/lanes/lane_scene.h"
 #include "renderer/lanes/sphere_tracing-inl.h"
@@ -33,6 +34,7 @@ struct Way {
 /// A register's ways from o to points of lights, of which none lies on an sdf.
 struct ToLight {
   V3 o, to;
+  V share;  ///< of the way, that a mesh may block: not the end, if the light is one
   M clear;  ///< so far
 };
 
@@ -40,9 +42,11 @@ struct ToLight {
 struct Vertex {
   V2 u_light, u_lobe;
   Hits hits;
-  // Where there are sdfs:
+  // Where there are sdfs or meshes:
   Way way;
-  std::array<double, lanes> t{};  ///< of those that met one
+  std::array<double, lanes> t{};  ///< of those that met an sdf
+  carlo::MeshRays of_mesh;        ///< and what those met that met a mesh
+  V3 error;                       ///< of the point's coordinates
   ToLight to_light;               ///< ways to lights that nothing else blocks,
   V3 direct;                      ///< and what they bring
 };
@@ -105,9 +109,8 @@ inline HWY_NOINLINE void place_on_sdfs(const LaneScene& s, const Vertex& vertex,
 
 /// carlo::offset_origin(): the point p of a surface moved to the side of n, off the surface by what
 /// its rounding asks for; for a path that came along d, |d| = 1, and stays on that side.
-HWY_INLINE V3 off_surface(V3 p, V3 n, V3 d) {
+HWY_INLINE V3 off_surface(V3 p, V3 error, V3 n, V3 d) {
   const V3 size{hn::Abs(p.x), hn::Abs(p.y), hn::Abs(p.z)};
-  const V3 error = set(rounding) * size;
   const V3 back = add_scaled(p, hn::Mul(set(-2), hn::Sqrt(dot(error, error))), d);
   const V3 off = dot({hn::Abs(n.x), hn::Abs(n.y), hn::Abs(n.z)}, error) * n;
   // Rounding takes back no more than this.

@@ -1,0 +1,115 @@
+#include "geometry/mesh_tracer.h"
+
+#include "cli/error.h"
+#include "geometry/embree.h"
+#include "geometry/triangles.h"
+#include "numeric/robust.h"
+
+#include <bit>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+namespace carlo {
+namespace {
+
+template <class T>
+void copy(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
+          const std::vector<T>& values) {
+  void* data = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), values.size());
+  if (data == nullptr) throw Error("Embree is out of memory");
+  std::memcpy(data, values.data(), values.size() * sizeof(T));
+}
+
+RTCRay ray_of(const MeshRays& rays, std::size_t i) {
+  RTCRay ray{};
+  ray.org_x = rays.ox[i], ray.org_y = rays.oy[i], ray.org_z = rays.oz[i];
+  ray.dir_x = rays.dx[i], ray.dir_y = rays.dy[i], ray.dir_z = rays.dz[i];
+  ray.tnear = std::numeric_limits<float>::min();
+  ray.tfar = rays.t[i];
+  ray.mask = ~0u;
+  return ray;
+}
+
+}  // namespace
+
+RTCGeometry embree_triangles(RTCDevice device, const Mesh& mesh) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  copy(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.positions);
+  copy(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh.triangles);
+  return geometry;
+}
+
+TrianglePoint triangle_point(const Mesh& mesh, std::uint32_t triangle, float u, float v) {
+  const glm::uvec3 corner = mesh.triangles[triangle];
+  const Vec3 a = mesh.positions[corner.x], b = mesh.positions[corner.y],
+             c = mesh.positions[corner.z];
+  // In double: a sliver's edges are nearly parallel, and their float cross product is noise.
+  using Vec3d = glm::dvec3;
+  return {(1 - u - v) * a + u * b + v * c,
+          rounding_bound(12) * glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c))),
+          Vec3(glm::normalize(glm::cross(Vec3d(b) - Vec3d(a), Vec3d(c) - Vec3d(a))))};
+}
+
+struct MeshTracer::Impl {
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+
+  Impl() = default;
+  ~Impl() {
+    if (scene != nullptr) rtcReleaseScene(scene);
+    if (device != nullptr) rtcReleaseDevice(device);
+  }
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+};
+
+MeshTracer::MeshTracer(std::vector<const Mesh*> meshes)
+    : meshes_(std::move(meshes)), impl_(std::make_unique<Impl>()) {
+  impl_->device = rtcNewDevice(nullptr);
+  if (impl_->device == nullptr) throw Error("Embree did not start");
+  impl_->scene = rtcNewScene(impl_->device);
+  rtcSetSceneFlags(impl_->scene, RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(impl_->scene, RTC_BUILD_QUALITY_HIGH);
+  for (unsigned i = 0; i < meshes_.size(); ++i) {
+    RTCGeometry geometry = embree_triangles(impl_->device, *meshes_[i]);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(impl_->scene, geometry, i);
+    rtcReleaseGeometry(geometry);
+  }
+  rtcCommitScene(impl_->scene);
+  if (rtcGetDeviceError(impl_->device) != RTC_ERROR_NONE) throw Error("Embree is out of memory");
+}
+
+MeshTracer::~MeshTracer() = default;
+
+// Ray by ray: after a bounce Embree's packets are no faster.
+std::uint32_t MeshTracer::intersect(MeshRays& rays, std::uint32_t wanted) const {
+  std::uint32_t met = 0;
+  for (std::uint32_t left = wanted; left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(left));
+    RTCRayHit query{};
+    query.ray = ray_of(rays, i);
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    embree_intersect(impl_->scene, &query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
+    rays.t[i] = query.ray.tfar;
+    rays.u[i] = query.hit.u, rays.v[i] = query.hit.v;
+    rays.mesh[i] = query.hit.geomID, rays.triangle[i] = query.hit.primID;
+    met |= std::uint32_t{1} << i;
+  }
+  return met;
+}
+
+std::uint32_t MeshTracer::occluded(const MeshRays& rays, std::uint32_t wanted) const {
+  std::uint32_t blocked = 0;
+  for (std::uint32_t left = wanted; left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(left));
+    RTCRay query = ray_of(rays, i);
+    embree_occluded(impl_->scene, &query);
+    if (query.tfar < 0) blocked |= std::uint32_t{1} << i;
+  }
+  return blocked;
+}
+
+}  // namespace carlo

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "numeric/vec.h"
+#include "scene/scene.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace carlo {
+
+/// A point of a triangle, with a bound on the absolute rounding error of each coordinate, and the
+/// triangle's unit normal.
+struct TrianglePoint {
+  Vec3 p, error, n;
+};
+
+/// Where a ray meets a triangle of a mesh: (1 - u - v) a + u b + v c.
+TrianglePoint triangle_point(const Mesh& mesh, std::uint32_t triangle, float u, float v);
+
+/// Several rays o + t d, 0 < t < tfar, a column a coordinate; and what they met: the mesh by its
+/// number, its triangle, and where in it (triangle_point()). `t` becomes its distance.
+struct MeshRays {
+  static constexpr std::size_t most = 16;
+  template <class T>
+  using Column = std::array<T, most>;
+  alignas(64) Column<float> ox, oy, oz, dx, dy, dz, t;
+  alignas(64) Column<float> u, v;
+  alignas(64) Column<std::uint32_t> mesh, triangle;
+};
+
+/// Answers ray queries against meshes alone, through Embree in its robust (watertight) mode.
+/// Queries may come from any thread.
+class MeshTracer {
+ public:
+  /// Keeps pointers to the meshes, which must outlive it. Throws Error if Embree fails.
+  explicit MeshTracer(std::vector<const Mesh*> meshes);
+  ~MeshTracer();
+  MeshTracer(const MeshTracer&) = delete;
+  MeshTracer& operator=(const MeshTracer&) = delete;
+
+  const Mesh& mesh(std::size_t i) const { return *meshes_[i]; }
+
+  /// Bit i of `wanted` asks for ray i: of those, which meet a triangle. Of others nothing is read
+  /// or written.
+  std::uint32_t intersect(MeshRays& rays, std::uint32_t wanted) const;
+
+  /// And whether anything lies there at all.
+  std::uint32_t occluded(const MeshRays& rays, std::uint32_t wanted) const;
+
+ private:
+  struct Impl;
+  std::vector<const Mesh*> meshes_;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace carlo

@@ -1,0 +1,98 @@
+// Meshes among a scene's surfaces: which triangles a register of rays meets. Included once for each
+// instruction set.
+
+#if defined(CARLO_MESH_HITS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef CARLO_MESH_HITS_INL
+#undef CARLO_MESH_HITS_INL
+#else
+#define CARLO_MESH_HITS_INL
+#endif
+
+#include "geometry/mesh_tracer.h"
+#include "renderer/lanes/intersect-inl.h"
+#include "renderer/lanes/lane_scene.h"
+#include "renderer/lanes/vector_math-inl.h"
+
+#include <hwy/highway.h>
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace renderer {
+namespace HWY_NAMESPACE {
+
+static_assert(lanes <= carlo::MeshRays::most);
+
+HWY_INLINE void store(V3 o, V3 d, V t, carlo::MeshRays& rays) {
+  hn::Store(o.x, d_, rays.ox.data());
+  hn::Store(o.y, d_, rays.oy.data());
+  hn::Store(o.z, d_, rays.oz.data());
+  hn::Store(d.x, d_, rays.dx.data());
+  hn::Store(d.y, d_, rays.dy.data());
+  hn::Store(d.z, d_, rays.dz.data());
+  hn::Store(t, d_, rays.t.data());
+}
+
+HWY_INLINE M mask_of(std::uint32_t bits) {
+  const U of_lane = hn::Shl(set_word(1), hn::Iota(du_, 0));
+  return differs(hn::And(of_lane, set_word(bits)), set_word(0));
+}
+
+/// What is nearer than `hits`, of the rays o + t d that are wanted.
+inline HWY_NOINLINE void meet_meshes(const LaneScene& s, const V3& o, const V3& d, M wanted,
+                                     carlo::MeshRays& rays, Hits& hits) {
+  store(o, d, hits.t, rays);
+  const M met = mask_of(s.meshes->intersect(rays, bits(wanted)));
+  take(hits, met, hn::Load(d_, rays.t.data()),
+       hn::Add(hn::Load(du_, rays.mesh.data()), set_word(s.first_mesh)));
+}
+
+/// A column a coordinate.
+struct PointColumns {
+  template <class T>
+  using Column = std::array<T, lanes>;
+  alignas(64) Column<float> px, py, pz, ex, ey, ez, nx, ny, nz;
+
+  void set(std::size_t i, const carlo::TrianglePoint& point) {
+    px[i] = point.p.x, py[i] = point.p.y, pz[i] = point.p.z;
+    ex[i] = point.error.x, ey[i] = point.error.y, ez[i] = point.error.z;
+    nx[i] = point.n.x, ny[i] = point.n.y, nz[i] = point.n.z;
+  }
+  HWY_INLINE V3 at(const Column<float>& x, const Column<float>& y, const Column<float>& z) const {
+    return {hn::Load(d_, x.data()), hn::Load(d_, y.data()), hn::Load(d_, z.data())};
+  }
+};
+
+/// Points, normals and rounding errors of the lanes whose surface is a mesh.
+inline HWY_NOINLINE void place_on_meshes(const LaneScene& s, const carlo::MeshRays& rays, M here,
+                                         V3& p, V3& n, V3& error) {
+  PointColumns points{};
+  for (std::uint32_t left = bits(here); left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(left));
+    points.set(i, carlo::triangle_point(s.meshes->mesh(rays.mesh[i]), rays.triangle[i], rays.u[i],
+                                        rays.v[i]));
+  }
+  p = select(here, points.at(points.px, points.py, points.pz), p);
+  n = select(here, points.at(points.nx, points.ny, points.nz), n);
+  error = select(here, points.at(points.ex, points.ey, points.ez), error);
+}
+
+/// Takes those away that a mesh blocks, on so large a share of the ways from o to `to`.
+inline HWY_NOINLINE void block_by_meshes(const LaneScene& s, const V3& o, const V3& to, V share,
+                                         M& clear) {
+  if (hn::AllFalse(d_, clear)) return;
+  carlo::MeshRays rays;
+  const V3 way = to - o;
+  const V distance = hn::Sqrt(dot(way, way));
+  store(o, hn::Div(set(1), distance) * way, hn::Mul(distance, share), rays);
+  clear = hn::AndNot(mask_of(s.meshes->occluded(rays, bits(clear))), clear);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace renderer
+HWY_AFTER_NAMESPACE();
+
+#endif  // CARLO_MESH_HITS_INL
