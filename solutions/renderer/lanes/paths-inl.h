@@ -330,8 +330,9 @@ class Walk {
     V q = hn::Mul(max_element(paths.beta), set(per_threshold_));
     if (Needs::full && s_.any_specular) q = hn::Div(q, paths.compressed);
     const M risky = hn::Lt(q, set(1));
-    const V u =
-        to_unit(mix(hn::Xor(hn::Mul(paths.key, set_word(0x85EBCA6B)), paths.reversed_index)));
+    const U k = hn::Mul(paths.key, set_word(0x85EBCA6B));
+    const V u = to_unit(job_.sobol ? nested_hash(paths.reversed_index, mix(k))
+                                   : mix(hn::Xor(k, paths.reversed_index)));
     const M ended = hn::And(risky, hn::Ge(u, q));
     paths.alive = hn::AndNot(ended, paths.alive);
     paths.beta = hn::Div(set(1), select(risky, q, set(1))) * paths.beta;
