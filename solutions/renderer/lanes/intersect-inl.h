@@ -7,8 +7,9 @@
 #define CARLO_INTERSECT_INL
 #endif
 
-#include "numeric/robust.h"
+#include "renderer/lanes/flats-inl.h"
 #include "renderer/lanes/lane_scene.h"
+#include "renderer/lanes/rays-inl.h"
 #include "renderer/lanes/vector_math-inl.h"
 
 #include <hwy/highway.h>
@@ -19,88 +20,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
-
-constexpr float longest = 1e30f;
-constexpr std::uint32_t nothing = 0xFFFFFFFF;
-
-HWY_INLINE M same(U a, U b) {
-  return hn::RebindMask(d_, hn::Eq(a, b));
-}
-HWY_INLINE M differs(U a, U b) {
-  return hn::RebindMask(d_, hn::Ne(a, b));
-}
-
-/// Where rays start: on surfaces, or at the camera.
-struct Origins {
-  V3 o;
-  V3 came;    ///< the direction in which the path came there; 0 for the camera
-  U last;     ///< the surface; `nothing` for the camera
-  U plane;    ///< its plane (LaneScene::plane)
-  M through;  ///< whether the ray goes on behind the surface, through glass
-  V3 clear;   ///< o as sdfs and meshes see it: as carlo::offset_origin() moves it
-
-  /// The plane, where planes are the surfaces' own unless the scene is `close`.
-  template <bool close>
-  HWY_INLINE U starts_on() const {
-    return close ? plane : last;
-  }
-};
-
-/// A surface's number, and how far away it is.
-struct Hits {
-  V t;
-  U surface;
-};
-HWY_INLINE void take(Hits& hits, M nearer, V t, U surface) {
-  hits.t = select(nearer, t, hits.t);
-  hits.surface = hn::IfThenElse(hn::RebindMask(du_, nearer), surface, hits.surface);
-}
-
-/// Across an edge that two parallelograms share, both reach a little further: rays that aim at the
-/// edge pass between none.
-constexpr float reach = 1 + 4e-7f;
-
-/// Where a ray meets the plane of parallelogram or disk i, and whether that is inside of it.
-struct PlaneHit {
-  V3 n;
-  V below;  ///< how far the origin lies from the plane, against n
-  V along;  ///< the direction's component along n
-  V t;
-  M inside;
-};
-enum class Outline { quad, disk };
-template <Outline outline>
-HWY_INLINE PlaneHit meet_plane(const LaneScene& s, std::size_t i, V3 o, V3 d) {
-  const V3 n = set(s.nx[i], s.ny[i], s.nz[i]);
-  const V below = hn::Sub(set(s.d[i]), dot(n, o)), along = dot(n, d);
-  const V t = hn::Div(below, along);
-  const V3 p = add_scaled(o, t, d);
-  const V a = hn::Sub(dot(set(s.ax[i], s.ay[i], s.az[i]), p), set(s.a0[i]));
-  const V b = hn::Sub(dot(set(s.bx[i], s.by[i], s.bz[i]), p), set(s.b0[i]));
-  const V outwards =
-      outline == Outline::disk ? hn::MulAdd(a, a, hn::Mul(b, b)) : hn::Max(hn::Abs(a), hn::Abs(b));
-  return {n, below, along, t, hn::Le(outwards, set(reach))};
-}
-
-/// What rounding may hide of an origin's distance from a surface: `rounding` times this sum of
-/// coordinates, and those of the surface (LaneScene::coordinates). It is local: what lies far away
-/// blurs nothing here.
-HWY_INLINE V coordinates(V3 o) {
-  return hn::Add(hn::Abs(o.x), hn::Add(hn::Abs(o.y), hn::Abs(o.z)));
-}
-constexpr float rounding = carlo::rounding_bound(8);
-HWY_INLINE V3 rounding_of(V3 p) {
-  return set(rounding) * V3{hn::Abs(p.x), hn::Abs(p.y), hn::Abs(p.z)};
-}
-HWY_INLINE M within_rounding(V distance, V of_origin, float of_surface) {
-  return hn::Le(hn::Abs(distance), hn::Mul(set(rounding), hn::Add(of_origin, set(of_surface))));
-}
-
-/// Whether rays go through the plane that their origins touch, n its normal. On which side of it an
-/// origin lies its coordinates cannot say, but the path came to it on that side.
-HWY_INLINE M goes_through(V3 n, V along, V3 came) {
-  return hn::Gt(hn::Mul(along, dot(n, came)), set(0));
-}
 
 /// Where the line of a ray enters and leaves one slab of a box.
 struct SlabHit {
@@ -242,27 +161,6 @@ HWY_INLINE void meet_sphere(const LaneScene& s, std::uint32_t i, const Origins& 
   take(hits, hn::And(hn::And(met, ahead), hn::Lt(t, hits.t)), t, number);
 }
 
-template <bool close, Outline outline>
-HWY_INLINE void meet_flat(const LaneScene& s, std::uint32_t i, const Origins& from, V3 d,
-                          V of_origin, Hits& hits) {
-  const PlaneHit hit = meet_plane<outline>(s, i, from.o, d);
-  const M there = hn::And(hit.inside, differs(set_word(s.plane[i]), from.starts_on<close>()));
-  V t = hit.t;
-  M ahead = hn::Gt(t, set(0));
-  if (close && s.touching) {
-    const M touches = hn::And(there, within_rounding(hit.below, of_origin, s.coordinates[i]));
-    if (HWY_UNLIKELY(!hn::AllFalse(d_, touches))) {
-      ahead = select_mask(touches, goes_through(hit.n, hit.along, from.came), ahead);
-      t = hn::IfThenZeroElse(touches, t);
-    }
-  }
-  M nearer = hn::Lt(t, hits.t);
-  // Of surfaces in one plane, whose distances are the same number, the one that faces the ray.
-  if (close && s.coplanar)
-    nearer = hn::Or(nearer, hn::And(hn::Eq(t, hits.t), hn::Lt(hit.along, set(0))));
-  take(hits, hn::And(hn::And(nearer, ahead), there), t, set_word(i));
-}
-
 /// The first surface along rays, but for sdfs and meshes; d has length 1.
 template <bool close, bool full>
 HWY_INLINE Hits closest(const LaneScene& s, const Origins& from, V3 d) {
@@ -270,8 +168,15 @@ HWY_INLINE Hits closest(const LaneScene& s, const Origins& from, V3 d) {
   if (s.enclosed) hits = leave_enclosure(s, from.o, d, from.last);
   V of_origin = set(0);
   if (close) of_origin = coordinates(from.o);
-  for (std::uint32_t i = s.first_quad; i < s.first_disk; ++i)
-    meet_flat<close, Outline::quad>(s, i, from, d, of_origin, hits);
+  for (std::uint32_t i = s.first_quad; i < s.first_disk; ++i) {
+    const Run run = run_from(s, i);
+    if (close && run.end > i + 1) {
+      meet_run(s, run, from, d, of_origin, hits);
+      i = run.end - 1;
+    } else {
+      meet_flat<close, Outline::quad>(s, i, from, d, of_origin, hits);
+    }
+  }
   if constexpr (full) {
     for (std::uint32_t i = s.first_disk; i < s.first_sphere; ++i)
       meet_flat<close, Outline::disk>(s, i, from, d, of_origin, hits);
@@ -286,14 +191,6 @@ HWY_INLINE Hits closest(const LaneScene& s, const Origins& from, V3 d) {
   return hits;
 }
 
-/// A segment between two surfaces: o + distance d, |d| = 1, is the point `to` of a light.
-struct Segments {
-  Origins from;
-  V3 d, to;
-  V distance;
-  U to_plane;
-};
-
 /// Both ends lie outside: the middle of the chord, between them, tells whether the solid does.
 HWY_INLINE M solid_blocks(const LaneBox& box, const Segments& way) {
   const SlabHit x = meet_slab(box, 0, way.from.o, way.d), y = meet_slab(box, 1, way.from.o, way.d),
@@ -304,24 +201,6 @@ HWY_INLINE M solid_blocks(const LaneBox& box, const Segments& way) {
   return hn::And(hn::Le(enters, leaves),
                  hn::And(hn::Gt(twice_middle, set(0)),
                          hn::Lt(twice_middle, hn::Add(way.distance, way.distance))));
-}
-
-/// Parallelogram or disk i lies between if the ends are on different sides of its plane: by the
-/// ends themselves, for how far away a light is would blur what is close to it.
-template <bool close, Outline outline>
-HWY_INLINE M flat_blocks(const LaneScene& s, std::uint32_t i, const Segments& way, V of_origin) {
-  const PlaneHit hit = meet_plane<outline>(s, i, way.from.o, way.d);
-  const U plane = set_word(s.plane[i]);
-  const M there = hn::And(hit.inside, hn::And(differs(plane, way.from.starts_on<close>()),
-                                              differs(plane, way.to_plane)));
-  const V below_end = hn::Sub(set(s.d[i]), dot(hit.n, way.to));
-  M between = hn::Lt(hn::Mul(hit.below, below_end), set(0));
-  if (close && s.touching) {
-    const M touches = hn::And(there, within_rounding(hit.below, of_origin, s.coordinates[i]));
-    if (HWY_UNLIKELY(!hn::AllFalse(d_, touches)))
-      between = select_mask(touches, goes_through(hit.n, hit.along, way.from.came), between);
-  }
-  return hn::And(there, between);
 }
 
 /// An end that touches a sphere is rarer than rounding could show. A lamp is in the way of its own
@@ -360,6 +239,12 @@ HWY_INLINE M unoccluded(const LaneScene& s, const Segments& way, M asked) {
   if (close) of_origin = coordinates(way.from.o);
   for (std::uint32_t i = s.first_quad; i < s.first_disk; ++i) {
     if (s.lights == 1 && i == s.light_surface[0] && !(full && s.point_lights())) continue;
+    const Run run = run_from(s, i);
+    if (close && run.end > i + 1) {
+      clear = hn::AndNot(run_blocks(s, run, way, clear, of_origin), clear);
+      i = run.end - 1;
+      continue;
+    }
     clear = hn::AndNot(flat_blocks<close, Outline::quad>(s, i, way, of_origin), clear);
   }
   if constexpr (full) {

@@ -423,6 +423,8 @@ LaneScene::LaneScene(const carlo::Scene& scene) {
   for (const carlo::PointLight& light : points)
     write.point(light);
   write.share_planes();
+  for (std::uint32_t i = first_disk; i-- > first_quad;)
+    run_end[i] = i + 1 < first_disk && plane[i] == plane[i + 1] ? run_end[i + 1] : i + 1;
   touching = any_touches(scene, boxes.others);
 }
 

@@ -79,6 +79,9 @@ struct LaneScene {
   /// a light or by what is no side of a box (`coplanar`) these are more than the surfaces' numbers.
   Column<std::uint32_t> plane{};
   bool coplanar = false;
+  /// Of a parallelogram outside of boxes: one more than the last number of those that follow it in
+  /// a row and share its plane.
+  Column<std::uint32_t> run_end{};
   /// Whether a parallelogram or a sphere outside of boxes comes so close to another surface that an
   /// origin on one may be rounded beyond the other.
   bool touching = false;

@@ -1,0 +1,160 @@
+// Which parallelograms and disks rays meet, a lane a ray. Included once for each instruction set.
+
+#if defined(CARLO_FLATS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef CARLO_FLATS_INL
+#undef CARLO_FLATS_INL
+#else
+#define CARLO_FLATS_INL
+#endif
+
+#include "renderer/lanes/lane_scene.h"
+#include "renderer/lanes/rays-inl.h"
+#include "renderer/lanes/vector_math-inl.h"
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace renderer {
+namespace HWY_NAMESPACE {
+
+/// Across an edge that two parallelograms share, both reach a little further: rays that aim at the
+/// edge pass between none.
+constexpr float reach = 1 + 4e-7f;
+
+/// Whether a point of its plane lies in parallelogram or disk i.
+enum class Outline { quad, disk };
+template <Outline outline>
+HWY_INLINE M inside(const LaneScene& s, std::size_t i, V3 p) {
+  const V a = hn::Sub(dot(set(s.ax[i], s.ay[i], s.az[i]), p), set(s.a0[i]));
+  const V b = hn::Sub(dot(set(s.bx[i], s.by[i], s.bz[i]), p), set(s.b0[i]));
+  const V outwards =
+      outline == Outline::disk ? hn::MulAdd(a, a, hn::Mul(b, b)) : hn::Max(hn::Abs(a), hn::Abs(b));
+  return hn::Le(outwards, set(reach));
+}
+
+/// Where a ray meets the plane of parallelogram or disk i, and whether that is inside of it.
+struct PlaneHit {
+  V3 n;
+  V below;  ///< how far the origin lies from the plane, against n
+  V along;  ///< the direction's component along n
+  V t;
+  M inside;
+};
+template <Outline outline>
+HWY_INLINE PlaneHit meet_plane(const LaneScene& s, std::size_t i, V3 o, V3 d) {
+  const V3 n = set(s.nx[i], s.ny[i], s.nz[i]);
+  const V below = hn::Sub(set(s.d[i]), dot(n, o)), along = dot(n, d);
+  const V t = hn::Div(below, along);
+  return {n, below, along, t, inside<outline>(s, i, add_scaled(o, t, d))};
+}
+
+/// Whether rays go through the plane that their origins touch, n its normal. On which side of it an
+/// origin lies its coordinates cannot say, but the path came to it on that side.
+HWY_INLINE M goes_through(V3 n, V along, V3 came) {
+  return hn::Gt(hn::Mul(along, dot(n, came)), set(0));
+}
+
+template <bool close, Outline outline>
+HWY_INLINE void meet_flat(const LaneScene& s, std::uint32_t i, const Origins& from, V3 d,
+                          V of_origin, Hits& hits) {
+  const PlaneHit hit = meet_plane<outline>(s, i, from.o, d);
+  const M there = hn::And(hit.inside, differs(set_word(s.plane[i]), from.starts_on<close>()));
+  V t = hit.t;
+  M ahead = hn::Gt(t, set(0));
+  if (close && s.touching) {
+    const M touches = hn::And(there, within_rounding(hit.below, of_origin, s.coordinates[i]));
+    if (HWY_UNLIKELY(!hn::AllFalse(d_, touches))) {
+      ahead = select_mask(touches, goes_through(hit.n, hit.along, from.came), ahead);
+      t = hn::IfThenZeroElse(touches, t);
+    }
+  }
+  M nearer = hn::Lt(t, hits.t);
+  // Of surfaces in one plane, whose distances are the same number, the one that faces the ray.
+  if (close && s.coplanar)
+    nearer = hn::Or(nearer, hn::And(hn::Eq(t, hits.t), hn::Lt(hit.along, set(0))));
+  take(hits, hn::And(hn::And(nearer, ahead), there), t, set_word(i));
+}
+
+/// Parallelogram or disk i lies between if the ends are on different sides of its plane: by the
+/// ends themselves, for how far away a light is would blur what is close to it.
+template <bool close, Outline outline>
+HWY_INLINE M flat_blocks(const LaneScene& s, std::uint32_t i, const Segments& way, V of_origin) {
+  const PlaneHit hit = meet_plane<outline>(s, i, way.from.o, way.d);
+  const U plane = set_word(s.plane[i]);
+  const M there = hn::And(hit.inside, hn::And(differs(plane, way.from.starts_on<close>()),
+                                              differs(plane, way.to_plane)));
+  const V below_end = hn::Sub(set(s.d[i]), dot(hit.n, way.to));
+  M between = hn::Lt(hn::Mul(hit.below, below_end), set(0));
+  if (close && s.touching) {
+    const M touches = hn::And(there, within_rounding(hit.below, of_origin, s.coordinates[i]));
+    if (HWY_UNLIKELY(!hn::AllFalse(d_, touches)))
+      between = select_mask(touches, goes_through(hit.n, hit.along, way.from.came), between);
+  }
+  return hn::And(there, between);
+}
+
+/// Parallelograms of one plane, with numbers in a row, share all but what is inside of each.
+struct Run {
+  std::uint32_t first, end;
+};
+HWY_INLINE Run run_from(const LaneScene& s, std::uint32_t i) {
+  return {i, s.run_end[i]};
+}
+/// Whether number i faces the side that the run's first faces.
+HWY_INLINE bool alike(const LaneScene& s, const Run& run, std::uint32_t i) {
+  return s.nx[i] == s.nx[run.first] && s.ny[i] == s.ny[run.first] && s.nz[i] == s.nz[run.first];
+}
+
+/// meet_flat() of each of a run: where none of the rays meets the plane, without looking at them.
+HWY_INLINE void meet_run(const LaneScene& s, const Run& run, const Origins& from, V3 d, V of_origin,
+                         Hits& hits) {
+  const std::uint32_t i = run.first;
+  const PlaneHit hit = meet_plane<Outline::quad>(s, i, from.o, d);
+  const M elsewhere = differs(set_word(s.plane[i]), from.plane);
+  V t = hit.t;
+  M ahead = hn::And(elsewhere, hn::Gt(t, set(0)));
+  if (s.touching) {
+    const M touches = hn::And(elsewhere, within_rounding(hit.below, of_origin, s.coordinates[i]));
+    ahead = select_mask(touches, goes_through(hit.n, hit.along, from.came), ahead);
+    t = hn::IfThenZeroElse(touches, t);
+  }
+  if (hn::AllFalse(d_, hn::And(ahead, hn::Le(t, hits.t)))) return;
+  const V3 p = add_scaled(from.o, hit.t, d);
+  const M faced = hn::Lt(hit.along, set(0)), facing = hn::Gt(hit.along, set(0));
+  for (std::uint32_t k = i; k < run.end; ++k) {
+    const M front = alike(s, run, k) ? faced : facing;
+    const M nearer = hn::Or(hn::Lt(t, hits.t), hn::And(hn::Eq(t, hits.t), front));
+    take(hits, hn::And(hn::And(nearer, ahead), inside<Outline::quad>(s, k, p)), t, set_word(k));
+  }
+}
+
+/// flat_blocks() of any of a run.
+HWY_INLINE M run_blocks(const LaneScene& s, const Run& run, const Segments& way, M asked,
+                        V of_origin) {
+  const std::uint32_t i = run.first;
+  const U plane = set_word(s.plane[i]);
+  const M there =
+      hn::And(asked, hn::And(differs(plane, way.from.plane), differs(plane, way.to_plane)));
+  if (hn::AllFalse(d_, there)) return there;
+  const PlaneHit hit = meet_plane<Outline::quad>(s, i, way.from.o, way.d);
+  const V below_end = hn::Sub(set(s.d[i]), dot(hit.n, way.to));
+  M between = hn::Lt(hn::Mul(hit.below, below_end), set(0));
+  if (s.touching) {
+    const M touches = within_rounding(hit.below, of_origin, s.coordinates[i]);
+    between = select_mask(touches, goes_through(hit.n, hit.along, way.from.came), between);
+  }
+  const V3 p = add_scaled(way.from.o, hit.t, way.d);
+  M within = hn::FirstN(d_, 0);
+  for (std::uint32_t k = i; k < run.end; ++k)
+    within = hn::Or(within, inside<Outline::quad>(s, k, p));
+  return hn::And(there, hn::And(between, within));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace renderer
+HWY_AFTER_NAMESPACE();
+
+#endif  // CARLO_FLATS_INL
