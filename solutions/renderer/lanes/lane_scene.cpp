@@ -12,7 +12,6 @@
 #include <memory>
 #include <optional>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace renderer {
@@ -303,7 +302,10 @@ Extent extent_of(const carlo::Shape& shape) {
 
 /// No parallelogram, so in no box.
 bool in_no_box(const carlo::Shape& shape) {
-  return !std::holds_alternative<Parallelogram>(shape.geometry);
+  return carlo::match(
+      shape.geometry, [](const Parallelogram&) { return false; },
+      [](const carlo::Disk&) { return true; }, [](const carlo::Sphere&) { return true; },
+      [](const carlo::Mesh&) { return true; }, [](const carlo::Sdf&) { return true; });
 }
 
 /// Whether two extents are no further apart than some roundings of their coordinates.
