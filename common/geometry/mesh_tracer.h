@@ -20,7 +20,7 @@ struct TrianglePoint {
 /// Where a ray meets a triangle of a mesh: (1 - u - v) a + u b + v c.
 TrianglePoint triangle_point(const Mesh& mesh, std::uint32_t triangle, float u, float v);
 
-/// Several rays o + t d, 0 < t < tfar, a column a coordinate; and what they met: the mesh by its
+/// Several rays o + x d, 0 < x < t, a column a coordinate; and what they met: the mesh by its
 /// number, its triangle, and where in it (triangle_point()). `t` becomes its distance.
 struct MeshRays {
   static constexpr std::size_t most = 16;
