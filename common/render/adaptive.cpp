@@ -4,6 +4,7 @@
 #include "numeric/compensated.h"
 #include "render/adaptive_state.h"
 #include "render/interrupt.h"
+#include "render/lamp_pass.h"
 
 #include <tbb/parallel_for_each.h>
 #include <tbb/task_arena.h>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <bit>
 #include <chrono>
+#include <iterator>
 #include <mutex>
 #include <numbers>
 #include <vector>
@@ -81,13 +83,8 @@ class AdaptiveJob {
     for (; state_.level < levels_.count() && !stopped(); ++state_.level) {
       const std::vector<Work> work = plan();
       if (work.empty()) return;
-      const auto batch = jobs_at_once * tbb::this_task_arena::max_concurrency();
-      for (auto begin = work.begin(); begin < work.end();) {
-        const auto end = begin + std::min<std::ptrdiff_t>(batch, work.end() - begin);
-        tbb::parallel_for_each(begin, end, [&](const Work& w) { render(w); });
-        if (stopped()) return;  // some pixels may lack the round
-        save();
-        begin = end;
+      for (std::uint32_t half = 0; half < 2; ++half) {
+        if (!render(work, half)) return;  // some pixels may lack the round
       }
       if (state_.level == 0) set_floors();
       decide();
@@ -152,6 +149,42 @@ class AdaptiveJob {
     return interrupt_noted() || (goal_.seconds && state_.level > 0 && elapsed() >= *goal_.seconds);
   }
 
+  /// A half's work of a round; whether it was finished.
+  bool render(const std::vector<Work>& work, std::uint32_t half) {
+    const std::vector<LampPass> lamps = trace_lamps(half);
+    std::vector<Work> left;
+    std::copy_if(work.begin(), work.end(), std::back_inserter(left),
+                 [&](const Work& w) { return w.half == half; });
+    const auto batch = jobs_at_once * tbb::this_task_arena::max_concurrency();
+    for (auto begin = left.begin(); begin < left.end();) {
+      const auto end = begin + std::min<std::ptrdiff_t>(batch, left.end() - begin);
+      tbb::parallel_for_each(begin, end, [&](const Work& w) { render(w, lamps); });
+      if (stopped()) return false;
+      save();
+      begin = end;
+    }
+    return true;
+  }
+
+  /// What comes to all pixels from the lamps, for each block of a round. Finished ones take none.
+  std::vector<LampPass> trace_lamps(std::uint32_t half) {
+    std::vector<LampPass> passes;
+    for (std::uint32_t b = 0; b < HalfPixel::blocks; ++b) {
+      passes.emplace_back(integrator_, state_.halves[0].size(), half, first_sample(b), block());
+      counts_ += passes.back().counts();
+    }
+    return passes;
+  }
+
+  /// The samples of a block of this round, and the first of block b.
+  std::uint32_t block() const {
+    const std::uint32_t samples = levels_.end(state_.level) - levels_.begin(state_.level);
+    return samples / static_cast<std::uint32_t>(HalfPixel::blocks);
+  }
+  std::uint32_t first_sample(std::uint32_t b) const {
+    return levels_.begin(state_.level) + b * block();
+  }
+
   std::vector<Work> plan() const {
     std::vector<Work> work;
     for (int y = 0; y < state_.height; y += square_size) {
@@ -187,25 +220,24 @@ class AdaptiveJob {
       plan_square(x + i % 2 * part, y + i / 2 * part, part, work);
   }
 
-  void render(const Work& work) {
+  void render(const Work& work, const std::vector<LampPass>& lamps) {
     if (stopped()) return;
     constexpr std::size_t blocks = HalfPixel::blocks;
     std::vector<HalfPixel>& half = state_.halves[work.half];
     const std::uint32_t first = levels_.begin(state_.level);
     if (half[state_.pixel(work.x, work.y)].seen().samples() > first) return;  // an earlier render's
-    const auto samples = static_cast<std::uint32_t>((levels_.end(state_.level) - first) / blocks);
     Tile tile{work.x,
               work.y,
               std::min(work.x + work.size, state_.width),
               std::min(work.y + work.size, state_.height),
               0,
-              samples,
+              block(),
               work.half};
     std::vector<HalfPixel::Group> groups(static_cast<std::size_t>(work.size * work.size));
     std::array<std::array<double, 3>, square_size * square_size> means;
     Counts counts;
     for (std::uint32_t b = 0; b < blocks; ++b) {
-      tile.first_sample = first + b * samples;
+      tile.first_sample = first_sample(b);
       integrator_.render(tile, means, counts);
       if (interrupt_noted()) return;  // it may have been cut short
       for (std::size_t i = 0; i < groups.size(); ++i)
@@ -213,8 +245,12 @@ class AdaptiveJob {
     }
     std::size_t i = 0;
     for (int y = tile.y0; y < tile.y1; ++y) {
-      for (int x = tile.x0; x < tile.x1; ++x)
-        half[state_.pixel(x, y)].add(groups[i++], samples);
+      for (int x = tile.x0; x < tile.x1; ++x) {
+        HalfPixel::Group& group = groups[i++];
+        for (std::size_t b = 0; b < blocks; ++b)
+          lamps[b].add_to(group[b], state_.pixel(x, y));
+        half[state_.pixel(x, y)].add(group, block());
+      }
     }
     const std::lock_guard lock(mutex_);
     counts_ += counts;

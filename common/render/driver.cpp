@@ -3,6 +3,7 @@
 #include "cli/error.h"
 #include "cli/progress.h"
 #include "render/interrupt.h"
+#include "render/lamp_pass.h"
 
 #include <tbb/global_control.h>
 #include <tbb/info.h>
@@ -36,10 +37,15 @@ class Job {
 
   /// Passes of one block in every pixel until the samples or the time are used up.
   void run() {
+    const std::size_t pixels =
+        static_cast<std::size_t>(film_.width()) * static_cast<std::size_t>(film_.height());
     const std::uint32_t passes = options_.seconds ? ~0u : options_.spp / film_.block();
     for (std::uint32_t pass = first_pass(); pass < passes && !stopped(pass); ++pass) {
+      const LampPass lamps(integrator_, pixels, 0, pass * film_.block(), film_.block());
+      if (interrupt_noted()) break;
+      result_.counts += lamps.counts();
       tbb::parallel_for(
-          0, columns_ * rows_, [&](int tile) { run_tile(tile, pass, passes); },
+          0, columns_ * rows_, [&](int tile) { run_tile(tile, pass, passes, lamps); },
           tbb::simple_partitioner{});
       if (pass + 1 < passes && !stopped(pass + 1)) save();
     }
@@ -76,7 +82,7 @@ class Job {
     return interrupt_noted() || (options_.seconds && pass >= 2 && elapsed() >= *options_.seconds);
   }
 
-  void run_tile(int number, std::uint32_t pass, std::uint32_t passes) {
+  void run_tile(int number, std::uint32_t pass, std::uint32_t passes, const LampPass& lamps) {
     if (stopped(pass)) return;
     Tile tile;
     tile.x0 = number % columns_ * tile_size;
@@ -92,8 +98,12 @@ class Job {
     if (interrupt_noted()) return;  // it may have been cut short
     std::size_t i = 0;
     for (int y = tile.y0; y < tile.y1; ++y) {
-      for (int x = tile.x0; x < tile.x1; ++x)
-        film_.add_block(x, y, means[i++]);
+      for (int x = tile.x0; x < tile.x1; ++x, ++i) {
+        lamps.add_to(means[i],
+                     static_cast<std::size_t>(y) * static_cast<std::size_t>(film_.width()) +
+                         static_cast<std::size_t>(x));
+        film_.add_block(x, y, means[i]);
+      }
     }
     finish_tile(counts, passes);
   }
@@ -182,6 +192,7 @@ RenderResult render(const Integrator& integrator, int width, int height,
   RenderResult result = options.target_error
                             ? run_adaptive(arena, integrator, width, height, options)
                             : run_uniform(arena, integrator, width, height, options);
+  if (!options.earlier) result.seconds += integrator.seconds_spent();
   result.threads = threads;
   result.interrupted = interrupt_noted();
   return result;

@@ -20,6 +20,12 @@ struct Tile {
   std::uint32_t stream = 0;
 };
 
+/// Some of a stream's paths from lamps.
+struct LampPaths {
+  std::uint64_t first = 0, count = 0;
+  std::uint32_t stream = 0;
+};
+
 /// The seed of one of the streams of samples that an integrator with this seed has; of stream 0 it
 /// is the seed itself.
 constexpr std::uint64_t stream_seed(std::uint64_t seed, std::uint32_t stream) {
@@ -29,17 +35,21 @@ constexpr std::uint64_t stream_seed(std::uint64_t seed, std::uint32_t stream) {
 struct Counts {
   std::uint64_t paths = 0;
   std::uint64_t rays = 0;  ///< of all kinds, shadow rays among them; 0 where nobody counts them
-  std::uint64_t cut = 0;   ///< paths that were ended for their length alone
-  std::uint64_t bad = 0;   ///< samples that were NaN, infinite or negative; they count as black
+  std::uint64_t lamp_paths = 0;  ///< from lamps, beside those
+  std::uint64_t cut = 0;         ///< paths that were ended for their length alone
+  std::uint64_t bad = 0;  ///< samples that were NaN, infinite or negative; they count as black
 
   Counts& operator+=(const Counts& other) {
     paths += other.paths;
     rays += other.rays;
+    lamp_paths += other.lamp_paths;
     cut += other.cut;
     bad += other.bad;
     return *this;
   }
 };
+
+class Splats;
 
 /// Sums samples in order, in double; what is not a radiance is counted and left out.
 class BlockSum {
@@ -75,6 +85,20 @@ class Integrator {
 
   /// What is printed as the kernel that was chosen.
   virtual std::string name() const = 0;
+
+  /// The time that it took to decide how to render; it counts as the render's.
+  virtual double seconds_spent() const { return 0; }
+
+  /// What an image of `pixels` needs besides its tiles: the number of paths from lamps for each
+  /// sample of a pixel; 0 if light is found from the camera alone.
+  virtual std::uint32_t lamp_paths() const { return 0; }
+
+  /// Such paths, by their numbers among the stream's: `lamp_paths() * pixels` for each sample. A
+  /// splat is a radiance times how many of them there are.
+  virtual void trace_lamps(const LampPaths& /*paths*/, Splats& /*splats*/,
+                           Counts& /*counts*/) const {}
+  /// The unit of splats whose sums have room for `paths` of them.
+  virtual double splat_unit(std::uint64_t /*paths*/) const { return 1; }
 
   /// Renders a tile: the mean of the samples of each of its pixels, row by row, into `means`.
   virtual void render(const Tile& tile, std::span<std::array<double, 3>> means,

@@ -73,6 +73,9 @@ std::string time_text(const RenderReport& r) {
   };
   std::string text = fmt::format("{} on {} thread{}: {} paths/s", format_seconds(r.seconds),
                                  r.threads, r.threads == 1 ? "" : "s", rate(r.counts.paths));
+  if (r.counts.lamp_paths > 0) {
+    text += fmt::format(", {} from lamps", rate(r.counts.lamp_paths));
+  }
   if (r.counts.rays > 0) text += fmt::format(", {} rays/s", rate(r.counts.rays));
   return text;
 }
@@ -208,6 +211,7 @@ static void fields(JsonFields& json, RenderReport& r) {
   } else {
     json.null("rays");
   }
+  if (r.counts.lamp_paths > 0) json.also("lamp_paths", r.counts.lamp_paths);
   json.also("bad_samples", r.counts.bad);
   json.also("cut_paths", r.counts.cut);
   json.also("finished_pixels", r.finished);

@@ -53,6 +53,7 @@ void add_attributes(ExrFile& file, const RenderSettings& settings, const Counts&
     file.attributes[name] = value;
   file.attributes["paths"] = std::to_string(counts.paths);
   file.attributes["rays"] = std::to_string(counts.rays);
+  if (counts.lamp_paths > 0) file.attributes["lamp_paths"] = std::to_string(counts.lamp_paths);
   file.attributes["cut_paths"] = std::to_string(counts.cut);
   file.attributes["bad_samples"] = std::to_string(counts.bad);
 }
@@ -241,7 +242,11 @@ AdaptiveState EarlierRender::adaptive_state() const {
 }
 
 Counts EarlierRender::counts() const {
-  return {number("paths"), number("rays"), number("cut_paths"), number("bad_samples")};
+  return {.paths = number("paths"),
+          .rays = number("rays"),
+          .lamp_paths = file_.attributes.contains("lamp_paths") ? number("lamp_paths") : 0,
+          .cut = number("cut_paths"),
+          .bad = number("bad_samples")};
 }
 
 double EarlierRender::seconds(const Film& film) const {

@@ -34,11 +34,7 @@ struct Extent {
   }
 };
 
-}  // namespace
-
-std::optional<glm::dvec3> far_center(const Scene& scene) {
-  constexpr double far = 8;
-  if (scene.shapes.empty()) return std::nullopt;
+Extent extent_of(const Scene& scene) {
   Extent extent{Vec3d(scene.camera.origin), Vec3d(scene.camera.origin)};
   for (const Shape& shape : scene.shapes)
     std::visit([&](const auto& s) { extent(s); }, shape.geometry);
@@ -46,6 +42,20 @@ std::optional<glm::dvec3> far_center(const Scene& scene) {
   (void)environment;  // is everywhere
   for (const PointLight& light : points)
     extent.include(Vec3d(light.position));
+  return extent;
+}
+
+}  // namespace
+
+double diameter(const Scene& scene) {
+  const Extent extent = extent_of(scene);
+  return glm::length(extent.upper - extent.lower);
+}
+
+std::optional<glm::dvec3> far_center(const Scene& scene) {
+  constexpr double far = 8;
+  if (scene.shapes.empty()) return std::nullopt;
+  const Extent extent = extent_of(scene);
   const Vec3d center = 0.5 * (extent.lower + extent.upper);
   if (!(glm::length(center) > far * glm::length(extent.upper - extent.lower))) return std::nullopt;
   return center;

@@ -7,21 +7,38 @@
 
 #include <string>
 
+namespace {
+
+renderer::Technique technique_of(const std::string& name) {
+  if (name == "path") return renderer::Technique::path;
+  if (name == "bidirectional") return renderer::Technique::bidirectional;
+  return renderer::Technique::automatic;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   return carlo::run_main([&] {
     std::string kernel = "best";
+    std::string technique = "auto";
     return carlo::render_app(
         argc, argv,
         [&](const carlo::Scene& scene, std::uint64_t seed, std::uint32_t spp) {
           const auto choice =
               kernel == "scalar" ? renderer::Kernel::scalar : renderer::Kernel::best;
-          return renderer::make_path_integrator(scene,
-                                                {.seed = seed, .spp = spp, .kernel = choice});
+          return renderer::make_path_integrator(
+              scene,
+              {.seed = seed, .spp = spp, .kernel = choice, .technique = technique_of(technique)});
         },
         [&](carlo::CommandLine& app) {
           app.option("--kernel", kernel,
                      "best: what suits the scene; scalar: the one that renders all scenes")
               .one_of({"best", "scalar"})
+              .show_default();
+          app.option("--technique", technique,
+                     "path: all paths start at the camera; bidirectional: some at the lamps, for "
+                     "caustics and hidden lamps; auto: the better by a short trial")
+              .one_of({"auto", "path", "bidirectional"})
               .show_default();
           app.footer("./carlo render --mine ... renders by your own lab 08.");
         });

@@ -265,7 +265,15 @@ class PathIntegrator final : public carlo::Integrator {
 std::unique_ptr<carlo::Integrator> make_path_integrator(const Scene& scene,
                                                         const PathOptions& options) {
   if (options.kernel == Kernel::best && LaneScene::suits(carlo::needs(scene), scene)) {
-    return make_lane_integrator(scene, options.seed, options.choices);
+    LaneChoices choices = options.choices;
+    if (options.technique == Technique::bidirectional) choices.lamp_paths = 1;
+    std::optional<std::uint32_t> pilot_spp;
+    if (options.technique == Technique::automatic) pilot_spp = options.spp;
+    return make_lane_integrator(scene, options.seed, choices, pilot_spp);
+  }
+  if (options.technique == Technique::bidirectional) {
+    throw carlo::Error(
+        "only the vector kernel traces paths from lamps, and it does not suit this scene");
   }
   switch (scene.sampler) {
     case carlo::SamplerKind::independent:

@@ -12,10 +12,15 @@ namespace renderer {
 /// Which code renders: the one that suits the scene best, or the scalar one, which renders all.
 enum class Kernel { best, scalar };
 
+/// Where paths start: all at the camera, or some at the lamps as well (lanes/lane_kernel.h), or
+/// what a short pilot finds to be better. The scalar kernel knows the first only.
+enum class Technique { path, bidirectional, automatic };
+
 struct PathOptions {
   std::uint64_t seed = 1;
   std::uint32_t spp = 64;  ///< planned samples a pixel, for the stratified sampler
   Kernel kernel = Kernel::best;
+  Technique technique = Technique::path;
   LaneChoices choices{};  ///< of the vector kernel, for measurements
 };
 

@@ -1,6 +1,7 @@
 // The vector kernel with one combination only: diffuse surfaces, no spheres. It takes the place of
 // lane_kernel.cpp in carlo_bench_lambert.
 
+#include "cli/error.h"
 #include "renderer/lanes/lane_kernel.h"
 
 // This file is compiled once for each instruction set.
@@ -31,6 +32,11 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace renderer {
+
+/// Nobody asks this program for them.
+void trace_lamps(const LampJob&, carlo::Splats&, carlo::Counts&) {
+  throw carlo::Error("this kernel traces no paths from lamps");
+}
 
 HWY_EXPORT(render_lambert);
 HWY_EXPORT(instruction_set);

@@ -46,6 +46,17 @@ HWY_INLINE Bsdfs evaluate(const Surfaces& s, V3 wi, V cosine) {
           hn::MulAdd(s.diffuse, hn::Sub(cosine_pdf, lobe_pdf), lobe_pdf)};
 }
 
+/// The density with which the direction of arrival, of cosine `arrival`, would be drawn by a path
+/// that came along the one of cosine `cosine`, which is drawn with density `pdf` from there. The
+/// lobe is the same both ways.
+template <bool phong>
+HWY_INLINE V pdf_back(const Surfaces& s, V arrival, V cosine, V pdf) {
+  const V per_pi = set(1 / pi);
+  if (!phong) return hn::Mul(arrival, per_pi);
+  const V more = hn::Mul(s.diffuse, hn::Mul(hn::Sub(arrival, cosine), per_pi));
+  return hn::Max(hn::Add(pdf, more), set(0));
+}
+
 /// A direction by either lobe: u.x chooses it and, stretched again, serves the direction.
 template <bool phong>
 HWY_INLINE V3 sample_direction(const Surfaces& s, V2 u) {

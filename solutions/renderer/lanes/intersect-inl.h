@@ -226,8 +226,9 @@ HWY_INLINE M sphere_blocks(const LaneScene& s, std::uint32_t i, const Segments& 
   return hn::And(met, hn::Or(by_near, by_far));
 }
 
-/// Which of `asked` reach their end without meeting anything between, but for sdfs and meshes.
-template <bool close, bool full>
+/// Which of `asked` reach their end, a point of a light or the camera, without meeting anything
+/// between, but for sdfs and meshes.
+template <bool close, bool full, bool to_camera = false>
 HWY_INLINE M unoccluded(const LaneScene& s, const Segments& way, M asked) {
   M clear = asked;
   const U from_box = box_of(way.from.last);
@@ -238,7 +239,8 @@ HWY_INLINE M unoccluded(const LaneScene& s, const Segments& way, M asked) {
   V of_origin = set(0);
   if (close) of_origin = coordinates(way.from.o);
   for (std::uint32_t i = s.first_quad; i < s.first_disk; ++i) {
-    if (s.lights == 1 && i == s.light_surface[0] && !(full && s.point_lights())) continue;
+    if (!to_camera && s.lights == 1 && i == s.light_surface[0] && !(full && s.point_lights()))
+      continue;
     const Run run = run_from(s, i);
     if (close && run.end > i + 1) {
       clear = hn::AndNot(run_blocks(s, run, way, clear, of_origin), clear);

@@ -1,16 +1,26 @@
 #include "renderer/lanes/lane_integrator.h"
 
 #include "renderer/lanes/lane_kernel.h"
+#include "renderer/lanes/lane_pilot.h"
 
 #include <fmt/core.h>
+
+#include <chrono>
 
 namespace renderer {
 namespace {
 
 class LaneIntegrator final : public carlo::Integrator {
  public:
-  LaneIntegrator(const carlo::Scene& scene, std::uint64_t seed, const LaneChoices& choices)
-      : scene_(scene), lanes_(scene), seed_(seed), choices_(choices) {}
+  LaneIntegrator(const carlo::Scene& scene, std::uint64_t seed, const LaneChoices& choices,
+                 std::optional<std::uint32_t> pilot_spp)
+      : scene_(scene), lanes_(scene), seed_(seed), choices_(choices) {
+    if (!pilot_spp) return;
+    const auto start = std::chrono::steady_clock::now();
+    choices_.lamp_paths = try_lamp_paths(scene, lanes_, seed, *pilot_spp);
+    seconds_spent_ =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
 
   std::string name() const override {
     std::string text = fmt::format("vector path tracer, {}", lanes_.phong ? "phong" : "diffuse");
@@ -20,17 +30,37 @@ class LaneIntegrator final : public carlo::Integrator {
     add(text, lanes_.first_sdf - lanes_.first_sphere, "spheres");
     add(text, lanes_.sdfs.size(), "sdfs");
     add(text, lanes_.surfaces - lanes_.first_mesh, "meshes");
+    if (choices_.lamp_paths > 0) text += ", paths from lamps";
     return fmt::format("{}, {}", text, lane_instruction_set());
   }
 
   void render(const carlo::Tile& tile, std::span<std::array<double, 3>> means,
               carlo::Counts& counts) const override {
-    render_lanes({lanes_, scene_.camera, scene_.width, scene_.height, scene_.max_depth,
-                  carlo::stream_seed(seed_, tile.stream), lanes_.sobol, tile, choices_},
-                 means, counts);
+    render_lanes(job(tile), means, counts);
   }
 
+  double seconds_spent() const override { return seconds_spent_; }
+
+  std::uint32_t lamp_paths() const override { return choices_.lamp_paths; }
+
+  void trace_lamps(const carlo::LampPaths& paths, carlo::Splats& splats,
+                   carlo::Counts& counts) const override {
+    const carlo::Tile any{.stream = paths.stream};
+    const LaneJob whole = job(any);
+    renderer::trace_lamps({whole, paths.first, paths.count, splats.unit()}, splats, counts);
+  }
+
+  double splat_unit(std::uint64_t paths) const override { return lanes_.splat_unit(paths); }
+
  private:
+  LaneJob job(const carlo::Tile& tile) const {
+    return {lanes_,           scene_.camera,
+            scene_.width,     scene_.height,
+            scene_.max_depth, carlo::stream_seed(seed_, tile.stream),
+            lanes_.sobol,     tile,
+            choices_};
+  }
+
   /// What the scene does not have is not told.
   static void add(std::string& text, std::size_t count, const char* what) {
     if (count > 0) text += fmt::format(", {}: {}", what, count);
@@ -40,14 +70,16 @@ class LaneIntegrator final : public carlo::Integrator {
   LaneScene lanes_;
   std::uint64_t seed_;
   LaneChoices choices_;
+  double seconds_spent_ = 0;
 };
 
 }  // namespace
 
 std::unique_ptr<carlo::Integrator> make_lane_integrator(const carlo::Scene& scene,
                                                         std::uint64_t seed,
-                                                        const LaneChoices& choices) {
-  return std::make_unique<LaneIntegrator>(scene, seed, choices);
+                                                        const LaneChoices& choices,
+                                                        std::optional<std::uint32_t> pilot_spp) {
+  return std::make_unique<LaneIntegrator>(scene, seed, choices, pilot_spp);
 }
 
 }  // namespace renderer

@@ -16,6 +16,7 @@
 #include <hwy/highway.h>
 
 // After the two above, which compile it anew.
+#include "renderer/lanes/lamp_paths-inl.h"
 #include "renderer/lanes/tile-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -24,6 +25,10 @@ namespace HWY_NAMESPACE {
 
 HWY_ATTR void render_tile(const LaneJob& job, std::span<std::array<double, 3>> means,
                           carlo::Counts& counts) {
+  if (job.choices.lamp_paths > 0) {
+    run<Features<true, true, true, true>>(job, means, counts);
+    return;
+  }
 #if HWY_TARGET == HWY_SSSE3
   // Machines of before 2013 pay for what their scene does not need, so that nobody waits for four
   // more kernels.
@@ -43,6 +48,10 @@ HWY_ATTR void render_tile(const LaneJob& job, std::span<std::array<double, 3>> m
 #endif
 }
 
+HWY_ATTR void trace_from_lamps(const LampJob& job, carlo::Splats& splats, carlo::Counts& counts) {
+  run_lamps<Features<true, true, true, true>>(job, splats, counts);
+}
+
 std::string instruction_set() {
   return hwy::TargetName(HWY_TARGET);
 }
@@ -55,11 +64,16 @@ HWY_AFTER_NAMESPACE();
 namespace renderer {
 
 HWY_EXPORT(render_tile);
+HWY_EXPORT(trace_from_lamps);
 HWY_EXPORT(instruction_set);
 
 void render_lanes(const LaneJob& job, std::span<std::array<double, 3>> means,
                   carlo::Counts& counts) {
   HWY_DYNAMIC_DISPATCH(render_tile)(job, means, counts);
+}
+
+void trace_lamps(const LampJob& job, carlo::Splats& splats, carlo::Counts& counts) {
+  HWY_DYNAMIC_DISPATCH(trace_from_lamps)(job, splats, counts);
 }
 
 std::string lane_instruction_set() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/integrator.h"
+#include "render/splats.h"
 #include "renderer/lanes/lane_scene.h"
 #include "scene/camera.h"
 
@@ -17,6 +18,7 @@ namespace renderer {
 struct LaneChoices {
   float roulette_threshold = 0.25f;  ///< paths are ended by roulette below this throughput
   bool power_heuristic = true;       ///< or the balance heuristic
+  std::uint32_t lamp_paths = 0;      ///< paths from lamps for each from the camera
 };
 
 /// One call of the kernel: a tile of an image.
@@ -30,6 +32,26 @@ struct LaneJob {
   const carlo::Tile& tile;
   const LaneChoices& choices;
 };
+
+/// Paths from lamps, which are joined to the camera at each vertex: light that mirrors and glass
+/// gather, or that comes through a slit, is found from there. Of each path both techniques, and
+/// light sampling, know the densities p of all:
+///
+///   p(from lamps) / p(from camera) = lamp_paths x pixels / pixel's density at the first vertex
+///     x the densities along the way back / those along the way there x emission
+///
+/// per area all of them. Lengths drop out, and at diffuse vertices all but cosines: Paths::rival
+/// carries that quotient up to the last vertex, without what its BRDF and the next direction add.
+/// On paths from lamps it is the other way round, that of the techniques from the camera together.
+/// (Veach, Robust Monte Carlo methods, 1997, 10.2; recursively as van Antwerpen, 2011.)
+struct LampJob {
+  const LaneJob& whole;        ///< its tile does not matter
+  std::uint64_t first, count;  ///< which of the paths
+  double unit;                 ///< of the splats
+};
+
+/// Traces them; a splat is the radiance of a pixel times the number of all paths.
+void trace_lamps(const LampJob& job, carlo::Splats& splats, carlo::Counts& counts);
 
 /// Renders a tile with the widest instruction set of this machine: the mean of the samples of each
 /// pixel, row by row. One lane carries one path; lanes whose paths have ended take the next

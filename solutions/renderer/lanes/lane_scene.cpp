@@ -5,6 +5,7 @@
 #include "renderer/lanes/lane_boxes.h"
 #include "renderer/lanes/lane_shape.h"
 #include "renderer/lanes/lane_touching.h"
+#include "scene/center.h"
 #include "scene/match.h"
 
 #include <algorithm>
@@ -175,6 +176,7 @@ class Writer {
     if (!shape.emits()) return;
     lanes_.sphere_lights = true;
     light(i, shape, sphere.flipped ? area(sphere) : 2 * carlo::pi);
+    lanes_.emission[i] = f(power(shape) / power_ / area(sphere) / carlo::pi);
   }
 
   void sdf(const carlo::Shape& shape, const carlo::Sdf& sdf) {
@@ -205,6 +207,8 @@ class Writer {
     lanes_.intensity_r[l] = f(whole.r), lanes_.intensity_g[l] = f(whole.g),
     lanes_.intensity_b[l] = f(whole.b);
     lanes_.light_cdf[l] = f(running_ += chance);
+    const double close = carlo::diameter(scene_) / 1000;
+    brighten(light.intensity, close * close);
   }
 
   /// Surfaces of one plane get the number and the numbers of the first.
@@ -246,6 +250,13 @@ class Writer {
     lanes_.light_surface[l] = static_cast<std::uint32_t>(i);
     lanes_.light_cdf[l] = f(running_ += chance);
     lanes_.light_density[i] = f(chance / measure);
+    lanes_.emission[i] = f(chance / measure / carlo::pi);
+    brighten(shape.radiance, 1);
+  }
+
+  void brighten(const carlo::Rgb& radiance, double per) {
+    const auto most = static_cast<double>(std::max({radiance.r, radiance.g, radiance.b}));
+    lanes_.brightest = std::max(lanes_.brightest, most / per);
   }
 
   void look(std::size_t i, const carlo::Shape& shape) {
@@ -314,6 +325,11 @@ bool LaneScene::suits(const carlo::Needs& needs, const carlo::Scene& scene) {
   return others == carlo::Needs{} && sobol_points(scene.sampler) && scene.shapes.size() <= most &&
          lamps + needs.point_lights <= most && scene.materials.size() <= most_materials &&
          numbers(scene) <= most;
+}
+
+double LaneScene::splat_unit(std::uint64_t paths) const {
+  if (!(brightest > 0)) return 1;
+  return std::exp2(std::ceil(std::log2(brightest * static_cast<double>(paths))) - 50);
 }
 
 LaneScene::LaneScene(const carlo::Scene& scene) {

@@ -90,6 +90,8 @@ struct LaneScene {
   /// Per area, of the points that light sampling draws there; 0: no light. Of a sphere that emits
   /// outwards (`by_cone`) the chance of its choice, over 2 pi: its directions are drawn instead.
   Column<float> light_density{};
+  /// Per area and pi, of the points where paths from lamps start: uniform over each one's area.
+  Column<float> emission{};
 
   /// What the surface does with light: kd / pi, ks (n + 2) / (2 pi). `diffuse` is the share of kd
   /// in kd + ks.
@@ -111,6 +113,12 @@ struct LaneScene {
   Column<float> light_cdf{};
   /// Of a point: its intensity over the chance of its choice.
   Column<float> intensity_r{}, intensity_g{}, intensity_b{};
+  /// The radiance of the brightest lamp; a point's is what it brings to a surface a thousandth of
+  /// the scene away.
+  double brightest = 0;
+
+  /// Of splats of so many paths from lamps: with room for pixels 2^13 times as bright as that.
+  double splat_unit(std::uint64_t paths) const;
 
   float environment[3] = {0, 0, 0};
   bool sobol = false;  ///< points, or independent ones

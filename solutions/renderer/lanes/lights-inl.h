@@ -7,6 +7,7 @@
 #define CARLO_LIGHTS_INL
 #endif
 
+#include "renderer/lanes/bsdf-inl.h"
 #include "renderer/lanes/intersect-inl.h"
 #include "renderer/lanes/lane_scene.h"
 #include "renderer/lanes/lookup-inl.h"
@@ -35,6 +36,9 @@ struct LightPoints {
   V solid_angle{};  ///< one over it
   M point{};        ///< n is none, and Le is intensity
   V3 error{};       ///< of p, where the scene has meshes
+  /// LaneScene::emission, or of a point 1 / (4 pi). For Features::lamps alone.
+  V emission{};
+  U surface{};
 };
 
 HWY_INLINE V3 across(V3 corner, V2 u, V3 edge_u, V3 edge_v) {
@@ -141,10 +145,9 @@ inline HWY_NOINLINE void sample_meshes(const LaneScene& s, U surface, V2 u, M ch
   light.error = select(chosen, points.at(points.ex, points.ey, points.ez), light.error);
 }
 
-/// Seen from the points p.
-template <bool full>
-HWY_INLINE LightPoints sample_light(const LaneScene& s, V3 p, V2 u) {
-  if (!full && s.lights == 1) return sample_only_light(s, u);
+/// Points of lights that are chosen by their power; of spheres those that `on_balls` finds.
+template <bool full, bool lamps, class OnBalls>
+HWY_INLINE LightPoints draw_light(const LaneScene& s, V2 u, const OnBalls& on_balls) {
   // The first light whose running sum is above u.x, which is stretched again.
   U index = set_word(0);
   V lower = set(0), upper = set(s.light_cdf[0]);
@@ -168,9 +171,12 @@ HWY_INLINE LightPoints sample_light(const LaneScene& s, V3 p, V2 u) {
       at_surface(s.nx, s.ny, s.nz), at_surface(s.le_r, s.le_g, s.le_b),
       hn::Div(set(1), at_surface(s.light_density.data())),
       s.coplanar ? at_surface(s.plane.data()) : surface};
+  if constexpr (lamps) {
+    points.emission = at_surface(s.emission.data());
+    points.surface = surface;
+  }
   if (full && s.sphere_lights) {
-    const M chosen = is_sphere(s, surface);
-    sample_balls(balls(s, at_surface), p, u, chosen, points);
+    on_balls(balls(s, at_surface), u, is_sphere(s, surface), points);
   }
   if (full && s.meshes) {
     points.error = rounding_of(points.p);
@@ -185,8 +191,31 @@ HWY_INLINE LightPoints sample_light(const LaneScene& s, V3 p, V2 u) {
         hn::IfThenElse(hn::RebindMask(du_, points.point), set_word(nothing), points.plane);
     points.seen = hn::Or(points.seen, points.point);
     points.by_cone = hn::AndNot(points.point, points.by_cone);
+    if constexpr (lamps) points.emission = select(points.point, set(0.25f / pi), points.emission);
   }
   return points;
+}
+
+/// Seen from the points p.
+template <bool full, bool lamps>
+HWY_INLINE LightPoints sample_light(const LaneScene& s, V3 p, V2 u) {
+  if (!full && s.lights == 1) return sample_only_light(s, u);
+  return draw_light<full, lamps>(s, u,
+                                 [&](const Balls& ball, V2 place, M chosen, LightPoints& points)
+                                     HWY_ATTR { sample_balls(ball, p, place, chosen, points); });
+}
+
+/// Uniform over each lamp's area.
+HWY_INLINE LightPoints sample_lamp(const LaneScene& s, V2 u) {
+  return draw_light<true, true>(
+      s, u, [&](const Balls& ball, V2 place, M chosen, LightPoints& points) HWY_ATTR {
+        const V z = hn::NegMulAdd(place.x, set(2), set(1));
+        const V r = hn::Sqrt(hn::Max(hn::NegMulAdd(z, z, set(1)), set(0)));
+        const SinCos azimuth = turn(place.y);
+        const V3 outward = normalize({hn::Mul(r, azimuth.cos), hn::Mul(r, azimuth.sin), z});
+        points.p = select(chosen, add_scaled(ball.center, hn::Abs(ball.radius), outward), points.p);
+        points.n = select(chosen, hn::CopySign(set(1), ball.radius) * outward, points.n);
+      });
 }
 
 /// The density with which sample_light() draws, at p, the way to a point that the ray from there

@@ -32,6 +32,16 @@ HWY_INLINE V3 camera_direction(const LaneJob& job, V x, V y) {
       hn::Mul(fy, set(c.tan_half_y)), set(c.up.x, c.up.y, c.up.z)));
 }
 
+/// Of a camera ray in direction d, per solid angle, how much denser its pixel's samples are than
+/// paths from lamps are over the whole image: those rays over the number of these.
+HWY_INLINE V camera_density(const LaneJob& job, V3 d) {
+  const carlo::Camera& c = job.camera;
+  const V cosine = dot(d, set(c.forward.x, c.forward.y, c.forward.z));
+  const float per_film =
+      1 / (4 * c.tan_half_x * c.tan_half_y * static_cast<float>(job.choices.lamp_paths));
+  return hn::Div(set(per_film), hn::Mul(cosine, hn::Mul(cosine, cosine)));
+}
+
 /// A tile's samples as paths about to start, pixel by pixel. They are made ready for all lanes at
 /// once, and taken as lanes become free.
 class Starts {
@@ -87,6 +97,8 @@ class Starts {
       paths.from.clear = select(starts, set(o.x, o.y, o.z), paths.from.clear);
     }
     paths.d = select(starts, {floats(dx_.data()), floats(dy_.data()), floats(dz_.data())}, paths.d);
+    if constexpr (Needs::lamps)
+      paths.rival = select(starts, hn::Div(set(1), camera_density(job_, paths.d)), paths.rival);
     paths.beta = select(starts, set(1, 1, 1), paths.beta);
     paths.L = select(starts, set(0, 0, 0), paths.L);
     paths.pdf = select(starts, set(-1), paths.pdf);

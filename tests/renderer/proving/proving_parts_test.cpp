@@ -10,6 +10,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +50,8 @@ void check_shape(const carlo::Shape& a, const carlo::Shape& b, const carlo::Vec3
 }
 
 std::filesystem::path scratch_folder(const char* name) {
-  return std::filesystem::temp_directory_path() / name;
+  return std::filesystem::temp_directory_path() /
+         (std::string(name) + "." + std::to_string(::getpid()));
 }
 
 }  // namespace

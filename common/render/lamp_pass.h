@@ -1,0 +1,36 @@
+#pragma once
+
+#include "render/integrator.h"
+#include "render/splats.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace carlo {
+
+/// What paths from lamps bring to all pixels of an image, beside some samples of each: the share
+/// that Integrator::render() leaves to them. Nothing if there are no such paths.
+class LampPass {
+ public:
+  /// Traces the paths that belong to these samples of a stream, in the caller's task arena.
+  LampPass(const Integrator& integrator, std::size_t pixels, std::uint32_t stream,
+           std::uint32_t first_sample, std::uint32_t samples);
+
+  const Counts& counts() const { return counts_; }
+
+  /// Adds it to the mean of a pixel's samples.
+  void add_to(std::array<double, 3>& mean, std::size_t pixel) const {
+    if (!splats_) return;
+    for (std::size_t c = 0; c < 3; ++c)
+      mean[c] += splats_->sum(pixel, c) / paths_;
+  }
+
+ private:
+  std::optional<Splats> splats_;
+  double paths_ = 0;
+  Counts counts_;
+};
+
+}  // namespace carlo

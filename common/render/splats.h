@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace carlo {
+
+/// What paths from lamps bring to the pixels of an image. Sums of whole numbers: they have the same
+/// bits in whatever order threads add.
+class Splats {
+ public:
+  /// Sums of up to 2^63 `unit`.
+  Splats(std::size_t pixels, double unit) : sums_(pixels), unit_(unit) {}
+
+  double unit() const { return unit_; }
+
+  /// From any thread. The terms' sum must stay below 2^63.
+  void add(std::size_t pixel, const std::array<std::int64_t, 3>& units) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      std::atomic_ref(sums_[pixel][c]).fetch_add(units[c], std::memory_order_relaxed);
+    }
+  }
+
+  /// Not while one adds.
+  double sum(std::size_t pixel, std::size_t channel) const {
+    return static_cast<double>(sums_[pixel][channel]) * unit_;
+  }
+
+ private:
+  std::vector<std::array<std::int64_t, 3>> sums_;
+  double unit_;
+};
+
+}  // namespace carlo

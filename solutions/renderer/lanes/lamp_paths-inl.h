@@ -1,0 +1,276 @@
+// Paths from lamps, joined to the camera at their vertices (lane_kernel.h, LampJob). Included once
+// for each instruction set.
+
+#if defined(CARLO_LAMP_PATHS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef CARLO_LAMP_PATHS_INL
+#undef CARLO_LAMP_PATHS_INL
+#else
+#define CARLO_LAMP_PATHS_INL
+#endif
+
+#include "random/hash.h"
+#include "renderer/lanes/bsdf-inl.h"
+#include "renderer/lanes/lane_kernel.h"
+#include "renderer/lanes/lights-inl.h"
+#include "renderer/lanes/starts-inl.h"
+#include "renderer/lanes/steps-inl.h"
+#include "renderer/lanes/vector_math-inl.h"
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+HWY_BEFORE_NAMESPACE();
+namespace renderer {
+namespace HWY_NAMESPACE {
+
+/// Of paths from lamps: `rival` is how much denser the techniques from the camera are, `pdf` the
+/// cosine at the lamp, below 0 for points, and `compressed` the largest channel that beta started
+/// with.
+template <class Needs>
+class LampWalk : Steps<Needs> {
+ public:
+  HWY_INLINE LampWalk(const LampJob& job, carlo::Splats& splats, carlo::Counts& counts)
+      : Steps<Needs>(job.whole, counts), splats_(splats), scale_(1 / job.unit) {
+    const carlo::Camera& c = job_.camera;
+    eye_ = set(c.origin.x, c.origin.y, c.origin.z);
+    forward_ = set(c.forward.x, c.forward.y, c.forward.z);
+    right_ = set(c.right.x, c.right.y, c.right.z);
+    up_ = set(c.up.x, c.up.y, c.up.z);
+  }
+
+  HWY_NOINLINE void extend_batch(std::span<Paths> paths) const { this->step_batch(*this, paths); }
+
+  // For step_batch():
+
+  HWY_INLINE void shade(Paths& paths, Vertex& vertex) const {
+    paths.depth = hn::Add(paths.depth, set_word(1));
+    const M met = differs(vertex.hits.surface, set_word(nothing));
+    paths.alive = hn::And(paths.alive, met);
+    if (hn::AllFalse(d_, paths.alive)) return;
+    const Spots spots = this->locate(paths, vertex, met);
+    if (!this->goes_on(paths, spots)) return;
+    const Rivals rivals = rivals_at(paths, spots, vertex.hits.t);
+    this->arrive(paths, spots, vertex);
+    M specular = hn::FirstN(d_, 0);
+    Reflections next{};
+    V rival_there{};
+    if (s_.any_specular) {
+      specular = this->reflect_some(paths, spots, vertex.u_lobe.x, next);
+      // Power is not compressed.
+      next.weight = hn::Div(set(1), next.eta2) * (paths.beta * next.weight);
+      rival_there = this->turn_rival(paths.rival, spots, next);
+    }
+    if (!hn::AllFalse(d_, paths.alive)) {
+      const Surfaces surface = this->surface_at(paths.d, spots);
+      join_camera(paths, surface, vertex, rivals);
+      scatter(paths, surface, vertex.u_lobe, rivals);
+    }
+    if (s_.any_specular) {
+      this->go_on(paths, specular, next, spots, vertex.error);
+      paths.beta = select(specular, next.weight, paths.beta);
+      paths.rival = select(specular, rival_there, paths.rival);
+    }
+    this->roulette(paths, paths.compressed);
+  }
+
+  HWY_INLINE void gather(const Paths& paths, const Vertex& vertex) const {
+    const M clear = vertex.to_light.clear;
+    if (hn::AllFalse(d_, clear)) return;
+    alignas(64) std::array<float, lanes> r, g, b;
+    alignas(64) std::array<std::uint32_t, lanes> pixel;
+    hn::Store(vertex.direct.x, d_, r.data());
+    hn::Store(vertex.direct.y, d_, g.data());
+    hn::Store(vertex.direct.z, d_, b.data());
+    hn::Store(paths.pixel, du_, pixel.data());
+    for (std::uint32_t left = bits(clear); left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(left));
+      splats_.add(pixel[i], {units(r[i]), units(g[i]), units(b[i])});
+    }
+  }
+
+ private:
+  using Base = Steps<Needs>;
+  using Base::counts_;
+  using Base::job_;
+  using Base::s_;
+
+  /// By how much denser the techniques from the camera are on which this vertex comes before the
+  /// one that the path came from: `factor` times the density of that way back by the vertex's
+  /// BRDF, and, at the first vertex, that of light sampling.
+  struct Rivals {
+    V factor, of_lights, cosine;
+  };
+  HWY_INLINE Rivals rivals_at(const Paths& paths, const Spots& spots, V t) const {
+    const V per = hn::Div(set(1), spots.cosine);
+    const M first = same(paths.depth, set_word(1)), point = hn::Lt(paths.pdf, set(0));
+    V of_lights = set(0);
+    if (!hn::AllFalse(d_, first)) {
+      const U lamp = hn::IfThenElse(hn::RebindMask(du_, hn::AndNot(point, first)), paths.from.last,
+                                    set_word(0));
+      const Numbers at_lamp(lamp, s_.surfaces);
+      const V pdf = light_pdf<true>(s_, at_lamp, lamp, at_lamp(s_.light_density.data()), spots.p, t,
+                                    paths.pdf);
+      const V of_point = hn::Mul(set(4 * pi), hn::Mul(t, t));
+      const V there = select(point, of_point, hn::Div(pdf, at_lamp(s_.emission.data())));
+      of_lights = hn::IfThenElseZero(first, hn::Mul(there, per));
+    }
+    return {hn::Mul(paths.rival, per), of_lights, spots.cosine};
+  }
+  HWY_INLINE V rival(const Rivals& rivals, const Surfaces& surface, V cosine, V pdf) const {
+    const V back = pdf_back<Needs::phong>(surface, rivals.cosine, cosine, pdf);
+    return this->together(hn::Mul(rivals.factor, back), rivals.of_lights);
+  }
+
+  /// What the path brings to the pixel in which the camera sees its vertex.
+  HWY_INLINE void join_camera(Paths& paths, const Surfaces& surface, Vertex& vertex,
+                              const Rivals& rivals) const {
+    const V3 way = eye_ - surface.p;
+    const V distance2 = dot(way, way), inverse = hn::Div(set(1), hn::Sqrt(distance2));
+    const V3 wi = inverse * way;
+    const V cosine = dot(surface.n, wi);
+    const carlo::Camera& c = job_.camera;
+    const V ahead = hn::Neg(dot(wi, forward_));
+    const V x = hn::Div(hn::Neg(dot(wi, right_)), hn::Mul(ahead, set(c.tan_half_x)));
+    const V y = hn::Div(hn::Neg(dot(wi, up_)), hn::Mul(ahead, set(c.tan_half_y)));
+    const V column =
+        hn::Mul(hn::MulAdd(x, set(0.5f), set(0.5f)), set(static_cast<float>(job_.width)));
+    const V row =
+        hn::Mul(hn::NegMulAdd(y, set(0.5f), set(0.5f)), set(static_cast<float>(job_.height)));
+    const M seen = hn::And(hn::And(hn::Gt(cosine, set(0)), hn::Gt(ahead, set(0))),
+                           hn::And(hn::Lt(hn::Abs(x), set(1)), hn::Lt(hn::Abs(y), set(1))));
+    const M asked = hn::And(paths.alive, seen);
+    if (hn::AllFalse(d_, asked)) return;
+    counts_.rays += hn::CountTrue(d_, asked);
+    const Segments segment{paths.from, wi, eye_, hn::Mul(distance2, inverse), set_word(nothing)};
+    const M clear = unoccluded<Needs::close, Needs::full, true>(s_, segment, asked);
+    if (hn::AllFalse(d_, clear)) return;
+    const Bsdfs bsdf = evaluate<Needs::phong>(surface, wi, cosine);
+    const V by_camera = camera_density(job_, set(-1) * wi);
+    const V cosine_by_area = hn::Mul(cosine, hn::Mul(inverse, inverse));
+    const V from_camera =
+        hn::Mul(hn::Mul(by_camera, cosine_by_area), rival(rivals, surface, cosine, bsdf.pdf));
+    const V per_pixel =
+        hn::Mul(by_camera, set(static_cast<float>(job_.choices.lamp_paths) *
+                               static_cast<float>(job_.width) * static_cast<float>(job_.height)));
+    const V weight = hn::Mul(hn::Mul(per_pixel, cosine_by_area), this->weigh(from_camera));
+    vertex.direct = weight * (paths.beta * bsdf.f);
+    vertex.to_light = {paths.from.clear, eye_, set(1), clear};
+    const U inside_x = hn::BitCast(
+        du_, hn::ConvertTo(di_, hn::Min(column, set(static_cast<float>(job_.width) - 1))));
+    const U inside_y = hn::BitCast(
+        du_, hn::ConvertTo(di_, hn::Min(row, set(static_cast<float>(job_.height) - 1))));
+    paths.pixel =
+        hn::Add(hn::Mul(inside_y, set_word(static_cast<std::uint32_t>(job_.width))), inside_x);
+  }
+
+  HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, V2 u, const Rivals& rivals) const {
+    const V3 wi = sample_direction<Needs::phong>(surface, u);
+    const V cosine = dot(surface.n, wi);
+    const Bsdfs bsdf = evaluate<Needs::phong>(surface, wi, cosine);
+    const M above = hn::And(hn::Gt(cosine, set(0)), hn::Gt(bsdf.pdf, set(0)));
+    paths.alive = hn::And(paths.alive, above);
+    const V weight = hn::Div(cosine, bsdf.pdf);
+    paths.beta = paths.beta * (weight * bsdf.f);
+    paths.rival = hn::Mul(rival(rivals, surface, cosine, bsdf.pdf), weight);
+    paths.d = wi;
+  }
+
+  std::int64_t units(float value) const {
+    const double x = static_cast<double>(value) * scale_;
+    constexpr double most = 0x1p62;
+    if (x >= 0 && x < most) return static_cast<std::int64_t>(x + 0.5);
+    ++counts_.bad;
+    return 0;
+  }
+
+  carlo::Splats& splats_;
+  double scale_;
+  V3 eye_, forward_, right_, up_;
+};
+
+/// A point and a direction of the lamps for each of these paths, for lanes that have none.
+template <class Needs>
+HWY_INLINE void start_at_lamps(const LampJob& job, U index, U key, M starts, Paths& paths) {
+  const LaneScene& s = job.whole.scene;
+  const U reversed = reverse_bits(index), k = mix(key);
+  const V2 u = points(job.whole, reversed, k), v = points(job.whole, reversed, second_word(k));
+  const LightPoints lamp = sample_lamp(s, u);
+  // Cosine-distributed about the normal, or uniform.
+  const SinCos azimuth = turn(v.y);
+  const V z =
+      select(lamp.point, hn::NegMulAdd(v.x, set(2), set(1)), hn::Sqrt(hn::Sub(set(1), v.x)));
+  const V r = hn::Sqrt(select(lamp.point, hn::Max(hn::NegMulAdd(z, z, set(1)), set(0)), v.x));
+  const V3 d = to_world(frame_about(lamp.n), hn::Mul(r, azimuth.cos), hn::Mul(r, azimuth.sin), z);
+  // Of a point Le is its intensity over the chance of its choice.
+  const V3 beta = select(lamp.point, set(4 * pi), hn::Div(set(1), lamp.emission)) * lamp.Le;
+  const V3 clear = s.searched() ? select(lamp.point, lamp.p,
+                                         off_surface(lamp.p, lamp.error, lamp.n, set(0, 0, 0)))
+                                : lamp.p;
+  const U last = hn::IfThenElse(hn::RebindMask(du_, lamp.point), set_word(nothing), lamp.surface);
+  const auto starts_u = hn::RebindMask(du_, starts);
+  paths.from.o = select(starts, lamp.p, paths.from.o);
+  paths.from.came =
+      select(starts, hn::IfThenElse(lamp.point, set(0), set(-1)) * lamp.n, paths.from.came);
+  paths.from.last = hn::IfThenElse(starts_u, last, paths.from.last);
+  paths.from.plane = hn::IfThenElse(starts_u, lamp.plane, paths.from.plane);
+  paths.from.through = hn::AndNot(starts, paths.from.through);
+  paths.from.clear = select(starts, clear, paths.from.clear);
+  paths.d = select(starts, d, paths.d);
+  paths.beta = select(starts, beta, paths.beta);
+  paths.compressed = select(starts, max_element(beta), paths.compressed);
+  paths.pdf = select(starts, select(lamp.point, set(-1), z), paths.pdf);
+  paths.rival =
+      select(starts, hn::IfThenZeroElse(lamp.point, hn::Div(set(1), lamp.emission)), paths.rival);
+  paths.depth = hn::IfThenElse(starts_u, set_word(0), paths.depth);
+  paths.key = hn::IfThenElse(starts_u, hn::Add(key, set_word(key_step)), paths.key);
+  paths.reversed_index = hn::IfThenElse(starts_u, reversed, paths.reversed_index);
+  paths.alive = hn::Or(paths.alive, starts);
+}
+
+/// trace_lamps(). Lanes are refilled when a quarter of them is free.
+template <class Needs>
+HWY_ATTR void run_lamps(const LampJob& job, carlo::Splats& splats, carlo::Counts& counts) {
+  const LampWalk<Needs> walk(job, splats, counts);
+  const std::size_t registers = job.whole.scene.sdfs.empty() ? 1 : batch;
+  std::array<Paths, batch> paths{};
+  for (Paths& some : paths)
+    some.alive = hn::FirstN(d_, 0);
+  std::uint64_t next = job.first;
+  const std::uint64_t end = job.first + job.count;
+  for (std::uint64_t round = 0;; ++round) {
+    bool alive = false;
+    for (std::size_t w = 0; w < registers; ++w) {
+      const auto free = static_cast<std::uint32_t>(lanes - hn::CountTrue(d_, paths[w].alive));
+      if (next < end && 4 * free >= lanes) {
+        const auto taken = static_cast<std::uint32_t>(std::min<std::uint64_t>(free, end - next));
+        const U before = hn::Sub(hn::Shl(set_word(1), hn::Iota(du_, 0)), set_word(1));
+        const U place = hn::PopulationCount(hn::And(set_word(~bits(paths[w].alive)), before));
+        const M starts =
+            hn::AndNot(paths[w].alive, hn::RebindMask(d_, hn::Gt(set_word(taken), place)));
+        // Paths of different 2^32 have keys of their own.
+        const auto key = static_cast<std::uint32_t>(carlo::hash(job.whole.seed, ~(next >> 32)));
+        const U index = hn::Add(place, set_word(static_cast<std::uint32_t>(next)));
+        start_at_lamps<Needs>(job, index, set_word(key), starts, paths[w]);
+        next += taken;
+        counts.lamp_paths += taken;
+      }
+      alive = alive || !hn::AllFalse(d_, paths[w].alive);
+    }
+    if (!alive) return;
+    if (round % 4096 == 4095 && carlo::render_interrupted()) return;
+    walk.extend_batch({paths.data(), registers});
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace renderer
+HWY_AFTER_NAMESPACE();
+
+#endif  // CARLO_LAMP_PATHS_INL

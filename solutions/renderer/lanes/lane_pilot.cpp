@@ -1,0 +1,117 @@
+#include "renderer/lanes/lane_pilot.h"
+
+#include "render/half_sums.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace renderer {
+namespace {
+
+using Means = std::vector<std::array<double, 3>>;
+
+constexpr std::uint32_t blocks = 8, samples = 16;  ///< of a pixel, and of a block
+/// Of a render's paths one in so many is tried by either technique.
+constexpr double share = 512;
+/// Paths from lamps take the kernel for all that a scene may need; a ray is dearer by this where a
+/// leaner one would do.
+constexpr double dearer = 2;
+/// By how much they must seem better: chance may play so short a trial a trick. Where there are
+/// mirrors or glass, which gather light, they are expected to be.
+constexpr double clearly = 3, clearly_with_mirrors = 0.8;
+
+struct Trial {
+  Means mean, variance;  ///< of the pixels, of a block
+  double rays = 0;
+};
+
+class Pilot {
+ public:
+  Pilot(const carlo::Scene& scene, const LaneScene& lanes, std::uint64_t seed, int side)
+      : scene_(scene), lanes_(lanes), seed_(seed), side_(side) {}
+
+  Trial run(std::uint32_t lamp_paths) const {
+    const LaneChoices choices{.lamp_paths = lamp_paths};
+    carlo::Counts counts;
+    Trial trial{Means(pixels()), Means(pixels()), 0};
+    for (std::uint32_t b = 0; b < blocks; ++b) {
+      const Means block = render(b, choices, counts);
+      for (std::size_t i = 0; i < pixels(); ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          trial.mean[i][c] += block[i][c] / blocks;
+          trial.variance[i][c] += block[i][c] * block[i][c] / blocks;
+        }
+      }
+    }
+    for (std::size_t i = 0; i < pixels(); ++i) {
+      for (std::size_t c = 0; c < 3; ++c)
+        trial.variance[i][c] -= trial.mean[i][c] * trial.mean[i][c];
+    }
+    trial.rays = static_cast<double>(counts.rays);
+    return trial;
+  }
+
+ private:
+  std::size_t pixels() const {
+    return static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
+  }
+
+  Means render(std::uint32_t block, const LaneChoices& choices, carlo::Counts& counts) const {
+    const carlo::Tile tile{0, 0, side_, side_, block * samples, samples, 0};
+    const LaneJob job{lanes_, scene_.camera, side_, side_,  scene_.max_depth,
+                      seed_,  lanes_.sobol,  tile,  choices};
+    Means means(pixels());
+    render_lanes(job, means, counts);
+    if (choices.lamp_paths == 0) return means;
+    const std::uint64_t count = std::uint64_t{samples} * pixels() * choices.lamp_paths;
+    carlo::Splats splats(pixels(), lanes_.splat_unit(count));
+    trace_lamps({job, block * count, count, splats.unit()}, splats, counts);
+    for (std::size_t i = 0; i < pixels(); ++i) {
+      for (std::size_t c = 0; c < 3; ++c)
+        means[i][c] += splats.sum(i, c) / static_cast<double>(count);
+    }
+    return means;
+  }
+
+  const carlo::Scene& scene_;
+  const LaneScene& lanes_;
+  std::uint64_t seed_;
+  int side_;
+};
+
+/// The mean over pixels of the squared relative error, pixels far darker than the mean apart.
+double relative_variance(const Trial& trial, const Means& means) {
+  double whole = 0, sum = 0;
+  for (const auto& mean : means)
+    whole += carlo::luminance(mean) / static_cast<double>(means.size());
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    const double floor = 0.01 * whole, mean = carlo::luminance(means[i]);
+    sum += carlo::luminance(trial.variance[i]) / (mean * mean + floor * floor);
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::uint32_t try_lamp_paths(const carlo::Scene& scene, const LaneScene& lanes, std::uint64_t seed,
+                             std::uint32_t spp) {
+  if (lanes.lights == 0) return 0;
+  // What points send by mirrors and glass is found by no other path.
+  if (lanes.point_lights() && lanes.any_specular) return 1;
+  const double paths = static_cast<double>(scene.width) * scene.height * spp / share;
+  const double side = std::sqrt(paths / (blocks * samples));
+  const Pilot pilot(scene, lanes, seed, static_cast<int>(std::clamp(side, 8.0, 64.0)));
+  const Trial without = pilot.run(0), with = pilot.run(1);
+  const double dear = lanes.full() ? 1 : dearer;
+  // One image for both: the better one, so that light that one has missed does not look dark.
+  const double before = relative_variance(without, with.mean) * without.rays;
+  const double after = relative_variance(with, with.mean) * with.rays * dear;
+  const double better = lanes.any_specular ? clearly_with_mirrors : clearly;
+  return after * better < before ? 1 : 0;
+}
+
+}  // namespace renderer

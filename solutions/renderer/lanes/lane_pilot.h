@@ -1,0 +1,19 @@
+#pragma once
+
+#include "renderer/lanes/lane_kernel.h"
+#include "renderer/lanes/lane_scene.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+
+namespace renderer {
+
+/// How many paths from lamps a render of this scene had best trace for each path from the camera, 0
+/// or 1: both are tried on an image of few pixels, and what counts is the relative variance of a
+/// pixel times the number of rays. Where points shine on mirrors or glass the answer is 1: that
+/// light other paths leave out. The same seed and spp give the same answer; about as many paths are
+/// traced as a hundredth of the render's.
+std::uint32_t try_lamp_paths(const carlo::Scene& scene, const LaneScene& lanes, std::uint64_t seed,
+                             std::uint32_t spp);
+
+}  // namespace renderer

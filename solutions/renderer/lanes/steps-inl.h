@@ -1,0 +1,284 @@
+// Paths under way, one in each lane: what happens to all of them alike. Included once for each
+// instruction set.
+
+#if defined(CARLO_STEPS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef CARLO_STEPS_INL
+#undef CARLO_STEPS_INL
+#else
+#define CARLO_STEPS_INL
+#endif
+
+#include "renderer/lanes/bsdf-inl.h"
+#include "renderer/lanes/intersect-inl.h"
+#include "renderer/lanes/lane_kernel.h"
+#include "renderer/lanes/lane_scene.h"
+#include "renderer/lanes/lights-inl.h"
+#include "renderer/lanes/lookup-inl.h"
+#include "renderer/lanes/mesh_hits-inl.h"
+#include "renderer/lanes/points-inl.h"
+#include "renderer/lanes/sdf_hits-inl.h"
+#include "renderer/lanes/vector_math-inl.h"
+
+#include <hwy/highway.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+HWY_BEFORE_NAMESPACE();
+namespace renderer {
+namespace HWY_NAMESPACE {
+
+constexpr std::uint32_t longest_path = 1 << 16;
+
+/// The random numbers of a path: a dimension pair for the film, then two for each vertex. The film
+/// has the pixel's key, vertex v the key pixel + v * key_step.
+constexpr std::uint32_t key_step = 0x9E3779B1;
+
+/// What a scene needs, for which the code is compiled: `phong` materials; `close`: spheres, or
+/// parallelograms that touch others or share a plane with them; `full`: mirrors, glass, disks,
+/// sdfs, meshes, spheres and points that emit. `lamps`: some paths start at the lamps, and others
+/// leave light to them (light_paths-inl.h).
+template <bool phong_, bool close_, bool full_ = false, bool lamps_ = false>
+struct Features {
+  static constexpr bool phong = phong_, close = close_, full = full_, lamps = lamps_;
+};
+
+struct Paths {
+  Origins from;
+  V3 d, beta, L;
+  V pdf;             ///< of d; below 0: emission counts whole
+  V compressed;      ///< by how much refractions have compressed radiance; 1 out of the glass
+  U depth;           ///< segments so far
+  U key;             ///< of the next vertex
+  U reversed_index;  ///< of the sample
+  U pixel;           ///< of the tile
+  M alive;
+  V rival;  ///< for Features::lamps (lane_kernel.h, "Paths from lamps")
+};
+
+/// Where paths arrived, on the side that they came from.
+struct Spots {
+  U number;  ///< of the surface
+  Numbers at_surface, material;
+  V3 p, n;
+  V cosine;  ///< of the angle of arrival, above 0
+  M front;   ///< the surface's own side
+};
+
+/// The points of a dimension pair whose random word is k.
+HWY_INLINE V2 points(const LaneJob& job, U reversed_index, U k) {
+  return job.sobol ? sobol_2d(reversed_index, k) : random_2d(reversed_index, k);
+}
+
+/// What happens to paths at their vertices, wherever they come from.
+template <class Needs>
+class Steps {
+ public:
+  HWY_INLINE Steps(const LaneJob& job, carlo::Counts& counts)
+      : job_(job),
+        s_(job.scene),
+        counts_(counts),
+        per_threshold_(1 / job.choices.roulette_threshold) {}
+
+ protected:
+  /// Takes one register of paths, or `batch` of them where there are sdfs, to their next vertices,
+  /// as `walk` shades them, and then to what it gathers there once it is known which of the ways
+  /// to_light nothing blocks.
+  template <class Walk>
+  HWY_INLINE void step_batch(const Walk& walk, std::span<Paths> paths) const {
+    const bool sdfs = !s_.sdfs.empty();
+    std::array<Vertex, batch> vertices;
+    for (std::size_t w = 0; w < paths.size(); ++w) {
+      Vertex& vertex = vertices[w];
+      find(paths[w], vertex);
+      vertex.way = {paths[w].from.clear, paths[w].d, paths[w].alive};
+      vertex.to_light.clear = hn::FirstN(d_, 0);
+    }
+    if (sdfs) meet_sdfs(s_, vertices);
+    for (std::size_t w = 0; w < paths.size(); ++w) {
+      Vertex& vertex = vertices[w];
+      if (s_.meshes) {
+        meet_meshes(s_, vertex.way.o, vertex.way.d, vertex.way.wanted, vertex.of_mesh, vertex.hits);
+      }
+      walk.shade(paths[w], vertex);
+    }
+    if (sdfs) block_by_sdfs(s_, vertices);
+    for (std::size_t w = 0; w < paths.size(); ++w) {
+      ToLight& way = vertices[w].to_light;
+      if (s_.meshes) block_by_meshes(s_, way.o, way.to, way.share, way.clear);
+      walk.gather(paths[w], vertices[w]);
+    }
+  }
+
+  HWY_INLINE void find(const Paths& paths, Vertex& vertex) const {
+    counts_.rays += hn::CountTrue(d_, paths.alive);
+    // Ahead of what they serve: the processor works on them while it waits for the intersection.
+    const U k = mix(paths.key);
+    vertex.u_light = points(job_, paths.reversed_index, k);
+    vertex.u_lobe = points(job_, paths.reversed_index, second_word(k));
+    vertex.hits = closest<Needs::close, Needs::full>(s_, paths.from, paths.d);
+  }
+
+  /// The weight of a sample against another technique whose density is `ratio` times as large.
+  HWY_INLINE V weigh(V ratio) const {
+    const V other_part = job_.choices.power_heuristic ? hn::Mul(ratio, ratio) : ratio;
+    return hn::Div(set(1), hn::Add(other_part, set(1)));
+  }
+  /// Against two others.
+  HWY_INLINE V weigh(V ratio, V other) const { return weigh(together(ratio, other)); }
+  /// The ratio of one technique that weighs as much as two.
+  HWY_INLINE V together(V a, V b) const {
+    return job_.choices.power_heuristic ? hn::Sqrt(hn::MulAdd(a, a, hn::Mul(b, b))) : hn::Add(a, b);
+  }
+
+  /// Paths::rival behind mirrors and glass: the chance of the way taken is that of the way back.
+  HWY_INLINE V turn_rival(V rival, const Spots& spots, const Reflections& next) const {
+    return hn::Div(hn::Mul(rival, hn::Abs(dot(spots.n, next.d))), spots.cosine);
+  }
+
+  /// What missed looks at surface 0, for nothing.
+  HWY_INLINE Spots locate(const Paths& paths, Vertex& vertex, M met) const {
+    const U number = hn::IfThenElseZero(hn::RebindMask(du_, met), vertex.hits.surface);
+    const Numbers at_surface(number, s_.surfaces);
+    V3 p, shape_normal;
+    place(paths, vertex.hits.t, number, at_surface, p, shape_normal);
+    if (Needs::full && s_.searched()) place_searched(vertex, paths.alive, number, p, shape_normal);
+    const V along = dot(shape_normal, paths.d);
+    const Numbers material(at_surface(s_.material.data()), s_.materials);
+    return {number,
+            at_surface,
+            material,
+            p,
+            hn::CopySign(set(1), hn::Neg(along)) * shape_normal,
+            hn::Abs(along),
+            hn::Lt(along, set(0))};
+  }
+
+  /// Ends paths on black sides and at the longest length; whether any goes on.
+  HWY_INLINE bool goes_on(Paths& paths, const Spots& spots) const {
+    if (s_.one_sided) {
+      const M two_sided = differs(spots.material(s_.two_sided.data()), set_word(0));
+      paths.alive = hn::And(paths.alive, hn::Or(spots.front, two_sided));
+    }
+    end_long_paths(paths);
+    return !hn::AllFalse(d_, paths.alive);
+  }
+
+  HWY_INLINE void end_long_paths(Paths& paths) const {
+    const std::uint32_t last =
+        job_.max_depth > 0 ? static_cast<std::uint32_t>(job_.max_depth) : longest_path;
+    const M over = hn::And(same(paths.depth, set_word(last)), paths.alive);
+    if (job_.max_depth == 0) counts_.cut += hn::CountTrue(d_, over);
+    paths.alive = hn::AndNot(over, paths.alive);
+  }
+
+  /// The point that was met, moved onto the surface (what is lost in o + t d comes back), and the
+  /// shape's normal there.
+  HWY_INLINE void place(const Paths& paths, V t, U number, const Numbers& at_surface, V3& p,
+                        V3& normal) const {
+    const V3 far = add_scaled(paths.from.o, t, paths.d);
+    normal = at_surface(s_.nx, s_.ny, s_.nz);
+    p = add_scaled(far, hn::Sub(at_surface(s_.d.data()), dot(normal, far)), normal);
+    if constexpr (Needs::close) {
+      const M flat = hn::RebindMask(d_, hn::Gt(set_word(s_.first_sphere), number));
+      if (hn::AllTrue(d_, flat)) return;
+      const V3 center = at_surface(s_.cx, s_.cy, s_.cz);
+      const V radius = at_surface(s_.radius.data());
+      const V3 outward = normalize(far - center);
+      normal = select(flat, normal, hn::CopySign(set(1), radius) * outward);
+      p = select(flat, p, add_scaled(center, hn::Abs(radius), outward));
+    }
+  }
+
+  /// Of the lanes that met an sdf or a mesh, and of all the rounding error.
+  HWY_INLINE void place_searched(Vertex& vertex, M alive, U number, V3& p, V3& normal) const {
+    if (!s_.sdfs.empty()) place_on_sdfs(s_, vertex, number, p, normal);
+    vertex.error = rounding_of(p);
+    if (!s_.meshes) return;
+    const M here = hn::And(is_from(s_.first_mesh, number), alive);
+    place_on_meshes(s_, vertex.of_mesh, here, p, normal, vertex.error);
+  }
+
+  /// The next rays start here.
+  HWY_INLINE void arrive(Paths& paths, const Spots& spots, const Vertex& vertex) const {
+    paths.from.o = spots.p;
+    paths.from.last = spots.number;
+    if constexpr (Needs::close) {
+      paths.from.plane = s_.coplanar ? spots.at_surface(s_.plane.data()) : spots.number;
+      const M hidden = hn::Lt(vertex.hits.t, hn::Mul(set(64 * rounding), coordinates(spots.p)));
+      paths.from.came = select(hidden, set(-2) * paths.d, paths.d);
+    }
+    if constexpr (Needs::full) paths.from.through = hn::FirstN(d_, 0);
+    if (Needs::full && s_.searched())
+      paths.from.clear = off_surface(spots.p, vertex.error, spots.n, paths.d);
+    paths.key = hn::Add(paths.key, set_word(key_step));
+  }
+
+  /// Splits off those on mirrors and glass, and where they go.
+  HWY_INLINE M reflect_some(Paths& paths, const Spots& spots, V u, Reflections& next) const {
+    const Numbers& material = spots.material;
+    const M specular = hn::And(paths.alive, differs(material(s_.specular.data()), set_word(0)));
+    next = reflect(paths.d, spots.n, spots.front, material(s_.ks_r, s_.ks_g, s_.ks_b),
+                   material(s_.ior.data()), u);
+    paths.alive = hn::AndNot(specular, paths.alive);
+    return specular;
+  }
+
+  HWY_INLINE Surfaces surface_at(V3 d, const Spots& spots) const {
+    const Numbers& material = spots.material;
+    Surfaces surface;
+    surface.p = spots.p;
+    surface.n = spots.n;
+    surface.kd = material(s_.kd_r, s_.kd_g, s_.kd_b);
+    if constexpr (Needs::phong) {
+      surface.exponent = material(s_.exponent.data());
+      surface.diffuse = material(s_.diffuse.data());
+      surface.ks = material(s_.ks_r, s_.ks_g, s_.ks_b);
+      surface.mirror = add_scaled(d, hn::Mul(set(-2), dot(spots.n, d)), spots.n);
+    }
+    return surface;
+  }
+
+  /// From mirrors and glass.
+  HWY_INLINE void go_on(Paths& paths, M specular, const Reflections& next, const Spots& spots,
+                        V3 error) const {
+    paths.alive = hn::Or(paths.alive, specular);
+    paths.d = select(specular, next.d, paths.d);
+    paths.from.through = hn::And(specular, next.through);
+    if (s_.searched() && !hn::AllFalse(d_, paths.from.through)) {
+      const V3 beyond = off_surface(spots.p, error, set(-1) * spots.n, set(0, 0, 0));
+      paths.from.clear = select(paths.from.through, beyond, paths.from.clear);
+    }
+  }
+
+  /// Of a throughput relative to `whole`.
+  HWY_INLINE void roulette(Paths& paths, V whole) const {
+    const V q = hn::Div(hn::Mul(max_element(paths.beta), set(per_threshold_)), whole);
+    roulette_by(paths, q);
+  }
+  HWY_INLINE void roulette(Paths& paths) const {
+    roulette_by(paths, hn::Mul(max_element(paths.beta), set(per_threshold_)));
+  }
+  HWY_INLINE void roulette_by(Paths& paths, V q) const {
+    const M risky = hn::Lt(q, set(1));
+    const U k = hn::Mul(paths.key, set_word(0x85EBCA6B));
+    const V u = to_unit(job_.sobol ? nested_hash(paths.reversed_index, mix(k))
+                                   : mix(hn::Xor(k, paths.reversed_index)));
+    const M ended = hn::And(risky, hn::Ge(u, q));
+    paths.alive = hn::AndNot(ended, paths.alive);
+    paths.beta = hn::Div(set(1), select(risky, q, set(1))) * paths.beta;
+  }
+
+  const LaneJob& job_;
+  const LaneScene& s_;
+  carlo::Counts& counts_;
+  float per_threshold_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace renderer
+HWY_AFTER_NAMESPACE();
+
+#endif  // CARLO_STEPS_INL

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace lane_scenes {
+
+/// Made for what no scene of the tree has.
+carlo::Scene assorted();
+carlo::Scene boxes();
+carlo::Scene polished();
+carlo::Scene modelled();
+carlo::Scene triangulated();
+
+struct Named {
+  std::string name;
+  carlo::Scene scene;
+};
+
+/// The scenes of the tree that the kernel takes, and the five above.
+std::vector<Named> all();
+
+}  // namespace lane_scenes
