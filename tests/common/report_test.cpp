@@ -9,6 +9,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -231,7 +232,8 @@ TEST_CASE("A page needs nothing from outside and is the same each time", "[repor
 }
 
 TEST_CASE("A page makes its folder, and says so when it cannot", "[report]") {
-  const auto folder = std::filesystem::temp_directory_path() / ("carlo_report_test." + std::to_string(::getpid()));
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("carlo_report_test." + std::to_string(::getpid()));
   std::filesystem::remove_all(folder);
   Page page("page");
   page.write(folder / "deep" / "page.html");

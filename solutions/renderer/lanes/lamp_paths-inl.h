@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -185,7 +186,7 @@ class LampWalk : Steps<Needs> {
   std::int64_t units(float value) const {
     const double x = static_cast<double>(value) * scale_;
     constexpr double most = 0x1p62;
-    if (x >= 0 && x < most) return static_cast<std::int64_t>(x + 0.5);
+    if (x >= 0 && x < most) return std::llrint(x);
     ++counts_.bad;
     return 0;
   }
