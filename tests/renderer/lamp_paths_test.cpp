@@ -187,6 +187,8 @@ TEST_CASE("A pilot chooses paths from lamps where they pay") {
   };
   CHECK(chosen("rare_paths") >= 6);
   CHECK(chosen("caustics") >= 6);
+  CHECK(chosen("cornell_phong") >= 6);
+  CHECK(chosen("highlights") <= 2);
   CHECK(chosen("cornell_lambert") == 0);
   CHECK(chosen("soft_shadows") == 0);
 }

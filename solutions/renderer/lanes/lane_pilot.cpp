@@ -21,8 +21,8 @@ constexpr double share = 512;
 /// leaner one would do.
 constexpr double dearer = 2;
 /// By how much they must seem better: chance may play so short a trial a trick. Where there are
-/// mirrors or glass, which gather light, they are expected to be.
-constexpr double clearly = 3, clearly_with_mirrors = 0.8;
+/// mirrors or glass, which gather light, or lobes, which do so a little, they are expected to be.
+constexpr double clearly = 3, clearly_with_lobes = 1, clearly_with_mirrors = 0.8;
 
 struct Trial {
   Means mean, variance;  ///< of the pixels, of a block
@@ -110,7 +110,9 @@ std::uint32_t try_lamp_paths(const carlo::Scene& scene, const LaneScene& lanes, 
   // One image for both: the better one, so that light that one has missed does not look dark.
   const double before = relative_variance(without, with.mean) * without.rays;
   const double after = relative_variance(with, with.mean) * with.rays * dear;
-  const double better = lanes.any_specular ? clearly_with_mirrors : clearly;
+  const double better = lanes.any_specular ? clearly_with_mirrors
+                        : lanes.phong      ? clearly_with_lobes
+                                           : clearly;
   return after * better < before ? 1 : 0;
 }
 
