@@ -2,6 +2,7 @@
 
 #include "cli/error.h"
 #include "numeric/compensated.h"
+#include "render/adaptive_levels.h"
 #include "render/adaptive_state.h"
 #include "render/interrupt.h"
 #include "render/lamp_pass.h"
@@ -10,7 +11,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <iterator>
 #include <mutex>
@@ -32,30 +32,6 @@ constexpr double floor_fraction = 0.01;
 constexpr std::ptrdiff_t jobs_at_once = 64;
 /// Larger jobs are split, so that all threads have work until the end.
 constexpr std::uint64_t most_paths_a_job = 1u << 20;
-
-/// The samples of a half after a number of rounds: n, 3/2 n, 2 n, 3 n, 4 n ... The samples of each
-/// round are aligned runs of a power of two, which Sobol' points fill evenly.
-class Levels {
- public:
-  explicit Levels(std::uint32_t spp) {
-    if (spp < 32) {
-      throw Error("--target-error needs at least 32 samples a pixel, got --spp {}", spp);
-    }
-    first_ = std::min(32u, std::bit_floor(spp / 2));
-    while (end(count_) <= spp / 2)
-      ++count_;
-  }
-  int count() const { return count_; }
-  std::uint32_t end(int level) const {
-    const std::uint32_t octave = first_ << (level / 2);
-    return level % 2 == 0 ? octave : octave + octave / 2;
-  }
-  std::uint32_t begin(int level) const { return level == 0 ? 0 : end(level - 1); }
-
- private:
-  std::uint32_t first_ = 0;
-  int count_ = 0;
-};
 
 /// A square of pixels and a half of theirs, for one round.
 struct Work {
@@ -151,14 +127,20 @@ class AdaptiveJob {
 
   /// A half's work of a round; whether it was finished.
   bool render(const std::vector<Work>& work, std::uint32_t half) {
-    const std::vector<LampPass> lamps = trace_lamps(half);
     std::vector<Work> left;
     std::copy_if(work.begin(), work.end(), std::back_inserter(left),
-                 [&](const Work& w) { return w.half == half; });
+                 [&](const Work& w) { return w.half == half && !done(w); });
+    if (left.empty()) return true;
+    const std::vector<LampPass> lamps = trace_lamps(half);
     const auto batch = jobs_at_once * tbb::this_task_arena::max_concurrency();
     for (auto begin = left.begin(); begin < left.end();) {
       const auto end = begin + std::min<std::ptrdiff_t>(batch, left.end() - begin);
       tbb::parallel_for_each(begin, end, [&](const Work& w) { render(w, lamps); });
+      // Counted with the last of the half's work: what goes on from a copy traces them again.
+      if (std::all_of(left.begin(), left.end(), [&](const Work& w) { return done(w); })) {
+        for (const LampPass& pass : lamps)
+          counts_ += pass.counts();
+      }
       if (stopped()) return false;
       save();
       begin = end;
@@ -166,13 +148,17 @@ class AdaptiveJob {
     return true;
   }
 
+  /// Whether it has this round's samples, perhaps from an earlier render.
+  bool done(const Work& work) const {
+    const GroupedMean& seen = state_.halves[work.half][state_.pixel(work.x, work.y)].seen();
+    return seen.samples() > levels_.begin(state_.level);
+  }
+
   /// What comes to all pixels from the lamps, for each block of a round. Finished ones take none.
-  std::vector<LampPass> trace_lamps(std::uint32_t half) {
+  std::vector<LampPass> trace_lamps(std::uint32_t half) const {
     std::vector<LampPass> passes;
-    for (std::uint32_t b = 0; b < HalfPixel::blocks; ++b) {
+    for (std::uint32_t b = 0; b < HalfPixel::blocks; ++b)
       passes.emplace_back(integrator_, state_.halves[0].size(), half, first_sample(b), block());
-      counts_ += passes.back().counts();
-    }
     return passes;
   }
 
@@ -224,8 +210,6 @@ class AdaptiveJob {
     if (stopped()) return;
     constexpr std::size_t blocks = HalfPixel::blocks;
     std::vector<HalfPixel>& half = state_.halves[work.half];
-    const std::uint32_t first = levels_.begin(state_.level);
-    if (half[state_.pixel(work.x, work.y)].seen().samples() > first) return;  // an earlier render's
     Tile tile{work.x,
               work.y,
               std::min(work.x + work.size, state_.width),

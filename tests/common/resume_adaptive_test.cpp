@@ -4,6 +4,7 @@
 #include "render/adaptive_state.h"
 #include "render/driver.h"
 #include "render/resume.h"
+#include "render/splats.h"
 #include "temporary_folder.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -26,8 +27,25 @@ namespace fs = std::filesystem;
 
 constexpr int width = 37, height = 21;  // tiles and units that the film cuts
 
-/// Pixels that differ in brightness and, a hundredfold, in variance.
+/// Pixels that differ in brightness and, a hundredfold, in variance; a tenth of 1 or so comes to
+/// each of them from lamps.
 class Flicker final : public common_test::NoiseIntegrator {
+ public:
+  std::uint32_t lamp_paths() const override { return 1; }
+  double splat_unit(std::uint64_t /*paths*/) const override { return 0x1p-20; }
+  void trace_lamps(const LampPaths& paths, Splats& splats, Counts& counts) const override {
+    constexpr std::uint64_t pixels = std::uint64_t{width} * height;
+    for (std::uint64_t path = paths.first; path < paths.first + paths.count; ++path) {
+      Rng rng(stream_seed(6, paths.stream), path);
+      const double splat = 0.1 * (0.5 + rng.uniform()) * static_cast<double>(pixels);
+      const auto units = static_cast<std::int64_t>(splat / splats.unit());
+      splats.add(path % pixels, {units, units, units});
+    }
+    counts.lamp_paths += paths.count;
+    counts.rays += paths.count;
+  }
+
+ private:
   void sample(const Tile& tile, int x, int y, BlockSum& sum, Counts& counts) const override {
     for (std::uint32_t s = 0; s < tile.samples; ++s) {
       Rng rng(stream_seed(5, tile.stream),
@@ -91,6 +109,8 @@ void check_same(const RenderResult& a, const RenderResult& b) {
   CHECK(a.film.standard_error().pixels == b.film.standard_error().pixels);
   CHECK(a.film.samples() == b.film.samples());
   CHECK(a.counts.paths == b.counts.paths);
+  CHECK(a.counts.lamp_paths == b.counts.lamp_paths);
+  CHECK(a.counts.rays == b.counts.rays);
   REQUIRE(a.adaptive);
   REQUIRE(b.adaptive);
   CHECK(a.adaptive->within == b.adaptive->within);
