@@ -1,6 +1,7 @@
 // Workers that misbehave: each gives the right verdict in time and leaves no process behind, at
 // every level of the sandbox.
 
+#include "busy.h"
 #include "cli/atomic_file.h"
 #include "cli/error.h"
 #include "grader/judge/run.h"
@@ -21,6 +22,7 @@
 #include <thread>
 
 using namespace carlo::grader;
+using namespace grader_test;
 using Clock = std::chrono::steady_clock;
 
 namespace {
@@ -46,41 +48,6 @@ Result run(Level level, const std::string& probe, bool hangs = false) {
   }
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return result;
-}
-
-/// Whether more programs than processors want to run, by the system's own count: a judge that calls
-/// an idle machine too busy is wrong.
-bool is_busy() {
-  double load = 0;
-  return ::getloadavg(&load, 1) == 1 && load > 1.5 * std::thread::hardware_concurrency();
-}
-
-/// Calls as the grader does: where the machine was too busy for a verdict, once more. A machine
-/// that is too busy four times tells nothing of the judge, and the test is skipped.
-template <class F>
-auto again_if_busy(const F& f) {
-  for (int attempt = 1;; ++attempt) {
-    try {
-      return f();
-    } catch (const Error& error) {
-      if (!has(error.what(), "too busy")) throw;
-      if (attempt < 4) continue;
-      if (!is_busy()) throw;
-      SKIP(error.what());
-    }
-  }
-}
-
-/// Whether the probe is ended or fails.
-bool fails(const Worker& worker, const std::string& probe, const Limits& limits) {
-  return again_if_busy([&] {
-    try {
-      run_probe(worker, probe, {}, {}, limits);
-      return false;
-    } catch (const ProbeFailure&) {
-      return true;
-    }
-  });
 }
 
 bool works(Level level) {
@@ -283,27 +250,6 @@ TEST_CASE("disk is not to be had in one call", "[worker]") {
   CHECK(value(level, "takes disk in one call") == 0);
 }
 
-TEST_CASE("the probes of an exercise have a time in all", "[run]") {
-  Limits limits;
-  limits.deadline = std::chrono::milliseconds(400);
-  Run run(Worker(FIXTURE_WORKER, Level::limits), 1, limits);
-  int started = 0;
-  for (; started < 100; ++started) {
-    run.begin_test("Lab 0.1: it answers in time, each time");
-    try {
-      run.probe("almost late", {}, {});
-    } catch (const ProbeFailure& failure) {
-      if (has(failure.what(), "of this exercise have taken")) break;
-    } catch (const Error& error) {
-      if (has(error.what(), "too busy") && is_busy()) SKIP(error.what());
-      throw;
-    }
-    run.end_test(true);
-    if (run.records().back().status == Status::timeout) return;  // a busy machine
-  }
-  CHECK(started < 30);
-}
-
 TEST_CASE("threads that cannot be started are no proof against whoever starts them", "[worker]") {
   Limits limits;
   limits.deadline = std::chrono::seconds(60);
@@ -335,37 +281,6 @@ TEST_CASE("page tables count as memory", "[worker]") {
   } catch (const ProbeFailure& failure) {
     CHECK(has(failure.what(), "of memory together"));
   }
-}
-
-// Whoever watches is stopped for longer than the deadline, as all are when a control group is
-// frozen.
-TEST_CASE("a deadline leaves out the time for which the grader stood still", "[worker]") {
-  const Worker worker(FIXTURE_WORKER, Level::limits);
-  const pid_t watcher = ::getpid();
-  const pid_t freezer = ::fork();
-  if (freezer == 0) {
-    ::usleep(300'000);
-    ::kill(watcher, SIGSTOP);
-    ::sleep(4);
-    ::kill(watcher, SIGCONT);
-    ::_exit(0);
-  }
-  Limits limits;
-  limits.deadline = std::chrono::milliseconds(2500);
-  const double seconds = run_probe(worker, "sleeps 5 seconds", {}, {}, limits).seconds;
-  CHECK(seconds > 4);
-  ::waitpid(freezer, nullptr, 0);
-}
-
-// With programs beside it that keep all processors busy: busy_test.sh.
-TEST_CASE("a deadline leaves out the time for which others had the processors", "[.busy]") {
-  Limits limits;
-  limits.deadline = std::chrono::milliseconds(1200);
-  const Worker worker(FIXTURE_WORKER);
-  Charged charged;
-  CHECK(run_probe(worker, "half a second of work", {}, {}, limits, &charged).seconds > 1.2);
-  CHECK(charged.seconds < 1.2);
-  CHECK(fails(worker, "hang", limits));
 }
 
 TEST_CASE("the disk cannot be filled, by files without a name neither", "[worker]") {
@@ -401,7 +316,8 @@ TEST_CASE("a fork bomb ends with its worker", "[worker]") {
   Limits limits;
   limits.deadline = std::chrono::milliseconds(800);
   limits.processes = 64;
-  CHECK(fails(worker, "forks without end", limits));
+  const bool ended = fails(worker, "forks without end", limits);
+  CHECK(ended);
   CHECK(no_child_left());
 }
 
@@ -430,19 +346,4 @@ TEST_CASE("a worker whose libraries find no memory is the machine's failure", "[
     CHECK(has(error.what(), "the sandbox cannot begin a program"));
     CHECK(has(error.what(), "loading shared libraries"));
   }
-}
-
-TEST_CASE("seeds follow from the run, the test and the probe's place in it", "[run]") {
-  const auto seeds = [](std::uint64_t seed, const std::string& test) {
-    Run run(Worker(FIXTURE_WORKER, Level::limits), seed, {});
-    run.begin_test(test);
-    const Rows first = run.probe("echo seed", {}, {});
-    const Rows second = run.probe("echo seed", {}, {});
-    return std::pair(first.values[0], second.values[0]);
-  };
-  const auto base = seeds(1, "Lab 0.1: it works");
-  CHECK(base == seeds(1, "Lab 0.1: it works"));
-  CHECK(base.first != base.second);
-  CHECK(base.first != seeds(2, "Lab 0.1: it works").first);
-  CHECK(base.first != seeds(1, "Lab 0.1: it works well").first);
 }

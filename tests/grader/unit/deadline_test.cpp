@@ -1,0 +1,88 @@
+// Deadlines on machines that are busy or stand still, and those of an exercise.
+
+#include "busy.h"
+#include "cli/error.h"
+#include "grader/judge/run.h"
+#include "texts.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+
+using namespace carlo::grader;
+using namespace grader_test;
+
+TEST_CASE("the probes of an exercise have a time in all", "[run]") {
+  Limits limits;
+  limits.deadline = std::chrono::milliseconds(400);
+  Run run(Worker(FIXTURE_WORKER, Level::limits), 1, limits);
+  int started = 0;
+  for (; started < 100; ++started) {
+    run.begin_test("Lab 0.1: it answers in time, each time");
+    try {
+      run.probe("almost late", {}, {});
+    } catch (const ProbeFailure& failure) {
+      if (has(failure.what(), "of this exercise have taken")) break;
+    } catch (const Error& error) {
+      if (has(error.what(), "too busy") && is_busy()) SKIP(error.what());
+      throw;
+    }
+    run.end_test(true);
+    if (run.records().back().status == Status::timeout) return;  // a busy machine
+  }
+  CHECK(started < 30);
+}
+
+// Whoever watches is stopped for longer than the deadline, as all are when a control group is
+// frozen.
+TEST_CASE("a deadline leaves out the time for which the grader stood still", "[worker]") {
+  const Worker worker(FIXTURE_WORKER, Level::limits);
+  const pid_t watcher = ::getpid();
+  const pid_t freezer = ::fork();
+  if (freezer == 0) {
+    ::usleep(300'000);
+    ::kill(watcher, SIGSTOP);
+    ::sleep(4);
+    ::kill(watcher, SIGCONT);
+    ::_exit(0);
+  }
+  Limits limits;
+  limits.deadline = std::chrono::milliseconds(2500);
+  const double seconds = run_probe(worker, "sleeps 5 seconds", {}, {}, limits).seconds;
+  CHECK(seconds > 4);
+  ::waitpid(freezer, nullptr, 0);
+}
+
+// With programs beside it that keep all processors busy: busy_test.sh.
+TEST_CASE("a deadline leaves out the time for which others had the processors", "[.busy]") {
+  Limits limits;
+  limits.deadline = std::chrono::milliseconds(1200);
+  const Worker worker(FIXTURE_WORKER);
+  Charged charged;
+  const double seconds = again_if_busy([&] {
+    charged = {};
+    return run_probe(worker, "half a second of work", {}, {}, limits, &charged).seconds;
+  });
+  CHECK(seconds > 1.2);
+  CHECK(charged.seconds < 1.2);
+  const bool ended = fails(worker, "hang", limits);
+  CHECK(ended);
+}
+
+TEST_CASE("seeds follow from the run, the test and the probe's place in it", "[run]") {
+  const auto seeds = [](std::uint64_t seed, const std::string& test) {
+    Run run(Worker(FIXTURE_WORKER, Level::limits), seed, {});
+    run.begin_test(test);
+    const Rows first = run.probe("echo seed", {}, {});
+    const Rows second = run.probe("echo seed", {}, {});
+    return std::pair(first.values[0], second.values[0]);
+  };
+  const auto base = seeds(1, "Lab 0.1: it works");
+  CHECK(base == seeds(1, "Lab 0.1: it works"));
+  CHECK(base.first != base.second);
+  CHECK(base.first != seeds(2, "Lab 0.1: it works").first);
+  CHECK(base.first != seeds(1, "Lab 0.1: it works well").first);
+}
