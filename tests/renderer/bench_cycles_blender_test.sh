@@ -9,7 +9,7 @@ trap 'rm -rf "$scratch"' EXIT
 mkdir "$scratch/references"
 cp "$source/tests/references/scenes/cornell_lambert.exr" "$scratch/references"
 "$bench" --scenes "$source/common/scenes" --references "$scratch/references" --scratch "$scratch" \
-  --cycles-script "$source/solutions/renderer/bench/cycles.py" --only cycles \
+  --peer-scripts "$source/solutions/renderer/bench/peers" --only cycles \
   --page "$scratch/page.html"
 # At equal error Cycles takes longer; how much is the benchmark's to say.
 grep -Eq '"ratio": ([2-9]|[1-9][0-9]+)\.?[0-9]*,' "$scratch/page.json"

@@ -3,7 +3,7 @@
 #include "cli/error.h"
 #include "random/rng.h"
 #include "renderer/bench/cycles_check.h"
-#include "renderer/bench/cycles_scene.h"
+#include "renderer/bench/peer_scene.h"
 #include "scene_tools.h"
 
 #include <catch2/catch_approx.hpp>
@@ -44,7 +44,7 @@ Vec3 normal(const json& mesh) {
 }
 
 TEST_CASE("Cycles gets our corners, scaled by a power of two below 1, facing as ours do") {
-  const json spec = bench::cycles_scene(lamp_over_triangle());
+  const json spec = bench::peer_scene(lamp_over_triangle(), bench::Peer::cycles);
   REQUIRE(spec.at("meshes").size() == 2);
   const json &triangle = spec.at("meshes").at(0), &lamp = spec.at("meshes").at(1);
   // The camera's 40 is the largest coordinate: 40 / 64 lies in [1/2, 1).
@@ -59,7 +59,7 @@ TEST_CASE("Cycles gets our corners, scaled by a power of two below 1, facing as 
 
 TEST_CASE("Cycles gets our radiances and reflectances as they are, and our camera") {
   const Scene scene = lamp_over_triangle();
-  const json spec = bench::cycles_scene(scene);
+  const json spec = bench::peer_scene(scene, bench::Peer::cycles);
   const json& lamp =
       spec.at("materials").at(spec.at("meshes").at(1).at("material").get<std::size_t>());
   CHECK(vec(lamp.at("radiance")) == Rgb(3, 2, 1));
@@ -81,7 +81,7 @@ TEST_CASE("Shapes of one material and radiance share Cycles' material") {
   scene.shapes.push_back(scene.shapes.back());
   scene.shapes.push_back(scene.shapes.back());
   scene.shapes.back().radiance = Rgb(5);
-  const json spec = bench::cycles_scene(scene);
+  const json spec = bench::peer_scene(scene, bench::Peer::cycles);
   CHECK(spec.at("materials").size() == 3);
   CHECK(spec.at("meshes").at(1).at("material") == spec.at("meshes").at(2).at("material"));
   CHECK(spec.at("meshes").at(1).at("material") != spec.at("meshes").at(3).at("material"));
@@ -91,14 +91,14 @@ TEST_CASE("Cycles' bounces are our segments without the camera's and the lamp's"
   Scene scene = lamp_over_triangle();
   const auto bounces = [&](int depth) {
     scene.max_depth = depth;
-    return bench::cycles_scene(scene).at("bounces").get<int>();
+    return bench::peer_scene(scene, bench::Peer::cycles).at("bounces").get<int>();
   };
   CHECK(bounces(2) == 0);
   CHECK(bounces(5) == 3);
   CHECK(bounces(0) == 1024);
   CHECK(bounces(1) == 0);
   // Direct light is Cycles' least; where we have none, nothing reflects.
-  const json spec = bench::cycles_scene(scene);
+  const json spec = bench::peer_scene(scene, bench::Peer::cycles);
   REQUIRE(!spec.at("materials").empty());
   for (const json& material : spec.at("materials"))
     CHECK(vec(material.at("reflectance")) == Rgb(0));
@@ -108,13 +108,14 @@ TEST_CASE("Scenes that Cycles has no exact equal of are refused with the reason"
   const auto obstacle = [](auto change) {
     Scene scene = lamp_over_triangle();
     change(scene);
-    CHECK_THROWS_AS(bench::cycles_scene(scene), Error);
-    return bench::cycles_obstacle(scene).value_or("nothing");
+    CHECK_THROWS_AS(bench::peer_scene(scene, bench::Peer::cycles), Error);
+    return bench::obstacle(scene, bench::Peer::cycles).value_or("nothing");
   };
-  CHECK(!bench::cycles_obstacle(lamp_over_triangle()));
+  CHECK(!bench::obstacle(lamp_over_triangle(), bench::Peer::cycles));
   CHECK(obstacle([](Scene& s) { s.shapes[0].geometry = Sphere{Vec3(0), 1}; }) == "spheres");
   CHECK(obstacle([](Scene& s) { s.shapes[0].geometry = Disk{Vec3(0), {0, 1, 0}, 1}; }) == "disks");
-  CHECK(obstacle([](Scene& s) { s.materials[0].model = Phong{}; }) ==
+  CHECK(obstacle([](Scene& s) { s.materials[0].model = Phong{}; }) == "Phong's lobes");
+  CHECK(obstacle([](Scene& s) { s.materials[0].model = Mirror{}; }) ==
         "surfaces that are not diffuse");
   CHECK(obstacle([](Scene& s) {
           s.lights.points.push_back({Vec3(1), Rgb(1)});

@@ -26,9 +26,10 @@ struct Options {
   std::filesystem::path scenes, references, scratch;
   std::filesystem::path integrators, generators;  ///< what the labs' programs wrote; may be empty
   std::filesystem::path page;
-  std::string blender = "blender";      ///< a path, or a name to be found in PATH
-  std::filesystem::path cycles_script;  ///< what Blender runs
-  std::vector<std::string> only;        ///< parts of the page; empty: all
+  std::string blender = "blender";     ///< a path, or a name to be found in PATH
+  std::string peers;                   ///< the Python that has them; empty: none are measured
+  std::filesystem::path peer_scripts;  ///< what it and Blender run
+  std::vector<std::string> only;       ///< parts of the page; empty: all
 };
 
 /// What every part of the benchmark writes to: the page, and the same numbers as JSON.
@@ -89,6 +90,8 @@ void bench_depth(Context& context);
 void bench_needs(Context& context);
 void bench_lean_build(Context& context);
 void bench_cycles(Context& context);
+/// Nothing without a Python that has them.
+void bench_peers(Context& context);
 
 /// Measures one mesh in a process of its own, and prints what bench_triangles() reads.
 void print_mesh_costs(const std::filesystem::path& scene);

@@ -32,7 +32,8 @@ const std::vector<Part> parts = {{"scenes", 75, bench::bench_scenes},
                                  {"depth", 3, bench::bench_depth},
                                  {"needs", 3, bench::bench_needs},
                                  {"lean-build", 12, bench::bench_lean_build},
-                                 {"cycles", 45, bench::bench_cycles}};
+                                 {"cycles", 45, bench::bench_cycles},
+                                 {"peers", 900, bench::bench_peers}};
 
 int run(int argc, char** argv) {
   bench::Options options;
@@ -57,8 +58,9 @@ int run(int argc, char** argv) {
   app.option("--integrators", options.integrators).hidden();
   app.option("--generators", options.generators).hidden();
   app.option("--blender", options.blender, "Blender's program, for the part cycles").show_default();
-  app.option("--cycles-script", options.cycles_script)
-      .default_value("solutions/renderer/bench/cycles.py")
+  app.option("--peers", options.peers).hidden();
+  app.option("--peer-scripts", options.peer_scripts)
+      .default_value("solutions/renderer/bench/peers")
       .hidden();
   app.option("--mesh-costs", mesh).hidden();
   app.option("--render-cost", cost).hidden();
@@ -84,6 +86,7 @@ int run(int argc, char** argv) {
   for (const Part& part : parts) {
     const auto& only = options.only;
     if (!only.empty() && std::find(only.begin(), only.end(), part.name) == only.end()) continue;
+    if (part.name == "peers" && options.peers.empty()) continue;
     wanted.push_back(part);
     seconds += part.seconds;
   }

@@ -1,16 +1,19 @@
 """Renders one of our scenes by Blender's Cycles, for `./carlo bench --only cycles`:
 
-    blender -b --factory-startup -t 1 --python-exit-code 3 --python cycles.py -- SCENE.json
+    blender -b --factory-startup -t 1 --python-exit-code 3 --python cycles_peer.py -- SCENE.json
 
-The JSON file is what cycles_scene.cpp writes. The image goes to the EXR file it names, and one line
+or, where Blender is a Python module, by `python3 cycles_peer.py -- SCENE.json` for `./carlo bench peers`.
+The JSON file is what peer_scene.cpp writes. The image goes to the EXR file it names, and one line
 "carlo: {...}" with the seconds to stdout.
 """
 
 import json
+import os
 import sys
 import time
 
 import bpy
+import addon_utils  # there once bpy is
 from mathutils import Matrix
 
 
@@ -84,9 +87,16 @@ def unbiased_path_tracing(scene, spec):
     cycles.time_limit = 0
     cycles.max_bounces = cycles.diffuse_bounces = spec["bounces"]
     cycles.seed = spec["seed"]
+    cycles.use_guiding = spec.get("guiding", False)
+    if hasattr(cycles, "use_light_tree"):
+        cycles.use_light_tree = spec.get("light_tree", True)
     # Owen-scrambled Sobol' points, as ours; 3.4's default kind leaves the same error.
-    kinds = cycles.bl_rna.properties["sampling_pattern"].enum_items.keys()
-    cycles.sampling_pattern = "SOBOL" if "SOBOL" in kinds else "SOBOL_BURLEY"
+    for name in ["SOBOL", "SOBOL_BURLEY", "TABULATED_SOBOL"]:  # of Blender 3.4, 3.5 and 4.0
+        try:
+            cycles.sampling_pattern = name
+            break
+        except TypeError:
+            pass
 
 
 def linear_exr(scene, spec):
@@ -107,6 +117,7 @@ def linear_exr(scene, spec):
 def processor_seconds(scene, samples):
     """Cycles' very first sample goes through the pixel's centre, which at 64 samples makes the lamp of
     the Cornell box .1 % of the image too dark; a later block of the sequence is as even."""
+    scene.render.threads_mode, scene.render.threads = "FIXED", 1
     scene.cycles.samples = scene.cycles.sample_offset = samples
     start = time.process_time()
     bpy.ops.render.render()
@@ -117,6 +128,7 @@ def main():
     with open(sys.argv[sys.argv.index("--") + 1], encoding="utf-8") as file:
         spec = json.load(file)
     bpy.ops.wm.read_factory_settings(use_empty=True)
+    addon_utils.enable("cycles")  # the Python module begins without it
     scene = bpy.context.scene
     scene.world = None  # no light but the scene's
     unbiased_path_tracing(scene, spec)
@@ -136,4 +148,12 @@ def main():
     print("carlo: " + json.dumps(answer), flush=True)
 
 
-main()
+# Blender as a module may wait for its own threads when Python ends, after an error above all.
+if __name__ == "__main__":
+    code = 3
+    try:
+        main()
+        code = 0
+    except Exception as error:
+        print(f"Error: {error!r}", flush=True)
+    os._exit(code)

@@ -1,4 +1,4 @@
-#include "cycles_blender.h"
+#include "peer_program.h"
 
 #include "cli/atomic_file.h"
 #include "cli/error.h"
@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <poll.h>
 
+#include <optional>
 #include <sstream>
 #include <string_view>
-#include <vector>
 
 namespace bench {
 namespace {
@@ -33,7 +33,8 @@ Said run(const std::vector<std::string>& command, const std::function<void()>& w
   return {child.exit_code(), child.output()};
 }
 
-/// The answer of cycles.py among all that Blender says, and the last line that tells of an error.
+/// The answer of the peer's script among all that is said, and the last line that tells of an
+/// error.
 struct Lines {
   std::optional<nlohmann::json> answer;
   std::string error = "nothing that tells of an error";
@@ -55,29 +56,35 @@ Lines read(const std::string& text) {
 
 }  // namespace
 
-bool blender_installed(const Blender& blender) {
+PeerProgram blender(const std::string& program, const fs::path& script, const fs::path& scratch) {
+  return {"Blender",
+          {program, "-b", "--factory-startup", "-noaudio", "-t", "1", "--python-exit-code", "3",
+           "--python", script.string(), "--"},
+          scratch};
+}
+
+bool starts(const std::vector<std::string>& command) {
   try {
-    return run({blender.program, "--version"}, [] {}).exit_code == 0;
+    return run(command, [] {}).exit_code == 0;
   } catch (const carlo::Error&) {
     return false;
   }
 }
 
-CyclesImage render_by_cycles(const Blender& blender, nlohmann::json scene,
-                             const std::function<void()>& wait) {
-  fs::create_directories(blender.scratch);
-  const fs::path input = blender.scratch / "cycles.json";
-  const fs::path output = fs::absolute(blender.scratch / "cycles.exr");
+PeerImage render_by(const PeerProgram& peer, nlohmann::json scene,
+                    const std::function<void()>& wait) {
+  fs::create_directories(peer.scratch);
+  const fs::path input = peer.scratch / "peer.json";
+  const fs::path output = fs::absolute(peer.scratch / "peer.exr");
   fs::remove(output);  // an earlier run's image is no result
   scene["output"] = output.string();
   carlo::write_file(input, scene.dump() + "\n");
-  const Said said =
-      run({blender.program, "-b", "--factory-startup", "-noaudio", "-t", "1", "--python-exit-code",
-           "3", "--python", blender.script.string(), "--", input.string()},
-          wait);
+  std::vector<std::string> command = peer.command;
+  command.push_back(input.string());
+  const Said said = run(command, wait);
   const Lines lines = read(said.text);
   if (said.exit_code != 0 || !lines.answer || !lines.answer->is_object()) {
-    throw carlo::Error("Blender failed (exit code {}): {}", said.exit_code, lines.error);
+    throw carlo::Error("{} failed (exit code {}): {}", peer.name, said.exit_code, lines.error);
   }
   return {carlo::read_exr(output).image, lines.answer->value("seconds", 0.0),
           lines.answer->value("version", "?")};

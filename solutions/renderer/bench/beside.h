@@ -1,0 +1,62 @@
+#pragma once
+
+#include "context.h"
+#include "cycles_check.h"
+#include "image/exr.h"
+#include "peer_program.h"
+#include "peer_scene.h"
+#include "report/viewer.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+// Another renderer beside ours: seconds at equal error on scenes that are the same in both.
+
+namespace bench {
+
+struct Compared {
+  std::string name;
+  carlo::Scene scene;
+  carlo::ExrFile reference;
+  double noise = 0;  ///< the reference's part of relMSE
+};
+
+/// The scenes of the references that a peer can render, and why the others are left out.
+struct Choice {
+  std::vector<Compared> scenes;
+  std::vector<std::string> left_out;
+};
+/// Throws Error where there is none.
+Choice choose(const Options& options, Peer peer);
+
+/// Another renderer's way to render.
+struct Contender {
+  Peer peer = Peer::cycles;
+  PeerProgram program;
+  nlohmann::json choices;  ///< what its program is told besides the scene
+};
+
+/// Several runs of one scene by other seeds.
+struct Runs {
+  std::vector<carlo::Image> theirs;
+  std::vector<double> seconds, rel_mse;
+  std::vector<double> our_samples, our_seconds, ratio;  ///< at their error
+  carlo::Image ours;
+  std::string version;
+};
+
+/// They and ours take turns, so that what disturbs the machine disturbs both. From and to are
+/// shares of the context's part.
+Runs measure(Context& context, const Contender& contender, const Compared& c, std::uint32_t samples,
+             int count, double from, double to);
+
+/// A row of: the scene, their time, relMSE, our samples, our time, the ratio, and how well the
+/// images agree (`beside_columns`).
+std::vector<carlo::Cell> beside_row(const std::string& scene, const Runs& runs,
+                                    const Agreement& agreement);
+
+carlo::Viewer beside_viewer(const std::string& peer, const Compared& c, const Runs& runs);
+
+}  // namespace bench

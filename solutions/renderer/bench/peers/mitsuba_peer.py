@@ -1,0 +1,115 @@
+"""Mitsuba 3's path tracer or its particle tracer; see peer.py."""
+
+import math
+
+import drjit
+import mitsuba as mi
+
+import peer
+
+
+def rgb(value):
+    return {"type": "rgb", "value": value}
+
+
+def add_bsdf(spec):
+    if spec["kind"] == "mirror":
+        bsdf = {"type": "conductor", "material": "none", "specular_reflectance": rgb(spec["reflectance"])}
+    elif spec["kind"] == "dielectric":
+        return {"type": "dielectric", "int_ior": spec["int_ior"], "ext_ior": spec["ext_ior"]}
+    else:
+        bsdf = {"type": "diffuse", "reflectance": rgb(spec["reflectance"])}
+    return {"type": "twosided", "bsdf": bsdf} if spec["two_sided"] else bsdf
+
+
+def columns(x, y, z, origin):
+    return mi.ScalarTransform4f([[x[i], y[i], z[i], origin[i]] for i in range(3)] + [[0, 0, 0, 1]])
+
+
+def rectangle(positions):
+    """Mitsuba's is [-1, 1]^2, facing z."""
+    origin, u, _, v = positions
+    half_u = [(a - b) / 2 for a, b in zip(u, origin)]
+    half_v = [(a - b) / 2 for a, b in zip(v, origin)]
+    normal = [half_u[(i + 1) % 3] * half_v[(i + 2) % 3] - half_u[(i + 2) % 3] * half_v[(i + 1) % 3]
+              for i in range(3)]
+    length = math.sqrt(sum(x * x for x in normal))
+    center = [o + a + b for o, a, b in zip(origin, half_u, half_v)]
+    return {"type": "rectangle", "to_world": columns(half_u, half_v, [x / length for x in normal], center)}
+
+
+def mesh(spec, name):
+    if len(spec["faces"]) == 1 and len(spec["faces"][0]) == 4:
+        return rectangle(spec["positions"])
+    path = name + ".ply"
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(f"ply\nformat ascii 1.0\nelement vertex {len(spec['positions'])}\n"
+                   "property float x\nproperty float y\nproperty float z\n"
+                   f"element face {len(spec['faces'])}\nproperty list uchar int vertex_index\nend_header\n")
+        for position in spec["positions"]:
+            file.write(" ".join(repr(x) for x in position) + "\n")
+        for face in spec["faces"]:
+            file.write(" ".join(map(str, [len(face)] + face)) + "\n")
+    return {"type": "ply", "filename": path, "face_normals": True}
+
+
+def sensor(spec):
+    """Mitsuba's camera looks along its z axis, +x to the left."""
+    camera = spec["camera"]
+    return {
+        "type": "perspective",
+        "to_world": columns([-x for x in camera["right"]], camera["up"], camera["forward"], camera["origin"]),
+        "fov": math.degrees(2 * math.atan(camera["tan_half_x"])),
+        "fov_axis": "x",
+        "near_clip": 1e-6,
+        "far_clip": 1e6,
+        "film": {"type": "hdrfilm", "width": spec["width"], "height": spec["height"], "pixel_format": "rgb",
+                 "component_format": "float32", "rfilter": {"type": "box"}},
+        "sampler": {"type": spec["points"], "sample_count": spec["samples"], "seed": spec["seed"]},
+    }
+
+
+def scene_of(spec):
+    scene = {
+        "type": "scene",
+        "integrator": {"type": spec["integrator"], "max_depth": spec["max_depth"] or -1},
+        "sensor": sensor(spec),
+    }
+    shapes = [mesh(m, f"{spec['output']}.{i}") for i, m in enumerate(spec["meshes"])]
+    shapes += [{"type": "sphere", "center": s["center"], "radius": s["radius"], "flip_normals": s["flipped"]}
+               for s in spec["spheres"]]
+    for i, (shape, own) in enumerate(zip(shapes, spec["meshes"] + spec["spheres"])):
+        material = spec["materials"][own["material"]]
+        shape["bsdf"] = add_bsdf(material)
+        if any(material["radiance"]):
+            shape["emitter"] = {"type": "area", "radiance": rgb(material["radiance"])}
+        scene[f"shape{i}"] = shape
+    for i, light in enumerate(spec["point_lights"]):
+        scene[f"light{i}"] = {"type": "point", "position": light["position"], "intensity": rgb(light["intensity"])}
+    if any(spec["environment"]):
+        scene["environment"] = {"type": "constant", "radiance": rgb(spec["environment"])}
+    return scene
+
+
+def main():
+    spec = peer.read_scene()
+    mi.set_variant(spec["variant"])
+    mi.set_log_level(mi.LogLevel.Error)
+    drjit.set_thread_count(1)
+    scene = mi.load_dict(scene_of(spec), parallel=False)
+    images = []
+
+    def render(seed):
+        image = mi.render(scene, spp=spec["samples"], seed=seed)
+        drjit.eval(image)
+        drjit.sync_thread()
+        images.append(image)
+
+    render(spec["seed"] + 1000)  # the LLVM variant compiles its kernel, and keeps it
+    seconds = peer.processor_seconds(lambda: render(spec["seed"]))
+    drjit.set_thread_count(2)  # one alone waits for itself when it writes
+    mi.Bitmap(images[-1]).write(spec["output"])
+    peer.answer(mi.__version__, seconds)
+
+
+main()
