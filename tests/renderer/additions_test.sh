@@ -26,6 +26,7 @@ common/scene/load_scene.cpp|lights.environment = |<emitter type="constant">
 common/scene/load_scene.cpp|lights.points.push_back|<emitter type="point">
 solutions/renderer/lights.cpp|lights.points[entry.index]|the entry is that of a point light
 solutions/renderer/bench/triangles.cpp|get_if<carlo::Mesh>|the memory of meshes is what is asked for
+solutions/renderer/bench/peer_scene.cpp|get_if<carlo::Sphere>|all other shapes go to mesh(), which matches every kind
 solutions/renderer/bench/scaling.cpp|holds_alternative<carlo::Parallelogram>|looks for a lamp to cut, an error if there is none
 solutions/renderer/bench/scaling.cpp|get_if<carlo::Diffuse>|the lamp of one scene, of which this makes another
 solutions/renderer/bench/scenes.cpp|m.way.sampler == SamplerKind::independent|the row that others are compared with
