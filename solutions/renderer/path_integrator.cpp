@@ -262,6 +262,10 @@ class PathIntegrator final : public carlo::Integrator {
 
 }  // namespace
 
+bool lamp_paths_suit(const Scene& scene) {
+  return LaneScene::suits(carlo::needs(scene), scene);
+}
+
 std::unique_ptr<carlo::Integrator> make_path_integrator(const Scene& scene,
                                                         const PathOptions& options) {
   if (options.kernel == Kernel::best && LaneScene::suits(carlo::needs(scene), scene)) {

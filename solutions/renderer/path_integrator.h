@@ -32,4 +32,7 @@ struct PathOptions {
 std::unique_ptr<carlo::Integrator> make_path_integrator(const carlo::Scene& scene,
                                                         const PathOptions& options);
 
+/// Whether Technique::bidirectional renders this scene; it is an error where it does not.
+bool lamp_paths_suit(const carlo::Scene& scene);
+
 }  // namespace renderer

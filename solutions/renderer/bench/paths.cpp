@@ -45,7 +45,8 @@ int random_side(double paths, carlo::Rng& rng) {
 }
 
 /// One render of about `paths` paths, 2^20 at most: a film of random sides, a random seed
-/// and sampler. Film positions are those of the pixels' samples, so they are new in every render.
+/// and sampler, every other time with paths from lamps. Film positions are those of the pixels'
+/// samples, so they are new in every render.
 void add_render(carlo::Scene& scene, double paths, carlo::Rng& rng, int threads, Row& row) {
   const int width = random_side(paths, rng);
   const int height = random_side(paths, rng);
@@ -54,7 +55,11 @@ void add_render(carlo::Scene& scene, double paths, carlo::Rng& rng, int threads,
   const std::uint64_t seed = rng.next_u64();
   scene.sampler = carlo::sampler_kinds.at(rng.next_u32() % carlo::sampler_kinds.size());
   carlo::resize(scene, width, height);
-  const auto integrator = renderer::make_path_integrator(scene, {.seed = seed, .spp = spp});
+  const bool lamps = (rng.next_u32() & 1) != 0 && renderer::lamp_paths_suit(scene);
+  const auto integrator = renderer::make_path_integrator(
+      scene, {.seed = seed,
+              .spp = spp,
+              .technique = lamps ? renderer::Technique::bidirectional : renderer::Technique::path});
   const carlo::RenderResult result =
       carlo::render(*integrator, width, height,
                     {.spp = spp, .seconds = {}, .threads = threads, .progress = false});
@@ -76,8 +81,8 @@ Row trace(const fs::path& path, std::uint64_t number, const Arguments& a) {
 
 void print_row(const std::string& name, const Row& row) {
   const double rate = row.seconds > 0 ? static_cast<double>(row.counts.paths) / row.seconds : 0;
-  fmt::print("{:<24} {:>14} {:>10.1f} {:>12.0f} {:>8} {:>8}\n", name, row.counts.paths, row.seconds,
-             rate, row.counts.bad, row.counts.cut);
+  fmt::print("{:<24} {:>14} {:>14} {:>10.1f} {:>12.0f} {:>8} {:>8}\n", name, row.counts.paths,
+             row.counts.lamp_paths, row.seconds, rate, row.counts.bad, row.counts.cut);
   std::fflush(stdout);
 }
 
@@ -95,8 +100,8 @@ std::vector<fs::path> scene_files(const Arguments& a) {
 int bench(const Arguments& a) {
   const std::vector<fs::path> files = scene_files(a);
   const carlo::InterruptGuard guard;
-  fmt::print("{:<24} {:>14} {:>10} {:>12} {:>8} {:>8}\n", "scene", "paths", "seconds", "paths/s",
-             "bad", "cut");
+  fmt::print("{:<24} {:>14} {:>14} {:>10} {:>12} {:>8} {:>8}\n", "scene", "paths", "from lamps",
+             "seconds", "paths/s", "bad", "cut");
   Row all;
   std::uint64_t number = 0;
   for (const fs::path& file : files) {
@@ -121,7 +126,8 @@ int main(int argc, char** argv) {
     Arguments a;
     carlo::CommandLine app(
         "Traces paths through every scene, on films of random sizes with ever new seeds and all "
-        "samplers, and counts those that bring no radiance. Exit code 1 if there is one.",
+        "samplers, every other film with paths from lamps, and counts those that bring no "
+        "radiance. Exit code 1 if there is one.",
         "./carlo bench paths");
     app.option("--paths", a.paths, "paths a scene, such as 1e9").range(1.0, 1e15).show_default();
     app.option("--scene", a.scenes, "scene files (default: all in the folder)").existing_file();
