@@ -19,9 +19,11 @@ struct ImageError {
 ImageError compare(const Image& image, const Image& reference);
 
 /// The difference of the means of two images in standard errors of that difference, per channel;
-/// the standard errors are those of the two images' pixels.
+/// the standard errors are those of the two images' pixels. `ties` is what the variance of the
+/// image's mean has beyond that of independent pixels.
 std::array<double, 3> bias_z(const Image& image, const Image& standard_error,
-                             const Image& reference, const Image& reference_error);
+                             const Image& reference, const Image& reference_error,
+                             const std::array<double, 3>& ties = {});
 
 /// The same for each tile of `tile` x `tile` pixels, tiles row by row, three channels a tile.
 std::vector<double> tile_z(const Image& image, const Image& standard_error, const Image& reference,

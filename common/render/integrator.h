@@ -38,6 +38,9 @@ struct Counts {
   std::uint64_t lamp_paths = 0;  ///< from lamps, beside those
   std::uint64_t cut = 0;         ///< paths that were ended for their length alone
   std::uint64_t bad = 0;  ///< samples that were NaN, infinite or negative; they count as black
+  /// By how much paths from lamps that reach several pixels tie these together: over all such
+  /// paths, the sum of the covariances of the image's pixels, in squared luminances of its mean.
+  double lamp_ties = 0;
 
   Counts& operator+=(const Counts& other) {
     paths += other.paths;
@@ -45,6 +48,7 @@ struct Counts {
     lamp_paths += other.lamp_paths;
     cut += other.cut;
     bad += other.bad;
+    lamp_ties += other.lamp_ties;
     return *this;
   }
 };
@@ -94,7 +98,8 @@ class Integrator {
   virtual std::uint32_t lamp_paths() const { return 0; }
 
   /// Such paths, by their numbers among the stream's: `lamp_paths() * pixels` for each sample. A
-  /// splat is a radiance times how many of them there are.
+  /// splat is a radiance times how many of them there are. Of lamp_ties it counts the products of
+  /// each two splats of a path, both ways round, in squared luminances of splats.
   virtual void trace_lamps(const LampPaths& /*paths*/, Splats& /*splats*/,
                            Counts& /*counts*/) const {}
   /// The unit of splats whose sums have room for `paths` of them.

@@ -1,9 +1,12 @@
 #include "render/lamp_pass.h"
 
+#include "numeric/compensated.h"
+#include "render/half_sums.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <mutex>
+#include <vector>
 
 namespace carlo {
 
@@ -15,19 +18,32 @@ LampPass::LampPass(const Integrator& integrator, std::size_t pixels, std::uint32
   paths_ = static_cast<double>(count);
   splats_.emplace(pixels, integrator.splat_unit(count));
   constexpr std::uint64_t at_once = 1 << 14;
-  std::mutex mutex;
+  std::vector<Counts> parts((count + at_once - 1) / at_once);
   tbb::parallel_for(
-      std::uint64_t{0}, (count + at_once - 1) / at_once,
-      [&](std::uint64_t part) {
+      std::size_t{0}, parts.size(),
+      [&](std::size_t part) {
         if (render_interrupted()) return;
         const std::uint64_t begin = part * at_once;
-        Counts counts;
         integrator.trace_lamps({first + begin, std::min(at_once, count - begin), stream}, *splats_,
-                               counts);
-        const std::lock_guard lock(mutex);
-        counts_ += counts;
+                               parts[part]);
       },
       tbb::simple_partitioner{});
+  // In order: one of them is no whole number.
+  for (const Counts& part : parts)
+    counts_ += part;
+  const double n = static_cast<double>(pixels);
+  counts_.lamp_ties = (counts_.lamp_ties - paths_ * products_of_means(pixels)) / (n * n);
+}
+
+double LampPass::products_of_means(std::size_t pixels) const {
+  CompensatedSum sum, squares;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    std::array<double, 3> mean{};
+    add_to(mean, i);
+    sum.add(luminance(mean));
+    squares.add(luminance(mean) * luminance(mean));
+  }
+  return sum.value() * sum.value() - squares.value();
 }
 
 }  // namespace carlo

@@ -28,6 +28,9 @@ class LampPass {
   }
 
  private:
+  /// Of the luminances of each two pixels.
+  double products_of_means(std::size_t pixels) const;
+
   std::optional<Splats> splats_;
   double paths_ = 0;
   Counts counts_;

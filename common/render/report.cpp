@@ -3,6 +3,7 @@
 #include "cli/progress.h"
 #include "json/json_fields.h"
 #include "numeric/compensated.h"
+#include "render/half_sums.h"
 #include "scene/needs.h"
 #include "scene/sampler_kind.h"
 
@@ -84,7 +85,29 @@ std::vector<double> list(const std::array<double, 3>& x) {
   return {x.begin(), x.end()};
 }
 
+/// What paths from lamps that reach several pixels add to the variance of the image's mean. The
+/// channels are taken to be tied as the luminance is; with Sobol' points, an upper bound. An
+/// adaptive render takes no part of some paths, and its pixels are tied by fewer than all.
+std::array<double, 3> ties(const RenderResult& result, const MeanRadiance& mean) {
+  const double paths = static_cast<double>(result.counts.lamp_paths), all = luminance(mean.value);
+  if (!(paths > 0) || !(all > 0)) return {};
+  const double shared = result.adaptive ? static_cast<double>(result.film.samples()) : paths;
+  const double relative = result.counts.lamp_ties / paths / shared / (all * all);
+  std::array<double, 3> ties{};
+  for (std::size_t c = 0; c < 3; ++c)
+    ties[c] = std::fmax(relative, 0) * mean.value[c] * mean.value[c];
+  return ties;
+}
+
 }  // namespace
+
+MeanRadiance mean_of(const RenderResult& result) {
+  MeanRadiance mean = mean_radiance(result.film);
+  const std::array<double, 3> more = ties(result, mean);
+  for (std::size_t c = 0; c < 3; ++c)
+    mean.standard_error[c] = std::hypot(mean.standard_error[c], std::sqrt(more[c]));
+  return mean;
+}
 
 RenderReport make_report(const Scene& scene, const RenderResult& result) {
   RenderReport report;
@@ -99,7 +122,7 @@ RenderReport make_report(const Scene& scene, const RenderResult& result) {
   report.seconds = result.seconds;
   report.interrupted = result.interrupted;
   report.counts = result.counts;
-  report.mean = mean_radiance(result.film);
+  report.mean = mean_of(result);
   report.relative_error = relative_error(result.film, report.mean);
   report.finished = finished(result.film);
   report.adaptive = result.adaptive;
@@ -114,7 +137,8 @@ ReferenceReport compare_with_reference(const RenderResult& result, const std::st
   report.error = compare(image, reference.image);
   const Image exact(image.width, image.height);
   report.bias_z = bias_z(image, result.film.standard_error(), reference.image,
-                         reference.standard_error ? *reference.standard_error : exact);
+                         reference.standard_error ? *reference.standard_error : exact,
+                         ties(result, mean_radiance(result.film)));
   report.efficiency = 1 / (report.error.mse * result.seconds);
   return report;
 }

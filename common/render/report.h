@@ -39,6 +39,9 @@ struct RenderReport {
   std::optional<ReferenceReport> reference;
 };
 
+/// The image's mean and its standard error, with what paths that reach several pixels add to it.
+MeanRadiance mean_of(const RenderResult& result);
+
 /// Fills in what follows from the result.
 RenderReport make_report(const Scene& scene, const RenderResult& result);
 

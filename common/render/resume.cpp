@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace carlo {
 namespace {
@@ -53,7 +54,10 @@ void add_attributes(ExrFile& file, const RenderSettings& settings, const Counts&
     file.attributes[name] = value;
   file.attributes["paths"] = std::to_string(counts.paths);
   file.attributes["rays"] = std::to_string(counts.rays);
-  if (counts.lamp_paths > 0) file.attributes["lamp_paths"] = std::to_string(counts.lamp_paths);
+  if (counts.lamp_paths > 0) {
+    file.attributes["lamp_paths"] = std::to_string(counts.lamp_paths);
+    file.attributes["lamp_ties"] = fmt::format("{}", counts.lamp_ties);
+  }
   file.attributes["cut_paths"] = std::to_string(counts.cut);
   file.attributes["bad_samples"] = std::to_string(counts.bad);
 }
@@ -164,6 +168,13 @@ std::uint64_t EarlierRender::number(const std::string& name) const {
               text);
 }
 
+double EarlierRender::real(const std::string& name) const {
+  const std::string& text = setting(name);
+  const std::optional<double> value = number_of<double>(text);
+  if (value && std::isfinite(*value)) return *value;
+  throw Error("cannot resume {}: its {} is '{}', expected a number", path_.string(), name, text);
+}
+
 std::vector<std::string> EarlierRender::definitions() const {
   const std::string place = fmt::format("cannot resume {}: its definitions", path_.string());
   const std::string& text = setting("definitions");
@@ -242,11 +253,13 @@ AdaptiveState EarlierRender::adaptive_state() const {
 }
 
 Counts EarlierRender::counts() const {
+  const bool lamps = file_.attributes.contains("lamp_paths");
   return {.paths = number("paths"),
           .rays = number("rays"),
-          .lamp_paths = file_.attributes.contains("lamp_paths") ? number("lamp_paths") : 0,
+          .lamp_paths = lamps ? number("lamp_paths") : 0,
           .cut = number("cut_paths"),
-          .bad = number("bad_samples")};
+          .bad = number("bad_samples"),
+          .lamp_ties = lamps ? real("lamp_ties") : 0};
 }
 
 double EarlierRender::seconds(const Film& film) const {

@@ -43,6 +43,8 @@ class EarlierRender {
   const std::string& setting(const std::string& name) const;
   /// Of a setting that is a whole number.
   std::uint64_t number(const std::string& name) const;
+  /// Of one that is a finite number.
+  double real(const std::string& name) const;
   std::vector<std::string> definitions() const;
   /// Of an adaptive render.
   std::optional<double> target_error() const;

@@ -80,9 +80,10 @@ class LampWalk : Steps<Needs> {
     this->roulette(paths, paths.compressed);
   }
 
-  HWY_INLINE void gather(const Paths& paths, const Vertex& vertex) const {
+  HWY_INLINE void gather(Paths& paths, const Vertex& vertex) const {
     const M clear = vertex.to_light.clear;
     if (hn::AllFalse(d_, clear)) return;
+    tie(paths.brought, vertex.direct, clear);
     alignas(64) std::array<float, lanes> r, g, b;
     alignas(64) std::array<std::uint32_t, lanes> pixel;
     hn::Store(vertex.direct.x, d_, r.data());
@@ -182,6 +183,15 @@ class LampWalk : Steps<Needs> {
     paths.d = wi;
   }
 
+  /// Counts what the pixels that a path reaches have in common.
+  HWY_INLINE void tie(V& brought, const V3& splat, M clear) const {
+    const V luminance = hn::Mul(dot(splat, set(0.2126f, 0.7152f, 0.0722f)), set(small_));
+    const V more = hn::IfThenElseZero(hn::And(clear, hn::Lt(luminance, set(0x1p12f))), luminance);
+    counts_.lamp_ties +=
+        2.0 * hn::GetLane(hn::SumOfLanes(d_, hn::Mul(brought, more))) * large_ * large_;
+    brought = hn::Add(brought, more);
+  }
+
   std::int64_t units(float value) const {
     const double x = static_cast<double>(value) * scale_;
     constexpr double most = 0x1p62;
@@ -192,6 +202,8 @@ class LampWalk : Steps<Needs> {
 
   carlo::Splats& splats_;
   double scale_;
+  double large_ = splats_.unit() * 0x1p50;  ///< keeps squares of splats within floats
+  float small_ = static_cast<float>(1 / large_);
   V3 eye_, forward_, right_, up_;
 };
 
@@ -224,6 +236,7 @@ HWY_INLINE void start_at_lamps(const LampJob& job, U index, U key, M starts, Pat
   paths.from.clear = select(starts, clear, paths.from.clear);
   paths.d = select(starts, d, paths.d);
   paths.beta = select(starts, beta, paths.beta);
+  paths.brought = hn::IfThenZeroElse(starts, paths.brought);
   paths.compressed = select(starts, max_element(beta), paths.compressed);
   paths.pdf = select(starts, select(lamp.point, set(-1), z), paths.pdf);
   paths.rival =

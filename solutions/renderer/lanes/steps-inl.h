@@ -55,7 +55,8 @@ struct Paths {
   U reversed_index;  ///< of the sample
   U pixel;           ///< of the tile
   M alive;
-  V rival;  ///< for Features::lamps (lane_kernel.h, "Paths from lamps")
+  V rival;    ///< for Features::lamps (lane_kernel.h, "Paths from lamps")
+  V brought;  ///< of a path from a lamp: the luminance of its splats
 };
 
 /// Where paths arrived, on the side that they came from.
