@@ -8,8 +8,8 @@ namespace lab08 {
 
 using carlo::Curve, carlo::Measurement, carlo::Notebook;
 
-// One experiment a step: it renders the step's small scene with the exercises it needs, and writes
-// what it finds.
+// One experiment a step, or two: it renders the step's small scene with the exercises it needs, and
+// writes what it finds.
 
 /// Step a, Lab 8.1: spokes and a checkerboard, stratified and not.
 void camera_experiment(Notebook& notebook);
@@ -29,5 +29,9 @@ void indirect_experiment(Notebook& notebook);
 void specular_experiment(Notebook& notebook);
 /// Step h, Lab 8.8: the path tracer beside the earlier steps at equal time; samplers; plates.
 void tracer_experiment(Notebook& notebook);
+/// The lecture's Recap as printed and as mended, in rooms with closed forms.
+void recap_experiment(Notebook& notebook);
+/// The same in the Cornell box.
+void recap_box_experiment(Notebook& notebook);
 
 }  // namespace lab08

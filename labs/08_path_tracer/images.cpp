@@ -13,13 +13,6 @@
 namespace lab08 {
 namespace {
 
-double mean_value(const carlo::Image& image) {
-  glm::dvec3 sum(0);
-  for (const Rgb& pixel : image.pixels)
-    sum += pixel;
-  return (sum.r + sum.g + sum.b) / (3 * static_cast<double>(image.pixels.size()));
-}
-
 double mean_square_difference(const carlo::Image& a, const carlo::Image& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
@@ -53,6 +46,13 @@ Rgb mean_of(int samples, const std::function<Rgb()>& estimate) {
   for (int i = 0; i < samples; ++i)
     sum += estimate();
   return sum / static_cast<double>(samples);
+}
+
+double mean_value(const carlo::Image& image) {
+  glm::dvec3 sum(0);
+  for (const Rgb& pixel : image.pixels)
+    sum += pixel;
+  return (sum.r + sum.g + sum.b) / (3 * static_cast<double>(image.pixels.size()));
 }
 
 Reference converged(Notebook& notebook, int width, int height, int samples,

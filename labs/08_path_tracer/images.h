@@ -26,6 +26,9 @@ Ray middle_ray(const carlo::Camera& camera, int width, int height, int x, int y)
 /// The mean of `samples` calls.
 Rgb mean_of(int samples, const std::function<Rgb()>& estimate);
 
+/// The mean over pixels and channels.
+double mean_value(const carlo::Image& image);
+
 /// What images are compared with.
 struct Reference {
   carlo::Image image;

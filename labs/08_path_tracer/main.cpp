@@ -7,43 +7,56 @@
 
 namespace {
 
-/// One step: its experiments, and what its pictures should show.
+/// One step: its name, its experiments, and what its pictures should show.
 struct Step {
+  std::string name;
   std::vector<carlo::Experiment> experiments;
   std::string seen;
 };
 
 std::vector<Step> steps() {
   return {
-      {{lab08::camera_experiment},
+      {"a",
+       {lab08::camera_experiment},
        "a. Jagged spokes from one ray a pixel, smooth ones from 16; stratified rays have a slope "
        "between -1/2 and -3/4 (here -0.63) where independent ones have -1/2, at no more cost."},
-      {{lab08::direct_experiment, lab08::scales_experiment},
+      {"b",
+       {lab08::direct_experiment, lab08::scales_experiment},
        "b. The same soft shadow in both forms, with slopes of -1/2. By area the error is many "
        "times smaller: all rays go where the light is. Then: shadow rays that start a fixed "
        "distance off the surface fail in a small world and in a large one."},
-      {{lab08::phong_experiment},
+      {"c",
+       {lab08::phong_experiment},
        "c. Reflectances that agree with the closed form at every angle and exponent. Uniform "
        "directions get worse with n, sample()'s directions do not."},
-      {{lab08::furnace_experiment},
+      {"d",
+       {lab08::furnace_experiment},
        "d. The lecture's rule stays below 2 most of the time, with error bars that leave 2 out; "
        "now and then a single path throws it far above. Mended, the error falls with -1/2 and one "
        "interval in twenty misses, as it should."},
-      {{lab08::split_experiment},
+      {"e",
+       {lab08::split_experiment},
        "e. One ray for the light and one for the rest: a fraction of the noise of uniform "
        "directions. The weights as printed in the lecture are far off. A ball that shrinks at "
        "constant power goes dark when its cone is 1 - cos in float."},
-      {{lab08::indirect_experiment},
+      {"f",
+       {lab08::indirect_experiment},
        "f. Without indirect light the ceiling is black and shadows are ink; with it walls colour "
        "one another. Lights sampled by area: far less noise than waiting for paths to meet them. "
        "The lecture's two pictures: 40 paths a pixel are noise, 1200 a picture with grain."},
-      {{lab08::specular_experiment},
+      {"g",
+       {lab08::specular_experiment},
        "g. A bright caustic under the glass ball, made of few bright samples: this is where the "
        "noise is."},
-      {{lab08::tracer_experiment},
+      {"h",
+       {lab08::tracer_experiment},
        "h. On the diffuse Cornell box the two weighted techniques gain nothing over points of the "
        "lamp alone and cost a little; what pays are Sobol' points, at nearly the same price. On "
-       "the plates neither technique is good everywhere, and both together are."}};
+       "the plates neither technique is good everywhere, and both together are."},
+      {"recap",
+       {lab08::recap_experiment, lab08::recap_box_experiment},
+       "The Recap. As printed it is far off in every room, each bounce by a factor of its own, and "
+       "where nothing but the lamp emits no path ends by itself. Mended, it shows what it should."}};
 }
 
 }  // namespace
@@ -59,20 +72,19 @@ int main(int argc, char** argv) {
       .what_you_should_see = {}};
   std::string only;
   lab.add_options = [&](carlo::CommandLine& app) {
-    app.option("--step", only, "one step alone, a to h")
-        .one_of({"a", "b", "c", "d", "e", "f", "g", "h"});
+    app.option("--step", only, "one step alone, a to h, or the lecture's Recap")
+        .one_of({"a", "b", "c", "d", "e", "f", "g", "h", "recap"});
   };
   lab.instead = [&](const carlo::LabOptions&) -> std::optional<int> {
-    char letter = 'a';
-    for (const Step& step : steps()) {
-      if (only.empty() || only[0] == letter) {
+    for (bool passed = false; const Step& step : steps()) {
+      if (only.empty() || only == step.name) {
+        passed = true;
         for (const carlo::Experiment& experiment : step.experiments)
           lab.experiments.push_back(experiment);
         lab.what_you_should_see.push_back(step.seen);
-      } else if (letter < only[0]) {
+      } else if (!passed) {
         lab.experiments_before += static_cast<int>(step.experiments.size());
       }
-      ++letter;
     }
     lab.part = only;
     return std::nullopt;
