@@ -193,8 +193,9 @@ TEST_CASE("the Recap calls itself as often as it must, and where walls are dark 
   check_mean(paths(bright, recap_as_printed, n, 1 << 12, 200).calls, 1 + 2 / 9.0,
              2 * std::sqrt(0.1) / 0.9, n);
   const Paths printed = paths(dark, recap_as_printed, 1000, 64, 201);
-  CHECK(printed.cut == 1);
-  CHECK(printed.calls == 64);
+  // But for the one in some 10^5 that grazes the wall or, by rounding, the ball: no z test.
+  CHECK(printed.cut > 0.99);
+  CHECK(printed.calls > 63);
   // One random direction ends when it meets the ball.
   const double s = dark.solid_angle() / (2 * pi);
   check_mean(paths(dark, random_direction_as_printed, n, 1 << 12, 202).calls, 1 + 1 / s,
