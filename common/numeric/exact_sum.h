@@ -27,12 +27,13 @@ class ExactSum {
     // |x| = mantissa 2^exponent, also below the least normal number.
     const std::uint64_t mantissa = (word & (leading - 1)) | (field > 0 ? leading : 0);
     const int exponent = std::max(field, 1) - 1075;
-    const int top = place_of(exponent + 52);
-    raise(top - (places - 1));
-    for (int place = std::max(place_of(exponent), lowest_); place <= top; ++place) {
-      const std::uint64_t digit = digit_of(mantissa, exponent, place);
-      digits_[static_cast<std::size_t>(place - lowest_)] += x < 0 ? 0 - digit : digit;
-    }
+    const int place = place_of(exponent), shift = exponent - bits * place;
+    const std::uint64_t low = mantissa << shift, high = mantissa >> 1 >> (63 - shift);
+    raise(place_of(exponent + 52) - (places - 1));
+    const std::uint64_t sign = x < 0 ? ~std::uint64_t{0} : 0;
+    add_at(place, low & 0xFFFFFFFF, sign);
+    add_at(place + 1, low >> bits, sign);
+    add_at(place + 2, high, sign);
   }
 
   void add(const ExactSum& other) {
@@ -84,11 +85,11 @@ class ExactSum {
   /// The place that the bit of this value, a power of two, belongs to: the next multiple below.
   static constexpr int place_of(int exponent) { return exponent >> 5; }
 
-  /// The bits of mantissa 2^exponent that belong to a place, in units of that place.
-  static std::uint64_t digit_of(std::uint64_t mantissa, int exponent, int place) {
-    const int up = exponent - bits * place;
-    const std::uint64_t word = up >= 0 ? mantissa << up : mantissa >> -up;
-    return word & 0xFFFFFFFF;
+  /// Adds a digit, or what `sign` of all ones makes of it, its negative. Places below the lowest
+  /// are cut off; above the highest, which raise() has made room for, is nothing.
+  void add_at(int place, std::uint64_t digit, std::uint64_t sign) {
+    const auto index = static_cast<std::size_t>(place - lowest_);
+    if (index < digits_.size()) digits_[index] += (digit ^ sign) - sign;
   }
 
   /// Moves the places up, so that the lowest is at least this one.

@@ -33,7 +33,7 @@ struct Bsdfs {
 template <bool phong>
 HWY_INLINE Bsdfs evaluate(const Surfaces& s, V3 wi, V cosine) {
   const V cosine_pdf = hn::Mul(cosine, set(1 / pi));
-  if (!phong) return {s.kd, cosine_pdf};
+  if (!phong) return {each(s.kd), cosine_pdf};
   // 1 - cos of the angle to the mirror direction, which keeps its digits where the angle is small.
   const V3 apart = wi - s.mirror;
   const V h = hn::Mul(set(0.5f), dot(apart, apart));

@@ -54,7 +54,9 @@ class LampWalk : Steps<Needs> {
     const M met = differs(vertex.hits.surface, set_word(nothing));
     paths.alive = hn::And(paths.alive, met);
     if (hn::AllFalse(d_, paths.alive)) return;
-    const Spots spots = this->locate(paths, vertex, met);
+    const U number = this->surface_met(vertex, met);
+    const Lookups found(s_, number);
+    const Spots spots = this->locate(paths, vertex, number, found);
     if (!this->goes_on(paths, spots)) return;
     const Rivals rivals = rivals_at(paths, spots, vertex.hits.t);
     this->arrive(paths, spots, vertex);

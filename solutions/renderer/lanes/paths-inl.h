@@ -54,7 +54,9 @@ class Walk : Steps<Needs> {
     add_sky(paths, hn::AndNot(met, paths.alive));
     paths.alive = hn::And(paths.alive, met);
     if (hn::AllFalse(d_, paths.alive)) return;
-    const Spots spots = this->locate(paths, vertex, met);
+    const U number = this->surface_met(vertex, met);
+    const Lookups found(s_, number);
+    const Spots spots = this->locate(paths, vertex, number, found);
     add_emission(paths, vertex.hits.t, spots);
     if (!this->goes_on(paths, spots)) return;
     this->arrive(paths, spots, vertex);

@@ -59,10 +59,19 @@ struct Paths {
   V brought;  ///< of a path from a lamp: the luminance of its splats
 };
 
-/// Where paths arrived, on the side that they came from.
+/// What the columns hold of a surface and its material.
+struct Lookups {
+  HWY_INLINE Lookups(const LaneScene& s, U surface)
+      : at_surface(surface, s.surfaces), material(at_surface(s.material.data()), s.materials) {}
+
+  Numbers at_surface, material;
+};
+
+/// Where paths arrived, on the side that they came from. With the lookups within, whose masks are
+/// an array, all of it would live in memory.
 struct Spots {
   U number;  ///< of the surface
-  Numbers at_surface, material;
+  const Numbers &at_surface, &material;
   V3 p, n;
   V cosine;  ///< of the angle of arrival, above 0
   M front;   ///< the surface's own side
@@ -140,19 +149,21 @@ class Steps {
   }
 
   /// What missed looks at surface 0, for nothing.
-  HWY_INLINE Spots locate(const Paths& paths, Vertex& vertex, M met) const {
-    const U number = hn::IfThenElseZero(hn::RebindMask(du_, met), vertex.hits.surface);
-    const Numbers at_surface(number, s_.surfaces);
-    V3 p, shape_normal;
-    place(paths, vertex.hits.t, number, at_surface, p, shape_normal);
-    if (Needs::full && s_.searched()) place_searched(vertex, paths.alive, number, p, shape_normal);
-    const V along = dot(shape_normal, paths.d);
-    const Numbers material(at_surface(s_.material.data()), s_.materials);
+  HWY_INLINE U surface_met(const Vertex& vertex, M met) const {
+    return hn::IfThenElseZero(hn::RebindMask(du_, met), vertex.hits.surface);
+  }
+
+  HWY_INLINE Spots locate(const Paths& paths, Vertex& vertex, U number,
+                          const Lookups& found) const {
+    V3 p, normal;
+    place(paths, vertex.hits.t, number, found.at_surface, p, normal);
+    if (Needs::full && s_.searched()) place_searched(vertex, paths.alive, number, p, normal);
+    const V along = dot(normal, paths.d);
     return {number,
-            at_surface,
-            material,
+            found.at_surface,
+            found.material,
             p,
-            hn::CopySign(set(1), hn::Neg(along)) * shape_normal,
+            hn::CopySign(set(1), hn::Neg(along)) * normal,
             hn::Abs(along),
             hn::Lt(along, set(0))};
   }
@@ -204,7 +215,7 @@ class Steps {
 
   /// The next rays start here.
   HWY_INLINE void arrive(Paths& paths, const Spots& spots, const Vertex& vertex) const {
-    paths.from.o = spots.p;
+    paths.from.o = each(spots.p);
     paths.from.last = spots.number;
     if constexpr (Needs::close) {
       paths.from.plane = s_.coplanar ? spots.at_surface(s_.plane.data()) : spots.number;
@@ -230,9 +241,9 @@ class Steps {
   HWY_INLINE Surfaces surface_at(V3 d, const Spots& spots) const {
     const Numbers& material = spots.material;
     Surfaces surface;
-    surface.p = spots.p;
-    surface.n = spots.n;
-    surface.kd = material(s_.kd_r, s_.kd_g, s_.kd_b);
+    surface.p = each(spots.p);
+    surface.n = each(spots.n);
+    surface.kd = each(material(s_.kd_r, s_.kd_g, s_.kd_b));
     if constexpr (Needs::phong) {
       surface.exponent = material(s_.exponent.data());
       surface.diffuse = material(s_.diffuse.data());

@@ -58,6 +58,11 @@ HWY_INLINE std::uint32_t bits(M mask) {
 struct V3 {
   V x, y, z;
 };
+/// A copy, number by number. The compiler keeps these in registers where it would copy a struct
+/// within a struct by way of memory: 3 % of all instructions of a diffuse Cornell box.
+HWY_INLINE V3 each(const V3& v) {
+  return {v.x, v.y, v.z};
+}
 HWY_INLINE V3 operator+(V3 a, V3 b) {
   return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
 }
