@@ -45,6 +45,16 @@ class LampWalk : Steps<Needs> {
     up_ = set(c.up.x, c.up.y, c.up.z);
   }
 
+  /// Follows every path's ray to the next surface, joins it to the camera and draws the next ray.
+  HWY_INLINE void extend(Paths& paths) const {
+    Vertex vertex;
+    this->find(paths, vertex);
+    vertex.to_light.clear = hn::FirstN(d_, 0);
+    shade(paths, vertex);
+    gather(paths, vertex);
+  }
+
+  /// The same for one register of paths, or `batch` of them where there are sdfs.
   HWY_NOINLINE void extend_batch(std::span<Paths> paths) const { this->step_batch(*this, paths); }
 
   // For step_batch():
@@ -63,18 +73,18 @@ class LampWalk : Steps<Needs> {
     M specular = hn::FirstN(d_, 0);
     Reflections next{};
     V rival_there{};
-    if (s_.any_specular) {
+    if (Needs::full && s_.any_specular) {
       specular = this->reflect_some(paths, spots, vertex.u_lobe.x, next);
       // Power is not compressed.
       next.weight = hn::Div(set(1), next.eta2) * (paths.beta * next.weight);
       rival_there = this->turn_rival(paths.rival, spots, next);
     }
-    if (!hn::AllFalse(d_, paths.alive)) {
+    if (!Needs::full || !hn::AllFalse(d_, paths.alive)) {
       const Surfaces surface = this->surface_at(paths.d, spots);
       join_camera(paths, surface, vertex, rivals);
       scatter(paths, surface, vertex.u_lobe, rivals);
     }
-    if (s_.any_specular) {
+    if (Needs::full && s_.any_specular) {
       this->go_on(paths, specular, next, spots, vertex.error);
       paths.beta = select(specular, next.weight, paths.beta);
       paths.rival = select(specular, rival_there, paths.rival);
@@ -118,8 +128,8 @@ class LampWalk : Steps<Needs> {
       const U lamp = hn::IfThenElse(hn::RebindMask(du_, hn::AndNot(point, first)), paths.from.last,
                                     set_word(0));
       const Numbers at_lamp(lamp, s_.surfaces);
-      const V pdf = light_pdf<true>(s_, at_lamp, lamp, at_lamp(s_.light_density.data()), spots.p, t,
-                                    paths.pdf);
+      const V pdf = light_pdf<Needs::full>(s_, at_lamp, lamp, at_lamp(s_.light_density.data()),
+                                           spots.p, t, paths.pdf);
       const V of_point = hn::Mul(set(4 * pi), hn::Mul(t, t));
       const V there = select(point, of_point, hn::Div(pdf, at_lamp(s_.emission.data())));
       of_lights = hn::IfThenElseZero(first, hn::Mul(there, per));
@@ -215,7 +225,7 @@ HWY_INLINE void start_at_lamps(const LampJob& job, U index, U key, M starts, Pat
   const LaneScene& s = job.whole.scene;
   const U reversed = reverse_bits(index), k = mix(key);
   const V2 u = points(job.whole, reversed, k), v = points(job.whole, reversed, second_word(k));
-  const LightPoints lamp = sample_lamp(s, u);
+  const LightPoints lamp = sample_lamp<Needs::full>(s, u);
   // Cosine-distributed about the normal, or uniform.
   const SinCos azimuth = turn(v.y);
   const V z =
@@ -224,9 +234,10 @@ HWY_INLINE void start_at_lamps(const LampJob& job, U index, U key, M starts, Pat
   const V3 d = to_world(frame_about(lamp.n), hn::Mul(r, azimuth.cos), hn::Mul(r, azimuth.sin), z);
   // Of a point Le is its intensity over the chance of its choice.
   const V3 beta = select(lamp.point, set(4 * pi), hn::Div(set(1), lamp.emission)) * lamp.Le;
-  const V3 clear = s.searched() ? select(lamp.point, lamp.p,
-                                         off_surface(lamp.p, lamp.error, lamp.n, set(0, 0, 0)))
-                                : lamp.p;
+  const V3 clear =
+      Needs::full && s.searched()
+          ? select(lamp.point, lamp.p, off_surface(lamp.p, lamp.error, lamp.n, set(0, 0, 0)))
+          : lamp.p;
   const U last = hn::IfThenElse(hn::RebindMask(du_, lamp.point), set_word(nothing), lamp.surface);
   const auto starts_u = hn::RebindMask(du_, starts);
   paths.from.o = select(starts, lamp.p, paths.from.o);
@@ -253,8 +264,9 @@ HWY_INLINE void start_at_lamps(const LampJob& job, U index, U key, M starts, Pat
 template <class Needs>
 HWY_ATTR void run_lamps(const LampJob& job, carlo::Splats& splats, carlo::Counts& counts) {
   const LampWalk<Needs> walk(job, splats, counts);
-  const std::size_t registers = job.whole.scene.sdfs.empty() ? 1 : batch;
-  std::array<Paths, batch> paths{};
+  constexpr std::size_t most = Needs::full ? batch : 1;
+  const std::size_t registers = Needs::full && !job.whole.scene.sdfs.empty() ? most : 1;
+  std::array<Paths, most> paths{};
   for (Paths& some : paths)
     some.alive = hn::FirstN(d_, 0);
   std::uint64_t next = job.first;
@@ -280,7 +292,10 @@ HWY_ATTR void run_lamps(const LampJob& job, carlo::Splats& splats, carlo::Counts
     }
     if (!alive) return;
     if (round % 4096 == 4095 && carlo::render_interrupted()) return;
-    walk.extend_batch({paths.data(), registers});
+    if constexpr (Needs::full)
+      walk.extend_batch({paths.data(), registers});
+    else
+      walk.extend(paths[0]);
   }
 }
 

@@ -23,33 +23,41 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-HWY_ATTR void render_tile(const LaneJob& job, std::span<std::array<double, 3>> means,
-                          carlo::Counts& counts) {
-  if (job.choices.lamp_paths > 0) {
-    run<Features<true, true, true, true>>(job, means, counts);
-    return;
-  }
-#if HWY_TARGET == HWY_SSSE3
-  // Machines of before 2013 pay for what their scene does not need, so that nobody waits for four
-  // more kernels.
-  run<Features<true, true, true>>(job, means, counts);
-#else
+/// Calls f with the Features of least cost that the job can do with.
+template <class F>
+HWY_ATTR void with_needs(const LaneJob& job, const F& f) {
   const LaneScene& s = job.scene;
-  const bool close = s.close();
-  if (s.full()) {
-    run<Features<true, true, true>>(job, means, counts);
+  const bool lamps = job.choices.lamp_paths > 0, close = s.close(), lean = !s.full();
+#if HWY_TARGET == HWY_SSSE3
+  // Machines of before 2013 pay for what their scene does not need, so that nobody waits for six
+  // more kernels.
+  (void)close, (void)lean;
+  lamps ? f(Features<true, true, true, true>()) : f(Features<true, true, true>());
+#else
+  if (lamps) {
+    if (!lean)
+      f(Features<true, true, true, true>());
+    else
+      s.phong ? f(Features<true, true, false, true>()) : f(Features<false, true, false, true>());
+  } else if (!lean) {
+    f(Features<true, true, true>());
   } else if (s.phong) {
-    close ? run<Features<true, true>>(job, means, counts)
-          : run<Features<true, false>>(job, means, counts);
+    close ? f(Features<true, true>()) : f(Features<true, false>());
   } else {
-    close ? run<Features<false, true>>(job, means, counts)
-          : run<Features<false, false>>(job, means, counts);
+    close ? f(Features<false, true>()) : f(Features<false, false>());
   }
 #endif
 }
 
+HWY_ATTR void render_tile(const LaneJob& job, std::span<std::array<double, 3>> means,
+                          carlo::Counts& counts) {
+  with_needs(job, [&]<class Needs>(Needs) HWY_ATTR { run<Needs>(job, means, counts); });
+}
+
 HWY_ATTR void trace_from_lamps(const LampJob& job, carlo::Splats& splats, carlo::Counts& counts) {
-  run_lamps<Features<true, true, true, true>>(job, splats, counts);
+  with_needs(job.whole, [&]<class Needs>(Needs) HWY_ATTR {
+    if constexpr (Needs::lamps) run_lamps<Needs>(job, splats, counts);
+  });
 }
 
 std::string instruction_set() {

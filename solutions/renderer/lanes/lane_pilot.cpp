@@ -17,9 +17,9 @@ using Means = std::vector<std::array<double, 3>>;
 constexpr std::uint32_t blocks = 8, samples = 16;  ///< of a pixel, and of a block
 /// Of a render's paths one in so many is tried by either technique.
 constexpr double share = 512;
-/// Paths from lamps take the kernel for all that a scene may need; a ray is dearer by this where a
-/// leaner one would do.
-constexpr double dearer = 2;
+/// A ray is dearer by this where some paths start at the lamps (without mirrors, glass and the
+/// like).
+constexpr double dearer = 1.3;
 /// By how much they must seem better: chance may play so short a trial a trick. Where there are
 /// mirrors or glass, which gather light, or lobes, which do so a little, they are expected to be.
 constexpr double clearly = 3, clearly_with_lobes = 1, clearly_with_mirrors = 0.8;

@@ -45,12 +45,15 @@ HWY_INLINE V3 across(V3 corner, V2 u, V3 edge_u, V3 edge_v) {
   return add_scaled(add_scaled(corner, u.x, edge_u), u.y, edge_v);
 }
 
+template <bool lamps>
 HWY_INLINE LightPoints sample_only_light(const LaneScene& s, V2 u) {
   const std::uint32_t i = s.light_surface[0];
-  return {across(set(s.lx[0], s.ly[0], s.lz[0]), u, set(s.lux[0], s.luy[0], s.luz[0]),
-                 set(s.lvx[0], s.lvy[0], s.lvz[0])),
-          set(s.nx[i], s.ny[i], s.nz[i]), set(s.le_r[i], s.le_g[i], s.le_b[i]),
-          set(1 / s.light_density[i]), set_word(s.plane[i])};
+  LightPoints points{across(set(s.lx[0], s.ly[0], s.lz[0]), u, set(s.lux[0], s.luy[0], s.luz[0]),
+                            set(s.lvx[0], s.lvy[0], s.lvz[0])),
+                     set(s.nx[i], s.ny[i], s.nz[i]), set(s.le_r[i], s.le_g[i], s.le_b[i]),
+                     set(1 / s.light_density[i]), set_word(s.plane[i])};
+  if constexpr (lamps) points.emission = set(s.emission[i]), points.surface = set_word(i);
+  return points;
 }
 
 HWY_INLINE M is_from(std::uint32_t first, U number) {
@@ -199,15 +202,16 @@ HWY_INLINE LightPoints draw_light(const LaneScene& s, V2 u, const OnBalls& on_ba
 /// Seen from the points p.
 template <bool full, bool lamps>
 HWY_INLINE LightPoints sample_light(const LaneScene& s, V3 p, V2 u) {
-  if (!full && s.lights == 1) return sample_only_light(s, u);
+  if (!full && s.lights == 1) return sample_only_light<lamps>(s, u);
   return draw_light<full, lamps>(s, u,
                                  [&](const Balls& ball, V2 place, M chosen, LightPoints& points)
                                      HWY_ATTR { sample_balls(ball, p, place, chosen, points); });
 }
 
 /// Uniform over each lamp's area.
+template <bool full>
 HWY_INLINE LightPoints sample_lamp(const LaneScene& s, V2 u) {
-  return draw_light<true, true>(
+  return draw_light<full, true>(
       s, u, [&](const Balls& ball, V2 place, M chosen, LightPoints& points) HWY_ATTR {
         const V z = hn::NegMulAdd(place.x, set(2), set(1));
         const V r = hn::Sqrt(hn::Max(hn::NegMulAdd(z, z, set(1)), set(0)));
