@@ -154,11 +154,13 @@ class AdaptiveJob {
     return seen.samples() > levels_.begin(state_.level);
   }
 
-  /// What comes to all pixels from the lamps, for each block of a round. Finished ones take none.
+  /// What comes to all pixels from the lamps, for each block of a round: as many paths as start at
+  /// the camera, about, or a few pixels' last rounds would cost as much as the whole image's.
   std::vector<LampPass> trace_lamps(std::uint32_t half) const {
     std::vector<LampPass> passes;
     for (std::uint32_t b = 0; b < HalfPixel::blocks; ++b)
-      passes.emplace_back(integrator_, state_.halves[0].size(), half, first_sample(b), block());
+      passes.emplace_back(integrator_, state_.halves[0].size(), half, first_sample(b), block(),
+                          state_.undecided(half));
     return passes;
   }
 
@@ -216,7 +218,8 @@ class AdaptiveJob {
               std::min(work.y + work.size, state_.height),
               0,
               block(),
-              work.half};
+              work.half,
+              lamps[0].share()};
     std::vector<HalfPixel::Group> groups(static_cast<std::size_t>(work.size * work.size));
     std::array<std::array<double, 3>, square_size * square_size> means;
     Counts counts;

@@ -1,5 +1,6 @@
 #include "render/adaptive_state.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -13,6 +14,12 @@ AdaptiveState::AdaptiveState(int film_width, int film_height)
             static_cast<std::size_t>((film_height + adaptive_unit_size - 1) / adaptive_unit_size)) {
   for (auto& half : halves)
     half.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+}
+
+double AdaptiveState::undecided(std::size_t half) const {
+  const auto count = std::count_if(units.begin(), units.end(),
+                                   [half](const Unit& unit) { return !unit.fell[half]; });
+  return std::fmax(1, static_cast<double>(count)) / static_cast<double>(units.size());
 }
 
 AdaptiveEstimate adaptive_estimate(const HalfPixel& a, const HalfPixel& b, std::size_t channel) {

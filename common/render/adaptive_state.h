@@ -28,6 +28,10 @@ struct AdaptiveState {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(x);
   }
+  /// The share of the units, of one at least, whose decision by this half has not fallen: how much
+  /// there is left to sample, as this half alone knows it.
+  double undecided(std::size_t half) const;
+
   std::size_t unit_number(int x, int y) const {
     return static_cast<std::size_t>(y / adaptive_unit_size) * static_cast<std::size_t>(columns) +
            static_cast<std::size_t>(x / adaptive_unit_size);

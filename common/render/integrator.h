@@ -18,12 +18,15 @@ struct Tile {
   std::uint32_t first_sample = 0;
   std::uint32_t samples = 0;
   std::uint32_t stream = 0;
+  /// Of the paths from lamps that go with the samples (Integrator::lamp_paths) as many are traced.
+  double lamp_share = 1;
 };
 
 /// Some of a stream's paths from lamps.
 struct LampPaths {
   std::uint64_t first = 0, count = 0;
   std::uint32_t stream = 0;
+  double share = 1;  ///< Tile::lamp_share of the samples that they go with
 };
 
 /// The seed of one of the streams of samples that an integrator with this seed has; of stream 0 it
@@ -39,7 +42,8 @@ struct Counts {
   std::uint64_t cut = 0;         ///< paths that were ended for their length alone
   std::uint64_t bad = 0;  ///< samples that were NaN, infinite or negative; they count as black
   /// By how much paths from lamps that reach several pixels tie these together: over all such
-  /// paths, the sum of the covariances of the image's pixels, in squared luminances of its mean.
+  /// paths, the sum of the covariances of the image's pixels over the squared share that was
+  /// traced, in squared luminances of the image's mean.
   double lamp_ties = 0;
 
   Counts& operator+=(const Counts& other) {
@@ -97,7 +101,8 @@ class Integrator {
   /// sample of a pixel; 0 if light is found from the camera alone.
   virtual std::uint32_t lamp_paths() const { return 0; }
 
-  /// Such paths, by their numbers among the stream's: `lamp_paths() * pixels` for each sample. A
+  /// Such paths, by their numbers among the stream's: `lamp_paths() * pixels` for each sample, or
+  /// the first of these. A
   /// splat is a radiance times how many of them there are. Of lamp_ties it counts the products of
   /// each two splats of a path, both ways round, in squared luminances of splats.
   virtual void trace_lamps(const LampPaths& /*paths*/, Splats& /*splats*/,

@@ -6,15 +6,18 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace carlo {
 
 LampPass::LampPass(const Integrator& integrator, std::size_t pixels, std::uint32_t stream,
-                   std::uint32_t first_sample, std::uint32_t samples) {
+                   std::uint32_t first_sample, std::uint32_t samples, double share) {
   const std::uint64_t per_sample = integrator.lamp_paths() * pixels;
   if (per_sample == 0) return;
-  const std::uint64_t first = first_sample * per_sample, count = samples * per_sample;
+  const std::uint64_t first = first_sample * per_sample, whole = samples * per_sample;
+  const auto count = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(whole)));
+  share_ = static_cast<double>(count) / static_cast<double>(whole);
   paths_ = static_cast<double>(count);
   splats_.emplace(pixels, integrator.splat_unit(count));
   constexpr std::uint64_t at_once = 1 << 14;
@@ -24,15 +27,16 @@ LampPass::LampPass(const Integrator& integrator, std::size_t pixels, std::uint32
       [&](std::size_t part) {
         if (render_interrupted()) return;
         const std::uint64_t begin = part * at_once;
-        integrator.trace_lamps({first + begin, std::min(at_once, count - begin), stream}, *splats_,
-                               parts[part]);
+        integrator.trace_lamps({first + begin, std::min(at_once, count - begin), stream, share_},
+                               *splats_, parts[part]);
       },
       tbb::simple_partitioner{});
   // In order: one of them is no whole number.
   for (const Counts& part : parts)
     counts_ += part;
-  const double n = static_cast<double>(pixels);
-  counts_.lamp_ties = (counts_.lamp_ties - paths_ * products_of_means(pixels)) / (n * n);
+  const double per_image = share_ * static_cast<double>(pixels);
+  counts_.lamp_ties =
+      (counts_.lamp_ties - paths_ * products_of_means(pixels)) / (per_image * per_image);
 }
 
 double LampPass::products_of_means(std::size_t pixels) const {

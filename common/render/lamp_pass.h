@@ -14,9 +14,13 @@ namespace carlo {
 /// that Integrator::render() leaves to them. Nothing if there are no such paths.
 class LampPass {
  public:
-  /// Traces the paths that belong to these samples of a stream, in the caller's task arena.
+  /// Traces the paths that go with these samples of a stream, or about this share of them, above 0
+  /// and at most 1, in the caller's task arena.
   LampPass(const Integrator& integrator, std::size_t pixels, std::uint32_t stream,
-           std::uint32_t first_sample, std::uint32_t samples);
+           std::uint32_t first_sample, std::uint32_t samples, double share = 1);
+
+  /// For the samples' tiles.
+  double share() const { return share_; }
 
   const Counts& counts() const { return counts_; }
 
@@ -32,7 +36,7 @@ class LampPass {
   double products_of_means(std::size_t pixels) const;
 
   std::optional<Splats> splats_;
-  double paths_ = 0;
+  double paths_ = 0, share_ = 1;
   Counts counts_;
 };
 

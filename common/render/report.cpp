@@ -86,13 +86,15 @@ std::vector<double> list(const std::array<double, 3>& x) {
 }
 
 /// What paths from lamps that reach several pixels add to the variance of the image's mean. The
-/// channels are taken to be tied as the luminance is; with Sobol' points, an upper bound. An
-/// adaptive render takes no part of some paths, and its pixels are tied by fewer than all.
+/// channels are taken to be tied as the luminance is; with Sobol' points, an upper bound. Of an
+/// adaptive render's rounds, pixels take about as many as their mean number of samples says.
 std::array<double, 3> ties(const RenderResult& result, const MeanRadiance& mean) {
-  const double paths = static_cast<double>(result.counts.lamp_paths), all = luminance(mean.value);
-  if (!(paths > 0) || !(all > 0)) return {};
-  const double shared = result.adaptive ? static_cast<double>(result.film.samples()) : paths;
-  const double relative = result.counts.lamp_ties / paths / shared / (all * all);
+  const double all = luminance(mean.value), samples = static_cast<double>(result.film.samples());
+  if (!(all > 0) || !(samples > 0)) return {};
+  const double pixels = 1.0 * result.film.width() * result.film.height();
+  const double most =
+      result.adaptive ? pixels * static_cast<double>(result.adaptive->most) : samples;
+  const double relative = result.counts.lamp_ties / (samples * most * all * all);
   std::array<double, 3> ties{};
   for (std::size_t c = 0; c < 3; ++c)
     ties[c] = std::fmax(relative, 0) * mean.value[c] * mean.value[c];

@@ -41,9 +41,12 @@ RenderResult render_both(const Scene& scene, std::uint64_t seed, int threads,
                          std::optional<double> target = {}) {
   const auto integrator = renderer::make_path_integrator(
       scene, {.seed = seed, .technique = renderer::Technique::bidirectional});
-  return render(
-      *integrator, scene.width, scene.height,
-      {.spp = 64, .seconds = {}, .threads = threads, .progress = false, .target_error = target});
+  return render(*integrator, scene.width, scene.height,
+                {.spp = target ? 2048u : 64u,
+                 .seconds = {},
+                 .threads = threads,
+                 .progress = false,
+                 .target_error = target});
 }
 
 /// Means over seeds and their standard errors, tile by tile, and of the whole image behind them.
@@ -67,10 +70,10 @@ std::vector<std::array<double, 3>> tile_means(const Film& film) {
   return means;
 }
 
-Spread spread(const Scene& scene, Counts& counts) {
+Spread spread(const Scene& scene, Counts& counts, std::optional<double> target = {}) {
   std::vector<std::vector<std::array<double, 3>>> all;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    const RenderResult result = render_both(scene, seed, 0);
+    const RenderResult result = render_both(scene, seed, 0, target);
     counts += result.counts;
     all.push_back(tile_means(result.film));
   }
@@ -94,6 +97,30 @@ double z(const tiles::Channel& oracle, double mean, double variance) {
   return difference == 0 ? 0 : std::abs(difference) / error;
 }
 
+tiles::Estimate oracle_of(const Scene& full) {
+  const Scene scene = small(full, SamplerKind::independent);
+  constexpr tiles::Samples samples{32, 32};
+  const auto scalar = renderer::make_path_integrator(
+      scene, {.seed = 99, .spp = samples.per_pixel(), .kernel = renderer::Kernel::scalar});
+  return tiles::estimate(*scalar, size, tile, samples);
+}
+
+struct Largest {
+  double tile = 0, whole = 0;
+};
+
+Largest compare(const tiles::Estimate& oracle, const Spread& both) {
+  Largest result;
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t i = 0; i < oracle.tiles.size(); ++i)
+      result.tile =
+          std::max(result.tile, z(oracle.tiles[i][c], both.mean[i][c], both.variance[i][c]));
+    result.whole =
+        std::max(result.whole, z(oracle.whole[c], both.mean.back()[c], both.variance.back()[c]));
+  }
+  return result;
+}
+
 }  // namespace
 
 TEST_CASE("Paths from lamps agree with the scalar integrator") {
@@ -103,20 +130,11 @@ TEST_CASE("Paths from lamps agree with the scalar integrator") {
     Scene full = whole_scene;
     // What points send by mirrors and glass the oracle does not find: see below.
     if (needs(full).mirror || needs(full).dielectric) full.lights.points.clear();
-    const Scene oracle_scene = small(full, SamplerKind::independent);
-    constexpr tiles::Samples samples{32, 32};
-    const auto scalar = renderer::make_path_integrator(
-        oracle_scene, {.seed = 99, .spp = samples.per_pixel(), .kernel = renderer::Kernel::scalar});
-    const tiles::Estimate oracle = tiles::estimate(*scalar, size, tile, samples);
+    const tiles::Estimate oracle = oracle_of(full);
     for (const SamplerKind sampler : {SamplerKind::independent, SamplerKind::sobol}) {
       Counts counts;
       const Spread both = spread(small(full, sampler), counts);
-      double worst = 0, whole = 0;
-      for (std::size_t c = 0; c < 3; ++c) {
-        for (std::size_t i = 0; i < oracle.tiles.size(); ++i)
-          worst = std::max(worst, z(oracle.tiles[i][c], both.mean[i][c], both.variance[i][c]));
-        whole = std::max(whole, z(oracle.whole[c], both.mean.back()[c], both.variance.back()[c]));
-      }
+      const auto [worst, whole] = compare(oracle, both);
       INFO(name << (sampler == SamplerKind::sobol ? ", Sobol'" : ", independent") << ": worst tile "
                 << worst << ", image " << whole);
       fmt::print("{:<20} tile |z| {:.2f}, image |z| {:.2f}\n", name, worst, whole);
@@ -124,6 +142,22 @@ TEST_CASE("Paths from lamps agree with the scalar integrator") {
       CHECK(whole <= 4);
       CHECK(counts.bad == 0);
     }
+  }
+}
+
+// Rounds with few pixels left trace few of them, weighed as that asks for.
+TEST_CASE("Paths from lamps agree in adaptive renders, and are about as many as from the camera") {
+  for (const char* name : {"caustics", "cornell_phong"}) {
+    const Scene full = lab_scenes::load(name);
+    Counts counts;
+    const Spread both = spread(small(full, SamplerKind::sobol), counts, 0.1);
+    const auto [worst, whole] = compare(oracle_of(full), both);
+    INFO(name << ": worst tile " << worst << ", image " << whole << "; " << counts.paths
+              << " paths, " << counts.lamp_paths << " from lamps");
+    CHECK(worst <= 7);
+    CHECK(whole <= 4);
+    CHECK(counts.lamp_paths > counts.paths / 2);
+    CHECK(counts.lamp_paths < 2 * counts.paths);
   }
 }
 

@@ -170,8 +170,8 @@ class LampWalk : Steps<Needs> {
     const V from_camera =
         hn::Mul(hn::Mul(by_camera, cosine_by_area), rival(rivals, surface, cosine, bsdf.pdf));
     const V per_pixel =
-        hn::Mul(by_camera, set(static_cast<float>(job_.choices.lamp_paths) *
-                               static_cast<float>(job_.width) * static_cast<float>(job_.height)));
+        hn::Mul(by_camera, set(job_.choices.lamp_paths * static_cast<float>(job_.width) *
+                               static_cast<float>(job_.height)));
     const V weight = hn::Mul(hn::Mul(per_pixel, cosine_by_area), this->weigh(from_camera));
     vertex.direct = weight * (paths.beta * bsdf.f);
     vertex.to_light = {paths.from.clear, eye_, set(1), clear};

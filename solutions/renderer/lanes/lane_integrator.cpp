@@ -17,7 +17,7 @@ class LaneIntegrator final : public carlo::Integrator {
       : scene_(scene), lanes_(scene), seed_(seed), choices_(choices) {
     if (!pilot_spp) return;
     const auto start = std::chrono::steady_clock::now();
-    choices_.lamp_paths = try_lamp_paths(scene, lanes_, seed, *pilot_spp);
+    choices_.lamp_paths = try_lamp_paths(scene, lanes_, seed, *pilot_spp) ? 1.0f : 0.0f;
     seconds_spent_ =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
@@ -36,29 +36,39 @@ class LaneIntegrator final : public carlo::Integrator {
 
   void render(const carlo::Tile& tile, std::span<std::array<double, 3>> means,
               carlo::Counts& counts) const override {
-    render_lanes(job(tile), means, counts);
+    const LaneChoices choices = shared(tile.lamp_share);
+    render_lanes(job(tile, choices), means, counts);
   }
 
   double seconds_spent() const override { return seconds_spent_; }
 
-  std::uint32_t lamp_paths() const override { return choices_.lamp_paths; }
+  std::uint32_t lamp_paths() const override {
+    return static_cast<std::uint32_t>(choices_.lamp_paths);
+  }
 
   void trace_lamps(const carlo::LampPaths& paths, carlo::Splats& splats,
                    carlo::Counts& counts) const override {
     const carlo::Tile any{.stream = paths.stream};
-    const LaneJob whole = job(any);
+    const LaneChoices choices = shared(paths.share);
+    const LaneJob whole = job(any, choices);
     renderer::trace_lamps({whole, paths.first, paths.count, splats.unit()}, splats, counts);
   }
 
   double splat_unit(std::uint64_t paths) const override { return lanes_.splat_unit(paths); }
 
  private:
-  LaneJob job(const carlo::Tile& tile) const {
+  LaneChoices shared(double lamp_share) const {
+    LaneChoices choices = choices_;
+    choices.lamp_paths *= static_cast<float>(lamp_share);
+    return choices;
+  }
+
+  LaneJob job(const carlo::Tile& tile, const LaneChoices& choices) const {
     return {lanes_,           scene_.camera,
             scene_.width,     scene_.height,
             scene_.max_depth, carlo::stream_seed(seed_, tile.stream),
             lanes_.sobol,     tile,
-            choices_};
+            choices};
   }
 
   /// What the scene does not have is not told.

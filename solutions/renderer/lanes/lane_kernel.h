@@ -18,7 +18,7 @@ namespace renderer {
 struct LaneChoices {
   float roulette_threshold = 0.25f;  ///< paths are ended by roulette below this throughput
   bool power_heuristic = true;       ///< or the balance heuristic
-  std::uint32_t lamp_paths = 0;      ///< paths from lamps for each from the camera
+  float lamp_paths = 0;              ///< paths from lamps for each from the camera
 };
 
 /// One call of the kernel: a tile of an image.

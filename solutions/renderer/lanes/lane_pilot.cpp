@@ -34,8 +34,8 @@ class Pilot {
   Pilot(const carlo::Scene& scene, const LaneScene& lanes, std::uint64_t seed, int side)
       : scene_(scene), lanes_(lanes), seed_(seed), side_(side) {}
 
-  Trial run(std::uint32_t lamp_paths) const {
-    const LaneChoices choices{.lamp_paths = lamp_paths};
+  Trial run(bool lamps) const {
+    const LaneChoices choices{.lamp_paths = lamps ? 1.0f : 0.0f};
     carlo::Counts counts;
     Trial trial{Means(pixels()), Means(pixels()), 0};
     for (std::uint32_t b = 0; b < blocks; ++b) {
@@ -67,7 +67,7 @@ class Pilot {
     Means means(pixels());
     render_lanes(job, means, counts);
     if (choices.lamp_paths == 0) return means;
-    const std::uint64_t count = std::uint64_t{samples} * pixels() * choices.lamp_paths;
+    const std::uint64_t count = std::uint64_t{samples} * pixels();
     carlo::Splats splats(pixels(), lanes_.splat_unit(count));
     trace_lamps({job, block * count, count, splats.unit()}, splats, counts);
     for (std::size_t i = 0; i < pixels(); ++i) {
@@ -97,15 +97,15 @@ double relative_variance(const Trial& trial, const Means& means) {
 
 }  // namespace
 
-std::uint32_t try_lamp_paths(const carlo::Scene& scene, const LaneScene& lanes, std::uint64_t seed,
-                             std::uint32_t spp) {
-  if (lanes.lights == 0) return 0;
+bool try_lamp_paths(const carlo::Scene& scene, const LaneScene& lanes, std::uint64_t seed,
+                    std::uint32_t spp) {
+  if (lanes.lights == 0) return false;
   // What points send by mirrors and glass is found by no other path.
-  if (lanes.point_lights() && lanes.any_specular) return 1;
+  if (lanes.point_lights() && lanes.any_specular) return true;
   const double paths = static_cast<double>(scene.width) * scene.height * spp / share;
   const double side = std::sqrt(paths / (blocks * samples));
   const Pilot pilot(scene, lanes, seed, static_cast<int>(std::clamp(side, 8.0, 64.0)));
-  const Trial without = pilot.run(0), with = pilot.run(1);
+  const Trial without = pilot.run(false), with = pilot.run(true);
   const double dear = lanes.full() ? 1 : dearer;
   // One image for both: the better one, so that light that one has missed does not look dark.
   const double before = relative_variance(without, with.mean) * without.rays;
@@ -113,7 +113,7 @@ std::uint32_t try_lamp_paths(const carlo::Scene& scene, const LaneScene& lanes, 
   const double better = lanes.any_specular ? clearly_with_mirrors
                         : lanes.phong      ? clearly_with_lobes
                                            : clearly;
-  return after * better < before ? 1 : 0;
+  return after * better < before;
 }
 
 }  // namespace renderer

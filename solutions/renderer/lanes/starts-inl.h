@@ -37,8 +37,7 @@ HWY_INLINE V3 camera_direction(const LaneJob& job, V x, V y) {
 HWY_INLINE V camera_density(const LaneJob& job, V3 d) {
   const carlo::Camera& c = job.camera;
   const V cosine = dot(d, set(c.forward.x, c.forward.y, c.forward.z));
-  const float per_film =
-      1 / (4 * c.tan_half_x * c.tan_half_y * static_cast<float>(job.choices.lamp_paths));
+  const float per_film = 1 / (4 * c.tan_half_x * c.tan_half_y * job.choices.lamp_paths);
   return hn::Div(set(per_film), hn::Mul(cosine, hn::Mul(cosine, cosine)));
 }
 
