@@ -46,6 +46,7 @@ struct Variant {
   std::string kernel = "best";  ///< or "scalar", or an instruction set
   carlo::SamplerKind sampler = carlo::SamplerKind::sobol;
   renderer::LaneChoices choices{};
+  renderer::Technique technique = renderer::Technique::automatic;  ///< as `./carlo render` has it
   std::vector<double> seconds{}, rel_mse{}, product{};
 };
 
@@ -64,6 +65,12 @@ std::vector<Variant> variants(const Arguments& a) {
       {.name = "balance heuristic", .kernel = kernel, .choices = {.power_heuristic = false}});
   result.push_back(
       {.name = "independent points", .kernel = kernel, .sampler = carlo::SamplerKind::independent});
+  if (kernel == "scalar") return result;
+  result.push_back(
+      {.name = "no paths from lamps", .kernel = kernel, .technique = renderer::Technique::path});
+  result.push_back({.name = "paths from lamps",
+                    .kernel = kernel,
+                    .technique = renderer::Technique::bidirectional});
   return result;
 }
 
@@ -74,12 +81,13 @@ void render_once(carlo::Scene scene, const carlo::Image& reference, const Argume
   scene.sampler = variant.sampler;
   const bool scalar = variant.kernel == "scalar";
   renderer::use_instruction_set(scalar || variant.kernel == "best" ? "" : variant.kernel);
+  const carlo::Stopwatch stopwatch;
   const auto integrator = renderer::make_path_integrator(
       scene, {.seed = seed,
               .spp = a.spp,
               .kernel = scalar ? renderer::Kernel::scalar : renderer::Kernel::best,
+              .technique = variant.technique,
               .choices = variant.choices});
-  const carlo::Stopwatch stopwatch;
   const carlo::RenderResult result =
       carlo::render(*integrator, scene.width, scene.height,
                     {.spp = a.spp, .seconds = {}, .threads = a.threads, .progress = false});
