@@ -1,0 +1,121 @@
+#include "renderer/envmap_table.h"
+
+#include "numeric/robust.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace renderer {
+namespace {
+
+using carlo::Rgb;
+using carlo::Vec2;
+using carlo::Vec3;
+
+constexpr float last_below_one = 0x1.fffffep-1f;
+
+/// Rec. 709.
+double luminance(Rgb c) {
+  return .2126 * static_cast<double>(c.r) + .7152 * static_cast<double>(c.g) +
+         .0722 * static_cast<double>(c.b);
+}
+
+/// 0, w_0 / w, (w_0 + w_1) / w, ..., 1, where w is the sum of all, as multiples of 2^-24; all 0 if
+/// w is.
+std::vector<float> running_chances(const std::vector<double>& weights) {
+  double whole = 0;
+  for (const double w : weights)
+    whole += w;
+  std::vector<float> sums{0};
+  double sum = 0;
+  for (const double w : weights) {
+    sum += w;
+    sums.push_back(whole > 0 ? static_cast<float>(std::round(sum / whole * 0x1p24) * 0x1p-24)
+                             : 0.0f);
+  }
+  return sums;
+}
+
+/// Which of `count` steps from first[0] = 0 to first[count] = 1 u falls into, and where within.
+struct Picked {
+  std::size_t index;
+  float within;
+};
+Picked pick(const float* first, std::size_t count, float u) {
+  const float* above = std::upper_bound(first, first + count, u);
+  const float low = above[-1];
+  return {static_cast<std::size_t>(above - first) - 1,
+          std::min((u - low) / (*above - low), last_below_one)};
+}
+
+}  // namespace
+
+EnvmapTable::EnvmapTable(const carlo::Envmap& of)
+    : map(&of),
+      rotation(of.rotation),
+      width(static_cast<std::size_t>(of.image.width)),
+      height(static_cast<std::size_t>(of.image.height)) {
+  std::vector<std::vector<double>> luminances(height, std::vector<double>(width));
+  std::vector<double> weights;
+  for (std::size_t y = 0; y < height; ++y) {
+    const double top = carlo::pi * static_cast<double>(y) / static_cast<double>(height),
+                 bottom = carlo::pi * static_cast<double>(y + 1) / static_cast<double>(height);
+    const bool north = 2 * y < height;
+    // 1 - cos(x) = 2 sin^2(x / 2), of the angle from the pole.
+    const auto from_pole = [north](double theta) {
+      const double sine = std::sin((north ? theta : carlo::pi - theta) / 2);
+      return static_cast<float>(2 * sine * sine);
+    };
+    upper.push_back(from_pole(top));
+    lower.push_back(from_pole(bottom));
+    pole.push_back(north ? 1.0f : -1.0f);
+    const double solid_angle = 4 * carlo::pi / static_cast<double>(width) *
+                               std::sin((top + bottom) / 2) * std::sin((bottom - top) / 2);
+    double sum = 0;
+    for (std::size_t x = 0; x < width; ++x) {
+      const Rgb c = of.image.pixels[y * width + x];
+      sum += luminances[y][x] = luminance(c);
+      brightness += solid_angle * (static_cast<double>(c.r) + static_cast<double>(c.g) +
+                                   static_cast<double>(c.b));
+    }
+    weights.push_back(sum * solid_angle);
+  }
+  rows = running_chances(weights);
+  for (std::size_t y = 0; y < height; ++y)
+    add_row(y, static_cast<double>(rows[y + 1]) - static_cast<double>(rows[y]), luminances[y]);
+}
+
+/// The solid angle is that between the edges as they are drawn from, rounded.
+void EnvmapTable::add_row(std::size_t y, double chance, const std::vector<double>& luminances) {
+  const std::vector<float> sums = running_chances(luminances);
+  columns.insert(columns.end(), sums.begin(), sums.end());
+  const double solid_angle =
+      2 * carlo::pi / static_cast<double>(width) *
+      std::abs(static_cast<double>(lower[y]) - static_cast<double>(upper[y]));
+  for (std::size_t x = 0; x < width; ++x) {
+    const Rgb c = map->image.pixels[y * width + x];
+    const double share = static_cast<double>(sums[x + 1]) - static_cast<double>(sums[x]);
+    texels.push_back({c.r, c.g, c.b, static_cast<float>(chance * share / solid_angle)});
+  }
+}
+
+EnvmapTable::Sample EnvmapTable::sample(Vec2 u) const {
+  const Picked row = pick(rows.data(), height, u.y);
+  const std::size_t y = row.index;
+  const Picked column = pick(columns.data() + y * (width + 1), width, u.x);
+  const float h = upper[y] + row.within * (lower[y] - upper[y]);
+  const float sine = carlo::safe_sqrt(h * (2 - h));
+  const float phi =
+      2 * carlo::pi_f *
+      ((static_cast<float>(column.index) + column.within) / static_cast<float>(width));
+  const Vec3 own(sine * std::sin(phi), pole[y] * (1 - h), -sine * std::cos(phi));
+  const auto& [r, g, b, pdf] = texels[y * width + column.index];
+  return {rotation * own, Rgb(r, g, b), pdf};
+}
+
+EnvmapTable::Texel EnvmapTable::at(Vec3 d) const {
+  const auto& [r, g, b, pdf] = texels[carlo::texel_at(*map, d)];
+  return {Rgb(r, g, b), pdf};
+}
+
+}  // namespace renderer
