@@ -38,8 +38,8 @@ Extent extent_of(const Scene& scene) {
   Extent extent{Vec3d(scene.camera.origin), Vec3d(scene.camera.origin)};
   for (const Shape& shape : scene.shapes)
     std::visit([&](const auto& s) { extent(s); }, shape.geometry);
-  const auto& [points, environment] = scene.lights;
-  (void)environment;  // is everywhere
+  const auto& [points, environment, envmap] = scene.lights;
+  (void)environment, (void)envmap;  // are everywhere
   for (const PointLight& light : points)
     extent.include(Vec3d(light.position));
   return extent;

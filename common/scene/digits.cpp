@@ -81,8 +81,8 @@ struct Plane {
 }  // namespace
 
 std::optional<std::string> too_few_digits(const Scene& scene) {
-  const auto& [points, environment] = scene.lights;
-  (void)environment;  // is near to nothing
+  const auto& [points, environment, envmap] = scene.lights;
+  (void)environment, (void)envmap;  // are near to nothing
   if (scene.shapes.size() + points.size() > most_things) return std::nullopt;
   std::vector<Thing> things;
   for (const Shape& shape : scene.shapes)

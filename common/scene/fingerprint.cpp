@@ -104,8 +104,15 @@ class Digest {
     add_all(position, intensity);
   }
   void add(const OtherLights& l) {
-    const auto& [points, environment] = l;
+    const auto& [points, environment, envmap] = l;
     add_all(points, environment);
+    // Scenes without one keep the fingerprint that they had before there were any.
+    if (envmap) add(*envmap);
+  }
+  void add(const Envmap& map) {
+    const auto& [image, rotation] = map;
+    const auto& [width, height, pixels] = image;
+    add_all(width, height, pixels, rotation[0], rotation[1], rotation[2]);
   }
 
   void add(const Similarity& s) {

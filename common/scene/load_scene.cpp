@@ -2,6 +2,7 @@
 
 #include "scene/center.h"
 #include "scene/digits.h"
+#include "scene/envmap_file.h"
 #include "scene/ids.h"
 #include "scene/materials.h"
 #include "scene/parameters.h"
@@ -131,13 +132,17 @@ class Loader {
 
   void add_emitter(const XmlElement& element) {
     Properties emitter(element, {}, center_);
-    if (emitter.type() == "point") return add_point_light(emitter);
-    if (emitter.type() != "constant") {
-      fail(emitter.type_at(), "emitter {} is not supported outside a <shape>{}",
-           in_quotes(emitter.type()), suggest(emitter.type(), {"point", "constant"}));
+    const std::string& type = emitter.type();
+    if (type == "point") return add_point_light(emitter);
+    if (type != "constant" && type != "envmap") {
+      fail(emitter.type_at(), "emitter {} is not supported outside a <shape>{}", in_quotes(type),
+           suggest(type, {"point", "constant", "envmap"}));
     }
     once(environment_, element);
-    scene_.lights.environment = required_colour(emitter, "radiance");
+    if (type == "envmap")
+      scene_.lights.envmap = parse_envmap(emitter);
+    else
+      scene_.lights.environment = required_colour(emitter, "radiance");
   }
 
   void add_point_light(Properties& emitter) {
@@ -162,9 +167,9 @@ class Loader {
     for (const std::string& note : materials_.notes())
       scene_.notes.push_back(note);
     const auto emits = [](const Shape& shape) { return shape.emits(); };
-    const auto& [points, environment] = scene_.lights;
+    const auto& [points, environment, envmap] = scene_.lights;
     const bool lit = std::any_of(scene_.shapes.begin(), scene_.shapes.end(), emits) ||
-                     !points.empty() || environment != Rgb(0);
+                     !points.empty() || environment != Rgb(0) || envmap;
     if (!lit) scene_.notes.emplace_back("the scene has no light: its image is black");
   }
 

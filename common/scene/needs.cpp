@@ -44,9 +44,10 @@ void add_material(const Material& material, Needs& n) {
 }
 
 void add_lights(const OtherLights& lights, Needs& n) {
-  const auto& [points, environment] = lights;
+  const auto& [points, environment, envmap] = lights;
   n.point_lights = points.size();
   n.environment = environment != Rgb(0);
+  n.envmap = envmap.has_value();
 }
 
 std::string counted(std::size_t number, std::string_view thing) {
@@ -93,7 +94,7 @@ std::string describe(const Needs& n) {
   // A member that is added is an error here, until it is told or is not told on purpose.
   const auto& [parallelograms, spheres, disks, meshes, triangles, sdfs, diffuse, phong, mirror,
                dielectric, one_sided, two_sided, parallelogram_lights, sphere_lights, disk_lights,
-               triangle_lights, point_lights, environment, depth_limit] = n;
+               triangle_lights, point_lights, environment, envmap, depth_limit] = n;
   (void)meshes, (void)depth_limit;
   List shapes, materials, lights;
   shapes.add(parallelograms, "parallelogram");
@@ -113,6 +114,7 @@ std::string describe(const Needs& n) {
   lights.add(triangle_lights, "triangle light");
   lights.add(point_lights, "point light");
   lights.add(environment, "constant environment");
+  lights.add(envmap, "image all around");
   return fmt::format("{}; {}; {}", shapes.text("no shapes"), materials.text("no materials"),
                      lights.text("no lights"));
 }

@@ -15,7 +15,7 @@ struct Needs {
   bool one_sided = false, two_sided = false;  ///< among surfaces that are no dielectric
   std::size_t parallelogram_lights = 0, sphere_lights = 0, disk_lights = 0, triangle_lights = 0;
   std::size_t point_lights = 0;
-  bool environment = false;
+  bool environment = false, envmap = false;
   bool depth_limit = false;
 
   std::size_t primitives() const { return parallelograms + spheres + disks + triangles + sdfs; }

@@ -2,6 +2,7 @@
 
 #include "numeric/vec.h"
 #include "scene/camera.h"
+#include "scene/envmap.h"
 #include "scene/sdf.h"
 
 #include <cstdint>
@@ -89,6 +90,7 @@ struct PointLight {
 struct OtherLights {
   std::vector<PointLight> points;
   Rgb environment{0};  ///< radiance that arrives from every direction that meets no shape
+  std::optional<Envmap> envmap;
 };
 
 // The scene ---------------------------------------------------------------------------------------

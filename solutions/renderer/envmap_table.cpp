@@ -41,7 +41,7 @@ struct Picked {
   std::size_t index;
   float within;
 };
-Picked pick(const float* first, std::size_t count, float u) {
+Picked step_of(const float* first, std::size_t count, float u) {
   const float* above = std::upper_bound(first, first + count, u);
   const float low = above[-1];
   return {static_cast<std::size_t>(above - first) - 1,
@@ -100,9 +100,9 @@ void EnvmapTable::add_row(std::size_t y, double chance, const std::vector<double
 }
 
 EnvmapTable::Sample EnvmapTable::sample(Vec2 u) const {
-  const Picked row = pick(rows.data(), height, u.y);
+  const Picked row = step_of(rows.data(), height, u.y);
   const std::size_t y = row.index;
-  const Picked column = pick(columns.data() + y * (width + 1), width, u.x);
+  const Picked column = step_of(columns.data() + y * (width + 1), width, u.x);
   const float h = upper[y] + row.within * (lower[y] - upper[y]);
   const float sine = carlo::safe_sqrt(h * (2 - h));
   const float phi =

@@ -3,6 +3,7 @@
 #include "cli/error.h"
 #include "frame.h"
 #include "numeric/robust.h"
+#include "scene/center.h"
 #include "scene/match.h"
 #include "spherical_rectangle.h"
 #include "warp.h"
@@ -145,17 +146,26 @@ Lights::Lights(const Scene& scene) : scene_(scene) {
     entries_.push_back(shape_entry(i));
     power.push_back(carlo::pi * entries_.back().area * brightness(shape.radiance));
   }
-  const auto& [points, environment] = scene.lights;
+  const auto& [points, environment, envmap] = scene.lights;
   (void)environment;  // is left to rays that meet no shape
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     if (points[i].intensity == Rgb(0)) continue;
     entries_.push_back({Entry::Kind::point, i});
     power.push_back(4 * carlo::pi * brightness(points[i].intensity));
   }
+  if (envmap) envmap_.emplace(*envmap);
+  if (envmap && !scene.shapes.empty()) {
+    // What arrives in the sphere around the scene.
+    const double radius = carlo::diameter(scene) / 2;
+    far_ = static_cast<float>(4 * radius);
+    entries_.push_back({Entry::Kind::envmap, 0});
+    power.push_back(carlo::pi * radius * radius * envmap_->brightness);
+  }
   cdf_ = running_sum(power);
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     entries_[i].probability = power[i] / cdf_.back();
   }
+  if (far_ > 0) envmap_probability_ = entries_.back().probability;
 }
 
 Lights::Entry Lights::shape_entry(std::uint32_t index) {
@@ -198,6 +208,8 @@ std::optional<LightSample> Lights::sample(const Place& from, float u_light, Vec2
       return sample_shape(entry, from, u);
     case Entry::Kind::point:
       return sample_point(entry, from);
+    case Entry::Kind::envmap:
+      return sample_envmap(entry, from, u);
   }
   return std::nullopt;
 }
@@ -215,6 +227,23 @@ std::optional<LightSample> Lights::sample_point(const Entry& entry, const Place&
                      0,
                      carlo::Intersector::nothing,
                      false};
+}
+
+LightSample Lights::sample_envmap(const Entry& entry, const Place& from, Vec2 u) const {
+  const EnvmapTable::Sample sample = envmap_->sample(u);
+  return {from.p + far_ * sample.wi,
+          Vec3(0),
+          Vec3(0),
+          sample.radiance,
+          static_cast<float>(entry.probability) * sample.pdf,
+          carlo::Intersector::nothing,
+          false};
+}
+
+EnvmapTable::Texel Lights::beyond(Vec3 d) const {
+  if (!envmap_) return {Rgb(0), 0};
+  const EnvmapTable::Texel texel = envmap_->at(d);
+  return {texel.radiance, static_cast<float>(envmap_probability_) * texel.pdf};
 }
 
 std::optional<LightSample> Lights::sample_shape(const Entry& entry, const Place& from,

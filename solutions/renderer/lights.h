@@ -2,6 +2,7 @@
 
 #include "geometry/intersector.h"
 #include "numeric/vec.h"
+#include "renderer/envmap_table.h"
 #include "renderer/mesh_light.h"
 #include "renderer/spherical_rectangle.h"
 #include "scene/scene.h"
@@ -24,9 +25,9 @@ struct Place {
 
 /// A point of a light as seen from a surface point.
 struct LightSample {
-  Vec3 p;        ///< on the light
+  Vec3 p;        ///< on the light; of the image around the scene beyond all shapes
   Vec3 p_error;  ///< bound on the rounding error of each coordinate of p
-  Vec3 n;        ///< the light's normal there; 0 for a point light
+  Vec3 n;        ///< the light's normal there; 0 for what is no surface
   Rgb radiance;  ///< towards the surface point; for a point light intensity / distance^2
   float pdf;     ///< per solid angle at the surface point, light choice included; 0 for a point
                  ///< light, whose radiance is already divided by the probability of its choice
@@ -35,7 +36,8 @@ struct LightSample {
 };
 
 /// Chooses among a scene's lights in proportion to their power, and samples the chosen one:
-/// rectangles and spheres by solid angle, other shapes by area.
+/// rectangles and spheres by solid angle, other shapes by area, the image around the scene by its
+/// luminance.
 class Lights {
  public:
   /// Keeps a reference to `scene`.
@@ -51,11 +53,15 @@ class Lights {
   /// shape must emit. 0 where sample() gives nothing.
   float pdf(const Place& from, const carlo::Hit& hit) const;
 
+  /// What rays in direction d bring from the image around the scene, and the density with which
+  /// sample() gives d; 0 of both if there is none.
+  EnvmapTable::Texel beyond(Vec3 d) const;
+
  private:
   struct Entry {
-    enum class Kind { shape, point };
+    enum class Kind { shape, point, envmap };
     Kind kind;
-    std::uint32_t index;  ///< among the scene's shapes or point lights
+    std::uint32_t index;  ///< among the scene's shapes or point lights; of the image 0
     std::optional<RectangleFrame> rectangle = std::nullopt;  ///< of lights sampled by solid angle,
     const carlo::Sphere* ball = nullptr;  ///< and of those sampled by their cone of directions
     std::shared_ptr<const MeshLight> mesh = nullptr;  ///< of a mesh
@@ -67,6 +73,7 @@ class Lights {
   Entry shape_entry(std::uint32_t index);
   const Entry& choose(float u) const;
   std::optional<LightSample> sample_point(const Entry& entry, const Place& from) const;
+  LightSample sample_envmap(const Entry& entry, const Place& from, Vec2 u) const;
   std::optional<LightSample> sample_shape(const Entry& entry, const Place& from, Vec2 u) const;
   /// Density at `from` of a point with normal n of a shape.
   float shape_pdf(const Entry& entry, const Place& from, const Place& point, Vec3 n) const;
@@ -75,6 +82,9 @@ class Lights {
   std::vector<Entry> entries_;
   std::vector<double> cdf_;  ///< of the choice, ends at 1
   std::vector<std::uint32_t> entry_of_shape_;
+  std::optional<EnvmapTable> envmap_;
+  double envmap_probability_ = 0;
+  float far_ = 0;  ///< beyond all shapes, from wherever
 };
 
 }  // namespace renderer

@@ -133,7 +133,7 @@ class PathIntegrator final : public carlo::Integrator {
     Hit hit;
     ++counts.rays;
     if (!intersector_.intersect(path.ray, hit)) {
-      path.L += path.beta * beyond();
+      path.L += path.beta * beyond(path);
       return false;
     }
     const carlo::Shape& shape = scene_.shapes[hit.shape];
@@ -157,11 +157,15 @@ class PathIntegrator final : public carlo::Integrator {
         });
   }
 
-  /// What a ray brings that meets no shape.
-  Rgb beyond() const {
-    const auto& [points, environment] = scene_.lights;
+  /// What the path's ray brings, having met no shape; the image around the scene weighed against
+  /// next-event estimation.
+  Rgb beyond(const Path& path) const {
+    const auto& [points, environment, envmap] = scene_.lights;
     (void)points;  // no ray meets a point
-    return environment;
+    if (!envmap) return environment;
+    const EnvmapTable::Texel texel = lights_.beyond(path.ray.d);
+    const float weight = path.competes ? power_heuristic(path.pdf, texel.pdf) : 1;
+    return environment + weight * texel.radiance;
   }
 
   /// Emission met by the path's ray, weighed against next-event estimation.

@@ -206,12 +206,24 @@ TEST_CASE("A fingerprint depends on all that an image depends on, and on nothing
       [](Scene& s) { s.shapes.push_back(s.shapes[0]); },
       [](Scene& s) { s.lights.points[0].intensity.g = 5; },
       [](Scene& s) { s.lights.environment = Rgb(1); },
+      [](Scene& s) { s.lights.envmap = Envmap{Image(2, 1)}; },
   };
   for (const auto& change : changes) {
     Scene s = scene();
     change(s);
     CHECK(fingerprint(s) != before);
   }
+  // And on what an image around the scene shows, and on how it is turned.
+  const auto under_sky = [](float texel, double turn) {
+    Scene s = scene();
+    Envmap map{Image(2, 1), glm::dmat3(turn, 0, 0, 0, 1, 0, 0, 0, turn)};
+    map.image.at(1, 0).g = texel;
+    s.lights.envmap = map;
+    return fingerprint(s);
+  };
+  CHECK(under_sky(1, 1) == under_sky(1, 1));
+  CHECK(under_sky(1, 1) != under_sky(2, 1));
+  CHECK(under_sky(1, 1) != under_sky(1, -1));
   Scene s = scene();
   s.spp = 1000;
   s.notes = {"a note"};

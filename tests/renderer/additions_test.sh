@@ -23,6 +23,7 @@ common/scene/digits.cpp|get_if<Parallelogram>|only parallelograms have planes th
 common/scene/sdf.cpp|get_if<Solid>|the other kind of step follows by std::get, which throws
 solutions/renderer/lanes/lane_sdf.cpp|get_if<sdf::Solid>|the other kind of step follows by std::get, which throws
 common/scene/load_scene.cpp|lights.environment = |<emitter type="constant">
+common/scene/load_scene.cpp|lights.envmap = |<emitter type="envmap">
 common/scene/load_scene.cpp|lights.points.push_back|<emitter type="point">
 solutions/renderer/lights.cpp|lights.points[entry.index]|the entry is that of a point light
 solutions/renderer/bench/triangles.cpp|get_if<carlo::Mesh>|the memory of meshes is what is asked for
@@ -39,7 +40,7 @@ labs/08_path_tracer/specular_experiment.cpp|scene.lights.environment = |makes a 
 solutions/08_path_tracer/steps/g_specular.cpp|get_if<carlo::|the last kind is taken by std::get, which throws
 solutions/08_path_tracer/steps/h_path_tracer.cpp|get_if<carlo::|the last kind is taken by Surface::phong(), which throws
 '
-by_name='get_if<|holds_alternative<|[=!]= *(carlo::)?SamplerKind::|lights\.(points|environment)'
+by_name='get_if<|holds_alternative<|[=!]= *(carlo::)?SamplerKind::|lights\.(points|environment|envmap)'
 grep -rnE "$by_name" common solutions labs >"$work/by_name"
 while IFS=: read -r file line text; do
   known=''

@@ -87,6 +87,9 @@ TEST_CASE("Lab 08 refuses what its tracers would get wrong") {
   CHECK_NOTHROW(lab08::make_lab_integrator(scene, {Method::iterative}));
   CHECK_THROWS_AS(lab08::make_lab_integrator(lab_scenes::load("caustics"), {Method::recursive}),
                   Error);
+  Scene other = scene;
   scene.lights.points.push_back({Vec3(0), Rgb(1)});
   CHECK_THROWS_AS(lab08::make_lab_integrator(scene, {Method::iterative}), Error);
+  other.lights.envmap = Envmap{Image(2, 1)};
+  CHECK_THROWS_AS(lab08::make_lab_integrator(other, {Method::iterative}), Error);
 }

@@ -170,6 +170,46 @@ TEST_CASE("pdf() is the density with which sample() gives the point that a ray h
     CHECK(count > 50);
 }
 
+TEST_CASE("beyond() is the density with which sample() gives a direction to the image around") {
+  Scene scene = lit_by({Disk{{0, 5, 1}, {0, 0, -1}, 1}});
+  Envmap map{Image(8, 4)};
+  for (std::size_t i = 0; i < map.image.pixels.size(); ++i)
+    map.image.pixels[i] = Rgb(static_cast<float>(i % 5));
+  scene.lights.envmap = map;
+  const Lights lights(scene);
+  Rng rng(6);
+  int seen = 0, elsewhere = 0;
+  double irradiance = 0;
+  constexpr int count = 400000;
+  for (int i = 0; i < count; ++i) {
+    const float u_light = rng.uniform_float();
+    const float x = rng.uniform_float();
+    const auto s = lights.sample({}, u_light, {x, rng.uniform_float()});
+    if (!s || s->n != Vec3(0)) continue;
+    ++seen;
+    const Vec3 wi = glm::normalize(s->p);
+    CHECK(glm::length(s->p) > 10);  // beyond the disk, as seen from anywhere
+    const auto texel = lights.beyond(wi);
+    elsewhere += texel.radiance == s->radiance && texel.pdf == s->pdf ? 0 : 1;
+    irradiance += static_cast<double>(s->radiance.r * std::max(0.0f, wi.z) / s->pdf);
+  }
+  CHECK(seen > count / 4);
+  CHECK(elsewhere <= 4);  // at the texels' edges
+  // Of the half with z > 0, columns 2 to 5, sum of L times the integral of cosine over the texel.
+  double exact = 0;
+  for (int y = 0; y < 4; ++y) {
+    const double a = y * closed_forms::pi / 4, b = a + closed_forms::pi / 4;
+    const double of_row = (b - a) / 2 - (std::sin(2 * b) - std::sin(2 * a)) / 4;
+    for (int k = 2; k < 6; ++k) {
+      const double of_column =
+          std::sin((k - 3) * closed_forms::pi / 4) - std::sin((k - 4) * closed_forms::pi / 4);
+      exact += static_cast<double>(map.image.at(k, y).r) * of_row * of_column;
+    }
+  }
+  // A direction's share has a standard deviation of about twice the mean.
+  CHECK(std::abs(irradiance / count / exact - 1) <= 5 * 2 / std::sqrt(count));
+}
+
 TEST_CASE("A point light gives intensity over distance squared, whatever else shines") {
   Scene scene = lit_by({Disk{{0, 5, 1}, {0, 0, -1}, 1}});
   scene.lights.points.push_back({{0, 0, 2}, Rgb(8)});

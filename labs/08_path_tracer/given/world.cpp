@@ -30,8 +30,13 @@ bool passes_light(const Material& material) {
 }
 
 carlo::Scene checked(carlo::Scene scene) {
-  const auto& [points, environment] = scene.lights;
+  const auto& [points, environment, envmap] = scene.lights;
   (void)environment;  // World::environment()
+  if (envmap) {
+    throw carlo::Error(
+        "lab 08 knows no image as a lamp: the reference renderer draws this scene, or give it a "
+        "constant environment");
+  }
   if (!points.empty()) {
     throw carlo::Error("lab 08 knows no point lights: give the light an area");
   }

@@ -60,7 +60,7 @@ class Light {
 /// The scene that rays are traced in.
 class World {
  public:
-  /// Throws carlo::Error for what lab 08 does not know: point lights.
+  /// Throws carlo::Error for what lab 08 does not know: point lights and images as lamps.
   explicit World(carlo::Scene scene);
   World(const World&) = delete;
   World& operator=(const World&) = delete;

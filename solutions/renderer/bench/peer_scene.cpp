@@ -180,6 +180,7 @@ std::optional<std::string> obstacle(const Scene& scene, Peer peer) {
   if (n.disks > 0) return "disks";
   if (n.sdfs > 0) return "signed distance functions";
   if (n.phong) return "Phong's lobes";
+  if (n.envmap) return "an image all around";
   if (peer == Peer::cycles) {
     if (n.spheres > 0) return "spheres";
     if (n.mirror || n.dielectric) return "surfaces that are not diffuse";
@@ -224,7 +225,8 @@ json peer_scene(const Scene& scene, Peer peer) {
       meshes.push_back(mesh(shape, scale, number));
     }
   }
-  const auto& [point_lights, environment] = scene.lights;
+  const auto& [point_lights, environment, envmap] = scene.lights;
+  (void)envmap;  // obstacle()
   for (const carlo::PointLight& light : point_lights) {
     points.push_back({{"position", numbers(scale * light.position)},
                       {"intensity", numbers(scale * scale * light.intensity)}});

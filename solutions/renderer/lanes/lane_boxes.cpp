@@ -144,8 +144,9 @@ bool holds(const LaneBox& box, const Scene& scene) {
     return std::all_of(points.begin(), points.end(), inside);
   };
   // A light just outside would be hidden by the wall, which casts no shadow.
-  const auto& [lights, environment] = scene.lights;
+  const auto& [lights, environment, envmap] = scene.lights;
   (void)environment;  // nothing is behind a wall that is not there
+  if (envmap) return false;
   for (const carlo::PointLight& light : lights) {
     const Vec3d p(light.position);
     if (!(depth_inside(box, p) > tolerance * glm::length(p))) return false;
@@ -220,8 +221,8 @@ bool lit_inside(const Scene& scene, const LaneBox& box) {
     }
     return false;
   };
-  const auto& [points, environment] = scene.lights;
-  (void)environment;  // is around
+  const auto& [points, environment, envmap] = scene.lights;
+  (void)environment, (void)envmap;  // are around
   return std::any_of(scene.shapes.begin(), scene.shapes.end(),
                      [&](const carlo::Shape& shape) {
                        return shape.emits() &&

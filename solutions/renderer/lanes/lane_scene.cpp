@@ -132,8 +132,9 @@ class Writer {
   Writer(LaneScene& lanes, const carlo::Scene& scene) : lanes_(lanes), scene_(scene) {
     for (const carlo::Shape& shape : scene.shapes)
       power_ += power(shape);
-    const auto& [points, environment] = scene.lights;
+    const auto& [points, environment, envmap] = scene.lights;
     (void)environment;  // is left to rays that meet no surface
+    (void)envmap;       // suits() lets none come
     for (const carlo::PointLight& light : points)
       power_ += power(light);
   }
@@ -334,7 +335,8 @@ double LaneScene::splat_unit(std::uint64_t paths) const {
 
 LaneScene::LaneScene(const carlo::Scene& scene) {
   sobol = sobol_points(scene.sampler).value();
-  const auto& [points, around] = scene.lights;
+  const auto& [points, around, envmap] = scene.lights;
+  (void)envmap;
   environment[0] = around.r, environment[1] = around.g, environment[2] = around.b;
   for (const carlo::Material& m : scene.materials)
     add_material(*this, m);

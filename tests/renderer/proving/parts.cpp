@@ -1,5 +1,6 @@
 #include "proving/parts.h"
 
+#include "cli/error.h"
 #include "scene_tools.h"
 
 #include <cmath>
@@ -65,8 +66,9 @@ Scene placed(Scene scene, const Placement& placement) {
   const Mover move(placement);
   for (Shape& shape : scene.shapes)
     std::visit(move, shape.geometry);
-  auto& [points, environment] = scene.lights;
+  auto& [points, environment, envmap] = scene.lights;
   (void)environment;  // is everywhere
+  if (envmap) throw carlo::Error("no family of scenes has an image for a lamp");
   for (carlo::PointLight& light : points) {
     light.position = move.point(light.position);
     light.intensity *= static_cast<float>(placement.scale * placement.scale);

@@ -1,5 +1,7 @@
 #include "proving/scene_xml.h"
 
+#include "cli/error.h"
+
 #include <fmt/core.h>
 
 #include <cmath>
@@ -133,7 +135,8 @@ std::string text_of(const Scene& scene, const std::string& comment, const std::s
     text += "  " + material_text(scene.materials[i], i) + "\n";
   for (std::size_t i = 0; i < scene.shapes.size(); ++i)
     text += shape_text(scene.shapes[i], mesh_name(name, i));
-  const auto& [points, environment] = scene.lights;
+  const auto& [points, environment, envmap] = scene.lights;
+  if (envmap) throw carlo::Error("no family of scenes has an image for a lamp");
   for (const carlo::PointLight& light : points) {
     text += "  <emitter type=\"point\">" + point("position", light.position) +
             colour("intensity", light.intensity) + "</emitter>\n";

@@ -1,0 +1,103 @@
+#include "scene/envmap_file.h"
+
+#include "cli/error.h"
+#include "image/exr.h"
+#include "image/hdr.h"
+#include "scene/similarity.h"
+#include "scene/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+
+namespace carlo {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// By its first bytes, whatever it is called.
+Image read_image(const fs::path& path) {
+  std::string start(4, '\0');
+  std::ifstream(path, std::ios::binary).read(start.data(), 4);
+  if (start == "\x76\x2f\x31\x01") return read_exr(path).image;
+  if (start.starts_with("#?")) return read_hdr(path);
+  throw Error("{} is no image of radiances, expected OpenEXR or Radiance HDR", path.string());
+}
+
+// What is wrong inside an image is reported where the scene names it, like all else.
+Image read_image(const std::string& filename, Position at) {
+  const fs::path path = at.source->path.parent_path() / filename;
+  std::error_code ec;
+  if (!fs::exists(path, ec)) fail(at, "the image {} does not exist", in_quotes(path.string()));
+  if (!fs::is_regular_file(path, ec)) fail(at, "{} is not a file", in_quotes(path.string()));
+  try {
+    return read_image(path);
+  } catch (const Error& error) {
+    fail_at(at, error.what());
+  }
+}
+
+float scale_of(Properties& emitter) {
+  const float scale = emitter.number("scale").value_or(1);
+  if (!(scale > 0)) fail(emitter.at("scale"), "scale must be > 0, got {}", scale);
+  return scale;
+}
+
+/// The image is infinitely far away: it can be turned and mirrored, and nothing else would show.
+glm::dmat3 rotation_of(Properties& emitter) {
+  const auto to_world = emitter.transform("toWorld");
+  if (!to_world) return glm::dmat3(1);
+  const auto place = similarity(*to_world);
+  const Position at = emitter.at("toWorld");
+  if (!place || std::abs(place->scale - 1) > 1e-4)
+    fail(at, "the toWorld of an envmap turns or mirrors it, but must not scale it");
+  if (place->origin != glm::dvec3(0)) {
+    fail(at, "the toWorld of an envmap must not move it, got ({:g}, {:g}, {:g})", place->origin.x,
+         place->origin.y, place->origin.z);
+  }
+  return place->rotation;
+}
+
+void check(const Image& image, const std::string& filename, Position at) {
+  if (image.width != 2 * image.height) {
+    fail(at, "{} has {} x {} pixels, expected a latitude-longitude image, twice as wide as high",
+         in_quotes(filename), image.width, image.height);
+  }
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        const float value = image.at(x, y)[c];
+        if (value >= 0 && std::isfinite(value)) continue;
+        fail(at, "{} has {} {} in column {}, row {}, expected radiances >= 0", in_quotes(filename),
+             "RGB"[c], value, x + 1, y + 1);
+      }
+    }
+  }
+  const auto black = [](Rgb c) { return c == Rgb(0); };
+  if (std::all_of(image.pixels.begin(), image.pixels.end(), black))
+    fail(at, "{} is black all over, expected an image with light", in_quotes(filename));
+}
+
+}  // namespace
+
+Envmap parse_envmap(Properties& emitter) {
+  const auto filename = emitter.string("filename");
+  if (!filename) emitter.missing("filename", "string");
+  const float scale = scale_of(emitter);
+  Envmap map{Image(), rotation_of(emitter)};
+  emitter.finish();
+  const Position at = emitter.at("filename");
+  map.image = read_image(*filename, at);
+  check(map.image, *filename, at);
+  for (Rgb& texel : map.image.pixels) {
+    texel *= scale;
+    if (!(std::max({texel.r, texel.g, texel.b}) <= std::numeric_limits<float>::max()))
+      fail(emitter.at("scale"), "the image times {} is out of float's range", scale);
+  }
+  return map;
+}
+
+}  // namespace carlo
