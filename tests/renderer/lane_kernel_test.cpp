@@ -97,6 +97,24 @@ TEST_CASE("The vector kernel finds boxes") {
   CHECK(renderer::find_boxes(assorted()).others.size() == assorted().shapes.size());
 }
 
+// A point is no surface, and its column of surfaces holds the number 0: here that of a mesh on
+// which no point can be drawn.
+TEST_CASE("The vector kernel takes a point for no mesh") {
+  Scene scene;
+  scene.materials = {{Diffuse{Rgb(0.7f)}, true}};
+  const auto plate = [](float half, float height) {
+    return Mesh{{{-half, -half, height}, {half, -half, height}, {half, half, height}}, {{0, 2, 1}}};
+  };
+  scene.shapes = {{plate(1, 0), 0, Rgb(0)}, {plate(.3f, 1), 0, Rgb(3)}};
+  scene.lights.points.push_back({{0, -.2f, 2}, Rgb(2)});
+  scene.camera = look_at({.5f, -3, 1.5f}, {0, 0, 0}, {0, 0, 1}, 40);
+  const Scene of_points = small(scene, SamplerKind::independent);
+  const tiles::Estimate oracle = estimate(of_points, renderer::Kernel::scalar, 1);
+  const tiles::Estimate kernel = estimate(of_points, renderer::Kernel::best, 2);
+  CHECK(oracle.whole[0].mean > 0.001);
+  CHECK(std::abs(tiles::z(oracle.whole[0], kernel.whole[0])) <= 4);
+}
+
 // Instruction sets draw the same points and differ in rounding, so their images differ far less
 // than by 3 of their standard errors; a wrong lane or lookup does not.
 TEST_CASE("The vector kernel's images agree on all instruction sets") {

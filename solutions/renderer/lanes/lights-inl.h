@@ -183,7 +183,11 @@ HWY_INLINE LightPoints draw_light(const LaneScene& s, V2 u, const OnBalls& on_ba
   }
   if (full && s.meshes) {
     points.error = rounding_of(points.p);
-    if (s.any_mesh_light) sample_meshes(s, surface, u, is_from(s.first_mesh, surface), points);
+    if (s.any_mesh_light) {
+      // What is no surface has the number 0.
+      const M on_mesh = hn::AndNot(is_from(s.first_point, index), is_from(s.first_mesh, surface));
+      sample_meshes(s, surface, u, on_mesh, points);
+    }
   }
   if (full && s.point_lights()) {
     points.point = is_from(s.first_point, index);
