@@ -175,12 +175,33 @@ Scene triangulated() {
   return scene;
 }
 
+/// A turned image, black below, with one texel that is bright, around a room that has one wall and
+/// the ceiling less than a box; in it surfaces of all kinds and materials, one of meshes first, and
+/// all kinds of lamps.
+Scene skylit() {
+  Scene scene = modelled();
+  carlo::Envmap map{carlo::Image(12, 6)};
+  for (int i = 0; i < 12 * 4; ++i)
+    map.image.pixels[static_cast<std::size_t>(i)] =
+        static_cast<float>(i % 7) * Rgb(.05f, .08f, .1f);
+  map.image.at(7, 1) = Rgb(20, 18, 15);
+  map.rotation = {{.8, .6, 0}, {0, 0, 1}, {.6, -.8, 0}};
+  scene.lights.envmap = std::move(map);
+  const carlo::Mesh plate{{{-2, -2, .5f}, {-1, -2, .5f}, {-1, -1, .7f}}, {{0, 1, 2}}};
+  scene.shapes.insert(scene.shapes.begin(), {plate, 1, Rgb(0)});
+  scene.shapes.push_back({carlo::Mesh{{{1, 1, 2}, {1, 2, 2}, {2, 1, 2}}, {{0, 1, 2}}}, 2, Rgb(6)});
+  scene.shapes.push_back({carlo::Sphere{{-1.5f, 1.5f, .5f}, .5f}, 1, Rgb(0)});
+  scene.shapes.push_back({carlo::Sphere{{1.5f, -2, .3f}, .2f}, 2, Rgb(3, 4, 5)});
+  scene.shapes.push_back({Parallelogram{{-3, 3, 0}, {6, 0, 0}, {0, 0, 3}}, 0, Rgb(0)});
+  scene.shapes.push_back({Parallelogram{{3, -3, 0}, {0, 6, 0}, {0, 0, 3}}, 0, Rgb(0)});
+  add_box(scene, {-1.8f, -.6f, 0}, {.5f, .1f, 0}, {-.1f, .5f, 0}, {0, 0, 1.2f}, 0);
+  return scene;
+}
+
 std::vector<Named> all() {
-  std::vector<Named> scenes{{"assorted", assorted()},
-                            {"boxes", boxes()},
-                            {"polished", polished()},
-                            {"modelled", modelled()},
-                            {"triangulated", triangulated()}};
+  std::vector<Named> scenes{{"assorted", assorted()},         {"boxes", boxes()},
+                            {"polished", polished()},         {"modelled", modelled()},
+                            {"triangulated", triangulated()}, {"skylit", skylit()}};
   for (const std::string& name : lab_scenes::names()) {
     Scene scene = lab_scenes::load(name);
     if (renderer::LaneScene::suits(needs(scene), scene)) scenes.push_back({name, std::move(scene)});

@@ -13,13 +13,14 @@ carlo::Scene boxes();
 carlo::Scene polished();
 carlo::Scene modelled();
 carlo::Scene triangulated();
+carlo::Scene skylit();
 
 struct Named {
   std::string name;
   carlo::Scene scene;
 };
 
-/// The scenes of the tree that the kernel takes, and the five above.
+/// The scenes of the tree that the kernel takes, and the six above.
 std::vector<Named> all();
 
 }  // namespace lane_scenes

@@ -239,7 +239,7 @@ HWY_INLINE M unoccluded(const LaneScene& s, const Segments& way, M asked) {
   V of_origin = set(0);
   if (close) of_origin = coordinates(way.from.o);
   for (std::uint32_t i = s.first_quad; i < s.first_disk; ++i) {
-    if (!to_camera && s.lights == 1 && i == s.light_surface[0] && !(full && s.point_lights()))
+    if (!to_camera && s.lights == 1 && i == s.light_surface[0] && !(full && s.other_lights()))
       continue;
     const Run run = run_from(s, i);
     if (close && run.end > i + 1) {

@@ -226,6 +226,8 @@ HWY_INLINE void start_at_lamps(const LampJob& job, U index, U key, M starts, Pat
   const U reversed = reverse_bits(index), k = mix(key);
   const V2 u = points(job.whole, reversed, k), v = points(job.whole, reversed, second_word(k));
   const LightPoints lamp = sample_lamp<Needs::full>(s, u);
+  // Paths that would start on the image around are no paths.
+  if (Needs::full && s.sky) starts = hn::AndNot(lamp.beyond, starts);
   // Cosine-distributed about the normal, or uniform.
   const SinCos azimuth = turn(v.y);
   const V z =
@@ -290,7 +292,7 @@ HWY_ATTR void run_lamps(const LampJob& job, carlo::Splats& splats, carlo::Counts
       }
       alive = alive || !hn::AllFalse(d_, paths[w].alive);
     }
-    if (!alive) return;
+    if (!alive && next == end) return;
     if (round % 4096 == 4095 && carlo::render_interrupted()) return;
     if constexpr (Needs::full)
       walk.extend_batch({paths.data(), registers});

@@ -99,7 +99,7 @@ double relative_variance(const Trial& trial, const Means& means) {
 
 bool try_lamp_paths(const carlo::Scene& scene, const LaneScene& lanes, std::uint64_t seed,
                     std::uint32_t spp) {
-  if (lanes.lights == 0) return false;
+  if (!lanes.lamps()) return false;
   // What points send by mirrors and glass is found by no other path.
   if (lanes.point_lights() && lanes.any_specular) return true;
   const double paths = static_cast<double>(scene.width) * scene.height * spp / share;

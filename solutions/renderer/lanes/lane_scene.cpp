@@ -134,9 +134,13 @@ class Writer {
       power_ += power(shape);
     const auto& [points, environment, envmap] = scene.lights;
     (void)environment;  // is left to rays that meet no surface
-    (void)envmap;       // suits() lets none come
     for (const carlo::PointLight& light : points)
       power_ += power(light);
+    if (!envmap) return;
+    const double radius = carlo::diameter(scene) / 2;
+    lanes.sky_far = f(4 * radius);
+    sky_power_ = radius * radius * lanes.sky.emplace(*envmap).brightness;
+    power_ += sky_power_;
   }
 
   void quad(std::size_t number, std::size_t shape_index) {
@@ -198,7 +202,15 @@ class Writer {
     light(i, shape, lanes_.mesh_lights.back().emplace(mesh).area());
   }
 
-  /// After all that are surfaces.
+  /// After all that are surfaces. Where there are none, nothing is lit.
+  void sky() {
+    if (!lanes_.sky || lanes_.surfaces == 0) return;
+    lanes_.sky_chance = f(sky_power_ / power_);
+    lanes_.sky_light = lanes_.lights++;
+    lanes_.light_cdf[lanes_.sky_light] = f(running_ += sky_power_ / power_);
+  }
+
+  /// After that.
   void point(const carlo::PointLight& light) {
     if (light.intensity == Rgb(0)) return;
     const double chance = power(light) / power_;
@@ -273,7 +285,7 @@ class Writer {
 
   LaneScene& lanes_;
   const carlo::Scene& scene_;
-  double power_ = 0, running_ = 0;
+  double power_ = 0, sky_power_ = 0, running_ = 0;
   std::vector<Parallelogram> quads_;
   std::vector<std::size_t> numbers_;  ///< theirs
 };
@@ -320,12 +332,12 @@ bool LaneScene::suits(const carlo::Needs& needs, const carlo::Scene& scene) {
   others.triangle_lights = others.point_lights = 0;
   others.diffuse = others.phong = others.mirror = others.dielectric = false;
   others.one_sided = others.two_sided = false;
-  others.environment = others.depth_limit = false;
+  others.environment = others.envmap = others.depth_limit = false;
   const auto lamps = static_cast<std::size_t>(std::count_if(
       scene.shapes.begin(), scene.shapes.end(), [](const carlo::Shape& s) { return s.emits(); }));
   return others == carlo::Needs{} && sobol_points(scene.sampler) && scene.shapes.size() <= most &&
-         lamps + needs.point_lights <= most && scene.materials.size() <= most_materials &&
-         numbers(scene) <= most;
+         lamps + needs.point_lights + (needs.envmap ? 1 : 0) <= most &&
+         scene.materials.size() <= most_materials && numbers(scene) <= most;
 }
 
 double LaneScene::splat_unit(std::uint64_t paths) const {
@@ -336,7 +348,7 @@ double LaneScene::splat_unit(std::uint64_t paths) const {
 LaneScene::LaneScene(const carlo::Scene& scene) {
   sobol = sobol_points(scene.sampler).value();
   const auto& [points, around, envmap] = scene.lights;
-  (void)envmap;
+  (void)envmap;  // Writer
   environment[0] = around.r, environment[1] = around.g, environment[2] = around.b;
   for (const carlo::Material& m : scene.materials)
     add_material(*this, m);
@@ -373,6 +385,7 @@ LaneScene::LaneScene(const carlo::Scene& scene) {
     traced.push_back(mesh);
   }
   if (!traced.empty()) meshes = std::make_unique<carlo::MeshTracer>(traced);
+  write.sky();
   first_point = lights;
   for (const carlo::PointLight& light : points)
     write.point(light);

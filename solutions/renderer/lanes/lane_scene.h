@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geometry/mesh_tracer.h"
+#include "renderer/envmap_table.h"
 #include "renderer/lanes/lane_sdf.h"
 #include "renderer/mesh_light.h"
 #include "scene/needs.h"
@@ -46,9 +47,9 @@ struct LaneScene {
   using MaterialColumn = std::array<T, most_materials>;
 
   /// Whether the kernels can render the scene: shapes of all kinds and of any material, at most
-  /// `most` (a mesh is one) and `most_materials`; those that emit, points that do, at most `most`
-  /// of both, and light from around; independent and Sobol' points. What is not on this list goes
-  /// to the scalar path tracer.
+  /// `most` (a mesh is one) and `most_materials`; those that emit, points that do, and an image
+  /// around, at most `most` of all, and light from around; independent and Sobol' points. What is
+  /// not on this list goes to the scalar path tracer.
   static bool suits(const carlo::Needs& needs, const carlo::Scene& scene);
 
   explicit LaneScene(const carlo::Scene& scene);
@@ -88,7 +89,7 @@ struct LaneScene {
   Column<std::uint32_t> material{};
   Column<float> le_r{}, le_g{}, le_b{};
   /// Per area, of the points that light sampling draws there; 0: no light. Of a sphere that emits
-  /// outwards (`by_cone`) the chance of its choice, over 2 pi: its directions are drawn instead.
+  /// outwards (`by_direction`) the chance of its choice, over 2 pi: its directions are drawn instead.
   Column<float> light_density{};
   /// Per area and pi, of the points where paths from lamps start: uniform over each one's area.
   Column<float> emission{};
@@ -105,7 +106,8 @@ struct LaneScene {
   bool any_specular = false;
 
   std::uint32_t lights = 0;
-  std::uint32_t first_point = 0;  ///< among the lights: these are no surfaces
+  std::uint32_t first_point = 0;  ///< among the lights: these are no surfaces,
+  std::uint32_t sky_light = 0;    ///< nor is this, if there is a `sky`
   /// Light i: its surface's number, and the running sum of the chances with which lights are
   /// chosen; of a parallelogram corner and edges, of a disk center and radii, of a point its place.
   Column<float> lx{}, ly{}, lz{}, lux{}, luy{}, luz{}, lvx{}, lvy{}, lvz{};
@@ -121,6 +123,10 @@ struct LaneScene {
   double splat_unit(std::uint64_t paths) const;
 
   float environment[3] = {0, 0, 0};
+  /// The image around the scene, how likely light sampling is to choose it, and a distance that is
+  /// beyond all surfaces.
+  std::optional<EnvmapTable> sky;
+  float sky_chance = 0, sky_far = 0;
   bool sobol = false;  ///< points, or independent ones
   bool phong = false, one_sided = false;
 
@@ -128,13 +134,17 @@ struct LaneScene {
 
   bool disks() const { return first_sphere > first_disk; }
   bool point_lights() const { return lights > first_point; }
+  /// Whether some lights are no surfaces.
+  bool other_lights() const { return point_lights() || sky; }
+  /// Whether there are lights where paths may start.
+  bool lamps() const { return lights > (sky ? 1u : 0u); }
   bool spheres() const { return first_sdf > first_sphere; }
   /// Whether there are surfaces that rays are asked about one by one, after all others.
   bool searched() const { return !sdfs.empty() || meshes != nullptr; }
   /// Whether it needs what Features::close is for, and what Features::full is for.
   bool close() const { return spheres() || touching || coplanar; }
   bool full() const {
-    return any_specular || sphere_lights || disks() || point_lights() || searched();
+    return any_specular || sphere_lights || disks() || other_lights() || searched();
   }
 };
 

@@ -12,6 +12,7 @@
 #include "renderer/lanes/lane_scene.h"
 #include "renderer/lanes/lookup-inl.h"
 #include "renderer/lanes/mesh_hits-inl.h"
+#include "renderer/lanes/sky-inl.h"
 #include "renderer/lanes/vector_math-inl.h"
 
 #include <hwy/highway.h>
@@ -25,18 +26,21 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// Points of lights, uniform over each one's area, or over the directions to a sphere.
+/// Points of lights, uniform over each one's area, or over the directions to a sphere, or of a
+/// density of directions to the image around.
 struct LightPoints {
   V3 p, n, Le;
   V area;  ///< one over the density per area, the light's choice included
   U plane;
   // For Features::full alone:
-  M seen{};     ///< nothing is drawn of a sphere where rounding hides which side of it one is on
-  M by_cone{};  ///< the density is one of directions:
-  V solid_angle{};  ///< one over it
-  M point{};        ///< n is none, and Le is intensity
-  V3 error{};       ///< of p, where the scene has meshes
-  /// LaneScene::emission, or of a point 1 / (4 pi). For Features::lamps alone.
+  M seen{};  ///< nothing is drawn of a sphere where rounding hides which side of it one is on
+  M by_direction{};  ///< the density is one of directions:
+  V solid_angle{};   ///< one over it
+  M point{};         ///< n is none, and Le is intensity
+  M beyond{};        ///< n is none: of the image around, where p is beyond all surfaces
+  V3 error{};        ///< of p, where the scene has meshes
+  /// LaneScene::emission, or of a point 1 / (4 pi), or 0: no path starts on the image around. For
+  /// Features::lamps alone.
   V emission{};
   U surface{};
 };
@@ -58,6 +62,12 @@ HWY_INLINE LightPoints sample_only_light(const LaneScene& s, V2 u) {
 
 HWY_INLINE M is_from(std::uint32_t first, U number) {
   return hn::Not(hn::RebindMask(d_, hn::Gt(set_word(first), number)));
+}
+/// Whether light `index` is a surface.
+HWY_INLINE M of_surface(const LaneScene& s, U index) {
+  M other = is_from(s.first_point, index);
+  if (s.sky) other = hn::Or(other, same(index, set_word(s.sky_light)));
+  return hn::Not(other);
 }
 HWY_INLINE M is_sphere(const LaneScene& s, U surface) {
   return hn::AndNot(is_from(s.first_sdf, surface), is_from(s.first_sphere, surface));
@@ -123,7 +133,7 @@ HWY_INLINE void sample_balls(const Balls& ball, V3 p, V2 u, M chosen, LightPoint
                                   hn::Mul(side, azimuth.sin), ahead));
   points.p = select(chosen, add_scaled(ball.center, hn::Abs(ball.radius), n), points.p);
   points.n = select(chosen, hn::CopySign(set(1), ball.radius) * n, points.n);
-  points.by_cone = hn::And(chosen, outwards);
+  points.by_direction = hn::And(chosen, outwards);
   const V cosine_by_distance = dot(points.n, p - points.p);
   const M faces = hn::Gt(cosine_by_distance, blur(ball, p));
   points.seen = hn::Or(hn::Not(chosen), select_mask(outwards, cone.seen, faces));
@@ -148,9 +158,21 @@ inline HWY_NOINLINE void sample_meshes(const LaneScene& s, U surface, V2 u, M ch
   light.error = select(chosen, points.at(points.ex, points.ey, points.ez), light.error);
 }
 
-/// Points of lights that are chosen by their power; of spheres those that `on_balls` finds.
-template <bool full, bool lamps, class OnBalls>
-HWY_INLINE LightPoints draw_light(const LaneScene& s, V2 u, const OnBalls& on_balls) {
+/// Directions to the image around, as seen from p.
+HWY_INLINE void sample_beyond(const LaneScene& s, V3 p, V2 u, LightPoints& points) {
+  const SkyDirections sky = sample_sky(*s.sky, u);
+  const M beyond = points.beyond;
+  points.p = select(beyond, add_scaled(p, set(s.sky_far), sky.wi), points.p);
+  points.Le = select(beyond, sky.texel.radiance, points.Le);
+  points.solid_angle = select(beyond, hn::Div(set(1), hn::Mul(set(s.sky_chance), sky.texel.pdf)),
+                              points.solid_angle);
+}
+
+/// Points of lights that are chosen by their power; of spheres those that `on_balls` finds, of the
+/// image around those that `on_sky` does.
+template <bool full, bool lamps, class OnBalls, class OnSky>
+HWY_INLINE LightPoints draw_light(const LaneScene& s, V2 u, const OnBalls& on_balls,
+                                  const OnSky& on_sky) {
   // The first light whose running sum is above u.x, which is stretched again.
   U index = set_word(0);
   V lower = set(0), upper = set(s.light_cdf[0]);
@@ -185,7 +207,7 @@ HWY_INLINE LightPoints draw_light(const LaneScene& s, V2 u, const OnBalls& on_ba
     points.error = rounding_of(points.p);
     if (s.any_mesh_light) {
       // What is no surface has the number 0.
-      const M on_mesh = hn::AndNot(is_from(s.first_point, index), is_from(s.first_mesh, surface));
+      const M on_mesh = hn::And(is_from(s.first_mesh, surface), of_surface(s, index));
       sample_meshes(s, surface, u, on_mesh, points);
     }
   }
@@ -197,8 +219,17 @@ HWY_INLINE LightPoints draw_light(const LaneScene& s, V2 u, const OnBalls& on_ba
     points.plane =
         hn::IfThenElse(hn::RebindMask(du_, points.point), set_word(nothing), points.plane);
     points.seen = hn::Or(points.seen, points.point);
-    points.by_cone = hn::AndNot(points.point, points.by_cone);
+    points.by_direction = hn::AndNot(points.point, points.by_direction);
     if constexpr (lamps) points.emission = select(points.point, set(0.25f / pi), points.emission);
+  }
+  if (full && s.sky) {
+    points.beyond = same(index, set_word(s.sky_light));
+    points.by_direction = hn::Or(points.by_direction, points.beyond);
+    points.seen = hn::Or(points.seen, points.beyond);
+    points.plane =
+        hn::IfThenElse(hn::RebindMask(du_, points.beyond), set_word(nothing), points.plane);
+    if constexpr (lamps) points.emission = hn::IfThenZeroElse(points.beyond, points.emission);
+    if (!hn::AllFalse(d_, points.beyond)) on_sky(u, points);
   }
   return points;
 }
@@ -207,23 +238,27 @@ HWY_INLINE LightPoints draw_light(const LaneScene& s, V2 u, const OnBalls& on_ba
 template <bool full, bool lamps>
 HWY_INLINE LightPoints sample_light(const LaneScene& s, V3 p, V2 u) {
   if (!full && s.lights == 1) return sample_only_light<lamps>(s, u);
-  return draw_light<full, lamps>(s, u,
-                                 [&](const Balls& ball, V2 place, M chosen, LightPoints& points)
-                                     HWY_ATTR { sample_balls(ball, p, place, chosen, points); });
+  return draw_light<full, lamps>(
+      s, u,
+      [&](const Balls& ball, V2 place, M chosen, LightPoints& points)
+          HWY_ATTR { sample_balls(ball, p, place, chosen, points); },
+      [&](V2 place, LightPoints& points) HWY_ATTR { sample_beyond(s, p, place, points); });
 }
 
-/// Uniform over each lamp's area.
+/// Uniform over each lamp's area; none of what is `beyond`.
 template <bool full>
 HWY_INLINE LightPoints sample_lamp(const LaneScene& s, V2 u) {
   return draw_light<full, true>(
-      s, u, [&](const Balls& ball, V2 place, M chosen, LightPoints& points) HWY_ATTR {
+      s, u,
+      [&](const Balls& ball, V2 place, M chosen, LightPoints& points) HWY_ATTR {
         const V z = hn::NegMulAdd(place.x, set(2), set(1));
         const V r = hn::Sqrt(hn::Max(hn::NegMulAdd(z, z, set(1)), set(0)));
         const SinCos azimuth = turn(place.y);
         const V3 outward = normalize({hn::Mul(r, azimuth.cos), hn::Mul(r, azimuth.sin), z});
         points.p = select(chosen, add_scaled(ball.center, hn::Abs(ball.radius), outward), points.p);
         points.n = select(chosen, hn::CopySign(set(1), ball.radius) * outward, points.n);
-      });
+      },
+      [](V2, LightPoints&) HWY_ATTR {});
 }
 
 /// The density with which sample_light() draws, at p, the way to a point that the ray from there

@@ -16,6 +16,7 @@
 #include "renderer/lanes/mesh_hits-inl.h"
 #include "renderer/lanes/points-inl.h"
 #include "renderer/lanes/sdf_hits-inl.h"
+#include "renderer/lanes/sky-inl.h"
 #include "renderer/lanes/steps-inl.h"
 #include "renderer/lanes/vector_math-inl.h"
 
@@ -115,15 +116,25 @@ class Walk : Steps<Needs> {
   }
 
   HWY_INLINE void add_sky(Paths& paths, M lost) const {
-    const V3 sky = set(s_.environment[0], s_.environment[1], s_.environment[2]);
+    V3 sky = set(s_.environment[0], s_.environment[1], s_.environment[2]);
+    if (Needs::full && s_.sky && !hn::AllFalse(d_, lost)) sky = sky + image_around(paths, lost);
     paths.L = select(lost, paths.L + paths.beta * sky, paths.L);
+  }
+
+  /// What the rays bring from the image around, weighed against light sampling. No path from a lamp
+  /// starts there.
+  HWY_INLINE V3 image_around(const Paths& paths, M lost) const {
+    const Texels texels = sky_at(*s_.sky, paths.d, lost);
+    const V by_light = hn::Div(hn::Mul(set(s_.sky_chance), texels.pdf), paths.pdf);
+    const M whole = hn::Lt(paths.pdf, set(0));
+    return select(whole, set(1), this->weigh(by_light)) * texels.radiance;
   }
 
   /// Emission met by the rays, weighed against light sampling, and against paths from lamps.
   HWY_INLINE void add_emission(Paths& paths, V t, const Spots& spots) const {
     if (s_.lights == 0) return;
     M bright = hn::And(spots.front, paths.alive);
-    if (s_.lights == 1 && !(Needs::full && s_.point_lights())) {
+    if (s_.lights == 1 && !(Needs::full && s_.other_lights())) {
       bright = hn::And(bright, same(spots.number, set_word(s_.light_surface[0])));
       if (hn::AllFalse(d_, bright)) return;
     }
@@ -181,6 +192,7 @@ class Walk : Steps<Needs> {
     const V cosine = dot(surface.n, wi);
     V light_cosine = hn::Neg(dot(light.n, wi));
     if (Needs::full && s_.point_lights()) light_cosine = select(light.point, set(1), light_cosine);
+    if (Needs::full && s_.sky) light_cosine = select(light.beyond, set(1), light_cosine);
     M elsewhere = differs(light.plane, paths.from.template starts_on<Needs::close>());
     // A sphere that emits inwards lights itself, and so does a mesh.
     if (Needs::full && (s_.sphere_lights || s_.any_mesh_light))
@@ -195,8 +207,8 @@ class Walk : Steps<Needs> {
     const Bsdfs bsdf = evaluate<Needs::phong>(surface, wi, cosine);
     // Solid angle: one over the density of wi by light sampling.
     V solid_angle = hn::Mul(hn::Mul(light.area, light_cosine), hn::Mul(inverse, inverse));
-    if (Needs::full && s_.sphere_lights)
-      solid_angle = select(light.by_cone, light.solid_angle, solid_angle);
+    if (Needs::full && (s_.sphere_lights || s_.sky))
+      solid_angle = select(light.by_direction, light.solid_angle, solid_angle);
     V ratio = hn::Mul(bsdf.pdf, solid_angle);
     // No ray meets a point: nothing to compete with.
     if (Needs::full && s_.point_lights()) ratio = hn::IfThenZeroElse(light.point, ratio);
@@ -223,6 +235,7 @@ class Walk : Steps<Needs> {
   HWY_INLINE void end_before_meshes(const LightPoints& light, ToLight& way) const {
     const V3 before = off_surface(light.p, light.error, light.n, set(0, 0, 0));
     way.to = s_.point_lights() ? select(light.point, light.p, before) : before;
+    if (s_.sky) way.to = select(light.beyond, light.p, way.to);
     if (s_.any_mesh_light)
       way.share = select(is_from(s_.first_mesh, light.plane), set(1 - 1e-6f), set(1));
   }
