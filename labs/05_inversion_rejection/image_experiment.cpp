@@ -88,8 +88,10 @@ void image_experiment(Notebook& notebook) {
     });
     notebook.say(
         "A sky of 64 x 32 cells with a low sun over black ground and a pond. Points follow the "
-        "light: where the picture is black, none falls. Importance sampling of an environment "
-        "light, labs 06 and 08, is exactly this.");
+        "light: where the picture is black, none falls. Importance sampling of an image that "
+        "lights a scene from all around is exactly this, but for sin θ, by which the rows of a "
+        "sphere shrink towards its poles: the reference renderer draws "
+        "common/scenes/image_light.xml so.");
     carlo::Table result({"N", "cells", "χ²", "p", "time a point"},
                         {"n", "cells", "chi_square", "p", "seconds"});
     result.add_row({n, static_cast<std::int64_t>(g.freedom) + 1, g.statistic, g.p,

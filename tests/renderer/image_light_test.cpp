@@ -3,6 +3,7 @@
 // sampling is worth under a small sun.
 
 #include "closed_forms.h"
+#include "image/exr.h"
 #include "random/rng.h"
 #include "renderer/lights.h"
 #include "renderer/warp.h"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace {
@@ -234,6 +236,16 @@ TEST_CASE("Under a small sun importance sampling has a 20th of the error of cosi
   // The few that meet the sun make the first known to 3 %.
   CHECK(std::abs(cosine.mean / image.mean - 1) <= .1);
   CHECK(cosine.relative_mse / image.relative_mse >= 20);
+}
+
+TEST_CASE("The sky of image_light.xml is the one that its command makes") {
+  const Image made = sky::image(),
+              read = read_exr(std::string(CARLO_SCENES) + "/parts/sky.exr").image;
+  REQUIRE((read.width == made.width && read.height == made.height));
+  for (std::size_t i = 0; i < made.pixels.size(); ++i) {
+    for (int c = 0; c < 3; ++c)
+      CHECK(std::abs(read.pixels[i][c] / made.pixels[i][c] - 1) <= 2e-3f);
+  }
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // by a fresh render with another seed.
 //
 // Error rates, for normal means: the image's mean is outside of 4 standard errors with probability
-// 6.3e-5 a channel, a tile's outside of 4.5 with 6.8e-6; of 13 scenes with 64 tiles another seed
+// 6.3e-5 a channel, a tile's outside of 4.5 with 6.8e-6; of 15 scenes with 64 tiles another seed
 // would fail somewhere with probability .02 at most. Scenes whose light comes by few paths get the
 // samples that make their tiles normal (agreement_test.cpp counts them). Power: a deviation of 7.1
 // standard errors of an image's mean, which are printed, is seen with probability .999.

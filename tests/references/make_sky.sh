@@ -1,0 +1,9 @@
+#!/usr/bin/env bash
+# make_sky.sh: makes the sky of common/scenes/image_light.xml again, common/scenes/parts/sky.exr.
+set -euo pipefail
+root=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../..
+build=$root/build/release
+
+[ -f "$build/build.ninja" ] || (cd "$root" && cmake --preset release >/dev/null)
+ninja -C "$build" --quiet carlo_sky >&2
+"$build/bin/carlo_sky" "$root/common/scenes/parts/sky.exr"
