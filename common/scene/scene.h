@@ -89,8 +89,8 @@ struct PointLight {
 /// every place that does not say what becomes of it there.
 struct OtherLights {
   std::vector<PointLight> points;
-  Rgb environment{0};  ///< radiance that arrives from every direction that meets no shape
-  std::optional<Envmap> envmap;
+  Rgb environment{0};            ///< radiance that arrives from every direction that meets no shape
+  std::optional<Envmap> envmap;  ///< the same, a radiance for each direction
 };
 
 // The scene ---------------------------------------------------------------------------------------

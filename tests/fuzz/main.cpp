@@ -22,10 +22,11 @@ std::vector<std::string> no_seeds() {
   return {};
 }
 
-constexpr std::array<Target, 12> all{{
+constexpr std::array<Target, 13> all{{
     {"archive", "zip and tar archives that are handed in", read_archive, no_seeds},
     {"exr", "images, and renders to go on with", read_exr, no_seeds},
     {"frame", "what a worker sends back", read_frame, frame_seeds},
+    {"hdr", "images around scenes", read_hdr, no_seeds},
     {"messages", "a compiler's output", read_messages, no_seeds},
     {"numbers", "numbers in scenes and arguments", read_numbers, no_seeds},
     {"obj", "meshes", read_obj, no_seeds},

@@ -8,6 +8,7 @@
 #include "grader/protocol/frame.h"
 #include "grader/protocol/params.h"
 #include "image/exr.h"
+#include "image/hdr.h"
 #include "render/resume.h"
 #include "scene/load_scene.h"
 #include "scene/mesh_file.h"
@@ -52,6 +53,13 @@ void read_exr(std::string_view bytes) {
 void read_frame(std::string_view bytes) {
   const auto frame = grader::decode(bytes);
   if (frame) require(grader::encode(*frame) == bytes, "a frame is written as it was read");
+}
+
+void read_hdr(std::string_view bytes) {
+  const Image image = carlo::read_hdr(as_file(bytes, "image.hdr"));
+  require(image.pixels.size() ==
+              static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height),
+          "an image has as many pixels as its size says");
 }
 
 void read_messages(std::string_view bytes) {

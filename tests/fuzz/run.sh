@@ -14,7 +14,7 @@
 set -euo pipefail
 here=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")")
 root=$(readlink -f "$here/../..")
-all=(archive exr frame messages numbers obj params ply questions record scene symbols)
+all=(archive exr frame hdr messages numbers obj params ply questions record scene symbols)
 
 build='' seconds=60 runs=-1 keep='' jobs=1 targets=()
 while [ $# -gt 0 ]; do
@@ -53,6 +53,7 @@ seeds() {
       "$build/bin/carlo_render" "$scene" --size 2x2 --spp 32 --quiet -o "$work/plain"
       "$build/bin/carlo_render" "$scene" --size 2x2 --target-error .5 --spp 64 --quiet -o "$work/adaptive"
       cp "$work"/plain.exr "$work"/adaptive.exr "$here"/corpus/exr/* "$to" ;;
+    hdr) cp "$root"/tests/common/broken_scenes/parts/*.hdr "$to" ;;
     archive)
       mkdir -p "$work/in/a"
       printf 'int main() {}\n' | tee "$work/in/a/integration.cpp" >"$work/in/pi.cpp"

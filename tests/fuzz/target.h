@@ -29,6 +29,7 @@ std::filesystem::path as_file(std::string_view bytes, const std::string& name);
 void read_archive(std::string_view bytes);
 void read_exr(std::string_view bytes);
 void read_frame(std::string_view bytes);
+void read_hdr(std::string_view bytes);
 void read_messages(std::string_view bytes);
 void read_numbers(std::string_view bytes);
 void read_obj(std::string_view bytes);

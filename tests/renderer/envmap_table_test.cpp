@@ -148,6 +148,15 @@ TEST_CASE("Directions come with the density that is told") {
   }
 }
 
+TEST_CASE("Chances are whole multiples of the step between random numbers") {
+  const Envmap map = assorted_image(200, 100);
+  const EnvmapTable table(map);
+  for (const std::vector<float>& sums : {table.rows, table.columns}) {
+    for (const float sum : sums)
+      CHECK(sum * 0x1p24f == std::round(sum * 0x1p24f));
+  }
+}
+
 TEST_CASE("A uniform image has the density 1 / (4 pi) everywhere, at the poles too") {
   for (const int height : {1, 2, 7, 64, 2048}) {
     const Envmap map = image_of(2 * height, height, carlo::Rgb(5));

@@ -89,7 +89,8 @@ struct LaneScene {
   Column<std::uint32_t> material{};
   Column<float> le_r{}, le_g{}, le_b{};
   /// Per area, of the points that light sampling draws there; 0: no light. Of a sphere that emits
-  /// outwards (`by_direction`) the chance of its choice, over 2 pi: its directions are drawn instead.
+  /// outwards (`by_direction`) the chance of its choice, over 2 pi: its directions are drawn
+  /// instead.
   Column<float> light_density{};
   /// Per area and pi, of the points where paths from lamps start: uniform over each one's area.
   Column<float> emission{};
