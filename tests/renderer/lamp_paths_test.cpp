@@ -187,6 +187,31 @@ TEST_CASE("Paths from lamps find what a mirror sends on from a point") {
   CHECK(std::abs(both.mean.back()[0] - whole) < 4 * error + 1e-3 * whole);
 }
 
+// A point has no normal to start from: where the first surface was no plane, all of its paths lay
+// in one.
+TEST_CASE("Paths from a point go everywhere, whatever is around") {
+  for (const bool ball : {false, true}) {
+    Scene scene;
+    scene.materials = {{Diffuse{Rgb(0.7f)}, true}};
+    if (ball)
+      scene.shapes.push_back({Sphere{{0, 0, -1}, 1}, 0, Rgb(0)});
+    else
+      scene.shapes.push_back({Mesh{{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}, {{0, 1, 2}}}, 0, Rgb(0)});
+    scene.lights.points.push_back({{.5f, .2f, 1}, Rgb(2)});
+    scene.camera = look_at({0, -2, 4}, {0, 0, 0}, {0, 0, 1}, 40);
+    scene.width = scene.height = size;
+    scene.sampler = SamplerKind::independent;
+    const MeanRadiance path = mean_radiance(render_scene(scene, 1024).film);
+    Counts counts;
+    const Spread both = spread(scene, counts);
+    CHECK(path.value[0] > .01);
+    const double error = std::hypot(path.standard_error[0], std::sqrt(both.variance.back()[0]));
+    INFO(both.mean.back()[0] << " +- " << error << " for " << path.value[0]);
+    CHECK(std::abs(both.mean.back()[0] - path.value[0]) < 4 * error);
+    CHECK(error < .003 * path.value[0]);
+  }
+}
+
 TEST_CASE("With paths from lamps an image has the same bits for any number of threads") {
   const Scene scene = small(lab_scenes::load("caustics"), SamplerKind::sobol);
   for (const std::optional<double> target : {std::optional<double>{}, std::optional<double>{0.3}}) {

@@ -233,7 +233,9 @@ HWY_INLINE void start_at_lamps(const LampJob& job, U index, U key, M starts, Pat
   const V z =
       select(lamp.point, hn::NegMulAdd(v.x, set(2), set(1)), hn::Sqrt(hn::Sub(set(1), v.x)));
   const V r = hn::Sqrt(select(lamp.point, hn::Max(hn::NegMulAdd(z, z, set(1)), set(0)), v.x));
-  const V3 d = to_world(frame_about(lamp.n), hn::Mul(r, azimuth.cos), hn::Mul(r, azimuth.sin), z);
+  // The normal of a point is that of some surface, or 0 if that is no plane.
+  const V3 axis = select(lamp.point, set(0, 0, 1), lamp.n);
+  const V3 d = to_world(frame_about(axis), hn::Mul(r, azimuth.cos), hn::Mul(r, azimuth.sin), z);
   // Of a point Le is its intensity over the chance of its choice.
   const V3 beta = select(lamp.point, set(4 * pi), hn::Div(set(1), lamp.emission)) * lamp.Le;
   const V3 clear =
