@@ -1,6 +1,5 @@
 // Materials, lights, camera, film, sampler, parameters, includes, needs and the scenes we bring.
 
-#include "image/exr.h"
 #include "scene/needs.h"
 #include "scene_helpers.h"
 
@@ -182,46 +181,6 @@ TEST_CASE("point lights and the environment are lights without a shape", "[scene
   CHECK(scene.lights.points[0].intensity == Rgb(5));
   CHECK(close(scene.lights.points[1].position, Vec3(0, 4, 0)));
   CHECK(scene.lights.environment == Rgb(0.1f, 0.2f, 0.3f));
-}
-
-/// A scene with a 4 x 2 image around it, whose texel (x, y) is 1 + x + 4 y, red.
-Scene under_image(const std::string& properties) {
-  const TemporaryFolder folder;
-  Image image(4, 2);
-  for (std::size_t i = 0; i < image.pixels.size(); ++i)
-    image.pixels[i] = Rgb(static_cast<float>(1 + i), 0, 0);
-  write_exr(folder.path() / "sky.exr", {image});
-  write_bytes(folder.path() / "scene.xml",
-              "<scene version=\"0.6.0\"><sensor type=\"perspective\">" + fov90 +
-                  "</sensor><emitter type=\"envmap\"><string name=\"filename\" "
-                  "value=\"sky.exr\"/>" +
-                  properties + "</emitter></scene>");
-  return load_scene(folder.path() / "scene.xml");
-}
-
-TEST_CASE("an image around the scene stands beside the file, is scaled and turned", "[scene]") {
-  const auto red = [](const Scene& scene, Vec3 d) {
-    const Envmap& map = scene.lights.envmap.value();
-    return map.image.pixels[texel_at(map, glm::normalize(d))].r;
-  };
-  const Scene plain = under_image("");
-  CHECK(plain.notes.empty());
-  CHECK(needs(plain).envmap);
-  CHECK(describe(needs(plain)) == "no shapes; no materials; image all around");
-  // Up is +y; the left edge is towards -z, and +x is right of it.
-  CHECK(red(plain, {.1f, 1, -1}) == 1);
-  CHECK(red(plain, {1, 1, .1f}) == 2);
-  CHECK(red(plain, {-.1f, -1, 1}) == 7);
-  CHECK(red(plain, {-1, -1, -.1f}) == 8);
-  CHECK(red(under_image("<float name=\"scale\" value=\"3\"/>"), {1, 1, .1f}) == 6);
-  // Turned so that its +y is +z, as in scenes whose z is up, and mirrored.
-  const Scene upright =
-      under_image("<transform name=\"toWorld\"><rotate x=\"1\" angle=\"90\"/></transform>");
-  CHECK(red(upright, {.1f, 1, 1}) == 1);
-  CHECK(red(upright, {1, -.1f, 1}) == 2);
-  const Scene mirrored = under_image("<transform name=\"toWorld\"><scale x=\"-1\"/></transform>");
-  CHECK(red(mirrored, {-.1f, 1, -1}) == 1);
-  CHECK(red(mirrored, {-1, 1, .1f}) == 2);
 }
 
 TEST_CASE("the camera looks along +z with +x to the left of the image", "[scene]") {

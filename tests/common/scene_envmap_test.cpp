@@ -1,0 +1,55 @@
+// An image around the scene as the loader reads it; what it refuses is in broken_scenes/.
+
+#include "image/exr.h"
+#include "scene/needs.h"
+#include "scene_helpers.h"
+
+#include <cstddef>
+#include <string>
+
+namespace {
+
+using namespace carlo;
+
+/// A scene with a 4 x 2 image around it, whose texel (x, y) is 1 + x + 4 y, red.
+Scene under_image(const std::string& properties) {
+  const scene_test::TemporaryFolder folder;
+  Image image(4, 2);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = Rgb(static_cast<float>(1 + i), 0, 0);
+  write_exr(folder.path() / "sky.exr", {image});
+  scene_test::write_bytes(
+      folder.path() / "scene.xml",
+      "<scene version=\"0.6.0\"><sensor type=\"perspective\">"
+      "<float name=\"fov\" value=\"90\"/></sensor><emitter type=\"envmap\"><string name=\"filename\" "
+      "value=\"sky.exr\"/>" +
+          properties + "</emitter></scene>");
+  return load_scene(folder.path() / "scene.xml");
+}
+
+TEST_CASE("an image around the scene stands beside the file, is scaled and turned", "[scene]") {
+  const auto red = [](const Scene& scene, Vec3 d) {
+    const Envmap& map = scene.lights.envmap.value();
+    return map.image.pixels[texel_at(map, glm::normalize(d))].r;
+  };
+  const Scene plain = under_image("");
+  CHECK(plain.notes.empty());
+  CHECK(needs(plain).envmap);
+  CHECK(describe(needs(plain)) == "no shapes; no materials; image all around");
+  // Up is +y; the left edge is towards -z, and +x is right of it.
+  CHECK(red(plain, {.1f, 1, -1}) == 1);
+  CHECK(red(plain, {1, 1, .1f}) == 2);
+  CHECK(red(plain, {-.1f, -1, 1}) == 7);
+  CHECK(red(plain, {-1, -1, -.1f}) == 8);
+  CHECK(red(under_image("<float name=\"scale\" value=\"3\"/>"), {1, 1, .1f}) == 6);
+  // Turned so that its +y is +z, as in scenes whose z is up, and mirrored.
+  const Scene upright =
+      under_image("<transform name=\"toWorld\"><rotate x=\"1\" angle=\"90\"/></transform>");
+  CHECK(red(upright, {.1f, 1, 1}) == 1);
+  CHECK(red(upright, {1, -.1f, 1}) == 2);
+  const Scene mirrored = under_image("<transform name=\"toWorld\"><scale x=\"-1\"/></transform>");
+  CHECK(red(mirrored, {-.1f, 1, -1}) == 1);
+  CHECK(red(mirrored, {-1, 1, .1f}) == 2);
+}
+
+}  // namespace
