@@ -3,6 +3,7 @@
 #include "context.h"
 #include "render/interrupt.h"
 #include "report/viewer.h"
+#include "scene/needs.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -24,7 +25,11 @@ using nlohmann::json;
 struct PeerWay {
   std::string name;
   json choices;
+  bool for_caustics = false;  ///< of no use, or without end, where there is no mirror and no glass
 };
+
+/// Nobody waits longer for one render.
+constexpr const char* most_seconds = "900";
 
 struct Renderer {
   std::string name, module;  ///< as people and as Python call it
@@ -60,7 +65,9 @@ const std::vector<Renderer>& renderers() {
        "luxcore_peer.py",
        {{"PATHCPU", {{"integrator", "PATHCPU"}, {"caustic_cache", false}}},
         {"BIDIRCPU", {{"integrator", "BIDIRCPU"}, {"caustic_cache", false}}},
-        {"PATHCPU, caustic cache", {{"integrator", "PATHCPU"}, {"caustic_cache", true}}}}}};
+        {"PATHCPU, caustic cache",
+         {{"integrator", "PATHCPU"}, {"caustic_cache", true}},
+         /*for_caustics=*/true}}}};
   return all;
 }
 
@@ -109,13 +116,17 @@ class Peers {
     const double each = share / static_cast<double>(renderer.ways.size());
     for (std::size_t i = 0; i < renderer.ways.size(); ++i) {
       const PeerWay& way = renderer.ways[i];
+      const carlo::Needs needs = carlo::needs(c.scene);
+      if (way.for_caustics && !needs.mirror && !needs.dielectric) continue;
       const std::string name = renderer.name + " " + way.name;
       const std::filesystem::path script = options.peer_scripts / renderer.script;
       const double begin = from + each * static_cast<double>(i);
       try {
         const Runs runs = measure(context_,
                                   {renderer.peer,
-                                   {name, {options.peers, script.string(), "--"}, options.scratch},
+                                   {name,
+                                    {"timeout", most_seconds, options.peers, script.string(), "--"},
+                                    options.scratch},
                                    way.choices},
                                   c, samples(), count(), begin, begin + each);
         add(name, c, runs);

@@ -9,6 +9,7 @@ The JSON file is what peer_scene.cpp writes. The image goes to the EXR file it n
 
 import json
 import os
+import shutil
 import sys
 import time
 
@@ -156,4 +157,5 @@ if __name__ == "__main__":
         code = 0
     except Exception as error:
         print(f"Error: {error!r}", flush=True)
+    shutil.rmtree(bpy.app.tempdir, ignore_errors=True)
     os._exit(code)
