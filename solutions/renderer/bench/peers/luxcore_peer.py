@@ -51,10 +51,14 @@ def add_camera(properties, spec):
     camera = spec["camera"]
     wide = spec["width"] >= spec["height"]
     tangent = camera["tan_half_x"] * (1 if wide else spec["height"] / spec["width"])
+    # Without a filter each sample is counted a row too low.
+    width, height = spec["width"], spec["height"]
+    x, y = max(width / height, 1.0), max(height / width, 1.0)
+    row = 2 * y / height
     target = [o + f for o, f in zip(camera["origin"], camera["forward"])]
     set_all(properties, "scene.camera", {
         "type": "perspective", "lookat.orig": list(camera["origin"]), "lookat.target": target,
-        "up": list(camera["up"]), "fieldofview": math.degrees(2 * math.atan(tangent)),
+        "up": list(camera["up"]), "screenwindow": [-x, x, -y - row, y - row], "fieldofview": math.degrees(2 * math.atan(tangent)),
         "autovolume.enable": False, "cliphither": 1e-6, "clipyon": 1e6})
 
 
