@@ -1,6 +1,7 @@
 #include "renderer/envmap_table.h"
 
 #include "numeric/robust.h"
+#include "render/half_sums.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +14,6 @@ using carlo::Vec2;
 using carlo::Vec3;
 
 constexpr float last_below_one = 0x1.fffffep-1f;
-
-/// Rec. 709.
-double luminance(Rgb c) {
-  return .2126 * static_cast<double>(c.r) + .7152 * static_cast<double>(c.g) +
-         .0722 * static_cast<double>(c.b);
-}
 
 /// 0, w_0 / w, (w_0 + w_1) / w, ..., 1, where w is the sum of all, as multiples of 2^-24; all 0 if
 /// w is.
@@ -74,7 +69,7 @@ EnvmapTable::EnvmapTable(const carlo::Envmap& of)
     double sum = 0;
     for (std::size_t x = 0; x < width; ++x) {
       const Rgb c = of.image.pixels[y * width + x];
-      sum += luminances[y][x] = luminance(c);
+      sum += luminances[y][x] = carlo::luminance({c.r, c.g, c.b});
       brightness += solid_angle * (static_cast<double>(c.r) + static_cast<double>(c.g) +
                                    static_cast<double>(c.b));
     }

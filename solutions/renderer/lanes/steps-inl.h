@@ -39,7 +39,7 @@ constexpr std::uint32_t key_step = 0x9E3779B1;
 /// What a scene needs, for which the code is compiled: `phong` materials; `close`: spheres, or
 /// parallelograms that touch others or share a plane with them; `full`: mirrors, glass, disks,
 /// sdfs, meshes, spheres and points that emit, an image around. `lamps`: some paths start at the
-/// lamps, and others leave light to them (light_paths-inl.h).
+/// lamps, and others leave light to them (lamp_paths-inl.h).
 template <bool phong_, bool close_, bool full_ = false, bool lamps_ = false>
 struct Features {
   static constexpr bool phong = phong_, close = close_, full = full_, lamps = lamps_;
