@@ -21,8 +21,8 @@ Context::Context(const Options& options, double all_weights)
     : options_(options),
       page_("Speed against error",
             options.full ? "All scenes, integrators and samplers; what each idea buys."
-                         : "A short run over the most telling scenes: ./carlo bench --full takes "
-                           "all of them, and more samples."),
+                         : "A short run: --full takes more samples and, of our own measurements, "
+                           "more scenes."),
       bar_("measuring", true),
       all_weights_(all_weights) {}
 
