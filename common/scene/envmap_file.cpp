@@ -31,8 +31,8 @@ Image read_image(const fs::path& path) {
 Image read_image(const std::string& filename, Position at) {
   const fs::path path = at.source->path.parent_path() / filename;
   std::error_code ec;
-  if (!fs::exists(path, ec)) fail(at, "the image {} does not exist", in_quotes(path.string()));
-  if (!fs::is_regular_file(path, ec)) fail(at, "{} is not a file", in_quotes(path.string()));
+  if (!fs::exists(path, ec)) fail(at, "the image {} does not exist", path_in_quotes(path));
+  if (!fs::is_regular_file(path, ec)) fail(at, "{} is not a file", path_in_quotes(path));
   try {
     return read_image(path);
   } catch (const Error& error) {

@@ -50,7 +50,7 @@ class Loader {
     sources_.push_back(read_xml_source(path, asked_at));
     const fs::path canonical = fs::canonical(path);
     if (std::find(open_.begin(), open_.end(), canonical) != open_.end()) {
-      fail(asked_at, "{} includes itself", in_quotes(path.string()));
+      fail(asked_at, "{} includes itself", path_in_quotes(path));
     }
     open_.push_back(canonical);
     XmlElement root = parse_xml(*sources_.back());

@@ -17,8 +17,8 @@ MeshFile read_mesh_file(const Properties& shape, const std::string& filename) {
   const Position at = shape.at("filename");
   const fs::path path = at.source->path.parent_path() / filename;
   std::error_code ec;
-  if (!fs::exists(path, ec)) fail(at, "the mesh file {} does not exist", in_quotes(path.string()));
-  if (!fs::is_regular_file(path, ec)) fail(at, "{} is not a file", in_quotes(path.string()));
+  if (!fs::exists(path, ec)) fail(at, "the mesh file {} does not exist", path_in_quotes(path));
+  if (!fs::is_regular_file(path, ec)) fail(at, "{} is not a file", path_in_quotes(path));
   try {
     return shape.type() == "obj" ? read_obj(path) : read_ply(path);
   } catch (const Error& error) {

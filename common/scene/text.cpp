@@ -42,12 +42,12 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-}  // namespace
+constexpr std::size_t longest = 60;
 
-std::string in_quotes(std::string_view text) {
-  constexpr std::size_t longest = 60;
-  std::string out = "\"";
-  for (const char c : text.substr(0, longest)) {
+/// `text` with its control characters escaped.
+std::string printable(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
     const auto code = static_cast<unsigned char>(c);
     if (code < 0x20 || code == 0x7f) {
       out += fmt::format("\\x{:02x}", code);
@@ -55,7 +55,21 @@ std::string in_quotes(std::string_view text) {
       out += c;
     }
   }
-  return out + (text.size() > longest ? "...\"" : "\"");
+  return out;
+}
+
+}  // namespace
+
+std::string in_quotes(std::string_view text) {
+  return '"' + printable(text.substr(0, longest)) + (text.size() > longest ? "...\"" : "\"");
+}
+
+std::string path_in_quotes(const std::filesystem::path& path) {
+  const std::string text = path.string();
+  std::size_t cut = text.size() > longest ? text.size() - longest : 0;
+  while (cut < text.size() && (static_cast<unsigned char>(text[cut]) & 0xc0) == 0x80)
+    ++cut;  // not into a character of UTF-8
+  return (cut > 0 ? "\"..." : "\"") + printable(std::string_view(text).substr(cut)) + '"';
 }
 
 bool is_near(std::string_view text, std::string_view name) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +10,9 @@ namespace carlo {
 
 /// `text` in double quotes for a one-line message: control characters escaped, long text cut.
 std::string in_quotes(std::string_view text);
+
+/// The same for a path: of a long one the end is left, which tells its file.
+std::string path_in_quotes(const std::filesystem::path& path);
 
 /// Whether `text` may be a slip of the pen for `name`: two characters changed, and not all of them.
 bool is_near(std::string_view text, std::string_view name);

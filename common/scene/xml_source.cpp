@@ -126,15 +126,15 @@ std::unique_ptr<XmlSource> read_xml_source(const fs::path& path, Position asked_
   const Position blame = asked_at.source != nullptr ? asked_at : Position{source.get(), 0};
   std::error_code ec;
   const fs::file_status status = fs::status(path, ec);
-  if (!fs::exists(status)) fail(blame, "{} does not exist", in_quotes(path.string()));
+  if (!fs::exists(status)) fail(blame, "{} does not exist", path_in_quotes(path));
   if (fs::is_directory(status)) {
-    fail(blame, "{} is a folder, expected a scene file", in_quotes(path.string()));
+    fail(blame, "{} is a folder, expected a scene file", path_in_quotes(path));
   }
-  if (!fs::is_regular_file(status)) fail(blame, "{} is not a file", in_quotes(path.string()));
+  if (!fs::is_regular_file(status)) fail(blame, "{} is not a file", path_in_quotes(path));
   try {
     source->text = read_file(path);
   } catch (const Error&) {
-    fail(blame, "{} cannot be read", in_quotes(path.string()));
+    fail(blame, "{} cannot be read", path_in_quotes(path));
   }
   return source;
 }

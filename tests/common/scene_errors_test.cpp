@@ -141,6 +141,24 @@ TEST_CASE("a scene that is no file is an error", "[scene]") {
   CHECK(error_of("/dev/null").find("is not a file") != std::string::npos);
 }
 
+TEST_CASE("a missing file is named however deep its folder lies", "[scene]") {
+  const TemporaryFolder folder;
+  fs::path deep = folder.path();
+  for (int level = 0; level < 20; ++level)
+    deep /= "a_folder_of_twenty_in_all";
+  fs::create_directories(deep);
+  const auto names = [&](const std::string& content, const std::string& missing) {
+    write_bytes(deep / "scene.xml", "<scene version=\"0.6.0\">" + content + "</scene>");
+    return error_of(deep / "scene.xml").find("/" + missing + "\" does not exist") !=
+           std::string::npos;
+  };
+  CHECK(names("<emitter type=\"envmap\"><string name=\"filename\" value=\"sky.exr\"/></emitter>",
+              "sky.exr"));
+  CHECK(names("<shape type=\"obj\"><string name=\"filename\" value=\"cup.obj\"/></shape>",
+              "cup.obj"));
+  CHECK(names("<include filename=\"room.xml\"/>", "room.xml"));
+}
+
 TEST_CASE("a zero byte is an error at its place", "[scene]") {
   const TemporaryFolder folder;
   write_bytes(folder.path() / "zero.xml", std::string("<scene>\n  \0</scene>", 19));
