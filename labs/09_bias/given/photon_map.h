@@ -1,0 +1,44 @@
+#pragma once
+
+#include "numeric/vec.h"
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace lab09 {
+
+using carlo::Rgb;
+using carlo::Vec3;
+
+/// Light that arrived at a surface.
+struct Photon {
+  Vec3 p;
+  Vec3 wi;                      ///< unit vector towards where it came from
+  Rgb flux{0};                  ///< the power that it carries
+  int phong = 0, specular = 0;  ///< how many Phong surfaces, and mirrors and glass, it met before
+
+  /// Whether mirrors or glass alone, at least one, lie between the lamp and here.
+  bool caustic() const { return phong == 0 && specular > 0; }
+};
+
+/// Photons by their places (a k-d tree).
+class PhotonMap {
+ public:
+  PhotonMap() = default;
+  /// Every flux is multiplied by `scale`: 1/n if n photons were emitted.
+  PhotonMap(std::vector<Photon> photons, float scale);
+
+  std::size_t size() const { return photons_.size(); }
+  /// Calls `use` for each photon nearer to p than `radius`, in any order, with its distance's
+  /// square.
+  void within(Vec3 p, float radius,
+              const std::function<void(const Photon&, float distance2)>& use) const;
+  /// The k nearest photons, or all where there are fewer, nearest first.
+  std::vector<const Photon*> nearest(Vec3 p, int k) const;
+
+ private:
+  std::vector<Photon> photons_;
+};
+
+}  // namespace lab09
