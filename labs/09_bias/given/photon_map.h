@@ -3,6 +3,7 @@
 #include "numeric/vec.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -22,23 +23,33 @@ struct Photon {
   bool caustic() const { return phong == 0 && specular > 0; }
 };
 
-/// Photons by their places (a k-d tree).
+/// Photons by their places: a balanced k-d tree that lies in an array. The middle of a range is a
+/// node, and what lies before and behind it are the node's subtrees; short ranges are leaves.
+/// Distances and their squares are floats: right for lengths from 1e-15 to 1e15.
 class PhotonMap {
  public:
   PhotonMap() = default;
-  /// Every flux is multiplied by `scale`: 1/n if n photons were emitted.
+  /// Every flux is multiplied by `scale`: 1/n if n photons were emitted. Throws carlo::Error where
+  /// a photon's place is not finite.
   PhotonMap(std::vector<Photon> photons, float scale);
 
   std::size_t size() const { return photons_.size(); }
   /// Calls `use` for each photon nearer to p than `radius`, in any order, with its distance's
-  /// square.
+  /// square: for none if the radius is not above 0, for all if it is infinite.
   void within(Vec3 p, float radius,
               const std::function<void(const Photon&, float distance2)>& use) const;
   /// The k nearest photons, or all where there are fewer, nearest first.
   std::vector<const Photon*> nearest(Vec3 p, int k) const;
 
+  /// A photon's place and, if it is a node, the axis across which it parts its range.
+  struct Place {
+    Vec3 p;
+    std::uint32_t axis;
+  };
+
  private:
-  std::vector<Photon> photons_;
+  std::vector<Place> places_;
+  std::vector<Photon> photons_;  ///< in the same order
 };
 
 }  // namespace lab09
