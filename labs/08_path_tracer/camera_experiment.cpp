@@ -1,4 +1,4 @@
-#include "images.h"
+#include "images/images.h"
 #include "numeric/robust.h"
 #include "report/tiles.h"
 

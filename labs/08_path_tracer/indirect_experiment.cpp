@@ -1,8 +1,8 @@
+#include "images/views.h"
 #include "numeric/robust.h"
 #include "report/format.h"
 #include "report/stopwatch.h"
 #include "report/tiles.h"
-#include "views.h"
 
 #include <fmt/core.h>
 

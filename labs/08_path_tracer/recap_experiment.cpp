@@ -1,4 +1,4 @@
-#include "images.h"
+#include "images/images.h"
 #include "numeric/robust.h"
 #include "recap_room.h"
 #include "report/format.h"

@@ -1,7 +1,7 @@
+#include "images/views.h"
 #include "numeric/robust.h"
 #include "report/format.h"
 #include "report/tiles.h"
-#include "views.h"
 
 #include <fmt/core.h>
 

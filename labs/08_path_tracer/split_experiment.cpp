@@ -1,5 +1,5 @@
 #include "hemisphere.h"
-#include "images.h"
+#include "images/images.h"
 #include "numeric/robust.h"
 #include "report/format.h"
 #include "report/tiles.h"

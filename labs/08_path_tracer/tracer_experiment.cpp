@@ -1,6 +1,6 @@
+#include "images/views.h"
 #include "report/stopwatch.h"
 #include "report/tiles.h"
-#include "views.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "views.h"
+#include "images/views.h"
 
 #include "numeric/robust.h"
 #include "scene/load_scene.h"

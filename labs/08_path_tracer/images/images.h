@@ -1,7 +1,9 @@
 #pragma once
 
-#include "experiments.h"
 #include "image/image.h"
+#include "path_tracer.h"
+#include "report/measure.h"
+#include "report/notebook.h"
 
 #include <cstdint>
 #include <functional>
@@ -9,6 +11,8 @@
 #include <vector>
 
 namespace lab08 {
+
+using carlo::Curve, carlo::Measurement, carlo::Notebook;
 
 // Small images, the error of their pixels and what they cost.
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "given/sampled.h"
-#include "images.h"
+#include "images/images.h"
 
 namespace lab08 {
 

@@ -1,0 +1,60 @@
+#include "cli/arguments.h"
+#include "experiments.h"
+#include "report/lab_app.h"
+
+#include <string>
+#include <vector>
+
+namespace {
+
+/// One step: its name, its experiments, and what its pictures should show.
+struct Step {
+  std::string name;
+  std::vector<carlo::Experiment> experiments;
+  std::string seen;
+};
+
+std::vector<Step> steps() {
+  return {{"a", {lab09::error_experiment}, "a."},
+          {"b", {lab09::pixel_filter_experiment}, "b."},
+          {"c", {lab09::feature_filter_experiment}, "c."},
+          {"d", {lab09::photons_experiment}, "d."},
+          {"e", {lab09::density_experiment}, "e."},
+          {"f", {lab09::progressive_experiment}, "f."},
+          {"g", {lab09::irradiance_cache_experiment}, "g."},
+          {"practice", {lab09::practice_experiment}, "In practice."}};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  carlo::LabApp lab{.number = 9,
+                    .title = "Lab 09: bias for noise",
+                    .subtitle =
+                        "Filters, photon maps and irradiance caches, with their bias and "
+                        "their noise apart.",
+                    .n = 1 << 20,
+                    .quick_n = 1 << 18,
+                    .experiments = {},
+                    .what_you_should_see = {}};
+  std::string only;
+  lab.add_options = [&](carlo::CommandLine& app) {
+    app.option("--step", only, "one step alone, a to g, or all methods side by side")
+        .one_of({"a", "b", "c", "d", "e", "f", "g", "practice"});
+  };
+  lab.instead = [&](const carlo::LabOptions&) -> std::optional<int> {
+    for (bool passed = false; const Step& step : steps()) {
+      if (only.empty() || only == step.name) {
+        passed = true;
+        for (const carlo::Experiment& experiment : step.experiments)
+          lab.experiments.push_back(experiment);
+        lab.what_you_should_see.push_back(step.seen);
+      } else if (!passed) {
+        lab.experiments_before += static_cast<int>(step.experiments.size());
+      }
+    }
+    lab.part = only;
+    return std::nullopt;
+  };
+  return carlo::run_lab(lab, argc, argv);
+}

@@ -1,0 +1,1 @@
+// Checks of exercise 9.4.

@@ -1,0 +1,2 @@
+// Probes of exercise 9.1: they call the student's functions and return raw values; what the values
+// should be stands in checks_error.cpp.
