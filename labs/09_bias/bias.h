@@ -7,6 +7,7 @@
 // have three channels, red, green and blue.
 
 #include "given/feature_image.h"
+#include "given/lamps.h"
 #include "given/photon_map.h"
 #include "given/records.h"
 #include "path_tracer.h"
@@ -125,11 +126,11 @@ struct Emission {
 Emission emit_from_point(Vec3 p, Rgb intensity, Rng& rng);
 
 /// Lab 9.4. A photon of a light: a uniform point of it and a direction with which all photons carry
-/// the same flux, the light's power.
+/// the same flux, the light's power. It starts beside the light, by leave() of given/lamps.h.
 Emission emit_from_light(const Light& light, Rng& rng);
 
 /// Lab 9.4. A photon of all lights together: one of them, with chances in proportion to the
-/// luminance of their powers. The world has lights.
+/// luminance() of their powers (given/lamps.h). The world has lights.
 Emission emit_photon(const World& world, Rng& rng);
 
 /// Lab 9.4. Follows a photon until it leaves the world or is absorbed, and stores it at every Phong

@@ -1,28 +1,93 @@
-#pragma GCC diagnostic ignored "-Wunused-parameter"  // until it is solved
 #include "bias.h"
-#include "course/not_implemented.h"
+#include "hemisphere.h"
+#include "numeric/robust.h"
 
-// Lab 09, step d: photons from the lamps. bias.h says what each function takes and returns.
+#include <cmath>
+
+// Lab 09, step d: photons. Solved.
 
 namespace lab09 {
+namespace {
+
+/// The radiance of a light is the same everywhere on it.
+Rgb power(const Light& light) {
+  return carlo::pi_f * light.area() * light.sample({0.5f, 0.5f}).radiance;
+}
+
+/// Where a photon goes on to from a surface, and what of its flux it takes along.
+std::optional<lab08::BsdfSample> scatter(const Surface& surface, Rng& rng) {
+  if (const auto* mirror = std::get_if<carlo::Mirror>(surface.material))
+    return lab08::sample_mirror(*mirror, surface);
+  if (const auto* glass = std::get_if<carlo::Dielectric>(surface.material)) {
+    lab08::BsdfSample next = lab08::sample_glass(*glass, surface, rng.uniform_float());
+    // Radiance changes as its solid angle does; a photon is all of its light.
+    next.weight = Rgb(1);
+    return next;
+  }
+  const float u_lobe = rng.uniform_float();
+  const float u = rng.uniform_float();
+  const float v = rng.uniform_float();
+  return lab08::sample(surface.phong(), surface.n, surface.wo, u_lobe, {u, v});
+}
+
+}  // namespace
 
 // Lab 9.4 -----------------------------------------------------------------------------------------
 
 Emission emit_from_point(Vec3 p, Rgb intensity, Rng& rng) {
-  carlo::not_implemented("Lab 9.4", "Summary");
+  const float z = 1 - 2 * rng.uniform_float();
+  const float phi = 2 * carlo::pi_f * rng.uniform_float();
+  const float r = carlo::safe_sqrt(1 - z * z);
+  return {{p, {r * std::cos(phi), r * std::sin(phi), z}}, 4 * carlo::pi_f * intensity};
 }
 
 Emission emit_from_light(const Light& light, Rng& rng) {
-  carlo::not_implemented("Lab 9.4", "Summary");
+  const float u = rng.uniform_float();
+  const float v = rng.uniform_float();
+  const lab08::LightPoint point = light.sample({u, v});
+  const float s = rng.uniform_float();
+  const float t = rng.uniform_float();
+  const Vec3 local = lab07::sample_cosine_hemisphere({s, t});
+  const Vec3 d = glm::normalize(lab07::Frame(point.n).to_world(local));
+  return {leave(point, d), power(light)};
 }
 
 Emission emit_photon(const World& world, Rng& rng) {
-  carlo::not_implemented("Lab 9.4", "Summary");
+  double all = 0;
+  for (const Light& light : world.lights())
+    all += static_cast<double>(luminance(power(light)));
+  double place = rng.uniform() * all;
+  for (const Light& light : world.lights()) {
+    const double share = static_cast<double>(luminance(power(light)));
+    place -= share;
+    if (place >= 0 && &light != &world.lights().back()) continue;
+    Emission emission = emit_from_light(light, rng);
+    emission.flux *= static_cast<float>(all / share);
+    return emission;
+  }
+  return {};
 }
 
 void trace_photon(const World& world, const Emission& emission, Rng& rng,
                   const std::function<void(const Photon&)>& store) {
-  carlo::not_implemented("Lab 9.4", "Summary");
+  Ray ray = emission.ray;
+  Photon photon;
+  photon.flux = emission.flux;
+  for (int segment = 0; segment < lab08::longest_path; ++segment) {
+    const auto surface = world.intersect(ray);
+    if (!surface) return;
+    const bool phong = std::holds_alternative<carlo::Phong>(*surface->material);
+    if (phong) {
+      photon.p = surface->p;
+      photon.wi = surface->wo;
+      store(photon);
+    }
+    const auto next = scatter(*surface, rng);
+    if (!next) return;
+    ++(phong ? photon.phong : photon.specular);
+    photon.flux *= next->weight;
+    ray = world.leave(*surface, next->wi);
+  }
 }
 
 }  // namespace lab09
