@@ -1,1 +1,201 @@
-// Checks of exercise 9.4.
+// Checks of exercise 9.4: photons as they leave lamps. All four numbers of an emission are uniform
+// once they are mapped back to [0, 1): where on the lamp, the square of the cosine, and the
+// azimuth.
+
+#include "09_bias/photon_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+using namespace carlo::grader;
+using namespace lab09_photons;
+
+namespace {
+
+const Diagnosis flux_is_intensity{"flux-is-intensity",
+                                  "intensity is power per solid angle, and the photon stands for "
+                                  "all directions: multiply by the sphere's solid angle."};
+const Diagnosis half_sphere_flux{"flux-of-a-half-sphere",
+                                 "2 pi is the solid angle of a hemisphere; a point lamp shines all "
+                                 "around."};
+const Diagnosis half_sphere{"half-of-the-sphere",
+                            "a point lamp shines all around: no photon goes to one of the sides."};
+const Diagnosis polar_angle{"polar-angle-uniform",
+                            "uniform directions have a uniform cosine, not a uniform angle: too "
+                            "many go to the poles."};
+const Diagnosis cube_corners{
+    "cube-not-rejected",
+    "points of a cube, normalised, crowd towards its corners: reject those "
+    "outside of the ball, or invert."};
+const Diagnosis numbers_twice{"random-number-reused",
+                              "one random number serves two purposes: point and direction need "
+                              "four of their own."};
+const Diagnosis pi_missing{"pi-missing",
+                           "radiance integrated over the hemisphere with its cosine is pi Le."};
+const Diagnosis solid_angle_of_hemisphere{"cosine-missing-in-power",
+                                          "the cosine belongs to the power: the hemisphere's "
+                                          "integral of it is pi, not 2 pi."};
+const Diagnosis area_missing{"area-missing", "a light's power is proportional to its area."};
+const Diagnosis not_cosine{"directions-not-cosine-weighted",
+                           "as many photons go near the horizon as straight on: a lamp of constant "
+                           "radiance sends them in proportion to the cosine."};
+const Diagnosis not_turned{"direction-not-turned",
+                           "directions are local ones: turn them into the frame of the lamp's "
+                           "normal at the point."};
+const Diagnosis meets_lamp{"photon-meets-its-lamp",
+                           "photons start behind the lamp's surface, by rounding, and meet it at "
+                           "once: leave() starts them beside."};
+const Diagnosis fixed_offset{"fixed-offset",
+                             "photons start a fixed distance off the lamp, which is far beside a "
+                             "small one: leave() takes what rounding asks for."};
+
+/// The azimuth of d about n, from some fixed direction across.
+double azimuth_about(PhotonVec n, PhotonVec d) {
+  const PhotonVec s =
+      glm::normalize(glm::cross(n, std::abs(n.z) < 0.9 ? PhotonVec(0, 0, 1) : PhotonVec(1, 0, 0)));
+  return turn_of(glm::dot(d, glm::cross(n, s)), glm::dot(d, s));
+}
+
+}  // namespace
+
+TEST_CASE("Lab 9.4: a point lamp shines all around", "[lab09][ex4]") {
+  constexpr std::size_t photons = 20'000;
+  const Rows rows = probe("Lab 9.4 point", {.n = photons}, {.rows = photons, .columns = 9});
+  const PhotonVec intensity(lamp_radiance), flux = 4 * std::numbers::pi * intensity;
+  judge_flux("the flux of a photon of a point lamp", fluxes(rows, 6), flux,
+             {{intensity, flux_is_intensity}, {flux / 2.0, half_sphere_flux}});
+  double elsewhere = 0, not_unit = 0;
+  PhotonCells<2> cells(9);
+  double z2 = 0, z4 = 0;
+  for (std::size_t i = 0; i < photons; ++i) {
+    const PhotonVec d = vec(rows, i, 3);
+    elsewhere += vec(rows, i, 0) == PhotonVec(1, 2, 3) ? 0 : 1;
+    not_unit += std::abs(glm::length(d) - 1) <= 1e-5 ? 0 : 1;
+    cells.add({(d.z + 1) / 2, turn_of(d.y, d.x)});
+    z2 += d.z * d.z / photons;
+    z4 += d.z * d.z * d.z * d.z / photons;
+  }
+  judge(holds("photons that start elsewhere", elsewhere == 0, fmt::format("{:g}", elsewhere), "0"));
+  judge(holds("directions of another length than 1", not_unit == 0, fmt::format("{:g}", not_unit),
+              "0"));
+  Verdict verdict = cells.verdict("directions, in cells of equal solid angle");
+  const double up = cells.mean(0), around = cells.mean(1);
+  if (!verdict.passed) {
+    const bool one_side = std::abs(up - 0.5) > 0.2 || std::abs(around - 0.5) > 0.2;
+    if (one_side)
+      verdict.diagnoses = {half_sphere};
+    else if (cells.correlated())
+      verdict.diagnoses = {numbers_twice};
+    else if (z2 > 0.4)
+      verdict.diagnoses = {polar_angle};
+    else if (z4 < 0.19)
+      verdict.diagnoses = {cube_corners};
+  }
+  judge(verdict);
+}
+
+namespace {
+
+/// A photon that left a lamp: where from, in numbers of [0, 1), the normal there, and how far in
+/// front of the lamp it starts.
+struct Departure {
+  double u, v;
+  PhotonVec n;
+  double in_front;
+};
+
+Departure departure(PhotonLamp lamp, PhotonVec o) {
+  if (lamp == PhotonLamp::rectangle) {
+    const PhotonVec u(lamp_rectangle.u), v(lamp_rectangle.v),
+        from = o - PhotonVec(lamp_rectangle.origin);
+    const PhotonVec n = glm::normalize(glm::cross(u, v));
+    return {glm::dot(from, u) / glm::dot(u, u), glm::dot(from, v) / glm::dot(v, v), n,
+            glm::dot(from, n)};
+  }
+  if (lamp == PhotonLamp::ball) {
+    const PhotonVec from = o - PhotonVec(lamp_ball.center), n = glm::normalize(from);
+    return {(n.z + 1) / 2, turn_of(n.y, n.x), n,
+            glm::length(from) - static_cast<double>(lamp_ball.radius)};
+  }
+  const PhotonVec from = o - PhotonVec(lamp_speck.center);
+  const double r = glm::length(glm::dvec2(from)) / static_cast<double>(lamp_speck.radius);
+  return {r * r, turn_of(from.y, from.x), {0, 0, 1}, from.z};
+}
+
+double lamp_area(PhotonLamp lamp) {
+  if (lamp == PhotonLamp::rectangle) return 1.5;
+  const auto r =
+      static_cast<double>(lamp == PhotonLamp::ball ? lamp_ball.radius : lamp_speck.radius);
+  return (lamp == PhotonLamp::ball ? 4 : 1) * std::numbers::pi * r * r;
+}
+
+/// What photons of one lamp are like.
+struct Departures {
+  PhotonCells<4> cells{3};
+  double behind = 0, far = 0, backwards = 0, not_unit = 0, up = 0, cosines = 0;
+
+  Departures(PhotonLamp lamp, const Rows& rows) {
+    // A dozen roundings of the largest coordinate, several times over.
+    const double farthest = lamp == PhotonLamp::speck ? 1e-6 : 1e-3;
+    for (std::size_t i = 0; i < rows.count(); ++i) {
+      const PhotonVec d = vec(rows, i, 3);
+      const Departure from = departure(lamp, vec(rows, i, 0));
+      const double cosine = glm::dot(from.n, d);
+      behind += from.in_front >= 0 ? 0 : 1;
+      far += from.in_front <= farthest ? 0 : 1;
+      backwards += cosine > -1e-5 ? 0 : 1;
+      not_unit += std::abs(glm::length(d) - 1) <= 1e-5 ? 0 : 1;
+      up += d.z >= -1e-6 ? 1 : 0;
+      cosines += cosine / static_cast<double>(rows.count());
+      cells.add({from.u, from.v, cosine * cosine, azimuth_about(from.n, d)});
+    }
+  }
+};
+
+void judge_departures(PhotonLamp lamp, const std::string& name, const Rows& rows) {
+  const PhotonVec radiance(lamp_radiance);
+  const double pi = std::numbers::pi, area = lamp_area(lamp);
+  judge_flux("the flux of a photon of " + name, fluxes(rows, 6), pi * area * radiance,
+             {{area * radiance, pi_missing},
+              {2 * pi * area * radiance, solid_angle_of_hemisphere},
+              {pi * radiance, area_missing}});
+  const Departures seen(lamp, rows);
+  const auto none = [&](const char* what, double count, const std::vector<Diagnosis>& diagnoses) {
+    judge(holds(fmt::format("photons of {} that {}", name, what), count == 0,
+                fmt::format("{:g} of {}", count, rows.count()), "0", diagnoses));
+  };
+  const bool unturned = seen.up == static_cast<double>(rows.count()) && lamp != PhotonLamp::speck;
+  none("go back into it", seen.backwards,
+       unturned ? std::vector{not_turned} : std::vector<Diagnosis>{});
+  none("have a direction of another length than 1", seen.not_unit, {});
+  none("start behind its surface", seen.behind, {meets_lamp});
+  none("start farther off it than rounding asks for", seen.far, {fixed_offset});
+  if (lamp == PhotonLamp::speck) return;
+  Verdict verdict = seen.cells.verdict("points and directions of " + name);
+  if (!verdict.passed && seen.backwards == 0) {
+    if (seen.cells.correlated())
+      verdict.diagnoses = {numbers_twice};
+    else if (std::abs(seen.cosines - 0.5) < 0.02)
+      verdict.diagnoses = {not_cosine};
+  }
+  judge(verdict);
+}
+
+}  // namespace
+
+TEST_CASE("Lab 9.4: a light sends photons in proportion to the cosine", "[lab09][ex4]") {
+  constexpr std::size_t photons = 20'000;
+  const char* const names[] = {"a rectangle", "a ball", "a speck of light"};
+  for (const PhotonLamp lamp : {PhotonLamp::rectangle, PhotonLamp::ball, PhotonLamp::speck}) {
+    const std::string name = names[static_cast<int>(lamp)];
+    const std::size_t count = lamp == PhotonLamp::speck ? 500 : photons;
+    judge_departures(lamp, name,
+                     probe("Lab 9.4 light",
+                           {.n = static_cast<std::int64_t>(count),
+                            .numbers = {{"lamp", static_cast<double>(lamp)}}},
+                           {.rows = count, .columns = 9, .of = name}));
+  }
+}

@@ -1,0 +1,153 @@
+#pragma once
+
+#include "08_path_tracer/scenes.h"
+#include "scene/scene.h"
+
+#include <cmath>
+
+// The worlds into which lab 09's probes send photons, and what the checks know of them.
+
+namespace lab09_photons {
+
+using carlo::Rgb;
+using carlo::Vec3;
+using lab08_tests::add_phong;
+
+/// A lamp alone in the world: a tilted rectangle far from the origin, where no coordinate is exact;
+/// a ball there; and a disc so small that any fixed distance is large beside it.
+enum class PhotonLamp { rectangle = 0, ball = 1, speck = 2 };
+
+inline const Rgb lamp_radiance{1, 2, 4};
+inline const carlo::Parallelogram lamp_rectangle{{37.3f, -21.7f, 55.1f},
+                                                 2.0f * lab08_tests::tilted_frame().s,
+                                                 0.75f * lab08_tests::tilted_frame().t};
+inline const carlo::Sphere lamp_ball{{37.3f, -21.7f, 55.1f}, 0.7f};
+inline const carlo::Disk lamp_speck{{0.01f, 0.02f, 0}, {0, 0, 1}, 1e-4f};
+
+inline carlo::Scene lone_lamp(PhotonLamp lamp) {
+  carlo::Scene scene;
+  const std::uint32_t black = add_phong(scene, Rgb(0));
+  const auto emit = [&](auto geometry) {
+    scene.shapes.push_back({geometry, black, lamp_radiance});
+  };
+  if (lamp == PhotonLamp::rectangle) emit(lamp_rectangle);
+  if (lamp == PhotonLamp::ball) emit(lamp_ball);
+  if (lamp == PhotonLamp::speck) emit(lamp_speck);
+  return scene;
+}
+
+/// Three squares that face up, the first from x = 0 on, the second from 10, the third from 20.
+struct ColouredLamp {
+  float side;
+  Rgb radiance;
+};
+inline constexpr ColouredLamp coloured_lamps[] = {
+    {1, {4, 0, 0}}, {2, {0, 0.5f, 0}}, {0.5f, {0, 0, 16}}};
+inline constexpr double lamp_step = 10;
+
+inline carlo::Scene three_lamps() {
+  carlo::Scene scene;
+  const std::uint32_t black = add_phong(scene, Rgb(0));
+  float x = 0;
+  for (const ColouredLamp& lamp : coloured_lamps) {
+    scene.shapes.push_back({carlo::Parallelogram{{x, 0, 0}, {lamp.side, 0, 0}, {0, lamp.side, 0}},
+                            black, lamp.radiance});
+    x += static_cast<float>(lamp_step);
+  }
+  return scene;
+}
+
+/// A black floor, z = 0; over it, at height 1, a square lamp of side 1 that faces down, or nothing.
+inline carlo::Scene landing_place(bool with_lamp) {
+  carlo::Scene scene;
+  const std::uint32_t black = add_phong(scene, Rgb(0));
+  scene.shapes.push_back(
+      {carlo::Parallelogram{{-50, -50, 0}, {100, 0, 0}, {0, 100, 0}}, black, Rgb(0)});
+  if (with_lamp)
+    scene.shapes.push_back({lab08_tests::facing_down(-0.5f, 0.5f), black, lamp_radiance});
+  return scene;
+}
+
+/// Where photons are traced.
+enum class PhotonPlace {
+  closed = 0,   ///< in a diffuse sphere of radius 2 with albedos .6, .3 and .15
+  mirrors = 1,  ///< between a grey floor, z = 0, and a mirror that faces it, z = 1
+  glass = 2,    ///< a black ball in a ball of glass in a black sphere, radii .5, 1 and 3
+  backs = 3,    ///< before a lamp (x = 1), and behind a one-sided white surface (x = -1)
+  glossy = 4,   ///< on a glossy floor, in a black sphere of radius 10
+  white = 5,    ///< in a sphere that absorbs nothing
+  hall = 6      ///< in a sphere of lossless mirror
+};
+
+inline constexpr Rgb closed_albedo{0.6f, 0.3f, 0.15f};
+inline constexpr Rgb mirror_reflectance{0.5f, 0.6f, 0.7f};
+inline constexpr lab08_tests::PhongCase glossy_floor{0.3f, 0.6f, 50};
+inline constexpr float glossy_degrees = 60;
+inline constexpr Rgb sent_flux{2, 3, 5};
+
+inline carlo::Scene photon_scene(PhotonPlace place) {
+  carlo::Scene scene;
+  const auto material = [&](auto model) {
+    scene.materials.push_back({model, false});
+    return static_cast<std::uint32_t>(scene.materials.size() - 1);
+  };
+  const auto diffuse = [&](Rgb kd) { return material(carlo::Phong{kd, Rgb(0), 0}); };
+  const auto add = [&](auto geometry, std::uint32_t of, Rgb radiance = Rgb(0)) {
+    scene.shapes.push_back({geometry, of, radiance});
+  };
+  const auto around = [](float radius) { return carlo::Sphere{{0, 0, 0}, radius, true}; };
+  const carlo::Parallelogram floor{{-500, -500, 0}, {1000, 0, 0}, {0, 1000, 0}};
+  switch (place) {
+    case PhotonPlace::closed:
+      add(around(2), diffuse(closed_albedo));
+      break;
+    case PhotonPlace::mirrors:
+      add(floor, diffuse(Rgb(0.8f)));
+      add(carlo::Parallelogram{{-500, -500, 1}, {0, 1000, 0}, {1000, 0, 0}},
+          material(carlo::Mirror{mirror_reflectance}));
+      break;
+    case PhotonPlace::glass:
+      add(carlo::Sphere{{0, 0, 0}, 0.5f}, diffuse(Rgb(0)));
+      add(carlo::Sphere{{0, 0, 0}, 1}, material(carlo::Dielectric{1.5f, 1}));
+      add(around(3), diffuse(Rgb(0)));
+      break;
+    case PhotonPlace::backs:
+      add(carlo::Parallelogram{{1, -1, -1}, {0, 0, 2}, {0, 2, 0}}, diffuse(Rgb(0)), lamp_radiance);
+      add(carlo::Parallelogram{{-1, -1, -1}, {0, 0, 2}, {0, 2, 0}}, diffuse(Rgb(0.9f)));
+      break;
+    case PhotonPlace::glossy:
+      add(floor,
+          material(carlo::Phong{Rgb(glossy_floor.kd), Rgb(glossy_floor.ks), glossy_floor.n}));
+      add(around(10), diffuse(Rgb(0)));
+      break;
+    case PhotonPlace::white:
+      add(around(2), diffuse(Rgb(1)));
+      break;
+    case PhotonPlace::hall:
+      add(around(2), material(carlo::Mirror{Rgb(1)}));
+      break;
+  }
+  return scene;
+}
+
+/// The ray of photon number i.
+inline carlo::Ray sent_ray(PhotonPlace place, std::int64_t i) {
+  const float turn = 2.3999632f * static_cast<float>(i % 512), c = std::cos(turn),
+              s = std::sin(turn);
+  switch (place) {
+    case PhotonPlace::mirrors:
+      return {{0, 0, 0.5f}, glm::normalize(Vec3(c, s, 2))};
+    case PhotonPlace::glass:
+      return {{0.3f * c, 0.3f * s, 2}, {0, 0, -1}};
+    case PhotonPlace::backs:
+      return {{0, 0.9f * c, 0.9f * s}, {i % 2 == 0 ? 1.0f : -1.0f, 0, 0}};
+    case PhotonPlace::glossy: {
+      const Vec3 wo = lab08_tests::direction_at(glossy_degrees, turn * 180 / 3.14159265f);
+      return {wo, -wo};
+    }
+    default:
+      return {{0.3f, 0, 0}, glm::normalize(Vec3(c, s, 0.5f * c))};
+  }
+}
+
+}  // namespace lab09_photons
