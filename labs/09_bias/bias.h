@@ -37,9 +37,9 @@ struct ErrorParts {
   double variance = 0;  ///< of one estimate about its expected value
 };
 
-/// Lab 9.1. Both parts from independent estimates of one value that is known, at least two. Neither
-/// result may itself be biased, so bias2 can come out below 0 where there is no bias. Right for
-/// values far from 0 that differ little.
+/// Lab 9.1. Both parts from independent estimates of one value that is known, at least two, in any
+/// order. Neither result may itself be biased, so bias2 can come out below 0 where there is no bias.
+/// Right for values far from 0 that differ little.
 ErrorParts split_error(std::span<const double> estimates, double exact);
 
 /// Lab 9.1. The slope of log(error) over log(n), by least squares. At least two different n; all

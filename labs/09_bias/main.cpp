@@ -15,14 +15,19 @@ struct Step {
 };
 
 std::vector<Step> steps() {
-  return {{"a", {lab09::error_experiment}, "a."},
-          {"b", {lab09::pixel_filter_experiment}, "b."},
-          {"c", {lab09::feature_filter_experiment}, "c."},
-          {"d", {lab09::photons_experiment}, "d."},
-          {"e", {lab09::density_experiment}, "e."},
-          {"f", {lab09::progressive_experiment}, "f."},
-          {"g", {lab09::irradiance_cache_experiment}, "g."},
-          {"practice", {lab09::practice_experiment}, "In practice."}};
+  return {
+      {"a",
+       {lab09::error_experiment},
+       "a. The best clamp moves: the more samples, the less bias is worth. A clamp that was chosen for "
+       "16 samples lowers the error there to less than half; from some 180 samples on whoever does not clamp is "
+       "ahead, as estimates by 16 samples foretold."},
+      {"b", {lab09::pixel_filter_experiment}, "b."},
+      {"c", {lab09::feature_filter_experiment}, "c."},
+      {"d", {lab09::photons_experiment}, "d."},
+      {"e", {lab09::density_experiment}, "e."},
+      {"f", {lab09::progressive_experiment}, "f."},
+      {"g", {lab09::irradiance_cache_experiment}, "g."},
+      {"practice", {lab09::practice_experiment}, "In practice."}};
 }
 
 }  // namespace
