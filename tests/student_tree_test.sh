@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # student_tree_test.sh SOURCE CMAKE_ARGUMENT...: the archives that students get, after labs 1, 4 and
-# 8. They hold nothing that they must not; the same commit gives the same bytes; each configures, and by
+# 9. They hold nothing that they must not; the same commit gives the same bytes; each configures, and by
 # itself takes no warning for an error; the first and the last build their newest lab's judge and worker,
 # and judge the stub as one that has been begun nowhere.
 set -euo pipefail
@@ -101,7 +101,7 @@ at_once() {
   mv "$scratch/stub.cpp" "$own"
 }
 
-for last in 1 4 8; do
+for last in 1 4 9; do
   unpacked "$last"
   tree=$scratch/$last/carlo
   must_not_hold "$tree" 'solutions/renderer' 'solutions/CMakeLists.txt' 'solutions/*bench*' \
@@ -117,7 +117,7 @@ for last in 1 4 8; do
   expect_error "$tree" "no solution of lab $last" lab "$last" --solutions
 done
 configured "$scratch/1" "${cmake_arguments[@]}"
-configured "$scratch/8" "${cmake_arguments[@]}"
+configured "$scratch/9" "${cmake_arguments[@]}"
 
 # As students do it, whose compilers may be newer than any of ours.
 configured "$scratch/4"
@@ -126,11 +126,11 @@ grep -q -e -Wconversion <<<"$commands" && ! grep -q -e -Werror <<<"$commands" ||
   fail "a student's tree takes warnings for errors"
 
 # A leak must be seen: the last lab's solution in its stub's place.
-cp "$source/solutions/08_path_tracer/steps/h_path_tracer.cpp" "$scratch/8/carlo/labs/08_path_tracer/"
-if "$source/tests/grader/release/leaks.sh" "$source" "$scratch/8/carlo" 8 >/dev/null; then
+cp "$source/solutions/09_bias/steps/d_photons.cpp" "$scratch/9/carlo/labs/09_bias/"
+if "$source/tests/grader/release/leaks.sh" "$source" "$scratch/9/carlo" 9 >/dev/null; then
   fail "a solution in the archive is not seen"
 fi
-rm "$scratch/8/carlo/labs/08_path_tracer/h_path_tracer.cpp"
+rm "$scratch/9/carlo/labs/09_bias/d_photons.cpp"
 
 # Whoever makes it, whenever.
 (umask 077 && TZ=Asia/Tokyo && starter 4 "$scratch/again.tar.gz")
@@ -138,15 +138,16 @@ cmp "$scratch/4.tar.gz" "$scratch/again.tar.gz" || fail "the same tree gives oth
 
 begun_nowhere "$scratch/1" 01_integration
 at_once "$scratch/1/carlo"
-begun_nowhere "$scratch/8" 08_path_tracer
+begun_nowhere "$scratch/9" 09_bias
 # Not by a pipe: grep ends at the first line that fits, and ninja at its next write.
-commands=$(ninja -C "$scratch/8/carlo/build/release" -t commands lab08_worker)
-grep -q 'solutions/07_hemisphere/hemisphere.cpp' <<<"$commands" ||
-  fail "lab 8 does not build on lab 7's released solution"
+commands=$(ninja -C "$scratch/9/carlo/build/release" -t commands lab09_worker)
+for earlier in 07_hemisphere/hemisphere.cpp 08_path_tracer/steps/h_path_tracer.cpp; do
+  grep -q "solutions/$earlier" <<<"$commands" || fail "lab 9 does not build on the released $earlier"
+done
 
 # Lab 8's stub renders nothing, says so, and leaves no files.
-ninja -C "$scratch/8/carlo/build/release" lab08_render >"$scratch/log" 2>&1 ||
+ninja -C "$scratch/9/carlo/build/release" lab08_render >"$scratch/log" 2>&1 ||
   { tail -40 "$scratch/log" && fail "lab 8's renderer does not build"; }
-CARLO_PRESET=release expect_error "$scratch/8/carlo" 'Lab 8.8 is not implemented yet: run ./carlo hint 8.8' \
+CARLO_PRESET=release expect_error "$scratch/9/carlo" 'Lab 8.8 is not implemented yet: run ./carlo hint 8.8' \
   render --size 8x8 --spp 1 -o "$scratch/image"
 [ -z "$(find "$scratch" -maxdepth 1 -name 'image*')" ] || fail "the stub's render left files"

@@ -8,7 +8,7 @@ build=$(readlink -f "$2")
 work=$3
 
 labs=(01_integration 02_pi 03_rng 04_stratification 05_inversion_rejection 06_importance
-  07_hemisphere 08_path_tracer)
+  07_hemisphere 08_path_tracer 09_bias)
 # What fills the disk, the memory or the list of processes is among them; compilers' bombs take long.
 attacks=exits,crashes,hangs,memory,processes,floods,disk,fake_reports,forged_frames,results_written
 attacks+=,strange_values,other_processes,network,reads_answers,includes_solution,syntax_error
