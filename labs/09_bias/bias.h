@@ -38,8 +38,8 @@ struct ErrorParts {
 };
 
 /// Lab 9.1. Both parts from independent estimates of one value that is known, at least two, in any
-/// order. Neither result may itself be biased, so bias2 can come out below 0 where there is no bias.
-/// Right for values far from 0 that differ little.
+/// order. Neither result may itself be biased, so bias2 can come out below 0 where there is no
+/// bias. Right for values far from 0 that differ little.
 ErrorParts split_error(std::span<const double> estimates, double exact);
 
 /// Lab 9.1. The slope of log(error) over log(n), by least squares. At least two different n; all
@@ -192,9 +192,9 @@ Record make_record(Vec3 p, Vec3 n, int strata, const LookAround& look, Rng& rng)
 double record_error(const Record& record, Vec3 p, Vec3 n);
 
 /// Lab 9.7. The irradiance at a point from records whose error there is below `most`, each weighed
-/// by 1/error; a record right there decides alone. A record does not serve points in front of which
-/// it lies, in the direction of the mean of both normals, by more than a hundredth of its distance:
-/// they see what it does not. Nothing where no record is left.
+/// by 1/error; where an error is 0 that record decides alone. A record does not serve points in
+/// front of which it lies by more than a hundredth of its distance, measured along (n + n')/2: they
+/// do not see what it sees. Nothing where no record is left.
 std::optional<Rgb> interpolate(std::span<const Record> records, Vec3 p, Vec3 n, double most);
 
 /// Lab 9.7. interpolate() from the records of a cache near p; or, where none is left, a new record
