@@ -9,8 +9,9 @@
 #include <string>
 #include <vector>
 
+namespace lab09_photons {
+
 using namespace carlo::grader;
-using namespace lab09_photons;
 
 namespace {
 
@@ -20,6 +21,7 @@ const Diagnosis multiplied{"chance-multiplied", "divide by the lamp's chance, do
 const Diagnosis evenly{"lamps-chosen-evenly",
                        "all lamps have the same chance: they should have it in proportion to the "
                        "luminance of their powers."};
+const Diagnosis never_chosen{"lamp-never-chosen", "a lamp is never chosen."};
 const Diagnosis by_radiance{"lamps-chosen-by-radiance",
                             "lamps are chosen by their radiance: a large one has more power than "
                             "a small one."};
@@ -58,10 +60,19 @@ bool look_like(const Shares& measured, const Shares& expected) {
   return most < 0.03;
 }
 
-std::vector<Diagnosis> of_shares(const Shares& measured) {
+PhotonVec power_of(std::size_t lamp) {
+  const auto side = static_cast<double>(coloured_lamps[lamp].side);
+  return std::numbers::pi * side * side * PhotonVec(coloured_lamps[lamp].radiance);
+}
+
+/// `flux`: of a photon of the second lamp.
+std::vector<Diagnosis> of_shares(const Shares& measured, PhotonVec flux) {
+  if (std::find(measured.begin(), measured.end(), 0) != measured.end()) return {never_chosen};
   if (look_like(measured, {1 / 3.0, 1 / 3.0, 1 / 3.0})) return {evenly};
-  if (look_like(measured, shares_by([](double, PhotonVec c) { return luminance_of(c); })))
-    return {by_radiance};
+  const Shares radiance = shares_by([](double, PhotonVec c) { return luminance_of(c); });
+  // Or is it that power knows nothing of the area?
+  const bool power_is_right = off(flux * radiance[1], power_of(1)) < 0.01;
+  if (look_like(measured, radiance) && power_is_right) return {by_radiance};
   if (look_like(measured,
                 shares_by([](double area, PhotonVec c) { return area * (c.r + c.g + c.b); })))
     return {by_mean};
@@ -91,16 +102,14 @@ TEST_CASE("Lab 9.4: lamps by the luminance of their powers", "[lab09][ex4]") {
   }
   Verdict verdict = chi_square_fits("how often each of three lamps is chosen", statistic, 2);
   verdict.effect = effect_on_cells(statistic, 2, photons);
-  if (!verdict.passed) verdict.diagnoses = of_shares(measured);
+  if (!verdict.passed)
+    verdict.diagnoses = of_shares(measured, flux[1].empty() ? PhotonVec(0) : flux[1].front());
   const bool chosen_well = verdict.passed;
   judge(verdict);
-  // Right or wrong, the chance with which a lamp was chosen is what its flux is divided by.
   for (std::size_t i = 0; chosen_well && i < 3; ++i) {
-    if (flux[i].empty()) continue;
-    const auto side = static_cast<double>(coloured_lamps[i].side);
-    const PhotonVec power = std::numbers::pi * side * side * PhotonVec(coloured_lamps[i].radiance);
     judge_flux(fmt::format("the flux of a photon of lamp {} of three", i + 1), flux[i],
-               power / chances[i], {{power, not_divided}, {power * chances[i], multiplied}});
+               power_of(i) / chances[i],
+               {{power_of(i), not_divided}, {power_of(i) * chances[i], multiplied}});
   }
 }
 
@@ -118,47 +127,69 @@ Rows land(bool square, std::size_t photons) {
                {.rows = photons, .columns = 3, .of = square ? "a square lamp" : "a point lamp"});
 }
 
-}  // namespace
+/// Cells of side 1/4 of the square from (-1, -1) to (1, 1), and a last one for all else.
+constexpr std::size_t cells_across = 8;
 
-TEST_CASE("Lab 9.4: the irradiance under a point lamp and under a square one", "[lab09][ex4]") {
-  // Cells of side 1/4 of the square from (-1, -1) to (1, 1), and all else.
-  constexpr std::size_t photons = 40'000, across = 8;
-  std::vector<double> counts(across * across + 1), expected(counts.size());
-  const Rows rows = land(false, photons);
-  for (std::size_t i = 0; i < photons; ++i) {
-    const double x = (rows.at(i, 0) + 1) * 4, y = (rows.at(i, 1) + 1) * 4;
-    const bool inside = rows.at(i, 2) == 1 && x >= 0 && x < across && y >= 0 && y < across;
-    counts[inside ? static_cast<std::size_t>(x) * across + static_cast<std::size_t>(y)
-                  : counts.size() - 1] += 1;
-  }
-  double statistic = 0, rest = photons;
-  for (std::size_t cell = 0; cell < counts.size(); ++cell) {
-    const double x = static_cast<double>(cell / across) / 4 - 1,
-                 y = static_cast<double>(cell % across) / 4 - 1;
+std::size_t cell_of(double x, double y) {
+  const double column = (x + 1) * 4, row = (y + 1) * 4;
+  const bool inside = column >= 0 && column < cells_across && row >= 0 && row < cells_across;
+  return inside ? static_cast<std::size_t>(column) * cells_across + static_cast<std::size_t>(row)
+                : cells_across * cells_across;
+}
+
+/// The share of a point lamp's photons in each cell: its part of the solid angle.
+std::vector<double> shares_below() {
+  std::vector<double> shares;
+  double rest = 1;
+  for (std::size_t cell = 0; cell < cells_across * cells_across; ++cell) {
+    const double x = static_cast<double>(cell / cells_across) / 4 - 1;
+    const double y = static_cast<double>(cell % cells_across) / 4 - 1;
     const double angle = corner_angle(x + 0.25, y + 0.25) - corner_angle(x, y + 0.25) -
                          corner_angle(x + 0.25, y) + corner_angle(x, y);
-    expected[cell] = cell + 1 == counts.size() ? rest : photons * angle / (4 * std::numbers::pi);
-    rest -= expected[cell];
-    statistic += (counts[cell] - expected[cell]) * (counts[cell] - expected[cell]) / expected[cell];
+    shares.push_back(angle / (4 * std::numbers::pi));
+    rest -= shares.back();
   }
-  Verdict verdict = chi_square_fits("photons in cells under a point lamp: I cos/d^2", statistic,
-                                    across * across, " over 65 cells");
-  verdict.effect = effect_on_cells(statistic, across * across, photons);
+  shares.push_back(rest);
+  return shares;
+}
+
+}  // namespace
+
+TEST_CASE("Lab 9.4: the irradiance under a point lamp", "[lab09][ex4]") {
+  constexpr std::size_t photons = 40'000;
+  const Rows rows = land(false, photons);
+  std::vector<double> expected = shares_below(), counts(expected.size());
+  for (std::size_t i = 0; i < photons; ++i)
+    counts[rows.at(i, 2) == 1 ? cell_of(rows.at(i, 0), rows.at(i, 1)) : counts.size() - 1] += 1;
+  double statistic = 0;
+  for (std::size_t cell = 0; cell < counts.size(); ++cell) {
+    expected[cell] *= photons;
+    const double difference = counts[cell] - expected[cell];
+    statistic += difference * difference / expected[cell];
+  }
+  const auto freedom = static_cast<double>(counts.size() - 1);
+  Verdict verdict = chi_square_fits("photons under a point lamp, as I cos/d^2", statistic, freedom,
+                                    " over 65 cells");
+  verdict.effect = effect_on_cells(statistic, freedom, photons);
   if (!verdict.passed) verdict.figure = counts_figure({}, counts, expected);
   judge(verdict);
+}
 
+TEST_CASE("Lab 9.4: the irradiance under a square lamp", "[lab09][ex4]") {
   // The view factor of two unit squares at distance 1.
   const double root = std::sqrt(2.0);
   const double share =
       2 / std::numbers::pi *
       (std::log(std::sqrt(4 / 3.0)) + 2 * root * std::atan(1 / root) - std::numbers::pi / 2);
-  constexpr std::size_t of_square = 20'000;
-  const Rows under = land(true, of_square);
+  constexpr std::size_t photons = 20'000;
+  const Rows rows = land(true, photons);
   std::vector<double> met;
-  for (std::size_t i = 0; i < of_square; ++i) {
-    const bool inside = std::abs(under.at(i, 0)) < 0.5 && std::abs(under.at(i, 1)) < 0.5;
-    met.push_back(inside && under.at(i, 2) == 1 ? 1 : 0);
+  for (std::size_t i = 0; i < photons; ++i) {
+    const bool below = std::abs(rows.at(i, 0)) < 0.5 && std::abs(rows.at(i, 1)) < 0.5;
+    met.push_back(below && rows.at(i, 2) == 1 ? 1 : 0);
   }
   judge(mean_is("the share of a square lamp's photons on the square below", met,
                 {share, std::sqrt(share * (1 - share))}));
 }
+
+}  // namespace lab09_photons

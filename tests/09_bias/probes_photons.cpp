@@ -8,19 +8,20 @@
 
 #include <vector>
 
-namespace {
+namespace lab09_photons {
 
 using carlo::grader::RowWriter;
-using namespace lab09_photons;
 
-double photon_number(float x) {
+namespace {
+
+double number(float x) {
   return static_cast<double>(x);
 }
 
 void add_emission(RowWriter& rows, const lab09::Emission& e) {
-  rows.add({photon_number(e.ray.o.x), photon_number(e.ray.o.y), photon_number(e.ray.o.z),
-            photon_number(e.ray.d.x), photon_number(e.ray.d.y), photon_number(e.ray.d.z),
-            photon_number(e.flux.r), photon_number(e.flux.g), photon_number(e.flux.b)});
+  rows.add({number(e.ray.o.x), number(e.ray.o.y), number(e.ray.o.z), number(e.ray.d.x),
+            number(e.ray.d.y), number(e.ray.d.z), number(e.flux.r), number(e.flux.g),
+            number(e.flux.b)});
 }
 
 }  // namespace
@@ -48,8 +49,7 @@ PROBE("Lab 9.4 lamps", "o.x", "flux.r", "flux.g", "flux.b") {
   RowWriter rows;
   for (std::int64_t i = 0; i < params.n; ++i) {
     const lab09::Emission e = lab09::emit_photon(world, rng);
-    rows.add({photon_number(e.ray.o.x), photon_number(e.flux.r), photon_number(e.flux.g),
-              photon_number(e.flux.b)});
+    rows.add({number(e.ray.o.x), number(e.flux.r), number(e.flux.g), number(e.flux.b)});
   }
   return rows.take();
 }
@@ -69,7 +69,7 @@ PROBE("Lab 9.4 landing", "x", "y", "how often it was stored") {
       last = photon;
       ++stored;
     });
-    rows.add({photon_number(last.p.x), photon_number(last.p.y), stored});
+    rows.add({number(last.p.x), number(last.p.y), stored});
   }
   return rows.take();
 }
@@ -93,9 +93,8 @@ PROBE("Lab 9.4 stored", "p.x", "p.y", "p.z", "wi.x", "wi.y", "wi.z", "flux.r", "
                         });
     stored.resize(shown);
     for (const auto& [p, wi, flux, phong, specular] : stored) {
-      rows.add({photon_number(p.x), photon_number(p.y), photon_number(p.z), photon_number(wi.x),
-                photon_number(wi.y), photon_number(wi.z), photon_number(flux.r),
-                photon_number(flux.g), photon_number(flux.b), static_cast<double>(phong),
+      rows.add({number(p.x), number(p.y), number(p.z), number(wi.x), number(wi.y), number(wi.z),
+                number(flux.r), number(flux.g), number(flux.b), static_cast<double>(phong),
                 static_cast<double>(specular), count});
     }
   }
@@ -120,3 +119,5 @@ PROBE("Lab 9.4 sums", "red", "green", "blue", "how often it was stored") {
   }
   return rows.take();
 }
+
+}  // namespace lab09_photons
