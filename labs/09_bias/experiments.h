@@ -27,5 +27,8 @@ void progressive_experiment(Notebook& notebook);
 void irradiance_cache_experiment(Notebook& notebook);
 /// All of them beside lab 08's path tracer: error against time.
 void practice_experiment(Notebook& notebook);
+/// The seconds of one thread that practice_experiment() gives each image; 0: 1, or .1 in a quick
+/// run.
+inline double practice_seconds = 0;
 
 }  // namespace lab09

@@ -1,11 +1,132 @@
-#include "experiments.h"
+#include "practice.h"
+#include "report/format.h"
+#include "report/tiles.h"
 
-// "Noise removal (filtering) and irradiance caching (photon maps) used in practice", measured.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+// "Noise removal (filtering) and irradiance caching (photon maps) used in practice": all methods on
+// the same scenes, error against seconds of one thread, bias and noise apart.
 
 namespace lab09 {
+namespace {
+
+constexpr double hour = 3600;
+
+carlo::Cell practice_number(double x) {
+  return carlo::Cell(carlo::number_text(x, 3), x);
+}
+
+std::string time_in_words(double seconds) {
+  if (seconds == 0) return "from the start";
+  if (!std::isfinite(seconds)) return "never";
+  if (seconds > 1e4 * hour) return "after a year and more";
+  if (seconds > 2 * hour) return fmt::format("after {} h", carlo::number_text(seconds / hour, 3));
+  return "after " + carlo::duration_text(seconds);
+}
+
+void add_practice_rows(carlo::Table& table, const std::string& scene,
+                       const std::vector<PracticeCurve>& curves) {
+  const PracticeCurve& paths = curves.front();
+  for (const PracticeCurve& curve : curves) {
+    const PracticeRun& run = curve.longest();
+    const double overtaken = overtaking(paths, curve);
+    table.add_row({scene, curve.name, run.passes, carlo::seconds_cell(run.seconds),
+                   practice_number(run.parts.bias2), practice_number(run.parts.variance),
+                   practice_number(run.rel_mse()),
+                   practice_number(run.rel_mse() * run.seconds /
+                                   (paths.longest().rel_mse() * paths.longest().seconds)),
+                   practice_number(curve.foretold(hour)),
+                   &curve == &paths ? carlo::empty_cell()
+                                    : carlo::Cell(time_in_words(overtaken), overtaken)});
+  }
+}
+
+std::string ahead_at(const std::vector<PracticeCurve>& curves, double t) {
+  const auto best = std::min_element(curves.begin(), curves.end(),
+                                     [t](const PracticeCurve& a, const PracticeCurve& b) {
+                                       return a.foretold(t) < b.foretold(t);
+                                     });
+  return best->name;
+}
+
+carlo::Chart practice_chart(const std::string& scene, const std::vector<PracticeCurve>& curves) {
+  carlo::Chart chart{
+      scene, "measured", {"seconds of one thread", carlo::Unit::seconds}, {"relMSE"}, {}};
+  for (const PracticeCurve& curve : curves) {
+    carlo::Series series{curve.name, {}};
+    for (const PracticeRun& run : curve.runs)
+      series.points.push_back({run.seconds, run.rel_mse()});
+    chart.series.push_back(series);
+  }
+  return chart;
+}
+
+std::string practice_pictures(const PracticeScene& scene,
+                              const std::vector<PracticeCurve>& curves) {
+  constexpr double white = 1;
+  std::vector<std::string> row = {
+      carlo::image_tile("reference", scene.name, scene.reference, white)};
+  for (const PracticeCurve& curve : curves) {
+    const PracticeRun& run = curve.longest();
+    row.push_back(carlo::image_tile(curve.name,
+                                    fmt::format("{}: relMSE {}", carlo::duration_text(run.seconds),
+                                                carlo::number_text(run.rel_mse(), 2)),
+                                    run.shown, white));
+  }
+  return carlo::tiles(row);
+}
+
+/// All methods that are there, on one scene; none where the path tracer is missing.
+std::vector<PracticeCurve> practice_curves(Notebook& notebook, const PracticeScene& scene,
+                                           double seconds, double done, double total) {
+  std::vector<PracticeCurve> curves;
+  const std::vector<PracticeMethod> methods = practice_methods(scene);
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    const bool there = notebook.attempt(
+        [&] { curves.push_back(measure_practice(notebook, scene, methods[i], seconds)); });
+    if (!there && i == 0) return {};
+    notebook.progress(done + static_cast<double>(i + 1) / static_cast<double>(methods.size()),
+                      total);
+  }
+  return curves;
+}
+
+}  // namespace
 
 void practice_experiment(Notebook& notebook) {
   notebook.begin("In practice");
+  const bool quick = notebook.options().quick;
+  const double seconds = practice_seconds > 0 ? practice_seconds : quick ? 0.1 : 1;
+  std::vector<std::string> scenes = {"caustics", "indirect"};
+  if (!quick) scenes.insert(scenes.end(), {"big_light", "soft_shadows"});
+  notebook.say(fmt::format(
+      "Scenes of common/scenes at 64 x 64 pixels, {} of one thread for each image. relMSE is the "
+      "mean of (error/reference)², dark pixels counted as .1; it is the sum of bias² and noise², "
+      "which several images with other random numbers tell apart.",
+      carlo::duration_text(seconds)));
+  carlo::Table table({"scene", "method", "passes", "time", "bias²", "noise²", "relMSE",
+                      "over path tracing's", "at one hour", "path tracing overtakes"},
+                     {"scene", "method", "passes", "seconds", "bias2", "variance", "rel_mse",
+                      "ratio", "hour", "overtaken"});
+  carlo::Table ahead({"scene", "ahead after " + carlo::duration_text(seconds), "after an hour"},
+                     {"scene", "soon", "late"});
+  std::vector<carlo::Chart> charts;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const PracticeScene scene(scenes[i]);
+    const std::vector<PracticeCurve> curves = practice_curves(
+        notebook, scene, seconds, static_cast<double>(i), static_cast<double>(scenes.size()));
+    if (curves.empty()) return;
+    notebook.raw_html(practice_pictures(scene, curves));
+    charts.push_back(practice_chart(scene.name, curves));
+    add_practice_rows(table, scene.name, curves);
+    ahead.add_row({scene.name, ahead_at(curves, seconds), ahead_at(curves, hour)});
+  }
+  notebook.charts(charts);
+  notebook.table("practice", table, "Bias, noise and time of all methods");
+  notebook.table("practice_ahead", ahead, "Who is ahead: measured, and foretold for an hour");
 }
 
 }  // namespace lab09

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "experiments.h"
+#include "image/image.h"
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+// All methods beside one another: what practice_experiment() is made of.
+
+namespace lab09 {
+
+/// A scene of common/scenes, small, and its converged image.
+struct PracticeScene {
+  /// Throws carlo::Error where a file cannot be read.
+  explicit PracticeScene(const std::string& scene_name);
+
+  std::string name;
+  carlo::Image reference;
+  carlo::Image reference_error;  ///< its standard errors
+  World world;
+};
+
+/// How a method's square error goes on as its passes are averaged.
+enum class Trend {
+  unbiased,   ///< a/t
+  biased,     ///< bias^2 + b/t
+  consistent  ///< a power of t that has to be measured
+};
+
+/// A way to make an image in passes; more of them bring less noise.
+struct PracticeMethod {
+  std::string name;
+  Trend trend;
+  std::function<carlo::Image(int passes, std::uint64_t seed)> render;
+};
+
+/// The methods for one scene, which must outlive them; path tracing first.
+std::vector<PracticeMethod> practice_methods(const PracticeScene& scene);
+
+/// The mean of the images of all passes, each by pass(number from 0), on all cores.
+carlo::Image mean_of_passes(int passes, const std::function<carlo::Image(int number)>& pass);
+
+/// What a method has reached after some seconds of one thread.
+struct PracticeRun {
+  int passes = 0;
+  double seconds = 0;
+  ErrorParts parts;    ///< means over pixels and channels, relative: over reference^2 + .01
+  carlo::Image shown;  ///< one of the images
+
+  double rel_mse() const { return parts.bias2 + parts.variance; }
+};
+
+/// All runs of a method on one scene, the longest last.
+struct PracticeCurve {
+  std::string name;
+  Trend trend;
+  std::vector<PracticeRun> runs;
+
+  const PracticeRun& longest() const { return runs.back(); }
+  /// The slope of its square error against time.
+  double slope() const;
+  /// Its square error after t seconds, by its trend.
+  double foretold(double t) const;
+};
+
+/// Runs of 1/16, 1/4 and all of `seconds`, each repeated with other random numbers.
+PracticeCurve measure_practice(Notebook& notebook, const PracticeScene& scene,
+                               const PracticeMethod& method, double seconds);
+
+/// After how many seconds the unbiased method overtakes the other for good; infinity: never.
+double overtaking(const PracticeCurve& unbiased, const PracticeCurve& other);
+
+}  // namespace lab09

@@ -1,0 +1,137 @@
+#include "image/exr.h"
+#include "practice.h"
+#include "report/stopwatch.h"
+#include "scene/load_scene.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lab09 {
+namespace {
+
+carlo::Scene practice_scene(const std::string& name, const carlo::Image& image) {
+  return carlo::load_scene(
+      CARLO_SCENES "/" + name + ".xml",
+      {{"width", std::to_string(image.width)}, {"height", std::to_string(image.height)}});
+}
+
+carlo::ExrFile practice_reference(const std::string& name) {
+  return carlo::read_exr(CARLO_LAB09_REFERENCES "/" + name + ".exr");
+}
+
+/// Bias and noise of several images of one scene. What the reference's own noise adds to bias^2 is
+/// taken off.
+ErrorParts practice_parts(const PracticeScene& scene, const std::vector<carlo::Image>& images) {
+  const auto count = 3 * static_cast<double>(scene.reference.pixels.size());
+  ErrorParts sum;
+  std::vector<double> values(images.size());
+  for (std::size_t i = 0; i < scene.reference.pixels.size(); ++i) {
+    for (int c = 0; c < 3; ++c) {
+      for (std::size_t k = 0; k < images.size(); ++k)
+        values[k] = static_cast<double>(images[k].pixels[i][c]);
+      const auto exact = static_cast<double>(scene.reference.pixels[i][c]);
+      const auto error = static_cast<double>(scene.reference_error.pixels[i][c]);
+      const ErrorParts parts = split_error(values, exact);
+      const double unit = count * (exact * exact + 0.01);
+      sum.bias2 += (parts.bias2 - error * error) / unit;
+      sum.variance += parts.variance / unit;
+    }
+  }
+  return sum;
+}
+
+PracticeRun practice_run(Notebook& notebook, const PracticeScene& scene,
+                         const PracticeMethod& method, int passes, int repetitions) {
+  PracticeRun run;
+  run.passes = passes;
+  std::vector<carlo::Image> images;
+  const carlo::Stopwatch watch;
+  for (int i = 0; i < repetitions; ++i)
+    images.push_back(method.render(passes, notebook.rng().next_u64()));
+  run.seconds = watch.seconds() / repetitions;
+  run.parts = practice_parts(scene, images);
+  run.shown = std::move(images.front());
+  return run;
+}
+
+/// Seconds of one pass, where some are made together.
+double seconds_of_pass(Notebook& notebook, const PracticeMethod& method) {
+  for (int passes = 4;; passes *= 4) {
+    const carlo::Stopwatch watch;
+    method.render(passes, notebook.rng().next_u64());
+    if (watch.seconds() > 0.05) return watch.seconds() / passes;
+  }
+}
+
+}  // namespace
+
+PracticeScene::PracticeScene(const std::string& scene_name)
+    : name(scene_name),
+      reference(practice_reference(name).image),
+      reference_error(practice_reference(name).standard_error.value()),
+      world(practice_scene(name, reference)) {}
+
+carlo::Image mean_of_passes(int passes, const std::function<carlo::Image(int number)>& pass) {
+  std::vector<carlo::Image> images(static_cast<std::size_t>(passes));
+  tbb::parallel_for(0, passes, [&](int i) { images[static_cast<std::size_t>(i)] = pass(i); });
+  carlo::Image mean = images.front();
+  for (std::size_t i = 0; i < mean.pixels.size(); ++i) {
+    glm::dvec3 sum(0);
+    for (const carlo::Image& image : images)
+      sum += image.pixels[i];
+    mean.pixels[i] = sum / static_cast<double>(passes);
+  }
+  return mean;
+}
+
+double PracticeCurve::slope() const {
+  std::vector<double> seconds, errors;
+  for (const PracticeRun& run : runs) {
+    seconds.push_back(run.seconds);
+    errors.push_back(std::max(run.rel_mse(), std::numeric_limits<double>::min()));
+  }
+  return fitted_slope(seconds, errors);
+}
+
+double PracticeCurve::foretold(double t) const {
+  const PracticeRun& last = longest();
+  switch (trend) {
+    case Trend::unbiased:
+      return last.parts.variance * last.seconds / t;
+    case Trend::biased:
+      return std::max(last.parts.bias2, 0.0) + last.parts.variance * last.seconds / t;
+    case Trend::consistent:
+      return last.rel_mse() * std::pow(t / last.seconds, slope());
+  }
+  return 0;
+}
+
+PracticeCurve measure_practice(Notebook& notebook, const PracticeScene& scene,
+                               const PracticeMethod& method, double seconds) {
+  PracticeCurve curve{method.name, method.trend, {}};
+  const double pass = seconds_of_pass(notebook, method);
+  for (const int share : {16, 4, 1}) {
+    const int passes = std::max(2, static_cast<int>(std::lround(seconds / share / pass)));
+    if (!curve.runs.empty() && passes == curve.longest().passes) continue;
+    curve.runs.push_back(practice_run(notebook, scene, method, passes, share == 1 ? 3 : 2 + share / 2));
+  }
+  return curve;
+}
+
+double overtaking(const PracticeCurve& unbiased, const PracticeCurve& other) {
+  const double a = unbiased.longest().parts.variance * unbiased.longest().seconds;
+  const PracticeRun& last = other.longest();
+  if (other.trend != Trend::consistent) {
+    return overtakes_after(a, last.parts.variance * last.seconds, last.parts.bias2);
+  }
+  // a/t = p t^slope
+  const double slope = other.slope();
+  const double p = last.rel_mse() / std::pow(last.seconds, slope);
+  if (slope <= -1) return a < p ? 0 : std::numeric_limits<double>::infinity();
+  return std::pow(a / p, 1 / (1 + slope));
+}
+
+}  // namespace lab09
