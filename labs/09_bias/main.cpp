@@ -23,7 +23,12 @@ std::vector<Step> steps() {
        "ahead, as estimates by 16 samples foretold."},
       {"b", {lab09::pixel_filter_experiment}, "b."},
       {"c", {lab09::feature_filter_experiment}, "c."},
-      {"d", {lab09::photons_experiment}, "d."},
+      {"d",
+       {lab09::photons_experiment},
+       "d. Dots that are dense where much light arrives: most of all in the caustic below the ball of glass. "
+       "Counts under a point lamp follow I cos/d^2, with a noise that falls as the root of their "
+       "number; a disc wide enough to be quiet is too dark in its middle's place. In a closed "
+       "sphere all power arrives, 1/(1 - albedo) times."},
       {"e", {lab09::density_experiment}, "e."},
       {"f", {lab09::progressive_experiment}, "f."},
       {"g", {lab09::irradiance_cache_experiment}, "g."},
