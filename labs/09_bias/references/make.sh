@@ -11,6 +11,6 @@ trap 'rm -rf "$scratch"' EXIT
 [ $# -gt 0 ] || set -- caustics indirect big_light soft_shadows
 for scene in "$@"; do
   "$root/carlo" render "$root/common/scenes/$scene.xml" --size 64x64 --sampler independent --seed 101 \
-    --spp 65536 -o "$scratch/$scene"
+    --spp 65536 --no-sums -o "$scratch/$scene"
   mv "$scratch/$scene.exr" "$here/"
 done
