@@ -142,17 +142,20 @@ void trace_photon(const World& world, const Emission& emission, Rng& rng,
 
 // Step e: steps/e_density.cpp ---------------------------------------------------------------------
 
-/// Lab 9.5. The radiance that `surface` reflects towards its wo, by all photons within `radius`, a
-/// disc seen flat on. Photons that arrived on the surface's other side do not count.
+/// Lab 9.5. The radiance that `surface` reflects towards its wo, by all photons within `radius` > 0,
+/// whose flux is taken to lie on a disc. Photons that arrived on the surface's other side do not
+/// count.
 Rgb radiance_within(const PhotonMap& map, const Surface& surface, const Brdf& f, float radius);
 
 /// Lab 9.5. The same by the photons nearer than the k-th nearest, which only says how large the
-/// disc is: so it is unbiased where photons lie uniformly. k >= 2; 0 if there are fewer photons.
+/// disc is: so it is unbiased where photons lie uniformly. Those of the surface's other side are
+/// among the k, but bring nothing. k >= 2; 0 if there are fewer photons.
 Rgb radiance_nearest(const PhotonMap& map, const Surface& surface, const Brdf& f, int k);
 
 /// Lab 9.5. The radiance that arrives along a ray, all of it that is reflected from a map of all
 /// photons: mirrors and glass are followed as in Lab 8.7 to the first Phong surface, and there it
-/// is what that emits and radiance_within(). The environment where none is met.
+/// is what that emits and radiance_within(). The environment where none is met. At most
+/// lab08::longest_path segments, here and below.
 Rgb photon_radiance(const World& world, const Ray& ray, const PhotonMap& all, float radius,
                     Rng& rng);
 
@@ -169,7 +172,8 @@ Rgb caustic_radiance(const World& world, const Ray& ray, const PhotonMap& causti
 double next_radius(double radius, int pass, double alpha);
 
 /// Lab 9.6. The mean over passes with photons of their own: estimate(pass, radius) is called for
-/// pass 1, 2, ... `passes` once, in this order, the first with first_radius.
+/// pass 1, 2, ... `passes` once, in this order, the first with first_radius. passes >= 1, and may be
+/// so many that floats do not hold their sum.
 Rgb progressive_mean(int passes, double first_radius, double alpha,
                      const std::function<Rgb(int pass, double radius)>& estimate);
 

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "09_bias/density_scenes.h"
+#include "grader/judge/judge.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+// What the checks of Lab 9.5 are written with.
+
+namespace lab09_density {
+
+using DensityVec = glm::dvec3;
+using carlo::grader::Diagnosis, carlo::grader::Rows, carlo::grader::Verdict;
+
+/// Radiances that a typical mistake would give, one for each that is judged together.
+struct Reading {
+  Diagnosis diagnosis;
+  std::vector<DensityVec> radiances;
+};
+
+inline std::vector<DensityVec> radiances(const Rows& rows) {
+  std::vector<DensityVec> all;
+  for (std::size_t i = 0; i < rows.count(); ++i)
+    all.emplace_back(rows.at(i, 0), rows.at(i, 1), rows.at(i, 2));
+  return all;
+}
+
+constexpr double radiance_tolerance = 1e-4;  ///< as a part of the largest channel
+
+inline bool same_radiance(DensityVec is, DensityVec should) {
+  const double size = std::max({std::abs(should.r), std::abs(should.g), std::abs(should.b)});
+  const DensityVec off = glm::abs(is - should);
+  // NaN is not the same.
+  return off.r <= radiance_tolerance * size && off.g <= radiance_tolerance * size &&
+         off.b <= radiance_tolerance * size;
+}
+
+inline bool same_radiances(const std::vector<DensityVec>& are,
+                           const std::vector<DensityVec>& should) {
+  return std::equal(are.begin(), are.end(), should.begin(), should.end(), same_radiance);
+}
+
+inline std::string radiance_text(DensityVec radiance) {
+  return fmt::format("({:.5g}, {:.5g}, {:.5g})", radiance.r, radiance.g, radiance.b);
+}
+
+/// Every radiance is what it should be; where one is not, a reading that fits them all is named.
+/// `names`: what each is.
+inline void judge_radiances(const std::vector<DensityVec>& are,
+                            const std::vector<DensityVec>& should,
+                            const std::vector<std::string>& names,
+                            const std::vector<Reading>& readings) {
+  std::vector<Diagnosis> found;
+  const bool right = same_radiances(are, should);
+  for (const Reading& reading : readings) {
+    if (!right && same_radiances(are, reading.radiances)) found.push_back(reading.diagnosis);
+  }
+  for (std::size_t i = 0; i < are.size(); ++i) {
+    const bool same = same_radiance(are[i], should[i]);
+    carlo::grader::judge(carlo::grader::holds(names[i], same, radiance_text(are[i]),
+                                              radiance_text(should[i]),
+                                              same ? std::vector<Diagnosis>{} : found));
+  }
+}
+
+}  // namespace lab09_density

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "numeric/robust.h"
+#include "numeric/vec.h"
+#include "random/rng.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+// The photons of Lab 9.5's probes, which its checks work out once more from the probe's seed.
+
+namespace lab09_density {
+
+using carlo::Rgb;
+using carlo::Rng;
+using carlo::Vec3;
+
+/// lab09::Photon, which the judge does not know.
+struct DensityPhoton {
+  Vec3 p, wi;
+  Rgb flux;
+  int phong, specular;
+};
+
+inline Vec3 drawn_direction(Rng& rng) {
+  const float z = 1 - 2 * rng.uniform_float();
+  const float phi = 2 * carlo::pi_f * rng.uniform_float();
+  const float r = std::sqrt(std::max(0.0f, 1 - z * z));
+  return {r * std::cos(phi), r * std::sin(phi), z};
+}
+
+/// Photons around a point, up to two radii away and none at the radius itself, with a flux of the
+/// radius squared, more or less. Half of them come from either side.
+inline std::vector<DensityPhoton> drawn_photons(Rng& rng, int count, Vec3 at, float radius) {
+  std::vector<DensityPhoton> photons;
+  for (int i = 0; i < count; ++i) {
+    DensityPhoton photon{};
+    const Vec3 away = drawn_direction(rng);
+    const float share = i % 2 == 0 ? 0.98f * rng.uniform_float() : 1.02f + rng.uniform_float();
+    photon.p = at + radius * share * away;
+    photon.wi = drawn_direction(rng);
+    const float red = rng.uniform_float(), green = rng.uniform_float(), blue = rng.uniform_float();
+    photon.flux = radius * radius * Rgb(red, green, blue);
+    photon.phong = i % 3;
+    photon.specular = i / 3 % 3;
+    photons.push_back(photon);
+  }
+  return photons;
+}
+
+/// A point of a surface and a disc about it: far from the origin, of no size to speak of, and
+/// large.
+struct DensityPlace {
+  Vec3 at;
+  float radius;
+};
+inline constexpr std::array<DensityPlace, 3> density_places = {
+    {{{37.3f, -21.7f, 55.1f}, 0.3f}, {{0, 0, 0}, 1e-9f}, {{0, 0, 0}, 5e3f}}};
+inline constexpr int density_photons = 60;
+
+inline const Vec3 density_normal{-2 / 3.0f, -1 / 3.0f, 2 / 3.0f};
+inline const Vec3 density_wo{2 / 7.0f, -3 / 7.0f, 6 / 7.0f};
+inline const Rgb density_glow{0.5f, 0.25f, 2};  ///< what the surface emits
+
+/// The BRDF there: some function of wi, > 0.
+inline Rgb density_brdf(Vec3 wi) {
+  return {0.3f + 0.2f * wi.x, 0.2f + 0.1f * wi.y, 0.25f + 0.2f * wi.z};
+}
+
+/// How many of the nearest.
+inline constexpr std::array<int, 4> density_counts = {2, 7, 20, density_photons};
+
+// Uniform photons ---------------------------------------------------------------------------------
+
+/// Photons on a disc of radius 1, of flux pi all together: their irradiance is 1.
+inline constexpr int uniform_photons = 60, uniform_nearest = 12;
+inline constexpr float uniform_radius = 0.4f;
+
+}  // namespace lab09_density
