@@ -26,8 +26,8 @@ std::vector<Step> steps() {
       {"d",
        {lab09::photons_experiment},
        "d. Dots that are dense where much light arrives: most of all in the caustic below the ball of glass. "
-       "Counts under a point lamp follow I cos/d^2, with a noise that falls as the root of their "
-       "number; a disc wide enough to be quiet is too dark in its middle's place. In a closed "
+       "Counts under a point lamp follow I cos/d^2, and their noise falls as the root of their "
+       "number. A disc wide enough to have little noise says too little of its middle. In a closed "
        "sphere all power arrives, 1/(1 - albedo) times."},
       {"e", {lab09::density_experiment}, "e."},
       {"f", {lab09::progressive_experiment}, "f."},

@@ -73,9 +73,8 @@ void show_dots(Notebook& notebook) {
   const std::int64_t few = 10'000, many = notebook.options().n;
   const Dots dots = dots_of(view, few, many, rng);
   notebook.say(
-      "Photons as dots, where the camera sees them: each in the colour of its flux. Nothing lies on "
-      "the ball of mirror and on the ball of glass, which reflect and refract them: look for what "
-      "they gather beside.");
+      "Photons as dots, where the camera sees them, in the colour in which they arrive. None lies on "
+      "the ball of mirror or on the ball of glass: look for what these gather beside.");
   const auto title = [](std::int64_t sent) {
     return fmt::format("{} photons sent", carlo::count_text(sent));
   };
@@ -148,6 +147,9 @@ void rings(Notebook& notebook, const World& world) {
                                 "line: I cos θ/d²; marks: counted in rings, 95 % intervals",
                                 plot.svg("irradiance under a point lamp")));
   }
+  notebook.say(
+      "A point lamp over a floor. As many photons land on a piece of it as its irradiance says: "
+      "their number times the flux of one, over its area.");
   notebook.raw_html(carlo::tiles(tiles));
   notebook.data("photon_rings", table, "Irradiance under a point lamp, ring by ring");
 }
@@ -253,9 +255,6 @@ void photons_experiment(Notebook& notebook) {
   notebook.progress(1, 3);
   notebook.attempt([&] {
     const World world(floor_alone());
-    notebook.say(
-        "A point lamp over a floor. As many photons land on a piece of it as its irradiance says: "
-        "their number times the flux of one, over its area.");
     rings(notebook, world);
     discs(notebook, world);
   });

@@ -173,7 +173,8 @@ void judge_departures(PhotonLamp lamp, const std::string& name, const Rows& rows
   none("go back into it", seen.backwards,
        unturned ? std::vector{not_turned} : std::vector<Diagnosis>{});
   none("have a direction of another length than 1", seen.not_unit, {});
-  none("start behind its surface", seen.behind, {meets_lamp});
+  none("start behind its surface", seen.behind,
+       unturned ? std::vector<Diagnosis>{} : std::vector{meets_lamp});
   none("start farther off it than rounding asks for", seen.far, {fixed_offset});
   if (lamp == PhotonLamp::speck) return;
   Verdict verdict = seen.cells.verdict("points and directions of " + name);
