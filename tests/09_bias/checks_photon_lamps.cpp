@@ -142,8 +142,9 @@ std::vector<double> shares_below() {
   std::vector<double> shares;
   double rest = 1;
   for (std::size_t cell = 0; cell < cells_across * cells_across; ++cell) {
-    const double x = static_cast<double>(cell / cells_across) / 4 - 1;
-    const double y = static_cast<double>(cell % cells_across) / 4 - 1;
+    const std::size_t column = cell / cells_across, row = cell % cells_across;
+    const double x = static_cast<double>(column) / 4 - 1;
+    const double y = static_cast<double>(row) / 4 - 1;
     const double angle = corner_angle(x + 0.25, y + 0.25) - corner_angle(x, y + 0.25) -
                          corner_angle(x + 0.25, y) + corner_angle(x, y);
     shares.push_back(angle / (4 * std::numbers::pi));
