@@ -25,6 +25,8 @@ void density_experiment(Notebook& notebook);
 void progressive_experiment(Notebook& notebook);
 /// Step g, Lab 9.7: irradiance where it was not computed.
 void irradiance_cache_experiment(Notebook& notebook);
+/// Step g, Lab 9.7: irradiance where it does not belong.
+void leak_experiment(Notebook& notebook);
 /// All of them beside lab 08's path tracer: error against time.
 void practice_experiment(Notebook& notebook);
 /// The seconds of one thread that practice_experiment() gives each image; 0: 1, or .1 in a quick

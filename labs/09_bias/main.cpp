@@ -31,7 +31,7 @@ std::vector<Step> steps() {
        "sphere all power arrives, 1/(1 - albedo) times."},
       {"e", {lab09::density_experiment}, "e."},
       {"f", {lab09::progressive_experiment}, "f."},
-      {"g", {lab09::irradiance_cache_experiment}, "g."},
+      {"g", {lab09::irradiance_cache_experiment, lab09::leak_experiment}, "g."},
       {"practice", {lab09::practice_experiment}, "In practice."}};
 }
 

@@ -1,4 +1,5 @@
 #include "given/sampled.h"
+#include "indirect.h"
 #include "practice.h"
 
 #include <tbb/parallel_for.h>
@@ -147,13 +148,6 @@ FirstPhong first_phong(const World& world, Ray ray, Rng& rng) {
   }
   first.surface.reset();
   return first;
-}
-
-/// Light that has been reflected before it arrives, or has come through mirrors or glass.
-Arrival indirect_arrival(const World& world, const Ray& ray, Rng& rng) {
-  const auto met = world.intersect(ray);
-  const double distance = met ? static_cast<double>(glm::length(met->p - ray.o)) : INFINITY;
-  return {lab08::trace_specular(world, ray, false, rng), distance};
 }
 
 /// Direct light by points of the lights, indirect light from the cache; surfaces are diffuse.
