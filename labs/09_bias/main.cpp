@@ -31,7 +31,12 @@ std::vector<Step> steps() {
        "sphere all power arrives, 1/(1 - albedo) times."},
       {"e", {lab09::density_experiment}, "e."},
       {"f", {lab09::progressive_experiment}, "f."},
-      {"g", {lab09::irradiance_cache_experiment, lab09::leak_experiment}, "g."},
+      {"g",
+       {lab09::irradiance_cache_experiment, lab09::leak_experiment},
+       "g. Records crowd along edges. More directions take noise away and leave the bias: the "
+       "curves of coarse caches go flat, one after the other, and all of them lie below that of "
+       "paths. Light leaks through a thin wall as soon as records reach across it, and through a "
+       "board where nobody asks what lies in front."},
       {"practice", {lab09::practice_experiment}, "In practice."}};
 }
 
