@@ -135,10 +135,6 @@ std::vector<Recipe> recipes() {
   return all;
 }
 
-double cosine_of(const DensityPhoton& photon) {
-  return glm::dot(DensityVec(photon.wi), DensityVec(density_normal));
-}
-
 double distance_of(const DensityPhoton& photon, const DensityPlace& place) {
   return glm::length(DensityVec(photon.p) - DensityVec(place.at));
 }
@@ -149,7 +145,7 @@ DensityVec estimate(const Recipe& recipe, const std::vector<DensityPhoton>& phot
   DensityVec sum(0);
   double counted = 0;
   for (const DensityPhoton& photon : photons) {
-    const double cosine = cosine_of(photon);
+    const double cosine = cosine_of(photon, DensityVec(density_normal));
     counted += cosine > 0 ? 1 : 0;
     sum += recipe.term(photon, cosine);
   }
@@ -285,7 +281,10 @@ TEST_CASE("Lab 9.5: both are unbiased where photons lie uniformly", "[lab09][ex5
   // The share of the disc up to the k-th photon has the density Beta(k, n - k + 1).
   judge(mean_is("the radiance from the 12 nearest of 60 uniform photons", column(rows, 0),
                 {1, std::sqrt((n - k + 1) / (n * (k - 2)))},
-                {{k / (k - 1), kth_counted}, {k / (k - 1) * k / (k - 1), k_rescaled}}));
+                {{k / (k - 1), kth_counted},
+                 {k / (k - 1), k_rescaled},
+                 {k / (k - 1) * k / (k - 1), k_rescaled},
+                 {(k - 1) / (k - 2), smaller_disc}}));
   const auto r = static_cast<double>(uniform_radius);
   judge(mean_is("the radiance from uniform photons within a radius", column(rows, 1),
                 {1, std::sqrt((1 - r * r) / (n * r * r))}));

@@ -33,10 +33,6 @@ const Diagnosis first_factor_always{"factor-of-the-first-pass",
 const Diagnosis floats_drift{"radius-in-float",
                              "digits of the radius are lost in a float: over many passes it "
                              "drifts."};
-const Diagnosis square_overflows{
-    "square-overflows",
-    "the radius's square overflows or vanishes; the root of the factor "
-    "does not need it."};
 const Diagnosis radius_stays{"radius-stays", "every pass gets the first radius."};
 const Diagnosis shrunk_first{"first-radius-shrunk",
                              "the first pass gets a radius that has shrunk already."};
@@ -132,7 +128,8 @@ TEST_CASE("Lab 9.6: the next radius", "[lab09][ex6]") {
     right = right && (i >= extreme || same);
     std::vector<Diagnosis> told = found;
     if (found.empty() && !right && as_float) told = {floats_drift};
-    if (right) told = {square_overflows};
+    // Of 1e-30 and 1e30 a float holds no square.
+    if (right) told = {floats_drift};
     judge(holds(fmt::format("the radius after pass {}, of radius {:.6g}, alpha = {:.4g}", pass,
                             radius, alpha),
                 same, fmt::format("{:.12g}", rows.values[i]), fmt::format("{:.12g}", expected),
@@ -300,7 +297,7 @@ void judge_progressive_mean(std::int64_t passes) {
   std::vector<Diagnosis> found;
   if (answer.asked == static_cast<double>(passes - 1)) found = {one_too_few};
   if (answer.asked == static_cast<double>(passes + 1)) found = {one_too_many};
-  if (answer.asked == static_cast<double>(2 * passes)) found = {called_twice};
+  if (answer.asked == static_cast<double>(2 * passes)) found.push_back(called_twice);
   const bool count_is_right = answer.asked == static_cast<double>(passes);
   judge(holds("calls of estimate()" + of + " passes", count_is_right,
               fmt::format("{:g}", answer.asked), fmt::format("{}", passes), found));

@@ -102,7 +102,7 @@ inline carlo::Scene white_ball_scene(bool in_glass) {
 
 /// A ball of mirror in a sphere that emits red and reflects. A few photons, all of which serve
 /// everywhere, bring green alone: of each pair, whose directions are opposite, one counts.
-inline constexpr float wall_albedo = 0.6f, ball_reflectance = 0.8f, ball_radius = 0.5f,
+inline constexpr float wall_albedo = 0.6f, ball_reflectance = 0.8f, ball_radius = 0.4f,
                        wall_glow = 1, everywhere = 3;
 inline constexpr float pair_flux = 15;  ///< of each photon
 inline constexpr int photon_pairs = 3;

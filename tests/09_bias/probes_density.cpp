@@ -51,6 +51,13 @@ PhotonMap uniform_map(Rng& rng) {
   return map_of(photons);
 }
 
+/// What radiance_within() itself brings at a point, by density_brdf().
+Rgb radiance_at(const PhotonMap& map, Vec3 p, Vec3 n, float radius) {
+  Surface surface = surface_at(p);
+  surface.n = n;
+  return lab09::radiance_within(map, surface, density_brdf, radius);
+}
+
 /// photon_radiance() or caustic_radiance().
 Rgb radiance_along(bool caustic, const lab08::World& world, const carlo::Ray& ray,
                    const PhotonMap& map, float radius, Rng& rng) {
@@ -105,7 +112,8 @@ PROBE("Lab 9.5 uniform", "nearest", "within") {
   return rows.take();
 }
 
-PROBE("Lab 9.5 sights", "red", "green", "blue") {
+PROBE("Lab 9.5 sights", "red", "green", "blue",
+      "(last row: radiance_within() where the ray ends)") {
   const auto sight = static_cast<Sight>(params.whole("sight"));
   const lab08::World world(sight_scene(sight));
   Rng rng(params.seed);
@@ -114,6 +122,7 @@ PROBE("Lab 9.5 sights", "red", "green", "blue") {
   for (std::int64_t i = 0; i < params.n; ++i)
     add_radiance(rows, radiance_along(params.whole("caustic") == 1, world, sight_ray(sight), map,
                                       target_radius, rng));
+  add_radiance(rows, radiance_at(map, {0, 0, 0}, {0, 0, 1}, target_radius));
   return rows.take();
 }
 
@@ -129,7 +138,8 @@ PROBE("Lab 9.5 white ball", "red", "green", "blue") {
   return rows.take();
 }
 
-PROBE("Lab 9.5 sphere", "red: of the wall's light", "green: of photons") {
+PROBE("Lab 9.5 sphere", "red: of the wall's light", "green: of photons",
+      "(last row: radiance_within() at a point of the wall)") {
   const lab08::World world(ball_in_sphere());
   Rng rng(params.seed);
   const PhotonMap map = map_of(photons_everywhere(rng));
@@ -141,6 +151,8 @@ PROBE("Lab 9.5 sphere", "red: of the wall's light", "green: of photons") {
         radiance_along(params.whole("caustic") == 1, world, ray, map, everywhere, rng);
     rows.add({static_cast<double>(radiance.r), static_cast<double>(radiance.g)});
   }
+  const Rgb within = radiance_at(map, {0, 0, -1}, {0, 0, 1}, everywhere);
+  rows.add({static_cast<double>(within.r), static_cast<double>(within.g)});
   return rows.take();
 }
 
