@@ -88,10 +88,9 @@ void image_experiment(Notebook& notebook) {
     });
     notebook.say(
         "A sky of 64 x 32 cells with a low sun over black ground and a pond. Points follow the "
-        "light: where the picture is black, none falls. Importance sampling of an image that "
-        "lights a scene from all around is exactly this, but for sin θ, by which the rows of a "
-        "sphere shrink towards its poles: the reference renderer draws "
-        "common/scenes/image_light.xml so.");
+        "light: where the picture is black, none falls. A sphere's rows shrink towards its poles: "
+        "with weights that know it, this table becomes a lamp all around a scene in Lab 7.8, and "
+        "so the reference renderer draws common/scenes/image_light.xml.");
     carlo::Table result({"N", "cells", "χ²", "p", "time a point"},
                         {"n", "cells", "chi_square", "p", "seconds"});
     result.add_row({n, static_cast<std::int64_t>(g.freedom) + 1, g.statistic, g.p,

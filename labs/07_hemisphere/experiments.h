@@ -22,5 +22,7 @@ void mirror_experiment(Notebook& notebook);
 void images_experiment(Notebook& notebook);
 /// Lab 7.7: the variance of lobes around the normal, by their exponent.
 void exponents_experiment(Notebook& notebook);
+/// Lab 7.8: surfaces under an image of a sky, error against directions and seconds.
+void lamp_experiment(Notebook& notebook);
 
 }  // namespace lab07

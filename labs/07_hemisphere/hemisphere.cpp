@@ -114,4 +114,34 @@ double ambient_occlusion(const Visible& visible, Vec3 normal, const Sampling& sa
   carlo::not_implemented("Lab 7.7", "Importance Sampling");
 }
 
+// Lab 7.8 -----------------------------------------------------------------------------------------
+
+Vec3 direction_at(Point place) {
+  // 1. Two angles, then the direction; here y is up, and the azimuth begins at -z. Use double.
+  carlo::not_implemented("Lab 7.8", "Importance Sampling");
+}
+
+Point place_of(Vec3 w) {
+  // 1. The way back, by std::atan2 twice: acos(w.y) knows nothing of small angles.
+  // 2. x must be at least 0, and both must stay below 1 when all has rounded.
+  carlo::not_implemented("Lab 7.8", "Importance Sampling");
+}
+
+ImageLamp::ImageLamp(std::span<const double> luminances, std::size_t width, std::size_t height)
+    : table_(luminances, width, height) {
+  // 1. The table's weights are not the luminances alone: assign table_ anew with the right ones.
+  carlo::not_implemented("Lab 7.8", "Importance Sampling");
+}
+
+ImageLamp::Sample ImageLamp::sample(Vec2 u) const {
+  // 1. A point of the table; its row (bin_of in lab 05's bins.h), and how far down that row it is.
+  // 2. Within the row the direction's height w.y is uniform, not the angle.
+  carlo::not_implemented("Lab 7.8", "Importance Sampling");
+}
+
+float ImageLamp::pdf(Vec3 wi) const {
+  // 1. The table's density is per area of the image. Which solid angle does that area cover?
+  carlo::not_implemented("Lab 7.8", "Importance Sampling");
+}
+
 }  // namespace lab07

@@ -12,16 +12,20 @@
 // float below 1 included. It returns a direction of length 1 to 1e-6 with a pdf above 0. Nearby u
 // give nearby directions, but for a few lines where the direction may jump.
 
+#include "inversion_rejection.h"
 #include "numeric/vec.h"
 #include "random/rng.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 
 namespace lab07 {
 
 using carlo::Vec2;
 using carlo::Vec3;
+using lab05::Point;
 
 /// Lab 7.1. Three axes at right angles, n the given unit normal, s and t any two such that (s, t,
 /// n) is right-handed: s x t = n. Lengths and right angles hold to 1e-6 for every normal, n = -z
@@ -103,5 +107,36 @@ double irradiance(const Radiance& radiance, Vec3 normal, const Sampling& samplin
 /// hemisphere, which is 1 under an open sky and 0 in the dark. The estimate is as above.
 double ambient_occlusion(const Visible& visible, Vec3 normal, const Sampling& sampling,
                          std::int64_t count, carlo::Rng& rng);
+
+/// Lab 7.8. Points of an image all around, infinitely far away, and the directions in which they
+/// are seen, as scene files have it (<emitter type="envmap">): (x, y) in [0, 1]^2 has the angle pi
+/// y with +y, and the azimuth 2 pi x about it, counted from -z, where x = 0, by way of +x, where x
+/// = 1/4. place_of() takes any direction of length 1 and stays below 1 in both coordinates; at the
+/// poles any x will do. Both are right to 1e-6, next to the poles as well.
+Vec3 direction_at(Point place);
+Point place_of(Vec3 w);
+
+/// Lab 7.8. The image as a lamp: directions with a density in proportion to its luminance. Texel
+/// (column i, row j), row 0 at the top, covers [i/width, (i+1)/width) x [j/height, (j+1)/height)
+/// and has the luminance luminances[j width + i] in all of its directions. So it is drawn in
+/// proportion to its luminance times its solid angle, and within a texel directions are uniform.
+class ImageLamp {
+ public:
+  /// Luminances as the weights of lab05::Tabulated2d; throws what that throws.
+  ImageLamp(std::span<const double> luminances, std::size_t width, std::size_t height);
+
+  struct Sample {
+    Vec3 wi;
+    float pdf;  ///< that of the texel drawn: above 0, even where wi has rounded out of it
+  };
+  /// By inversion, row first; never from a black texel.
+  Sample sample(Vec2 u) const;
+  /// Density per solid angle, to 1e-5 of its value, but within 1e-6 of an edge between texels,
+  /// where it may be either one's.
+  float pdf(Vec3 wi) const;
+
+ private:
+  lab05::Tabulated2d table_;  ///< over the image
+};
 
 }  // namespace lab07

@@ -8,7 +8,7 @@ int main(int argc, char** argv) {
       .subtitle = "The hemisphere and the lobe: which way to look, and what each way costs.",
       .experiments = {lab07::samplers_experiment, lab07::frames_experiment, lab07::lobe_experiment,
                       lab07::mirror_experiment, lab07::images_experiment,
-                      lab07::exponents_experiment},
+                      lab07::exponents_experiment, lab07::lamp_experiment},
       .what_you_should_see = {
           "Directions that fill the hemisphere as their densities say: evenly, thicker towards the "
           "normal, in a narrow bundle. p-values that are neither tiny nor all close to 1.",
@@ -21,6 +21,9 @@ int main(int argc, char** argv) {
           "far. Rejection and inversion have the same error at the same number of directions, and "
           "differ in seconds only.",
           "A variance that is 0 where the density is proportional to what is integrated, and "
-          "infinite where it is too thin: a lobe of n = 3 around the normal is one step too far."}};
+          "infinite where it is too thin: a lobe of n = 3 around the normal is one step too far.",
+          "Directions drawn from an image that go where its light comes from. Under a sky with a "
+          "sun they beat all others; on a wall that the sun does not reach they are the worst, and "
+          "both kinds together are good everywhere."}};
   return carlo::run_lab(lab, argc, argv);
 }

@@ -1,5 +1,6 @@
 #include "hemisphere.h"
 
+#include "bins.h"
 #include "numeric/robust.h"
 
 #include <algorithm>
@@ -153,6 +154,68 @@ double ambient_occlusion(const Visible& visible, Vec3 normal, const Sampling& sa
                          std::int64_t count, carlo::Rng& rng) {
   const auto sky = [&](Vec3 wi) { return visible(wi) ? 1 / pi_f : 0.0f; };
   return irradiance(sky, normal, sampling, count, rng);
+}
+
+// Lab 7.8 -----------------------------------------------------------------------------------------
+
+Vec3 direction_at(Point place) {
+  const double phi = 2 * carlo::pi * place.x, theta = carlo::pi * place.y;
+  return {std::sin(theta) * std::sin(phi), std::cos(theta), -std::sin(theta) * std::cos(phi)};
+}
+
+Point place_of(Vec3 w) {
+  const double x = w.x, y = w.y, z = w.z;
+  const double around = std::atan2(x, -z) / (2 * carlo::pi);
+  const double down = std::atan2(std::hypot(x, z), y) / carlo::pi;
+  const double last = std::nextafter(1.0, 0.0);
+  return {std::min(around < 0 ? around + 1 : around, last), std::min(down, last)};
+}
+
+namespace {
+
+/// Between which heights w.y a row lies.
+struct Heights {
+  double top, bottom;
+};
+
+Heights heights_of(std::size_t row, std::size_t rows) {
+  return {std::cos(carlo::pi * lab05::bin_edge(row, rows)),
+          std::cos(carlo::pi * lab05::bin_edge(row + 1, rows))};
+}
+
+std::vector<double> powers(std::span<const double> luminances, std::size_t width,
+                           std::size_t height) {
+  std::vector<double> weights(luminances.begin(), luminances.end());
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const auto [top, bottom] = heights_of(i / width, height);
+    weights[i] *= top - bottom;
+  }
+  return weights;
+}
+
+/// The height w.y is linear in the table's y, row by row, with this slope.
+float per_solid_angle(const lab05::Tabulated2d& table, Point p) {
+  const auto [top, bottom] = heights_of(lab05::bin_of(p.y, table.rows()), table.rows());
+  const double slope = (top - bottom) * static_cast<double>(table.rows());
+  return static_cast<float>(table.pdf(p) / (2 * carlo::pi * slope));
+}
+
+}  // namespace
+
+ImageLamp::ImageLamp(std::span<const double> luminances, std::size_t width, std::size_t height)
+    : table_(powers(luminances, width, height), width, height) {}
+
+ImageLamp::Sample ImageLamp::sample(Vec2 u) const {
+  const Point p = table_.sample(static_cast<double>(u.y), static_cast<double>(u.x));
+  const std::size_t row = lab05::bin_of(p.y, table_.rows());
+  const auto [top, bottom] = heights_of(row, table_.rows());
+  const double within = p.y * static_cast<double>(table_.rows()) - static_cast<double>(row);
+  const double cosine = std::clamp(top + within * (bottom - top), -1.0, 1.0);
+  return {direction_at({p.x, std::acos(cosine) / carlo::pi}), per_solid_angle(table_, p)};
+}
+
+float ImageLamp::pdf(Vec3 wi) const {
+  return per_solid_angle(table_, place_of(wi));
 }
 
 }  // namespace lab07

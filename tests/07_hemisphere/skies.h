@@ -1,0 +1,153 @@
+#pragma once
+
+#include "07_hemisphere/places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+// The images of Lab 7.8, and where they are asked; the convention is that of the contract.
+
+namespace lab07_tests {
+
+enum class Sky {
+  one_texel = 0,  ///< a single texel: the whole sphere
+  spotted = 1,    ///< no two texels alike, some black, a row of black ones
+  half = 2,       ///< radiance 1 above the horizon y = 0, none below
+  sun_top = 3,    ///< one texel alone, in the first row, beside the seam,
+  sun_middle = 4,
+  sun_bottom = 5,  ///< in the last row, at the other side of the seam
+  cap = 6          ///< the first of 4000 rows
+};
+
+struct SkyImage {
+  std::size_t width = 1, height = 1;
+  std::vector<double> luminance = {2.5};
+
+  double solid_angle(std::size_t row) const {
+    // cos a - cos b = 2 sin((a + b) / 2) sin((b - a) / 2).
+    const auto rows = static_cast<double>(height);
+    return 4 * pi / static_cast<double>(width) *
+           std::sin(pi * (static_cast<double>(row) + 0.5) / rows) * std::sin(pi / (2 * rows));
+  }
+  double power() const {
+    double sum = 0;
+    for (std::size_t k = 0; k < luminance.size(); ++k)
+      sum += luminance[k] * solid_angle(k / width);
+    return sum;
+  }
+};
+
+/// A single texel of luminance 5e4.
+inline SkyImage lone_sun(std::size_t column, std::size_t row) {
+  SkyImage image{64, 32, std::vector<double>(std::size_t{64} * 32)};
+  image.luminance[row * image.width + column] = 5e4;
+  return image;
+}
+
+inline SkyImage sky_image(Sky sky) {
+  switch (sky) {
+    case Sky::one_texel:
+      break;
+    case Sky::spotted: {
+      SkyImage image{12, 6, {}};
+      for (std::size_t k = 0; k < image.width * image.height; ++k) {
+        const bool black = k / image.width == 3 || k * k % 7 == 1;
+        image.luminance.push_back(black ? 0 : 1 + static_cast<double>(k * k * 37 % 101) / 20);
+      }
+      return image;
+    }
+    case Sky::half:
+      return {4, 2, {1, 1, 1, 1, 0, 0, 0, 0}};
+    case Sky::sun_top:
+      return lone_sun(0, 0);
+    case Sky::sun_middle:
+      return lone_sun(41, 13);
+    case Sky::sun_bottom:
+      return lone_sun(63, 31);
+    case Sky::cap: {
+      SkyImage image{8, 4000, std::vector<double>(std::size_t{8} * 4000)};
+      std::fill_n(image.luminance.begin(), image.width, 1);
+      return image;
+    }
+  }
+  return {};
+}
+
+/// A point of the image, in [0, 1]^2.
+struct ImagePoint {
+  double x, y;
+};
+
+inline Double3 seen_in(ImagePoint p) {
+  const double phi = 2 * pi * p.x, sine = std::sin(pi * p.y);
+  return {sine * std::sin(phi), std::cos(pi * p.y), -sine * std::cos(phi)};
+}
+
+inline ImagePoint stands_at(Double3 w) {
+  const double around = std::atan2(w.x, -w.z) / (2 * pi);
+  return {around < 0 ? around + 1 : around, std::atan2(std::hypot(w.x, w.z), w.y) / pi};
+}
+
+/// All over the image, edges and corners included.
+inline std::vector<ImagePoint> image_places() {
+  std::vector<ImagePoint> places;
+  for (int j = 0; j <= 32; ++j) {
+    for (int i = 0; i <= 32; ++i)
+      places.push_back({i / 32.0, j / 32.0});
+  }
+  for (int i = 1; i <= 40; ++i)
+    places.push_back({i / 41.0, std::pow(10.0, -i / 8.0)});
+  return places;
+}
+
+/// Floats all over the sphere, on the axes, and ever closer to both poles and to both sides of the
+/// seam.
+inline std::vector<Vec3> sphere_places() {
+  std::vector<Vec3> places = {{0, 1, 0},       {0, -1, 0},       {1, 0, 0},       {-1, 0, 0},
+                              {0, 0, 1},       {-0.0f, 0, 1},    {0, 0, -1},      {-0.0f, 0, -1},
+                              {0, 1, -0.0f},   {-1e-30f, 0, -1}, {1e-30f, 0, -1}, {-1e-9f, 0, -1},
+                              {-1e-20f, -1, 0}};
+  for (int i = 4; i <= 56; ++i) {
+    const double off = std::pow(10.0, -i / 8.0), turn = 2.399963229728653 * i;
+    const Double3 beside_pole(std::sin(off) * std::cos(turn), std::cos(off),
+                              std::sin(off) * std::sin(turn));
+    places.emplace_back(beside_pole);
+    places.emplace_back(beside_pole.x, -beside_pole.y, beside_pole.z);
+    places.emplace_back(std::sin(off), 0, -std::cos(off));
+    places.emplace_back(-std::sin(off) * 0.8, 0.6, -std::cos(off) * 0.8);
+  }
+  constexpr int spiral = 500;
+  for (int i = 0; i < spiral; ++i) {
+    const double z = 1 - (2 * i + 1.0) / spiral;
+    places.push_back(at_angles(std::acos(z), 2.399963229728653 * i));
+  }
+  return places;
+}
+
+/// Where densities are asked: nine points within each texel, away from its edges, of the rows that
+/// `density_rows` names; then both poles.
+inline std::vector<std::size_t> density_rows(const SkyImage& image) {
+  std::vector<std::size_t> rows;
+  for (std::size_t j = 0; j < image.height; ++j) {
+    if (j < 20 || j + 2 > image.height) rows.push_back(j);
+  }
+  return rows;
+}
+inline std::vector<Vec3> density_places(const SkyImage& image) {
+  std::vector<Vec3> places;
+  for (const std::size_t j : density_rows(image)) {
+    for (std::size_t i = 0; i < image.width; ++i) {
+      for (int k = 0; k < 9; ++k) {
+        const double x = static_cast<double>(i) + 0.02 + 0.48 * (k % 3);
+        const double y = static_cast<double>(j) + 0.02 + 0.48 * (k / 3);
+        places.emplace_back(
+            seen_in({x / static_cast<double>(image.width), y / static_cast<double>(image.height)}));
+      }
+    }
+  }
+  return places;
+}
+
+}  // namespace lab07_tests
