@@ -211,6 +211,10 @@ void irradiance_cache_experiment(Notebook& notebook) {
         "help against the first alone.");
     notebook.raw_html(carlo::tiles(pictures));
     notebook.table("cache", table, "Caches: bias and noise apart, in parts of the mean radiance");
+    carlo::Table by_paths({"paths a pixel", "error", "time"}, {"paths", "error", "seconds"});
+    for (const Measurement& run : traced.curve.runs)
+      by_paths.add_row({run.points, percent_cell(run.error), carlo::seconds_cell(run.seconds)});
+    notebook.data("indirect_paths", by_paths, "The same light by paths");
     curves.push_back(traced.curve);
     std::vector<carlo::Chart> charts =
         carlo::error_charts("Indirect light", "relative RMS error", curves, false);
