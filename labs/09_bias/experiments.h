@@ -19,10 +19,13 @@ void pixel_filter_experiment(Notebook& notebook);
 void feature_filter_experiment(Notebook& notebook);
 /// Step d, Lab 9.4: where photons land.
 void photons_experiment(Notebook& notebook);
-/// Step e, Lab 9.5: radiance from photons.
+/// Step e, Lab 9.5: irradiance from photons, where it is known; and a caustic by photons.
 void density_experiment(Notebook& notebook);
-/// Step f, Lab 9.6: discs that shrink, and others that do not.
+void caustic_experiment(Notebook& notebook);
+/// Step f, Lab 9.6: discs that shrink, and others that do not, where the radiance is known; and the
+/// caustic once more, pass by pass.
 void progressive_experiment(Notebook& notebook);
+void progressive_image_experiment(Notebook& notebook);
 /// Step g, Lab 9.7: irradiance where it was not computed.
 void irradiance_cache_experiment(Notebook& notebook);
 /// Step g, Lab 9.7: irradiance where it does not belong.

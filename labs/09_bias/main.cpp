@@ -29,8 +29,8 @@ std::vector<Step> steps() {
        "Counts under a point lamp follow I cos/d^2, and their noise falls as the root of their "
        "number. A disc wide enough to have little noise says too little of its middle. In a closed "
        "sphere all power arrives, 1/(1 - albedo) times."},
-      {"e", {lab09::density_experiment}, "e."},
-      {"f", {lab09::progressive_experiment}, "f."},
+      {"e", {lab09::density_experiment, lab09::caustic_experiment}, "e."},
+      {"f", {lab09::progressive_experiment, lab09::progressive_image_experiment}, "f."},
       {"g",
        {lab09::irradiance_cache_experiment, lab09::leak_experiment},
        "g. Records crowd along edges. More directions take noise away and leave the bias: the "

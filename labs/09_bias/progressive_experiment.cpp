@@ -1,11 +1,218 @@
 #include "experiments.h"
+#include "given/sampled.h"
+#include "numeric/robust.h"
+#include "report/format.h"
+#include "sampling/samplers.h"
 
-// Step f: ever smaller discs.
+#include <fmt/core.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Step f: three points of a floor that a lamp lights by way of a mirror alone, in closed form: how
+// fast errors fall with discs that shrink, with others that do not, and by paths.
 
 namespace lab09 {
+namespace {
+
+using carlo::IndependentSampler;
+
+constexpr double alpha = 2 / 3.0, first_radius = 0.4, reflectance = 0.9, albedo = 0.5;
+constexpr double image_height = 1.2;  ///< of the lamp's mirror image
+constexpr double away = 0.5;          ///< of the points, from the foot of the lamp
+constexpr std::int64_t photons_a_pass = 512;
+
+/// A round lamp at height 1 that faces up, below a mirror. Its power is pi, however small it is.
+struct MirroredLamp {
+  explicit MirroredLamp(double radius_) : radius(radius_), world(scene()) {}
+
+  /// The radiance of the floor at the points, by the lamp's mirror image and nothing else.
+  double exact() const {
+    const double a2 = radius * radius, s = away * away + image_height * image_height;
+    const double root = std::sqrt((s + a2) * (s + a2) - 4 * a2 * away * away);
+    // (1 - (s - a2)/root)/2 without cancellation.
+    const double share = 2 * a2 * image_height * image_height / (root * (root + s - a2));
+    return albedo * reflectance * share * radiance();
+  }
+
+  /// The floor at point number i of three, or any.
+  Ray ray(int i) const {
+    const double turn = 2 * carlo::pi * i / 3;
+    return {{static_cast<float>(away * std::cos(turn)), static_cast<float>(away * std::sin(turn)),
+             0.5f},
+            {0, 0, -1}};
+  }
+
+  double radius;
+  World world;
+
+ private:
+  double radiance() const { return 1 / (carlo::pi * radius * radius); }
+
+  carlo::Scene scene() const {
+    carlo::Scene scene;
+    scene.materials = {{carlo::Phong{Rgb(static_cast<float>(albedo)), Rgb(0), 0}, false},
+                       {carlo::Mirror{Rgb(static_cast<float>(reflectance))}, false},
+                       {carlo::Phong{Rgb(0), Rgb(0), 0}, false}};
+    scene.shapes = {{carlo::Parallelogram{{-4, -4, 0}, {8, 0, 0}, {0, 8, 0}}, 0, Rgb(0)},
+                    {carlo::Parallelogram{{-4, -4, 1.1f}, {0, 8, 0}, {8, 0, 0}}, 1, Rgb(0)},
+                    {carlo::Disk{{0, 0, 1}, {0, 0, 1}, static_cast<float>(radius)}, 2,
+                     Rgb(static_cast<float>(radiance()))}};
+    return scene;
+  }
+};
+
+/// The photons that come to the floor straight from the mirror.
+PhotonMap pass_map(const World& world, Rng& rng) {
+  std::vector<Photon> photons;
+  for (std::int64_t i = 0; i < photons_a_pass; ++i) {
+    trace_photon(world, emit_photon(world, rng), rng, [&](const Photon& photon) {
+      if (photon.caustic()) photons.push_back(photon);
+    });
+  }
+  return {std::move(photons), 1 / static_cast<float>(photons_a_pass)};
+}
+
+/// The three points by a map, a channel each.
+Rgb at_points(const MirroredLamp& lamp, const PhotonMap& map, double radius) {
+  Rgb radiances(0);
+  for (int i = 0; i < 3; ++i) {
+    const auto surface = lamp.world.intersect(lamp.ray(i));
+    const auto f = [&](Vec3 wi) {
+      return lab08::evaluate(surface->phong(), surface->n, surface->wo, wi);
+    };
+    radiances[i] = radiance_within(map, *surface, f, static_cast<float>(radius)).g;
+  }
+  return radiances;
+}
+
+/// An estimate of all three points from so many passes, or samples.
+using Points = std::function<Rgb(const MirroredLamp& lamp, std::int64_t n, Rng& rng)>;
+
+Rgb progressive(const MirroredLamp& lamp, std::int64_t passes, Rng& rng) {
+  return progressive_mean(static_cast<int>(passes), first_radius, alpha, [&](int, double radius) {
+    return at_points(lamp, pass_map(lamp.world, rng), radius);
+  });
+}
+
+Rgb unshrunk(const MirroredLamp& lamp, std::int64_t passes, Rng& rng) {
+  glm::dvec3 sum(0);
+  for (std::int64_t i = 0; i < passes; ++i)
+    sum += at_points(lamp, pass_map(lamp.world, rng), first_radius);
+  return sum / static_cast<double>(passes);
+}
+
+/// Paths of floor, mirror and lamp.
+Rgb by_paths(const MirroredLamp& lamp, std::int64_t samples, Rng& rng) {
+  constexpr int segments = 3;
+  glm::dvec3 sum(0);
+  for (int i = 0; i < 3; ++i) {
+    carlo::SampleId id{rng.next_u64(), 0, 0, static_cast<std::uint32_t>(samples)};
+    for (std::int64_t k = 0; k < samples; ++k, ++id.index) {
+      lab08::Sampled<IndependentSampler> dimensions(id);
+      sum[i] += static_cast<double>(path_radiance(lamp.world, lamp.ray(i), segments, dimensions).g);
+    }
+  }
+  return sum / static_cast<double>(samples);
+}
+
+struct Method {
+  std::string name;
+  Points points;
+  double lamp_radius;
+  std::int64_t first, last;
+  std::string expected;  ///< the slope, in words
+};
+
+/// Errors against passes, or samples: relative bias^2 and variance.
+struct Falling {
+  std::vector<double> n, error;
+  std::vector<ErrorParts> parts;
+};
+
+Falling falling(Notebook& notebook, const Method& method) {
+  const MirroredLamp lamp(method.lamp_radius);
+  const auto runs = static_cast<std::size_t>(notebook.repetitions(48));
+  Falling all;
+  for (const std::int64_t n : carlo::ladder(method.first, method.last)) {
+    std::vector<double> estimates(3 * runs);
+    const std::uint64_t seed = notebook.rng().next_u64();
+    tbb::parallel_for(std::size_t{0}, runs, [&](std::size_t run) {
+      Rng rng(seed, run);
+      const Rgb points = method.points(lamp, n, rng);
+      for (int i = 0; i < 3; ++i)
+        estimates[3 * run + static_cast<std::size_t>(i)] =
+            static_cast<double>(points[i]) / lamp.exact();
+    });
+    const ErrorParts parts = split_error(estimates, 1);
+    all.n.push_back(static_cast<double>(n));
+    all.parts.push_back(parts);
+    all.error.push_back(std::sqrt(std::max(parts.bias2 + parts.variance, 1e-12)));
+  }
+  return all;
+}
+
+carlo::Cell percent_of(double square) {
+  const double part = std::copysign(std::sqrt(std::abs(square)), square);
+  return {fmt::format("{} %", carlo::number_text(100 * part, 3)), part};
+}
+
+void slopes(Notebook& notebook) {
+  const std::int64_t passes = notebook.options().n / 4096, samples = notebook.options().n / 16;
+  const std::vector<Method> methods = {
+      {"radius stays", unshrunk, 0.02, 1, passes, "0 in the end"},
+      {"radius shrinks", progressive, 0.02, 1, passes, "-1/3"},
+      {"Lab 8.8", by_paths, 0.02, 1024, samples, "-1/2"},
+      {"radius shrinks, lamp a hundredth the area", progressive, 0.002, 1, passes, "-1/3"},
+      {"Lab 8.8, lamp a hundredth the area", by_paths, 0.002, 1024, samples, "-1/2 at last"}};
+  carlo::Chart chart{"Error of a point's radiance",
+                     fmt::format("a pass has {} photons", photons_a_pass),
+                     {"passes, or samples of the point"},
+                     {"relative error"},
+                     {}};
+  carlo::Table table(
+      {"method", "passes or samples", "bias", "noise", "slope, second half", "theory"},
+      {"method", "n", "bias", "noise", "slope", "expected"});
+  carlo::Table data({"method", "n", "bias²", "variance"}, {"method", "n", "bias2", "variance"});
+  for (const Method& method : methods) {
+    const Falling all = falling(notebook, method);
+    carlo::Series series{method.name, {}};
+    for (std::size_t i = 0; i < all.n.size(); ++i) {
+      series.points.push_back({all.n[i], all.error[i]});
+      data.add_row({method.name, all.n[i], all.parts[i].bias2, all.parts[i].variance});
+    }
+    chart.series.push_back(series);
+    const std::size_t half = all.n.size() / 2;
+    const double slope =
+        fitted_slope(std::span(all.n).subspan(half), std::span(all.error).subspan(half));
+    table.add_row(
+        {method.name,
+         carlo::Cell(carlo::count_text(static_cast<std::int64_t>(all.n.back())), all.n.back()),
+         percent_of(all.parts.back().bias2), percent_of(all.parts.back().variance),
+         carlo::Cell(carlo::number_text(slope, 2), slope), method.expected});
+    notebook.progress(static_cast<double>(chart.series.size()),
+                      static_cast<double>(methods.size()));
+  }
+  notebook.charts({chart});
+  notebook.table("progressive", table,
+                 "The largest number of passes or samples of each; slopes by fitted_slope()");
+  notebook.data("progressive_errors", data, "All errors, over the square of the exact value");
+}
+
+}  // namespace
 
 void progressive_experiment(Notebook& notebook) {
   notebook.begin("Step f: ever smaller discs");
+  notebook.say(
+      "A round lamp that faces up, a mirror above it, a floor below: points of the floor see the "
+      "lamp in the mirror alone, and their radiance has a closed form. Every photon comes by the "
+      "mirror; a path has to find the lamp, the longer the smaller it is.");
+  notebook.attempt([&] { slopes(notebook); });
 }
 
 }  // namespace lab09

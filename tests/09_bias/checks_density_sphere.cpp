@@ -118,8 +118,8 @@ SphereRays sphere_rays(bool caustic, bool mirrored, std::size_t rays) {
 }
 
 /// mean_is(), and suspects are told where all values are alike as well.
-void judge_part(const std::string& what, const std::vector<double>& values, const Theory& theory,
-                const Suspects& suspects) {
+Verdict judge_part(const std::string& what, const std::vector<double>& values, const Theory& theory,
+                   const Suspects& suspects) {
   Verdict verdict = mean_is(what, values, theory, suspects);
   double mean = 0;
   for (const double value : values)
@@ -129,6 +129,12 @@ void judge_part(const std::string& what, const std::vector<double>& values, cons
       verdict.diagnoses = {suspect.diagnosis};
   }
   judge(verdict);
+  return verdict;
+}
+
+bool told(const Verdict& verdict, const Diagnosis& diagnosis) {
+  return std::any_of(verdict.diagnoses.begin(), verdict.diagnoses.end(),
+                     [&](const Diagnosis& one) { return one.id == diagnosis.id; });
 }
 
 Suspects lamp_suspects(double glow) {
@@ -143,9 +149,10 @@ Suspects lamp_suspects(double glow) {
           {glow + straight / (1 - albedo * onwards), weight_twice}};
 }
 
-Suspects photon_suspects() {
+/// `ends`: whether the path's own light has shown that it ends at the first surface.
+Suspects photon_suspects(bool ends) {
   const double each = by_photons().mean, all = mean_of_path(each);
-  return {{each, first_caustic_only},
+  return {{each, ends ? path_ends : first_caustic_only},
           {all - each, first_caustic_missing},
           {each / (1 - albedo * onwards), weight_twice},
           {0, no_caustics}};
@@ -166,16 +173,17 @@ TEST_CASE("Lab 9.5: no light by two roads, and none by neither", "[lab09][ex5]")
   for (const bool mirrored : {false, true}) {
     const SphereRays seen = sphere_rays(true, mirrored, rays);
     const double weight = mirrored ? mirror : 1;
-    Suspects of_lamp, of_photons;
+    Suspects of_lamp;
     if (seen.density_right) {
       of_lamp = times(weight, lamp_suspects(glow));
-      of_photons = times(weight, photon_suspects());
       of_lamp.push_back(
           {weight * lamp.mean, mirrored ? mirrored_emission_missing : camera_emission_missing});
     }
     const std::string where = mirrored ? ", in the mirror" : "";
-    judge_part("the wall's radiance by its own light" + where, seen.lamp,
-               {weight * (glow + lamp.mean), weight * lamp.sd}, of_lamp);
+    const Verdict by_light = judge_part("the wall's radiance by its own light" + where, seen.lamp,
+                                        {weight * (glow + lamp.mean), weight * lamp.sd}, of_lamp);
+    const Suspects of_photons =
+        seen.density_right ? times(weight, photon_suspects(told(by_light, path_ends))) : Suspects{};
     judge_part("the wall's radiance by photons" + where, seen.photons,
                {weight * photons.mean, weight * photons.sd}, of_photons);
   }
@@ -213,6 +221,13 @@ TEST_CASE("Lab 9.5: a map of all photons is all of the reflected light", "[lab09
 
 namespace {
 
+/// Whether paths end at the first Phong surface: then what photons bring there is all, always.
+bool paths_end() {
+  const SphereRays seen = sphere_rays(true, false, 200);
+  return std::all_of(seen.photons.begin(), seen.photons.end(),
+                     [](double value) { return std::abs(value - by_photons().mean) <= 1e-4; });
+}
+
 void judge_white_ball(bool caustic, bool in_glass) {
   constexpr std::size_t rays = 100;
   const std::string name = in_glass ? "a white ball in glass" : "a white ball";
@@ -232,8 +247,7 @@ void judge_white_ball(bool caustic, bool in_glass) {
     wrong += right ? 0 : 1;
   }
   std::vector<Diagnosis> found;
-  // Paths that end there lose it as well.
-  if (caustic && dark > 0) found = {sky_by_camera_only, path_ends};
+  if (caustic && dark > 0) found = {paths_end() ? path_ends : sky_by_camera_only};
   if (!caustic && same_radiance(shown, DensityVec(sky))) found = {goes_on};
   judge(holds(fmt::format("the radiance of {} under a sky, {}", name,
                           caustic ? "by a map of caustics that has none"
