@@ -15,8 +15,9 @@ namespace lab09 {
 
 /// A scene of common/scenes, small, and its converged image.
 struct PracticeScene {
-  /// Throws carlo::Error where a file cannot be read.
-  explicit PracticeScene(const std::string& scene_name);
+  /// size x size pixels, 128 or a half or a quarter of that. Throws carlo::Error where a file
+  /// cannot be read.
+  PracticeScene(const std::string& scene_name, int size);
 
   std::string name;
   carlo::Image reference;

@@ -100,13 +100,14 @@ void practice_experiment(Notebook& notebook) {
   notebook.begin("In practice");
   const bool quick = notebook.options().quick;
   const double seconds = practice_seconds > 0 ? practice_seconds : quick ? 0.1 : 1;
+  const int size = quick ? 64 : 128;
   std::vector<std::string> scenes = {"caustics", "indirect"};
   if (!quick) scenes.insert(scenes.end(), {"big_light", "soft_shadows"});
   notebook.say(fmt::format(
-      "Scenes of common/scenes at 64 x 64 pixels, {} of one thread for each image. relMSE is the "
+      "Scenes of common/scenes at {0} x {0} pixels, {1} of one thread for each image. relMSE is the "
       "mean of (error/reference)², dark pixels counted as .1; it is the sum of bias² and noise², "
       "which several images with other random numbers tell apart.",
-      carlo::duration_text(seconds)));
+      size, carlo::duration_text(seconds)));
   carlo::Table table({"scene", "method", "passes", "time", "bias²", "noise²", "relMSE",
                       "over path tracing's", "at one hour", "path tracing overtakes"},
                      {"scene", "method", "passes", "seconds", "bias2", "variance", "rel_mse",
@@ -115,7 +116,7 @@ void practice_experiment(Notebook& notebook) {
                      {"scene", "soon", "late"});
   std::vector<carlo::Chart> charts;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    const PracticeScene scene(scenes[i]);
+    const PracticeScene scene(scenes[i], size);
     const std::vector<PracticeCurve> curves = practice_curves(
         notebook, scene, seconds, static_cast<double>(i), static_cast<double>(scenes.size()));
     if (curves.empty()) return;

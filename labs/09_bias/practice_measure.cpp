@@ -18,8 +18,28 @@ carlo::Scene practice_scene(const std::string& name, const carlo::Image& image) 
       {{"width", std::to_string(image.width)}, {"height", std::to_string(image.height)}});
 }
 
-carlo::ExrFile practice_reference(const std::string& name) {
-  return carlo::read_exr(CARLO_LAB09_REFERENCES "/" + name + ".exr");
+/// Half as wide and high: means of 2 x 2 pixels, or of their standard errors' squares a quarter.
+carlo::Image halved(const carlo::Image& image, bool errors) {
+  carlo::Image half(image.width / 2, image.height / 2);
+  for (int y = 0; y < half.height; ++y) {
+    for (int x = 0; x < half.width; ++x) {
+      Rgb sum(0);
+      for (int i = 0; i < 4; ++i) {
+        const Rgb one = image.at(2 * x + i % 2, 2 * y + i / 2);
+        sum += errors ? one * one : one;
+      }
+      half.at(x, y) = errors ? glm::sqrt(sum) / 4.0f : sum / 4.0f;
+    }
+  }
+  return half;
+}
+
+carlo::Image practice_reference(const std::string& name, bool errors, int size) {
+  const carlo::ExrFile file = carlo::read_exr(CARLO_LAB09_REFERENCES "/" + name + ".exr");
+  carlo::Image image = errors ? file.standard_error.value() : file.image;
+  while (image.width > size)
+    image = halved(image, errors);
+  return image;
 }
 
 /// Bias and noise of several images of one scene. What the reference's own noise adds to bias^2 is
@@ -68,10 +88,10 @@ double seconds_of_pass(Notebook& notebook, const PracticeMethod& method) {
 
 }  // namespace
 
-PracticeScene::PracticeScene(const std::string& scene_name)
+PracticeScene::PracticeScene(const std::string& scene_name, int size)
     : name(scene_name),
-      reference(practice_reference(name).image),
-      reference_error(practice_reference(name).standard_error.value()),
+      reference(practice_reference(name, false, size)),
+      reference_error(practice_reference(name, true, size)),
       world(practice_scene(name, reference)) {}
 
 carlo::Image mean_of_passes(int passes, const std::function<carlo::Image(int number)>& pass) {
@@ -116,7 +136,8 @@ PracticeCurve measure_practice(Notebook& notebook, const PracticeScene& scene,
   for (const int share : {16, 4, 1}) {
     const int passes = std::max(2, static_cast<int>(std::lround(seconds / share / pass)));
     if (!curve.runs.empty() && passes == curve.longest().passes) continue;
-    curve.runs.push_back(practice_run(notebook, scene, method, passes, share == 1 ? 3 : 2 + share / 2));
+    curve.runs.push_back(
+        practice_run(notebook, scene, method, passes, share == 1 ? 3 : 2 + share / 2));
   }
   return curve;
 }

@@ -1,5 +1,4 @@
 #include "given/sampled.h"
-#include "indirect.h"
 #include "practice.h"
 
 #include <tbb/parallel_for.h>
@@ -11,9 +10,9 @@ namespace lab09 {
 namespace practice {
 namespace {
 
-/// What the methods are set to; lengths are for rooms of side 2 and films of 64 x 64 pixels.
+/// What the methods are set to; lengths are for rooms of side 2.
 constexpr int photons_a_pass = 20000;
-constexpr float photon_radius = 0.05f, caustic_radius = 0.03f, first_radius = 0.1f;
+constexpr float photon_radius = 0.03f, caustic_radius = 0.02f, first_radius = 0.06f;
 constexpr double radius_alpha = 2.0 / 3;
 constexpr double cache_error = 0.25, nearest_reach = 0.05, farthest_reach = 1;
 constexpr int cache_strata = 8;
@@ -63,6 +62,18 @@ PracticeMethod path_tracing(const PracticeScene& s, std::string name, Trend tren
               return one_ray_each(s, Rng(seed), [&](int x, int y, Rng&) {
                 return path_sample<Sampler>(s, x, y, seed, pass, passes);
               });
+            });
+          }};
+}
+
+PracticeMethod paths_by_area(const PracticeScene& s) {
+  return {"paths, lights by area (8.7)", Trend::unbiased, [&s](int passes, std::uint64_t seed) {
+            return mean_of_passes(passes, [&](int pass) {
+              return one_ray_each(s, Rng(seed, static_cast<std::uint64_t>(pass)),
+                                  [&](int x, int y, Rng& own) {
+                                    const Ray ray = film_ray(s, x, y, own);
+                                    return lab08::trace_specular(s.world, ray, true, own);
+                                  });
             });
           }};
 }
@@ -150,6 +161,13 @@ FirstPhong first_phong(const World& world, Ray ray, Rng& rng) {
   return first;
 }
 
+/// Light that has been reflected before it arrives, or has come through mirrors or glass.
+Arrival indirect_arrival(const World& world, const Ray& ray, Rng& rng) {
+  const auto met = world.intersect(ray);
+  const double distance = met ? static_cast<double>(glm::length(met->p - ray.o)) : INFINITY;
+  return {lab08::trace_specular(world, ray, false, rng), distance};
+}
+
 /// Direct light by points of the lights, indirect light from the cache; surfaces are diffuse.
 Rgb cached_radiance(const World& world, const Ray& ray, Cache& cache, Rng& rng) {
   const FirstPhong first = first_phong(world, ray, rng);
@@ -235,6 +253,7 @@ std::vector<PracticeMethod> practice_methods(const PracticeScene& s) {
           filtered(s),
           photons(s),
           progressive(s),
+          paths_by_area(s),
           caustics(s),
           irradiance_cache(s)};
 }
