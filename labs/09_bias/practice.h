@@ -42,6 +42,10 @@ struct PracticeMethod {
 /// The methods for one scene, which must outlive them; path tracing first.
 std::vector<PracticeMethod> practice_methods(const PracticeScene& scene);
 
+/// Bias and noise of several images of a scene: means over pixels and channels, relative: over
+/// reference^2 + .01. What the reference's own noise adds to bias^2 is taken off.
+ErrorParts practice_parts(const PracticeScene& scene, const std::vector<carlo::Image>& images);
+
 /// The mean of the images of all passes, each by pass(number from 0), on all cores.
 carlo::Image mean_of_passes(int passes, const std::function<carlo::Image(int number)>& pass);
 
@@ -49,7 +53,7 @@ carlo::Image mean_of_passes(int passes, const std::function<carlo::Image(int num
 struct PracticeRun {
   int passes = 0;
   double seconds = 0;
-  ErrorParts parts;    ///< means over pixels and channels, relative: over reference^2 + .01
+  ErrorParts parts;    ///< as of practice_parts()
   carlo::Image shown;  ///< one of the images
 
   double rel_mse() const { return parts.bias2 + parts.variance; }

@@ -42,27 +42,6 @@ carlo::Image practice_reference(const std::string& name, bool errors, int size) 
   return image;
 }
 
-/// Bias and noise of several images of one scene. What the reference's own noise adds to bias^2 is
-/// taken off.
-ErrorParts practice_parts(const PracticeScene& scene, const std::vector<carlo::Image>& images) {
-  const auto count = 3 * static_cast<double>(scene.reference.pixels.size());
-  ErrorParts sum;
-  std::vector<double> values(images.size());
-  for (std::size_t i = 0; i < scene.reference.pixels.size(); ++i) {
-    for (int c = 0; c < 3; ++c) {
-      for (std::size_t k = 0; k < images.size(); ++k)
-        values[k] = static_cast<double>(images[k].pixels[i][c]);
-      const auto exact = static_cast<double>(scene.reference.pixels[i][c]);
-      const auto error = static_cast<double>(scene.reference_error.pixels[i][c]);
-      const ErrorParts parts = split_error(values, exact);
-      const double unit = count * (exact * exact + 0.01);
-      sum.bias2 += (parts.bias2 - error * error) / unit;
-      sum.variance += parts.variance / unit;
-    }
-  }
-  return sum;
-}
-
 PracticeRun practice_run(Notebook& notebook, const PracticeScene& scene,
                          const PracticeMethod& method, int passes, int repetitions) {
   PracticeRun run;
@@ -93,6 +72,25 @@ PracticeScene::PracticeScene(const std::string& scene_name, int size)
       reference(practice_reference(name, false, size)),
       reference_error(practice_reference(name, true, size)),
       world(practice_scene(name, reference)) {}
+
+ErrorParts practice_parts(const PracticeScene& scene, const std::vector<carlo::Image>& images) {
+  const auto count = 3 * static_cast<double>(scene.reference.pixels.size());
+  ErrorParts sum;
+  std::vector<double> values(images.size());
+  for (std::size_t i = 0; i < scene.reference.pixels.size(); ++i) {
+    for (int c = 0; c < 3; ++c) {
+      for (std::size_t k = 0; k < images.size(); ++k)
+        values[k] = static_cast<double>(images[k].pixels[i][c]);
+      const auto exact = static_cast<double>(scene.reference.pixels[i][c]);
+      const auto error = static_cast<double>(scene.reference_error.pixels[i][c]);
+      const ErrorParts parts = split_error(values, exact);
+      const double unit = count * (exact * exact + 0.01);
+      sum.bias2 += (parts.bias2 - error * error) / unit;
+      sum.variance += parts.variance / unit;
+    }
+  }
+  return sum;
+}
 
 carlo::Image mean_of_passes(int passes, const std::function<carlo::Image(int number)>& pass) {
   std::vector<carlo::Image> images(static_cast<std::size_t>(passes));

@@ -1,7 +1,6 @@
 #include "given/sampled.h"
 #include "practice.h"
 
-#include <tbb/parallel_for.h>
 
 #include <cmath>
 #include <utility>
@@ -198,48 +197,9 @@ PracticeMethod irradiance_cache(const PracticeScene& s) {
           }};
 }
 
-/// Adds what the camera sees along one ray; `share`: one over the number of rays.
-void add_features(const World& world, const Ray& ray, float share, FeaturePixel& pixel) {
-  const auto met = world.intersect(ray);
-  if (!met) return;
-  const auto* phong = std::get_if<carlo::Phong>(met->material);
-  pixel.albedo += share * (phong ? phong->kd + phong->ks : Rgb(1));
-  pixel.normal += share * met->n;
-  pixel.depth += share * glm::length(met->p - ray.o);
-}
-
-FeaturePixel noisy_pixel(const PracticeScene& s, int x, int y, std::uint64_t seed, int samples) {
-  FeaturePixel pixel;
-  glm::dvec3 sum(0), squares(0);
-  Rng rng(seed, static_cast<std::uint64_t>(y * s.reference.width + x));
-  for (int i = 0; i < samples; ++i) {
-    const glm::dvec3 L = path_sample<carlo::IndependentSampler>(s, x, y, seed, i, samples);
-    sum += L;
-    squares += L * L;
-    // Features need fewer rays than light.
-    if (i < 16)
-      add_features(s.world, film_ray(s, x, y, rng),
-                   1.0f / static_cast<float>(std::min(samples, 16)), pixel);
-  }
-  const double n = samples;
-  pixel.color = sum / n;
-  pixel.variance = glm::max(squares / n - sum * sum / (n * n), glm::dvec3(0)) / (n - 1);
-  return pixel;
-}
-
 PracticeMethod filtered(const PracticeScene& s) {
   return {"paths, filtered", Trend::consistent, [&s](int passes, std::uint64_t seed) {
-            carlo::Image filtered = s.reference;
-            FeatureImage image(filtered.width, filtered.height);
-            tbb::parallel_for(0, image.height(), [&](int y) {
-              for (int x = 0; x < image.width(); ++x)
-                image.at(x, y) = noisy_pixel(s, x, y, seed, passes);
-            });
-            tbb::parallel_for(0, image.height(), [&](int y) {
-              for (int x = 0; x < image.width(); ++x)
-                filtered.at(x, y) = filter_pixel(image, x, y, {}).color;
-            });
-            return filtered;
+            return filtered_image(noisy_image(s, passes, seed), {});
           }};
 }
 
