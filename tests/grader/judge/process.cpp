@@ -124,14 +124,15 @@ class Charge {
   double waited() const { return waited_ + frozen_; }
   Pressure pressure() const { return {taken(), held_up() + frozen_, worked_}; }
 
-  /// Whether its time is over, and whether that is its own doing.
+  /// Whether its time was over at the last beat, and whether that is its own doing. Of the time
+  /// since then nobody knows yet whether all stood still.
   std::optional<Outcome::End> over(std::chrono::duration<double> deadline) const {
-    const bool enough = taken() - waited() >= deadline.count();
+    const bool enough = last_beat_ - waited() >= deadline.count();
     // Many processes that take from one another run little each, and together as long as any may.
     const bool ran = ran_ >= deadline.count() || worked_ >= deadline.count();
     const bool proven = ran || !pressure().is_high();
     if (enough && proven) return Outcome::End::deadline;
-    if (taken() - frozen_ >= patience * deadline.count()) return Outcome::End::starved;
+    if (last_beat_ - frozen_ >= patience * deadline.count()) return Outcome::End::starved;
     return {};
   }
 
@@ -171,6 +172,7 @@ void follow(pid_t pid, Reader& result, Reader& output, const Command& command, c
     if (const Clock::time_point begun = Clock::now(); begun >= next_look) {
       const Family family = descendants_of(::getpid());
       charge.look(family);
+      charge.beat();
       if (const auto over_time = charge.over(limits.deadline)) {
         outcome.end = *over_time;
         return;
