@@ -33,7 +33,7 @@ Step step_of(const sdf::Solid& solid) {
       [](const sdf::Gyroid& f) {
         const double frequency = 2 * carlo::pi / f.period;
         return Step{.part = Part::gyroid,
-                    .size = {frequency, 0.5 * f.thickness, std::sqrt(3.0) * frequency}};
+                    .size = {1 / f.period, 0.5 * f.thickness, 1 / (std::sqrt(3.0) * frequency)}};
       });
   step.turn = glm::transpose(solid.place.rotation) / solid.place.scale;
   step.origin = solid.place.origin;

@@ -22,7 +22,7 @@ struct LaneSdf {
     double scale = 1;
     /// ball: radius. torus: major, minor. rounded_box: radius; `a` the half sides of the box
     /// within. capsule: radius; from `a` along `b`, inverse square of b's length. gyroid:
-    /// frequency, half of the thickness, what distances are divided by.
+    /// inverse period, half of the thickness, what the field is multiplied by.
     std::array<double, 3> size{};
     glm::dvec3 a{0}, b{0};
     double smoothing = 0;

@@ -133,19 +133,47 @@ HWY_INLINE Jet capsule(const LaneSdf::Step& s, V3D q) {
   return jet;
 }
 
+/// Sine and cosine of u whole turns, |u| below 2^50, to two roundings of 1.
+/// The polynomials are those of fdlibm's kernels (Sun Microsystems, 1993).
+struct Wave {
+  VD sin, cos;
+};
+HWY_INLINE Wave wave(VD u) {
+  // The nearest quarter turn, and at most an eighth of a turn from there.
+  const VD quarters = hn::Round(hn::Mul(u, number(4)));
+  const VD x = hn::Mul(hn::NegMulAdd(quarters, number(0.25), u), number(6.283185307179586477)),
+           x2 = hn::Mul(x, x);
+  const auto next = [x2](VD sum, double term)
+                        HWY_ATTR { return hn::MulAdd(sum, x2, number(term)); };
+  VD s = next(number(1.58969099521155010221e-10), -2.50507602534068634195e-08);
+  s = next(next(s, 2.75573137070700676789e-06), -1.98412698298579493134e-04);
+  s = next(next(s, 8.33333333332248946124e-03), -1.66666666666666324348e-01);
+  s = hn::MulAdd(hn::Mul(s, x2), x, x);
+  VD c = next(number(-1.13596475577881948265e-11), 2.08757232129817482790e-09);
+  c = next(next(c, -2.75573143513906633035e-07), 2.48015872894767294178e-05);
+  c = next(next(c, -1.38888888888741095749e-03), 4.16666666666666019037e-02);
+  c = next(next(c, -0.5), 1);
+  // Which quarter, from 0 to 3: the sine changes its sign in 2 and 3, the cosine in 1 and 2.
+  const VD quarter = hn::NegMulAdd(number(4), hn::Floor(hn::Mul(quarters, number(0.25))), quarters);
+  const MD odd = hn::Eq(hn::Abs(hn::Sub(quarter, number(2))), number(1));
+  const MD middle = hn::Lt(hn::Abs(hn::Sub(quarter, number(1.5))), number(1));
+  const VD sine = hn::IfThenElse(odd, c, s), cosine = hn::IfThenElse(odd, s, c);
+  return {hn::IfThenElse(hn::Ge(quarter, number(2)), hn::Neg(sine), sine),
+          hn::IfThenElse(middle, hn::Neg(cosine), cosine)};
+}
+
 template <bool slopes>
 HWY_INLINE Jet gyroid(const LaneSdf::Step& s, V3D q) {
-  const V3D a = q * s.size[0];
-  const V3D sine{hn::Sin(dd_, a.x), hn::Sin(dd_, a.y), hn::Sin(dd_, a.z)};
-  const V3D cosine{hn::Cos(dd_, a.x), hn::Cos(dd_, a.y), hn::Cos(dd_, a.z)};
-  const VD g = dot(sine, {cosine.y, cosine.z, cosine.x});
-  const VD scale = number(1 / s.size[2]);
-  Jet jet{hn::MulSub(hn::Abs(g), scale, number(s.size[1])), {}};
+  const V3D turns = q * s.size[0];
+  const Wave x = wave(turns.x), y = wave(turns.y), z = wave(turns.z);
+  const VD g = dot({x.sin, y.sin, z.sin}, {y.cos, z.cos, x.cos});
+  Jet jet{hn::MulSub(hn::Abs(g), number(s.size[2]), number(s.size[1])), {}};
   if constexpr (slopes) {
-    const V3D slope{hn::MulSub(cosine.x, cosine.y, hn::Mul(sine.z, sine.x)),
-                    hn::MulSub(cosine.y, cosine.z, hn::Mul(sine.x, sine.y)),
-                    hn::MulSub(cosine.z, cosine.x, hn::Mul(sine.y, sine.z))};
-    jet.gradient = hn::CopySign(number(s.size[0] / s.size[2]), g) * slope;
+    const V3D slope{hn::MulSub(x.cos, y.cos, hn::Mul(z.sin, x.sin)),
+                    hn::MulSub(y.cos, z.cos, hn::Mul(x.sin, y.sin)),
+                    hn::MulSub(z.cos, x.cos, hn::Mul(y.sin, z.sin))};
+    constexpr double per_root_3 = 0.577350269189625765;  // the slope's most is 1 on the surface
+    jet.gradient = hn::CopySign(number(per_root_3), g) * slope;
   }
   return jet;
 }

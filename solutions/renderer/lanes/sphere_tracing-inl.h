@@ -26,7 +26,7 @@ namespace HWY_NAMESPACE {
 
 /// So many registers of paths walk together where there are sdfs: of each register few rays come
 /// near to one, and these take steps of very different numbers.
-constexpr std::size_t batch = 8;
+constexpr std::size_t batch = 32;
 
 using DL = hn::RebindToSigned<DD>;
 using VL = hn::Vec<DL>;
@@ -141,7 +141,7 @@ class March {
   HWY_INLINE std::size_t run(SdfRays::Row<std::int64_t>& found) {
     std::size_t count = 0;
     for (;;) {
-      if (next_ray_ < rays_.count && 2 * hn::CountTrue(dd_, going_) <= doubles) refill();
+      if (next_ray_ < rays_.count && 4 * hn::CountTrue(dd_, going_) <= 3 * doubles) refill();
       if (hn::AllFalse(dd_, going_)) {
         if (next_ray_ < rays_.count) continue;
         return count;
@@ -152,9 +152,11 @@ class March {
       const VD x = hn::IfThenElse(fresh_, s_, next), way = hn::Sub(x, s_);
       const VD f = evaluate<false>(sdf_, at(o_, d_, x)).value;
       const MD walking = hn::AndNot(fresh_, going_);
-      // A step of more than is safe stands if the balls around both ends leave no gap.
+      // A step of more than is safe stands if the balls around both ends leave no gap, or none that
+      // counts: the last one before the surface crosses it.
       const VD beyond = hn::Mul(f, side_);
-      const MD longer = hn::And(walking, hn::Gt(slope_, number(-1)));
+      const MD longer = hn::And(
+          walking, hn::And(hn::Gt(slope_, number(-1)), hn::Gt(way, hn::Add(least_, least_))));
       const MD gap = hn::And(longer, hn::Gt(way, hn::Add(hn::Abs(f_), beyond)));
       const MD stands = hn::AndNot(gap, walking);
       const MD crossed = hn::And(stands, hn::Lt(beyond, number(0)));
