@@ -16,13 +16,20 @@ if [ "$1" = --keep ]; then
   shift
 fi
 
-# Where there is no flock (it is Linux's), nobody waits.
-if command -v flock >/dev/null; then
+# lock [-n]: of descriptor 9. flock is Linux's; macOS has Perl, whose lock belongs to the open file too.
+lock() {
+  if command -v flock >/dev/null; then flock "$@" 9; else
+    perl -e 'open my $file, "+<&=", 9 or die; exit !flock $file, @ARGV ? 2 | 4 : 2' -- "$@"
+  fi
+}
+
+# Where there is neither, nobody waits.
+if command -v flock >/dev/null || command -v perl >/dev/null; then
   exec 9<>"$build/.turn"
-  if ! flock -n 9; then
+  if ! lock -n; then
     read -r holder <"$build/.turn" || true
     { printf 'carlo: waiting for %s, which builds in the same folder ...\n' "${holder:-another ./carlo}" >&3; } 2>/dev/null || true
-    flock 9
+    lock
   fi
   printf '%s\n' "${CARLO_TURN_OF:-another program}" >"$build/.turn"
 fi
@@ -30,5 +37,5 @@ fi
 if [ -n "$folder" ]; then
   mkdir -p "$folder"
   # Not into a copy that still runs.
-  for program in "${programs[@]}"; do rm -f "$folder/$program" && cp -p "$build/bin/$program" "$folder/"; done
+  for program in ${programs[@]+"${programs[@]}"}; do rm -f "$folder/$program" && cp -p "$build/bin/$program" "$folder/"; done
 fi
