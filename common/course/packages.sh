@@ -171,6 +171,11 @@ installed_versions() {
 # Catch2 must be version 3: Debian 12 has it in its backports only.
 is_catch2_version() { [ -n "$1" ] && dpkg --compare-versions "$1" ge 3; }
 
+# Ubuntu 22.04 has version 2 only; there it may have been installed from its sources.
+has_own_catch2() {
+  grep -q 'PACKAGE_VERSION "3' /usr/local/lib/cmake/Catch2/Catch2ConfigVersion.cmake 2>/dev/null
+}
+
 # The mirror that this machine already uses.
 debian_mirror() {
   local mirror
@@ -179,9 +184,11 @@ debian_mirror() {
   printf '%s' "${mirror:-http://deb.debian.org/debian}"
 }
 
+is_bookworm() { [ "$(. /etc/os-release && printf '%s' "${VERSION_CODENAME:-}")" = bookworm ]; }
+
 add_backports() {
   local line list=/etc/apt/sources.list.d/carlo-backports.list
-  [ "$(. /etc/os-release && printf '%s' "${VERSION_CODENAME:-}")" = bookworm ] || return 0
+  is_bookworm || return 0
   apt-cache policy | grep -q 'n=bookworm-backports' && return 0
   line="deb $(debian_mirror) bookworm-backports main"
   if [ -n "$dry_run" ]; then
@@ -195,7 +202,9 @@ add_backports() {
 
 install_catch2() {
   local release=()
-  apt-cache policy | grep -q 'n=bookworm-backports' && release=(-t bookworm-backports)
+  if apt-cache policy | grep -q 'n=bookworm-backports' || { [ -n "$dry_run" ] && is_bookworm; }; then
+    release=(-t bookworm-backports)
+  fi
   as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -y --no-install-recommends \
     ${release[@]+"${release[@]}"} install libcatch2-dev
 }
@@ -209,6 +218,7 @@ setup_by_apt() {
   local catch2=${there##*$'\n'libcatch2-dev }
   [ "$catch2" != "$there" ] || catch2=
   catch2=${catch2%%$'\n'*}
+  ! has_own_catch2 || catch2=3
   if [ ${#missing[@]} = 0 ] && is_catch2_version "$catch2"; then return; fi
   may_install 'Debian packages' 'as root: ./carlo setup' ${missing[@]+"${missing[@]}"} libcatch2-dev
   [ -n "$dry_run" ] || printf 'carlo: installing %s Debian packages ...\n' "$((${#missing[@]} + 1))" >&2
@@ -219,6 +229,10 @@ setup_by_apt() {
   if ! is_catch2_version "$catch2"; then
     add_backports
     install_catch2
+    catch2=$(installed_versions libcatch2-dev)
+    case ${catch2#* } in
+      [012].*) fail "Catch2 here is version ${catch2#* }, and Carlo needs 3: labs/README.md says how to install it" ;;
+    esac
   fi
 }
 
