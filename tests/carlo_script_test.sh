@@ -19,7 +19,7 @@ expect_error "no verb 'frobnicate'; ./carlo alone" frobnicate
 expect_error 'did you mean ./carlo test\?' tset
 expect_error 'did you mean ./carlo status\?' Statsu 1
 expect_error 'did you mean ./carlo lab\?' labs 1
-expect_error 'no lab 9; there are: 1, 2' hint 9.1
+expect_error 'no lab 99; there are: 1, 2' hint 99.1
 expect_error 'no exercise 1.9; lab 1 has 1.1 to 1.7' hint 1.9
 expect_error 'which exercise of lab 1\? There are 1.1 to 1.7' hint 1
 expect_error 'an exercise is a number such as' hint one
