@@ -4,6 +4,9 @@
 #include "report/measure.h"
 #include "report/notebook.h"
 
+#include <string>
+#include <vector>
+
 namespace lab09 {
 
 using carlo::Curve, carlo::Measurement, carlo::Notebook;
@@ -32,8 +35,13 @@ void irradiance_cache_experiment(Notebook& notebook);
 void leak_experiment(Notebook& notebook);
 /// All of them beside lab 08's path tracer: error against time.
 void practice_experiment(Notebook& notebook);
-/// The seconds of one thread that practice_experiment() gives each image; 0: 1, or .1 in a quick
-/// run.
-inline double practice_seconds = 0;
+/// What practice_experiment() can be told.
+struct PracticeOptions {
+  double seconds = 0;  ///< of one thread, for each image; 0: 1, or .25 in a quick run
+  std::string scene;   ///< one of practice_scenes alone; empty: all, or the first in a quick run
+};
+inline PracticeOptions practice_options;
+inline const std::vector<std::string> practice_scenes = {"caustics", "indirect", "big_light",
+                                                         "soft_shadows"};
 
 }  // namespace lab09

@@ -60,9 +60,11 @@ int main(int argc, char** argv) {
   lab.add_options = [&](carlo::CommandLine& app) {
     app.option("--step", only, "one step alone, a to g, or all methods side by side")
         .one_of({"a", "b", "c", "d", "e", "f", "g", "practice"});
-    app.option("--seconds", lab09::practice_seconds,
-               "of one thread, for each image of --step practice (1; .1 in a quick run)")
+    app.option("--seconds", lab09::practice_options.seconds,
+               "of one thread, for each image of --step practice (1; .25 in a quick run)")
         .range(0.01, 3600.0);
+    app.option("--scene", lab09::practice_options.scene, "the scene of --step practice (all)")
+        .one_of(lab09::practice_scenes);
   };
   lab.instead = [&](const carlo::LabOptions&) -> std::optional<int> {
     for (bool passed = false; const Step& step : steps()) {

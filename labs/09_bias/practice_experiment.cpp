@@ -99,10 +99,15 @@ std::vector<PracticeCurve> practice_curves(Notebook& notebook, const PracticeSce
 void practice_experiment(Notebook& notebook) {
   notebook.begin("In practice");
   const bool quick = notebook.options().quick;
-  const double seconds = practice_seconds > 0 ? practice_seconds : quick ? 0.1 : 1;
+  const PracticeOptions& options = practice_options;
+  const double seconds = options.seconds > 0 ? options.seconds : quick ? 0.25 : 1;
   const int size = quick ? 64 : 128;
-  std::vector<std::string> scenes = {"caustics", "indirect"};
-  if (!quick) scenes.insert(scenes.end(), {"big_light", "soft_shadows"});
+  std::vector<std::string> scenes = practice_scenes;
+  if (!options.scene.empty()) {
+    scenes = {options.scene};
+  } else if (quick) {
+    scenes.resize(1);
+  }
   notebook.say(fmt::format(
       "Scenes of common/scenes at {0} x {0} pixels, {1} of one thread for each image. relMSE is the "
       "mean of (error/reference)², dark pixels counted as .1; it is the sum of bias² and noise², "

@@ -56,13 +56,27 @@ PracticeRun practice_run(Notebook& notebook, const PracticeScene& scene,
   return run;
 }
 
-/// Seconds of one pass, where some are made together.
-double seconds_of_pass(Notebook& notebook, const PracticeMethod& method) {
-  for (int passes = 4;; passes *= 4) {
+/// What so many passes take: some seconds once, and some for each.
+struct PassCost {
+  double once = 0, each = 0;
+
+  int passes_in(double seconds) const {
+    return std::max(2, static_cast<int>(std::lround((seconds - once) / each)));
+  }
+};
+
+PassCost cost_of_passes(Notebook& notebook, const PracticeMethod& method) {
+  const auto seconds_of = [&](int passes) {
     const carlo::Stopwatch watch;
     method.render(passes, notebook.rng().next_u64());
-    if (watch.seconds() > 0.05) return watch.seconds() / passes;
-  }
+    return watch.seconds();
+  };
+  int passes = 2;
+  while (seconds_of(passes) < 0.05)
+    passes *= 2;
+  const double few = seconds_of(passes), more = seconds_of(2 * passes);
+  const double each = std::max(more - few, more / 8) / passes;
+  return {std::max(few - passes * each, 0.0), each};
 }
 
 }  // namespace
@@ -130,9 +144,9 @@ double PracticeCurve::foretold(double t) const {
 PracticeCurve measure_practice(Notebook& notebook, const PracticeScene& scene,
                                const PracticeMethod& method, double seconds) {
   PracticeCurve curve{method.name, method.trend, {}};
-  const double pass = seconds_of_pass(notebook, method);
+  const PassCost cost = cost_of_passes(notebook, method);
   for (const int share : {16, 4, 1}) {
-    const int passes = std::max(2, static_cast<int>(std::lround(seconds / share / pass)));
+    const int passes = cost.passes_in(seconds / share);
     if (!curve.runs.empty() && passes == curve.longest().passes) continue;
     curve.runs.push_back(
         practice_run(notebook, scene, method, passes, share == 1 ? 3 : 2 + share / 2));

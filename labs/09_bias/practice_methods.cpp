@@ -10,7 +10,7 @@ namespace practice {
 namespace {
 
 /// What the methods are set to; lengths are for rooms of side 2.
-constexpr int photons_a_pass = 20000;
+constexpr int photons_a_pass = 20000, caustic_photons_a_pass = 5000;
 constexpr float photon_radius = 0.03f, caustic_radius = 0.02f, first_radius = 0.06f;
 constexpr double radius_alpha = 2.0 / 3;
 constexpr double cache_error = 0.25, nearest_reach = 0.05, farthest_reach = 1;
@@ -77,21 +77,21 @@ PracticeMethod paths_by_area(const PracticeScene& s) {
           }};
 }
 
-/// A map of all photons, or of caustic ones alone.
-PhotonMap photon_map(const PracticeScene& s, bool caustics, Rng& rng) {
+/// A map of all photons, or of caustic ones alone; so many are emitted.
+PhotonMap photon_map(const PracticeScene& s, bool caustics, int emitted, Rng& rng) {
   std::vector<Photon> photons;
-  for (int i = 0; i < photons_a_pass; ++i) {
+  for (int i = 0; i < emitted; ++i) {
     trace_photon(s.world, emit_photon(s.world, rng), rng, [&](const Photon& photon) {
       if (!caustics || photon.caustic()) photons.push_back(photon);
     });
   }
-  return {std::move(photons), 1.0f / photons_a_pass};
+  return {std::move(photons), 1.0f / static_cast<float>(emitted)};
 }
 
 /// A pass has photons of its own.
 carlo::Image photon_pass(const PracticeScene& s, std::uint64_t seed, int pass, float radius) {
   Rng rng(seed, static_cast<std::uint64_t>(pass));
-  const PhotonMap map = photon_map(s, false, rng);
+  const PhotonMap map = photon_map(s, false, photons_a_pass, rng);
   return one_ray_each(s, rng, [&](int x, int y, Rng& own) {
     const Ray ray = film_ray(s, x, y, own);
     return photon_radiance(s.world, ray, map, radius, own);
@@ -124,7 +124,7 @@ PracticeMethod caustics(const PracticeScene& s) {
   return {"paths and caustic photons", Trend::biased, [&s](int passes, std::uint64_t seed) {
             return mean_of_passes(passes, [&](int pass) {
               Rng rng(seed, static_cast<std::uint64_t>(pass));
-              const PhotonMap map = photon_map(s, true, rng);
+              const PhotonMap map = photon_map(s, true, caustic_photons_a_pass, rng);
               return one_ray_each(s, rng, [&](int x, int y, Rng& own) {
                 const Ray ray = film_ray(s, x, y, own);
                 return caustic_radiance(s.world, ray, map, caustic_radius, own);
