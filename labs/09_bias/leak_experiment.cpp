@@ -111,8 +111,8 @@ double below_board(float height, const LeakSetting& setting, Rng rng) {
   constexpr int cells = 24;
   for (const float z : {height * 1.0001f, 0.0f}) {
     for (int i = 0; i < cells * cells; ++i) {
-      const Vec3 p(0.5f + static_cast<float>(i % cells) / cells,
-                   static_cast<float>(i / cells) / cells, z);
+      const int row = i / cells, column = i % cells;
+      const Vec3 p(0.5f + static_cast<float>(column) / cells, static_cast<float>(row) / cells, z);
       const float E = cached_on_floor(*world, cache, setting, p, rng);
       if (z == 0) leaked += static_cast<double>(E / carlo::pi_f) / (cells * cells);
     }
