@@ -1,6 +1,6 @@
 #include "experiments.h"
 #include "given/sampled.h"
-#include "numeric/robust.h"
+#include "mirrored_lamp.h"
 #include "report/format.h"
 #include "sampling/samplers.h"
 
@@ -22,60 +22,18 @@ namespace {
 
 using carlo::IndependentSampler;
 
-constexpr double alpha = 2 / 3.0, first_radius = 0.4, reflectance = 0.9, albedo = 0.5;
-constexpr double image_height = 1.2;  ///< of the lamp's mirror image
-constexpr double away = 0.5;          ///< of the points, from the foot of the lamp
-constexpr std::int64_t photons_a_pass = 512;
-
-/// A round lamp at height 1 that faces up, below a mirror. Its power is pi, however small it is.
-struct MirroredLamp {
-  explicit MirroredLamp(double radius_) : radius(radius_), world(scene()) {}
-
-  /// The radiance of the floor at the points, by the lamp's mirror image and nothing else.
-  double exact() const {
-    const double a2 = radius * radius, s = away * away + image_height * image_height;
-    const double root = std::sqrt((s + a2) * (s + a2) - 4 * a2 * away * away);
-    // (1 - (s - a2)/root)/2 without cancellation.
-    const double share = 2 * a2 * image_height * image_height / (root * (root + s - a2));
-    return albedo * reflectance * share * radiance();
-  }
-
-  /// The floor at point number i of three, or any.
-  Ray ray(int i) const {
-    const double turn = 2 * carlo::pi * i / 3;
-    return {{static_cast<float>(away * std::cos(turn)), static_cast<float>(away * std::sin(turn)),
-             0.5f},
-            {0, 0, -1}};
-  }
-
-  double radius;
-  World world;
-
- private:
-  double radiance() const { return 1 / (carlo::pi * radius * radius); }
-
-  carlo::Scene scene() const {
-    carlo::Scene scene;
-    scene.materials = {{carlo::Phong{Rgb(static_cast<float>(albedo)), Rgb(0), 0}, false},
-                       {carlo::Mirror{Rgb(static_cast<float>(reflectance))}, false},
-                       {carlo::Phong{Rgb(0), Rgb(0), 0}, false}};
-    scene.shapes = {{carlo::Parallelogram{{-4, -4, 0}, {8, 0, 0}, {0, 8, 0}}, 0, Rgb(0)},
-                    {carlo::Parallelogram{{-4, -4, 1.1f}, {0, 8, 0}, {8, 0, 0}}, 1, Rgb(0)},
-                    {carlo::Disk{{0, 0, 1}, {0, 0, 1}, static_cast<float>(radius)}, 2,
-                     Rgb(static_cast<float>(radiance()))}};
-    return scene;
-  }
-};
+constexpr double shrinking_alpha = 2 / 3.0, widest = 0.4;
+constexpr std::int64_t photons_a_map = 512;
 
 /// The photons that come to the floor straight from the mirror.
 PhotonMap pass_map(const World& world, Rng& rng) {
   std::vector<Photon> photons;
-  for (std::int64_t i = 0; i < photons_a_pass; ++i) {
+  for (std::int64_t i = 0; i < photons_a_map; ++i) {
     trace_photon(world, emit_photon(world, rng), rng, [&](const Photon& photon) {
       if (photon.caustic()) photons.push_back(photon);
     });
   }
-  return {std::move(photons), 1 / static_cast<float>(photons_a_pass)};
+  return {std::move(photons), 1 / static_cast<float>(photons_a_map)};
 }
 
 /// The three points by a map, a channel each.
@@ -95,15 +53,15 @@ Rgb at_points(const MirroredLamp& lamp, const PhotonMap& map, double radius) {
 using Points = std::function<Rgb(const MirroredLamp& lamp, std::int64_t n, Rng& rng)>;
 
 Rgb progressive(const MirroredLamp& lamp, std::int64_t passes, Rng& rng) {
-  return progressive_mean(static_cast<int>(passes), first_radius, alpha, [&](int, double radius) {
-    return at_points(lamp, pass_map(lamp.world, rng), radius);
-  });
+  return progressive_mean(
+      static_cast<int>(passes), widest, shrinking_alpha,
+      [&](int, double radius) { return at_points(lamp, pass_map(lamp.world, rng), radius); });
 }
 
 Rgb unshrunk(const MirroredLamp& lamp, std::int64_t passes, Rng& rng) {
   glm::dvec3 sum(0);
   for (std::int64_t i = 0; i < passes; ++i)
-    sum += at_points(lamp, pass_map(lamp.world, rng), first_radius);
+    sum += at_points(lamp, pass_map(lamp.world, rng), widest);
   return sum / static_cast<double>(passes);
 }
 
@@ -169,9 +127,10 @@ void slopes(Notebook& notebook) {
       {"radius shrinks", progressive, 0.02, 1, passes, "-1/3"},
       {"Lab 8.8", by_paths, 0.02, 1024, samples, "-1/2"},
       {"radius shrinks, lamp a hundredth the area", progressive, 0.002, 1, passes, "-1/3"},
-      {"Lab 8.8, lamp a hundredth the area", by_paths, 0.002, 1024, samples, "-1/2 at last"}};
+      {"Lab 8.8, lamp a hundredth the area", by_paths, 0.002, 1024, samples,
+       "-1/2 once it is found"}};
   carlo::Chart chart{"Error of a point's radiance",
-                     fmt::format("a pass has {} photons", photons_a_pass),
+                     fmt::format("a pass has {} photons", photons_a_map),
                      {"passes, or samples of the point"},
                      {"relative error"},
                      {}};
