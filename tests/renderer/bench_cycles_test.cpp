@@ -124,6 +124,24 @@ TEST_CASE("Scenes that Cycles has no exact equal of are refused with the reason"
   CHECK(obstacle([](Scene& s) { s.camera.right = -s.camera.right; }) == "a camera that mirrors");
 }
 
+TEST_CASE("Mitsuba gets an image all around: rows from the top, and where its axes point") {
+  Scene scene = lamp_over_triangle();
+  Envmap map{Image(2, 1), glm::dmat3({0, 0, -1}, {0, 1, 0}, {1, 0, 0})};
+  map.image.pixels = {Rgb(1, 2, 3), Rgb(4, 5, 6)};
+  scene.lights.envmap = map;
+  CHECK(bench::obstacle(scene, bench::Peer::cycles) == "an image all around");
+  CHECK(bench::obstacle(scene, bench::Peer::luxcore) == "an image all around");
+  REQUIRE(!bench::obstacle(scene, bench::Peer::mitsuba));
+  const json spec = bench::peer_scene(scene, bench::Peer::mitsuba).at("envmap");
+  CHECK(spec.at("width") == 2);
+  CHECK(spec.at("height") == 1);
+  CHECK(spec.at("radiance") == json::parse("[1, 2, 3, 4, 5, 6]"));
+  CHECK(vec(spec.at("x")) == Vec3(0, 0, -1));
+  CHECK(vec(spec.at("z")) == Vec3(1, 0, 0));
+  scene.lights.envmap.reset();
+  CHECK(bench::peer_scene(scene, bench::Peer::mitsuba).at("envmap").is_null());
+}
+
 // Images of 64 x 64 pixels, brighter to the right, with noise of 10 % a pixel.
 constexpr int size = 64;
 constexpr float noise = .1f;

@@ -173,6 +173,18 @@ json camera(const carlo::Camera& c, float scale) {
           {"tan_half_x", c.tan_half_x}};
 }
 
+/// Rows from the top, three numbers a texel; `x`, `y` and `z` are the image's axes in the scene.
+json image_around(const carlo::Envmap& map) {
+  json radiance = json::array();
+  for (const carlo::Rgb& texel : map.image.pixels) {
+    for (int c = 0; c < 3; ++c)
+      radiance.push_back(texel[c]);
+  }
+  return {{"width", map.image.width},      {"height", map.image.height},
+          {"radiance", radiance},          {"x", numbers(map.rotation[0])},
+          {"y", numbers(map.rotation[1])}, {"z", numbers(map.rotation[2])}};
+}
+
 }  // namespace
 
 std::optional<std::string> obstacle(const Scene& scene, Peer peer) {
@@ -180,7 +192,7 @@ std::optional<std::string> obstacle(const Scene& scene, Peer peer) {
   if (n.disks > 0) return "disks";
   if (n.sdfs > 0) return "signed distance functions";
   if (n.phong) return "Phong's lobes";
-  if (n.envmap) return "an image all around";
+  if (n.envmap && peer != Peer::mitsuba) return "an image all around";
   if (peer == Peer::cycles) {
     if (n.spheres > 0) return "spheres";
     if (n.mirror || n.dielectric) return "surfaces that are not diffuse";
@@ -197,7 +209,7 @@ std::optional<std::string> obstacle(const Scene& scene, Peer peer) {
   others.parallelograms = others.spheres = others.meshes = others.triangles = 0;
   others.parallelogram_lights = others.sphere_lights = others.triangle_lights = 0;
   others.point_lights = 0;
-  others.diffuse = others.mirror = others.dielectric = others.environment = false;
+  others.diffuse = others.mirror = others.dielectric = others.environment = others.envmap = false;
   others.one_sided = others.two_sided = others.depth_limit = false;
   if (others != carlo::Needs{}) return "something that is new here";
   return {};
@@ -226,7 +238,6 @@ json peer_scene(const Scene& scene, Peer peer) {
     }
   }
   const auto& [point_lights, environment, envmap] = scene.lights;
-  (void)envmap;  // obstacle()
   for (const carlo::PointLight& light : point_lights) {
     points.push_back({{"position", numbers(scale * light.position)},
                       {"intensity", numbers(scale * scale * light.intensity)}});
@@ -240,7 +251,8 @@ json peer_scene(const Scene& scene, Peer peer) {
           {"meshes", meshes},
           {"spheres", spheres},
           {"point_lights", points},
-          {"environment", numbers(environment)}};
+          {"environment", numbers(environment)},
+          {"envmap", envmap ? image_around(*envmap) : json()}};
 }
 
 }  // namespace bench
