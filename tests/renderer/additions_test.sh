@@ -39,6 +39,12 @@ labs/08_path_tracer/phong_experiment.cpp|scene.lights.environment = |makes a sce
 labs/08_path_tracer/specular_experiment.cpp|scene.lights.environment = |makes a scene
 solutions/08_path_tracer/steps/g_specular.cpp|get_if<carlo::|the last kind is taken by std::get, which throws
 solutions/08_path_tracer/steps/h_path_tracer.cpp|get_if<carlo::|the last kind is taken by Surface::phong(), which throws
+labs/09_bias/practice_methods.cpp|get_if<carlo::|the last kind is taken by Surface::phong(), which throws
+labs/09_bias/noisy_image.cpp|get_if<carlo::Phong>|all other kinds count as white
+labs/09_bias/photon_run.cpp|holds_alternative<carlo::Phong>|a picture of the floor alone
+solutions/09_bias/steps/d_photons.cpp|get_if<carlo::|the last kind is taken by Surface::phong(), which throws
+solutions/09_bias/steps/d_photons.cpp|holds_alternative<carlo::Phong>|what is stored; scatter() knows the others
+solutions/09_bias/steps/e_density.cpp|get_if<carlo::|the last kind is taken by Surface::phong(), which throws
 '
 by_name='get_if<|holds_alternative<|[=!]= *(carlo::)?SamplerKind::|lights\.(points|environment|envmap)'
 grep -rnE "$by_name" common solutions labs >"$work/by_name"
