@@ -40,6 +40,7 @@ labs/08_path_tracer/specular_experiment.cpp|scene.lights.environment = |makes a 
 solutions/08_path_tracer/steps/g_specular.cpp|get_if<carlo::|the last kind is taken by std::get, which throws
 solutions/08_path_tracer/steps/h_path_tracer.cpp|get_if<carlo::|the last kind is taken by Surface::phong(), which throws
 labs/09_bias/practice_methods.cpp|get_if<carlo::|the last kind is taken by Surface::phong(), which throws
+labs/09_bias/leak_experiment.cpp|scene.lights.environment = |makes a scene
 labs/09_bias/noisy_image.cpp|get_if<carlo::Phong>|all other kinds count as white
 labs/09_bias/photon_run.cpp|holds_alternative<carlo::Phong>|a picture of the floor alone
 solutions/09_bias/steps/d_photons.cpp|get_if<carlo::|the last kind is taken by Surface::phong(), which throws
