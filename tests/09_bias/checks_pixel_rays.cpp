@@ -1,0 +1,368 @@
+// Checks of exercise 9.2: what pixels make of their rays. What the rays bring follows from the
+// probe's seed, and so does the pixel's value, once it is known where they went.
+
+#include "09_bias/pixel_filter_theory.h"
+#include "grader/judge/figures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace lab09_pixels {
+
+using namespace carlo::grader;
+
+namespace {
+
+const Diagnosis too_few_rays{"wrong-number-of-rays", "a pixel asks for `samples` rays, each once."};
+const Diagnosis from_pixel_corner{"pixel-corner-for-middle",
+                                  "offsets are added to the pixel's corner; its middle is at "
+                                  "x + 1/2 and y + 1/2."};
+const Diagnosis kept_on_film{"rays-kept-on-film",
+                             "rays that should leave the film are kept on it."};
+const Diagnosis miss_pixel{"filtered-rays-miss-the-pixel",
+                           "rays go elsewhere: the pixel's middle and the offset are added, then "
+                           "divided by width and height."};
+const Diagnosis pixel_upside_down{"filtered-pixels-upside-down",
+                                  "y counts from the top, and so does the film's second "
+                                  "coordinate."};
+const Diagnosis one_offset{"one-offset-for-all-rays",
+                           "all rays go through one place: each has an offset of its own."};
+const Diagnosis rays_uniform{"rays-uniform-in-square",
+                             "rays are uniform in the filter's square; filtered_pixel() draws them "
+                             "from the filter."};
+const Diagnosis rays_filtered{
+    "weighted-rays-from-filter",
+    "offsets that are drawn from the filter are weighed by it as well: it "
+    "counts twice."};
+const Diagnosis in_pixel_only{"offsets-in-pixel-only",
+                              "offsets stay within the pixel; the filter reaches beyond it."};
+const Diagnosis rays_on_diagonal{"rays-on-diagonal",
+                                 "across and down come from one random number."};
+const Diagnosis weighed_twice{"filter-weighed-twice",
+                              "the filter is in the rays' density; it is not to be a weight once "
+                              "more."};
+const Diagnosis pixel_not_divided{"pixel-sum-not-mean", "the sum is returned, not the mean."};
+const Diagnosis wrong_divisor{"pixel-divided-by-other-number",
+                              "the sum is not divided by the number of its rays."};
+const Diagnosis one_ray_only{"pixel-one-ray-only", "one ray decides, and the others are lost."};
+const Diagnosis not_weighed{"rays-not-weighed",
+                            "rays are not weighed by the filter: they are uniform in its square."};
+const Diagnosis by_number{"weights-divided-by-number",
+                          "the weighted sum is divided by the number of rays; the sum of the "
+                          "weights is wanted."};
+const Diagnosis by_area{"weights-by-known-sum",
+                        "the sum is divided by what the weights come to on average: that is "
+                        "unbiased, and another estimate. The sum of these rays' weights is "
+                        "wanted."};
+const Diagnosis weights_squared{"weights-squared", "the weights are squared."};
+const Diagnosis weights_not_divided{"weights-not-divided",
+                                    "the weighted sum is not divided by the sum of the weights."};
+const Diagnosis one_axis{"weight-of-one-axis",
+                         "the weight is the filter's curve along one axis; it is the product of "
+                         "both."};
+const Diagnosis other_weights{"weights-of-other-places",
+                              "the weights are not those of the places that the rays go through."};
+const Diagnosis nothing_over_nothing{"zero-over-zero",
+                                     "where the weights add up to 0 the result is 0 by contract, "
+                                     "and not 0/0."};
+
+/// Where the rays of one pixel went, and what was made of them.
+struct RaysAnswer {
+  FilterCase filter;
+  std::vector<PixelPoint> offsets;
+  std::vector<Brought> brought;
+  double rays = 0;
+  std::array<double, 3> pixel{};
+
+  std::size_t count() const { return offsets.size(); }
+};
+
+/// A pixel at the film's corner: rays leave it to the left and at the bottom.
+constexpr int corner_x = 0, corner_y = film_height - 1;
+
+RaysAnswer rays_answer(std::size_t filter, bool weighted, std::int64_t n) {
+  const auto count = static_cast<std::size_t>(n);
+  const Answer rows =
+      probe("Lab 9.2 rays",
+            {.n = n,
+             .numbers = {{"filter", static_cast<double>(filter)},
+                         {"weighted", weighted ? 1 : 0},
+                         {"x", corner_x},
+                         {"y", corner_y}}},
+            {.rows = count + 2,
+             .columns = 2,
+             .finite = false,
+             .of = fmt::format("{} rays of {}_pixel", n, weighted ? "weighted" : "filtered")});
+  RaysAnswer answer{drawn_filters(rows.seed).at(filter),
+                    {},
+                    drawn_radiance(rows.seed, n),
+                    rows.at(count, 0),
+                    {rows.at(count, 1), rows.at(count + 1, 0), rows.at(count + 1, 1)}};
+  for (std::size_t i = 0; i < count; ++i)
+    answer.offsets.push_back({rows.at(i, 0), rows.at(i, 1)});
+  return answer;
+}
+
+// Places ------------------------------------------------------------------------------------------
+
+/// Places on the film are floats.
+constexpr double place_rounding = 1e-4;
+
+bool within(const FilterCase& filter, PixelPoint p) {
+  const double r = filter.radius + place_rounding;
+  return std::abs(p.x) <= r && std::abs(p.y) <= r;
+}
+
+template <class Is>
+bool all_offsets(const RaysAnswer& answer, const Is& is) {
+  return std::all_of(answer.offsets.begin(), answer.offsets.end(), is);
+}
+
+std::vector<Diagnosis> of_places(const RaysAnswer& answer) {
+  const FilterCase& filter = answer.filter;
+  if (all_offsets(answer, [&](PixelPoint p) { return within(filter, {p.x + 0.5, p.y + 0.5}); }))
+    return {from_pixel_corner};
+  // The film's bottom lies 1/2 below the middle of its last row.
+  constexpr double turned = 2 * corner_y + 1 - film_height;
+  if (all_offsets(answer, [&](PixelPoint p) { return within(filter, {p.x, -p.y - turned}); }))
+    return {pixel_upside_down};
+  return {miss_pixel};
+}
+
+/// Judges that rays stay in the filter's square and fill it, past the film's edges.
+bool judge_square(const RaysAnswer& answer, const std::string& of) {
+  const bool in_square =
+      all_offsets(answer, [&](PixelPoint p) { return within(answer.filter, p); });
+  judge(is_so("rays within the filter's square" + of, in_square, "some beyond it", "all",
+              in_square ? std::vector<Diagnosis>{} : of_places(answer)));
+  const bool on_film = all_offsets(answer, [](PixelPoint p) {
+    return p.x >= -0.5 - place_rounding && p.y <= 0.5 + place_rounding;
+  });
+  const bool in_pixel = on_film && all_offsets(answer, [](PixelPoint p) {
+                          return p.x <= 0.5 + place_rounding && p.y >= -0.5 - place_rounding;
+                        });
+  judge(is_so("rays off the film, of a pixel in its corner" + of, !on_film, "none", "some",
+              {in_pixel ? in_pixel_only : kept_on_film}));
+  return in_square && !on_film;
+}
+
+/// Whether the mean square of the offsets is near to this.
+bool spread_is(const RaysAnswer& answer, double square) {
+  double sum = 0;
+  for (const PixelPoint p : answer.offsets)
+    sum += (p.x * p.x + p.y * p.y) / (2 * static_cast<double>(answer.count()));
+  return std::abs(sum - square) < 0.05 * square;
+}
+
+/// Judges the distribution of the places, which should be that of `filter`. `others`: what to say
+/// of a spread that is some other's.
+void judge_spread(const RaysAnswer& answer, const FilterCase& filter, const std::string& of,
+                  const std::vector<std::pair<double, Diagnosis>>& others) {
+  std::vector<double> shares, products;
+  bool one_place = true, diagonal = true;
+  for (const PixelPoint p : answer.offsets) {
+    const double x = share_before(filter, p.x), y = share_before(filter, p.y);
+    shares.push_back(x);
+    shares.push_back(y);
+    products.push_back((2 * x - 1) * (2 * y - 1));
+    one_place = one_place && std::abs(p.x - answer.offsets[0].x) < place_rounding &&
+                std::abs(p.y - answer.offsets[0].y) < place_rounding;
+    diagonal = diagonal && std::abs(p.x - p.y) < 2 * place_rounding;
+  }
+  std::vector<Diagnosis> told;
+  for (const auto& [square, diagnosis] : others) {
+    if (told.empty() && spread_is(answer, square)) told = {diagnosis};
+  }
+  if (one_place) told = {one_offset};
+  Verdict places = uniform_on("the filter's share before a ray's place" + of, shares, 0, 1);
+  if (!places.passed && !diagonal) places.diagnoses = told;
+  judge(places);
+  // The product of two independent uniform numbers of [-1, 1].
+  Verdict pairs = mean_is("both shares' product" + of, products,
+                          {.mean = 0, .sd = 1.0 / 3, .excess_kurtosis = 0.24});
+  if (!pairs.passed) pairs.diagnoses = one_place ? told : std::vector{rays_on_diagonal};
+  judge(pairs);
+}
+
+double filter_square(const FilterCase& filter) {
+  double sum = 0;
+  constexpr int steps = 2000;
+  for (int i = 0; i < steps; ++i) {
+    const double x = filter.radius * (2 * (i + 0.5) / steps - 1);
+    sum += x * x * curve_shape(filter, x);
+  }
+  return sum * 2 * filter.radius / steps / shape_area(filter);
+}
+
+// Values ------------------------------------------------------------------------------------------
+
+/// Sums over the rays, each weighed by weight(offset). What rounding has put beyond the radius lies
+/// on it.
+template <class Weight>
+std::array<double, 4> weighed_sums(const RaysAnswer& answer, const Weight& weight) {
+  std::array<double, 4> sums{};
+  for (std::size_t i = 0; i < answer.count(); ++i) {
+    PixelPoint p = answer.offsets[i];
+    if (within(answer.filter, p)) {
+      const double r = answer.filter.radius;
+      p = {std::clamp(p.x, -r, r), std::clamp(p.y, -r, r)};
+    }
+    const double w = weight(p);
+    sums[0] += w * answer.brought[i].r;
+    sums[1] += w * answer.brought[i].g;
+    sums[2] += w * answer.brought[i].b;
+    sums[3] += w;
+  }
+  return sums;
+}
+
+bool same(const std::array<double, 3>& pixel, const std::array<double, 4>& sums, double divisor) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double should = sums[c] / divisor;
+    if (!(std::abs(pixel[c] - should) <= 2e-4 * std::abs(should))) return false;
+  }
+  return true;
+}
+
+std::string rgb_text(const std::array<double, 3>& v) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]);
+}
+
+std::vector<Diagnosis> of_pixel(const RaysAnswer& answer, bool weighted) {
+  const auto n = static_cast<double>(answer.count());
+  const FilterCase& filter = answer.filter;
+  const auto density = [&](PixelPoint p) { return filter_density(filter, p.x, p.y); };
+  const auto plain = weighed_sums(answer, [](PixelPoint) { return 1.0; });
+  const auto once = weighed_sums(answer, density);
+  const auto twice = weighed_sums(answer, [&](PixelPoint p) { return density(p) * density(p); });
+  const auto across = weighed_sums(answer, [&](PixelPoint p) { return curve_shape(filter, p.x); });
+  const auto down = weighed_sums(answer, [&](PixelPoint p) { return curve_shape(filter, p.y); });
+  const auto is = [&](const std::array<double, 4>& sums, double divisor) {
+    return same(answer.pixel, sums, divisor);
+  };
+  if (is(plain, 1)) return {pixel_not_divided};
+  if (is(plain, n)) return {not_weighed};
+  if (is(plain, n - 1) || is(plain, n + 1)) return {wrong_divisor};
+  for (const std::size_t i : {std::size_t{0}, answer.count() - 1}) {
+    const Brought& b = answer.brought[i];
+    if (is({b.r, b.g, b.b, 1}, 1) || is({b.r, b.g, b.b, 1}, n)) return {one_ray_only};
+  }
+  if (!weighted) {
+    if (is(once, n) || is(once, once[3]) || is(once, 1)) return {weighed_twice};
+    return {};
+  }
+  const double square = 4 * filter.radius * filter.radius;
+  if (is(once, 1)) return {weights_not_divided};
+  if (is(once, n)) return {by_number};
+  if (is(once, n / square)) return {by_area};
+  if (is(twice, twice[3]) || is(twice, once[3])) return {weights_squared};
+  if (is(across, across[3]) || is(down, down[3])) return {one_axis};
+  if (std::abs(answer.pixel[0] - answer.brought[0].r) < 1e-4 * answer.brought[0].r)
+    return {other_weights};
+  return {};
+}
+
+/// Judges the number of rays and the pixel's value.
+void judge_pixel(const RaysAnswer& answer, bool weighted, const std::string& of) {
+  const auto n = static_cast<double>(answer.count());
+  const bool counted_right = answer.rays == n;
+  judge(holds("rays" + of, counted_right, number_in_report(answer.rays), number_in_report(n),
+              {too_few_rays}));
+  const auto sums = weighed_sums(answer, [&](PixelPoint p) {
+    // One ray alone decides, whatever its weight.
+    return weighted && answer.count() > 1 ? filter_density(answer.filter, p.x, p.y) : 1.0;
+  });
+  const bool right = same(answer.pixel, sums, sums[3]);
+  judge(holds("what the pixel makes of its rays" + of, right, rgb_text(answer.pixel),
+              rgb_text({sums[0] / sums[3], sums[1] / sums[3], sums[2] / sums[3]}),
+              right           ? std::vector<Diagnosis>{}
+              : counted_right ? of_pixel(answer, weighted)
+                              : std::vector{too_few_rays}));
+}
+
+constexpr std::int64_t many_rays = 2000;
+
+}  // namespace
+
+TEST_CASE("Lab 9.2: rays of a filtered pixel are drawn from the filter", "[lab09][ex2]") {
+  for (std::size_t number = 0; number < plain_filters; ++number) {
+    const RaysAnswer answer = rays_answer(number, false, many_rays);
+    const std::string of = ", " + name_of(answer.filter);
+    const double uniform = answer.filter.radius * answer.filter.radius / 3;
+    if (judge_square(answer, of) && number > 0)
+      judge_spread(answer, answer.filter, of, {{uniform, rays_uniform}});
+    else if (number == 0)
+      judge_spread(answer, answer.filter, of, {});
+  }
+}
+
+TEST_CASE("Lab 9.2: a filtered pixel is the mean over its rays", "[lab09][ex2]") {
+  for (const std::int64_t n : {1, 5, 64}) {
+    const RaysAnswer answer = rays_answer(1, false, n);
+    judge_pixel(answer, false, fmt::format(", of {}", counted(static_cast<double>(n), "ray")));
+  }
+}
+
+TEST_CASE("Lab 9.2: rays of a weighted pixel are uniform in the filter's square", "[lab09][ex2]") {
+  const RaysAnswer answer = rays_answer(1, true, many_rays);
+  judge_square(answer, "");
+  judge_spread(answer, {box_curve, answer.filter.radius, 1}, "",
+               {{filter_square(answer.filter), rays_filtered}});
+}
+
+TEST_CASE("Lab 9.2: a weighted pixel is divided by the sum of its weights", "[lab09][ex2]") {
+  for (const std::size_t filter : {std::size_t{1}, std::size_t{2}}) {
+    // Of fewer than 8 rays the weights of a tent may all be so small that places' rounding shows.
+    for (const std::int64_t n : {1, 8, 64}) {
+      const RaysAnswer answer = rays_answer(filter, true, n);
+      judge_pixel(answer, true,
+                  fmt::format(", of {}, {}", counted(static_cast<double>(n), "ray"),
+                              name_of(answer.filter)));
+    }
+  }
+  const Rows rows =
+      probe("Lab 9.2 nothing", {.numbers = {{"filter", 1}, {"weighted", 1}, {"x", 3}, {"y", 3}}},
+            {.rows = 1, .columns = 3, .finite = false, .of = "no rays"});
+  const bool zero = rows.values[0] == 0 && rows.values[1] == 0 && rows.values[2] == 0;
+  judge(is_so("a weighted pixel without rays", zero, number_in_report(rows.values[0]), "0",
+              {nothing_over_nothing}));
+}
+
+TEST_CASE("Lab 9.2: an edge, filtered without bias", "[lab09][ex2]") {
+  constexpr int samples = 4;
+  for (std::size_t number = 0; number < plain_filters; ++number) {
+    const Answer rows = probe("Lab 9.2 edges",
+                              {.n = 2000,
+                               .numbers = {{"filter", static_cast<double>(number)},
+                                           {"weighted", 0},
+                                           {"samples", samples},
+                                           {"x", 5},
+                                           {"y", 6}}},
+                              {.rows = 2000, .columns = 1, .of = "an edge, filtered"});
+    const FilterCase filter = drawn_filters(rows.seed).at(number);
+    const double lit = share_beyond(filter, drawn_edge(rows.seed) * filter.radius);
+    judge(mean_is("an edge, by " + name_of(filter), rows.values,
+                  {.mean = lit, .sd = std::sqrt(lit * (1 - lit) / samples)}));
+  }
+}
+
+TEST_CASE("Lab 9.2: an edge, weighed with the bias that one and two rays have", "[lab09][ex2]") {
+  for (const int samples : {1, 2}) {
+    const Answer rows = probe(
+        "Lab 9.2 edges",
+        {.n = 6000,
+         .numbers = {{"filter", 1}, {"weighted", 1}, {"samples", samples}, {"x", 5}, {"y", 6}}},
+        {.rows = 6000, .columns = 1, .of = "an edge, weighed"});
+    const double edge = drawn_edge(rows.seed);
+    const WeightedEdge theory = weighted_edge(edge, samples);
+    const Suspects slips = samples == 1 ? Suspects{} : Suspects{{(1 - edge) / 2, not_weighed}};
+    judge(mean_is(fmt::format("a weighted pixel of {}", counted(samples, "ray")), rows.values,
+                  {.mean = theory.mean, .sd = std::sqrt(theory.square - theory.mean * theory.mean)},
+                  slips));
+  }
+}
+
+}  // namespace lab09_pixels
