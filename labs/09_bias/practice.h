@@ -15,9 +15,9 @@ namespace lab09 {
 
 /// A scene of common/scenes, small, and its converged image.
 struct PracticeScene {
-  /// size x size pixels, 128 or a half or a quarter of that. Throws carlo::Error where a file
-  /// cannot be read.
-  PracticeScene(const std::string& scene_name, int size);
+  /// As large as its reference, but halved until no side is above `most` pixels. Throws
+  /// carlo::Error where a file cannot be read.
+  PracticeScene(const std::string& scene_name, int most);
 
   std::string name;
   carlo::Image reference;

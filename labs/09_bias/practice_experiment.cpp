@@ -67,8 +67,9 @@ carlo::Chart practice_chart(const std::string& scene, const std::vector<Practice
 std::string practice_pictures(const PracticeScene& scene,
                               const std::vector<PracticeCurve>& curves) {
   constexpr double white = 1;
-  std::vector<std::string> row = {
-      carlo::image_tile("reference", scene.name, scene.reference, white)};
+  std::vector<std::string> row = {carlo::image_tile(
+      "reference", fmt::format("{0}, {1} x {1} pixels", scene.name, scene.reference.width),
+      scene.reference, white)};
   for (const PracticeCurve& curve : curves) {
     const PracticeRun& run = curve.longest();
     row.push_back(carlo::image_tile(curve.name,
@@ -101,7 +102,6 @@ void practice_experiment(Notebook& notebook) {
   const bool quick = notebook.options().quick;
   const PracticeOptions& options = practice_options;
   const double seconds = options.seconds > 0 ? options.seconds : quick ? 0.25 : 1;
-  const int size = quick ? 64 : 128;
   std::vector<std::string> scenes = practice_scenes;
   if (!options.scene.empty()) {
     scenes = {options.scene};
@@ -109,10 +109,10 @@ void practice_experiment(Notebook& notebook) {
     scenes.resize(1);
   }
   notebook.say(fmt::format(
-      "Scenes of common/scenes at {0} x {0} pixels, {1} of one thread for each image. relMSE is the "
+      "Scenes of common/scenes, {} of one thread for each image. relMSE is the "
       "mean of (error/reference)², dark pixels counted as .1; it is the sum of bias² and noise², "
       "which several images with other random numbers tell apart.",
-      size, carlo::duration_text(seconds)));
+      carlo::duration_text(seconds)));
   carlo::Table table({"scene", "method", "passes", "time", "bias²", "noise²", "relMSE",
                       "over path tracing's", "at one hour", "path tracing overtakes"},
                      {"scene", "method", "passes", "seconds", "bias2", "variance", "rel_mse",
@@ -121,7 +121,7 @@ void practice_experiment(Notebook& notebook) {
                      {"scene", "soon", "late"});
   std::vector<carlo::Chart> charts;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    const PracticeScene scene(scenes[i], size);
+    const PracticeScene scene(scenes[i], quick ? 64 : 256);
     const std::vector<PracticeCurve> curves = practice_curves(
         notebook, scene, seconds, static_cast<double>(i), static_cast<double>(scenes.size()));
     if (curves.empty()) return;

@@ -34,10 +34,10 @@ carlo::Image halved(const carlo::Image& image, bool errors) {
   return half;
 }
 
-carlo::Image practice_reference(const std::string& name, bool errors, int size) {
+carlo::Image practice_reference(const std::string& name, bool errors, int most) {
   const carlo::ExrFile file = carlo::read_exr(CARLO_LAB09_REFERENCES "/" + name + ".exr");
   carlo::Image image = errors ? file.standard_error.value() : file.image;
-  while (image.width > size)
+  while (image.width > most)
     image = halved(image, errors);
   return image;
 }
@@ -81,10 +81,10 @@ PassCost cost_of_passes(Notebook& notebook, const PracticeMethod& method) {
 
 }  // namespace
 
-PracticeScene::PracticeScene(const std::string& scene_name, int size)
+PracticeScene::PracticeScene(const std::string& scene_name, int most)
     : name(scene_name),
-      reference(practice_reference(name, false, size)),
-      reference_error(practice_reference(name, true, size)),
+      reference(practice_reference(name, false, most)),
+      reference_error(practice_reference(name, true, most)),
       world(practice_scene(name, reference)) {}
 
 ErrorParts practice_parts(const PracticeScene& scene, const std::vector<carlo::Image>& images) {

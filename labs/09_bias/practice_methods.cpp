@@ -1,7 +1,6 @@
 #include "given/sampled.h"
 #include "practice.h"
 
-
 #include <cmath>
 #include <utility>
 

@@ -33,6 +33,7 @@ struct Arguments {
   double target = 0.01;
   std::uint32_t most = 16384;
   std::uint64_t seed = 101;
+  int side = reference_image::size;  ///< in pixels
 };
 
 /// An image and what it cost.
@@ -117,8 +118,8 @@ void print_row(const std::string& name, const Rendered& r, const std::string& cl
   std::fflush(stdout);
 }
 
-Scene prepared(Scene scene) {
-  resize(scene, reference_image::size, reference_image::size);
+Scene prepared(Scene scene, int side) {
+  resize(scene, side, side);
   scene.sampler = SamplerKind::independent;
   return scene;
 }
@@ -146,7 +147,7 @@ Other other_view(const Scene& scene, const Rendered& r, const Arguments& a) {
 }
 
 void make(const std::string& name, const Arguments& a) {
-  const Scene scene = prepared(lab_scenes::load(name));
+  const Scene scene = prepared(lab_scenes::load(name), a.side);
   const Rendered r = render_reference(scene, a.seed, samples_for(scene, a));
   ExrFile file{r.image,
                r.error,
@@ -165,7 +166,7 @@ void make(const std::string& name, const Arguments& a) {
 /// one.
 void look_at_peer(const std::string& name, const Arguments& a) {
   const fs::path folder(a.folder);
-  const Scene scene = prepared(load_scene(folder / (name + ".xml")));
+  const Scene scene = prepared(load_scene(folder / (name + ".xml")), reference_image::size);
   const Rendered r = render_reference(scene, a.seed, samples_for(scene, a));
   Image error = r.error;
   for (Rgb& e : error.pixels)
@@ -183,6 +184,7 @@ int run(int argc, char** argv) {
       .range(1e-4, 1.0)
       .show_default();
   app.option("--most", a.most, "samples a pixel at most").range(512u, 1u << 24).show_default();
+  app.option("--side", a.side, "pixels in a row and in a column").range(16, 4096).show_default();
   app.option("scenes", a.scenes, "names in common/scenes, or peer_... (default: all)");
   if (const auto code = app.parse(argc, argv)) return *code;
   if (a.scenes.empty()) {
