@@ -279,11 +279,29 @@ struct OffsetAnswer {
   }
 };
 
+/// Whether the uncut Gaussian has been inverted, also where that shows at the ends of [0, 1) only.
+/// There it may end at the radius, or nowhere.
+bool is_uncut(const OffsetAnswer& answer) {
+  const FilterCase& filter = answer.filter;
+  const FilterCase whole{gaussian_curve, 8 * filter.sigma, filter.sigma};
+  const auto ended = [&](double x) { return std::clamp(x, -filter.radius, filter.radius); };
+  bool uncut = true;
+  for (std::size_t i = 0; i < answer.is.size(); ++i) {
+    const PixelPoint is = answer.is[i], u = answer.pairs[i];
+    uncut = uncut && apart({ended(is.x), ended(is.y)},
+                           {ended(place_of(whole, u.x)), ended(place_of(whole, u.y))}) <=
+                         1e-4 * filter.radius;
+  }
+  return uncut;
+}
+
 std::vector<Diagnosis> of_offsets(const OffsetAnswer& answer,
                                   const std::function<PixelPoint(PixelPoint)>& right) {
+  const double r = answer.filter.radius;
   if (answer.all(right, 1e-5)) {
+    if (answer.filter.curve == gaussian_curve && is_uncut(answer)) return {cut_not_inverted};
     for (const PixelPoint p : answer.is) {
-      if (!(apart(p, {0, 0}) <= (1 + 1e-6) * answer.filter.radius)) return {leaves_square};
+      if (!(apart(p, {0, 0}) <= (1 + 1e-6) * r)) return {leaves_square};
     }
     return {coarse};
   }

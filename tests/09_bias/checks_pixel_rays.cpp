@@ -1,7 +1,7 @@
 // Checks of exercise 9.2: what pixels make of their rays. What the rays bring follows from the
 // probe's seed, and so does the pixel's value, once it is known where they went.
 
-#include "09_bias/pixel_filter_theory.h"
+#include "09_bias/pixel_rays.h"
 #include "grader/judge/figures.h"
 
 #include <algorithm>
@@ -69,59 +69,10 @@ const Diagnosis nothing_over_nothing{"zero-over-zero",
                                      "where the weights add up to 0 the result is 0 by contract, "
                                      "and not 0/0."};
 
-/// Where the rays of one pixel went, and what was made of them.
-struct RaysAnswer {
-  FilterCase filter;
-  std::vector<PixelPoint> offsets;
-  std::vector<Brought> brought;
-  double rays = 0;
-  std::array<double, 3> pixel{};
-
-  std::size_t count() const { return offsets.size(); }
-};
-
-/// A pixel at the film's corner: rays leave it to the left and at the bottom.
-constexpr int corner_x = 0, corner_y = film_height - 1;
-
-RaysAnswer rays_answer(std::size_t filter, bool weighted, std::int64_t n) {
-  const auto count = static_cast<std::size_t>(n);
-  const Answer rows =
-      probe("Lab 9.2 rays",
-            {.n = n,
-             .numbers = {{"filter", static_cast<double>(filter)},
-                         {"weighted", weighted ? 1 : 0},
-                         {"x", corner_x},
-                         {"y", corner_y}}},
-            {.rows = count + 2,
-             .columns = 2,
-             .finite = false,
-             .of = fmt::format("{} rays of {}_pixel", n, weighted ? "weighted" : "filtered")});
-  RaysAnswer answer{drawn_filters(rows.seed).at(filter),
-                    {},
-                    drawn_radiance(rows.seed, n),
-                    rows.at(count, 0),
-                    {rows.at(count, 1), rows.at(count + 1, 0), rows.at(count + 1, 1)}};
-  for (std::size_t i = 0; i < count; ++i)
-    answer.offsets.push_back({rows.at(i, 0), rows.at(i, 1)});
-  return answer;
-}
-
 // Places ------------------------------------------------------------------------------------------
 
-/// Places on the film are floats.
-constexpr double place_rounding = 1e-4;
-
-bool within(const FilterCase& filter, PixelPoint p) {
-  const double r = filter.radius + place_rounding;
-  return std::abs(p.x) <= r && std::abs(p.y) <= r;
-}
-
-template <class Is>
-bool all_offsets(const RaysAnswer& answer, const Is& is) {
-  return std::all_of(answer.offsets.begin(), answer.offsets.end(), is);
-}
-
 std::vector<Diagnosis> of_places(const RaysAnswer& answer) {
+  if (!answer.offsets_right) return {};
   const FilterCase& filter = answer.filter;
   if (all_offsets(answer, [&](PixelPoint p) { return within(filter, {p.x + 0.5, p.y + 0.5}); }))
     return {from_pixel_corner};
@@ -133,20 +84,19 @@ std::vector<Diagnosis> of_places(const RaysAnswer& answer) {
 }
 
 /// Judges that rays stay in the filter's square and fill it, past the film's edges.
-bool judge_square(const RaysAnswer& answer, const std::string& of) {
+void judge_square(const RaysAnswer& answer, const std::string& of) {
   const bool in_square =
       all_offsets(answer, [&](PixelPoint p) { return within(answer.filter, p); });
   judge(is_so("rays within the filter's square" + of, in_square, "some beyond it", "all",
               in_square ? std::vector<Diagnosis>{} : of_places(answer)));
-  const bool on_film = all_offsets(answer, [](PixelPoint p) {
-    return p.x >= -0.5 - place_rounding && p.y <= 0.5 + place_rounding;
-  });
+  const bool on_film = all_on_film(answer);
   const bool in_pixel = on_film && all_offsets(answer, [](PixelPoint p) {
                           return p.x <= 0.5 + place_rounding && p.y >= -0.5 - place_rounding;
                         });
   judge(is_so("rays off the film, of a pixel in its corner" + of, !on_film, "none", "some",
-              {in_pixel ? in_pixel_only : kept_on_film}));
-  return in_square && !on_film;
+              {one_place(answer) ? one_offset
+               : in_pixel        ? in_pixel_only
+                                 : kept_on_film}));
 }
 
 /// Whether the mean square of the offsets is near to this.
@@ -162,28 +112,28 @@ bool spread_is(const RaysAnswer& answer, double square) {
 void judge_spread(const RaysAnswer& answer, const FilterCase& filter, const std::string& of,
                   const std::vector<std::pair<double, Diagnosis>>& others) {
   std::vector<double> shares, products;
-  bool one_place = true, diagonal = true;
+  bool diagonal = true;
   for (const PixelPoint p : answer.offsets) {
     const double x = share_before(filter, p.x), y = share_before(filter, p.y);
     shares.push_back(x);
     shares.push_back(y);
     products.push_back((2 * x - 1) * (2 * y - 1));
-    one_place = one_place && std::abs(p.x - answer.offsets[0].x) < place_rounding &&
-                std::abs(p.y - answer.offsets[0].y) < place_rounding;
     diagonal = diagonal && std::abs(p.x - p.y) < 2 * place_rounding;
   }
   std::vector<Diagnosis> told;
   for (const auto& [square, diagnosis] : others) {
     if (told.empty() && spread_is(answer, square)) told = {diagnosis};
   }
-  if (one_place) told = {one_offset};
+  if (one_place(answer)) told = {one_offset};
+  if (!answer.offsets_right) told.clear();
   Verdict places = uniform_on("the filter's share before a ray's place" + of, shares, 0, 1);
   if (!places.passed && !diagonal) places.diagnoses = told;
   judge(places);
   // The product of two independent uniform numbers of [-1, 1].
   Verdict pairs = mean_is("both shares' product" + of, products,
                           {.mean = 0, .sd = 1.0 / 3, .excess_kurtosis = 0.24});
-  if (!pairs.passed) pairs.diagnoses = one_place ? told : std::vector{rays_on_diagonal};
+  if (!pairs.passed && answer.offsets_right)
+    pairs.diagnoses = diagonal && !one_place(answer) ? std::vector{rays_on_diagonal} : told;
   judge(pairs);
 }
 
@@ -245,7 +195,7 @@ std::vector<Diagnosis> of_pixel(const RaysAnswer& answer, bool weighted) {
   };
   if (is(plain, 1)) return {pixel_not_divided};
   if (is(plain, n)) return {not_weighed};
-  if (is(plain, n - 1) || is(plain, n + 1)) return {wrong_divisor};
+  if (n > 1 && (is(plain, n - 1) || is(plain, n + 1))) return {wrong_divisor};
   for (const std::size_t i : {std::size_t{0}, answer.count() - 1}) {
     const Brought& b = answer.brought[i];
     if (is({b.r, b.g, b.b, 1}, 1) || is({b.r, b.g, b.b, 1}, n)) return {one_ray_only};
@@ -254,13 +204,21 @@ std::vector<Diagnosis> of_pixel(const RaysAnswer& answer, bool weighted) {
     if (is(once, n) || is(once, once[3]) || is(once, 1)) return {weighed_twice};
     return {};
   }
+  // A wrong filter_value() is judged elsewhere.
+  std::size_t next = 0;
+  const auto own = weighed_sums(answer, [&](PixelPoint) { return answer.own_values[next++]; });
+  if (is(own, own[3])) return {};
+  // One weight may come of many things.
+  if (n == 1) return {};
   const double square = 4 * filter.radius * filter.radius;
   if (is(once, 1)) return {weights_not_divided};
   if (is(once, n)) return {by_number};
   if (is(once, n / square)) return {by_area};
   if (is(twice, twice[3]) || is(twice, once[3])) return {weights_squared};
   if (is(across, across[3]) || is(down, down[3])) return {one_axis};
-  if (std::abs(answer.pixel[0] - answer.brought[0].r) < 1e-4 * answer.brought[0].r)
+  const bool placed_right = answer.count() >= 64 && !all_on_film(answer) &&
+                            all_offsets(answer, [&](PixelPoint p) { return within(filter, p); });
+  if (placed_right && std::abs(answer.pixel[0] - answer.brought[0].r) < 1e-4 * answer.brought[0].r)
     return {other_weights};
   return {};
 }
@@ -289,13 +247,15 @@ constexpr std::int64_t many_rays = 2000;
 
 TEST_CASE("Lab 9.2: rays of a filtered pixel are drawn from the filter", "[lab09][ex2]") {
   for (std::size_t number = 0; number < plain_filters; ++number) {
-    const RaysAnswer answer = rays_answer(number, false, many_rays);
+    RaysAnswer answer = rays_answer(number, false, many_rays);
+    answer.offsets_right = offsets_are_right(number);
     const std::string of = ", " + name_of(answer.filter);
+    judge_square(answer, of);
+    // A box is uniform.
     const double uniform = answer.filter.radius * answer.filter.radius / 3;
-    if (judge_square(answer, of) && number > 0)
-      judge_spread(answer, answer.filter, of, {{uniform, rays_uniform}});
-    else if (number == 0)
-      judge_spread(answer, answer.filter, of, {});
+    using Spreads = std::vector<std::pair<double, Diagnosis>>;
+    judge_spread(answer, answer.filter, of,
+                 number == box_curve ? Spreads{} : Spreads{{uniform, rays_uniform}});
   }
 }
 
@@ -356,12 +316,10 @@ TEST_CASE("Lab 9.2: an edge, weighed with the bias that one and two rays have", 
         {.n = 6000,
          .numbers = {{"filter", 1}, {"weighted", 1}, {"samples", samples}, {"x", 5}, {"y", 6}}},
         {.rows = 6000, .columns = 1, .of = "an edge, weighed"});
-    const double edge = drawn_edge(rows.seed);
-    const WeightedEdge theory = weighted_edge(edge, samples);
-    const Suspects slips = samples == 1 ? Suspects{} : Suspects{{(1 - edge) / 2, not_weighed}};
-    judge(mean_is(fmt::format("a weighted pixel of {}", counted(samples, "ray")), rows.values,
-                  {.mean = theory.mean, .sd = std::sqrt(theory.square - theory.mean * theory.mean)},
-                  slips));
+    const WeightedEdge theory = weighted_edge(drawn_edge(rows.seed), samples);
+    judge(
+        mean_is(fmt::format("a weighted pixel of {}", counted(samples, "ray")), rows.values,
+                {.mean = theory.mean, .sd = std::sqrt(theory.square - theory.mean * theory.mean)}));
   }
 }
 

@@ -71,12 +71,15 @@ PROBE("Lab 9.2 offsets", "x", "y") {
   return rows.take();
 }
 
-// Where the rays of one pixel went through, in pixels from its middle; and what was made of what
-// they brought.
-PROBE("Lab 9.2 rays", "x", "y",
-      "(a row for each ray, n and no more; then how many there were, and red of the pixel; then "
-      "its green and blue)") {
+// Where the rays of one pixel went through, in pixels from its middle, and the filter there (of
+// weighted pixels); and what was made of what they brought.
+PROBE(
+    "Lab 9.2 rays", "x", "y", "value",
+    "(a row for each ray, n and no more; then red, green and blue of the pixel; then how many rays "
+    "there were, 0 and 0)") {
   const std::vector<Brought> brought = drawn_radiance(params.seed, params.n);
+  const lab09::PixelFilter filter = filter_of(params);
+  const bool weighted = params.whole("weighted") != 0;
   carlo::Rng rng(params.seed);
   RowWriter rows;
   std::int64_t rays = 0;
@@ -84,16 +87,17 @@ PROBE("Lab 9.2 rays", "x", "y",
       params, carlo::Camera(), static_cast<int>(params.n),
       [&](const carlo::Ray& ray) {
         if (rays++ >= params.n) return carlo::Rgb(0);
-        const PixelPoint offset = offset_of(ray, params);
-        rows.add({offset.x, offset.y});
+        const PixelPoint p = offset_of(ray, params);
+        rows.add({p.x, p.y, weighted ? lab09::filter_value(filter, p.x, p.y) : 0});
         const Brought& b = brought[static_cast<std::size_t>(rays - 1)];
         return carlo::Rgb(b.r, b.g, b.b);
       },
       rng);
   for (std::int64_t i = rays; i < params.n; ++i)
-    rows.add({0, 0});
-  rows.add({static_cast<double>(rays), static_cast<double>(pixel.r)});
-  rows.add({static_cast<double>(pixel.g), static_cast<double>(pixel.b)});
+    rows.add({0, 0, 0});
+  rows.add(
+      {static_cast<double>(pixel.r), static_cast<double>(pixel.g), static_cast<double>(pixel.b)});
+  rows.add({static_cast<double>(rays), 0, 0});
   return rows.take();
 }
 
