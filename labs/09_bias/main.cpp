@@ -21,7 +21,12 @@ std::vector<Step> steps() {
        "a. The best clamp moves: the more samples, the less bias is worth. A clamp that was chosen for "
        "16 samples lowers the error there to less than half; from some 180 samples on whoever does not clamp is "
        "ahead, as estimates by 16 samples foretold."},
-      {"b", {lab09::pixel_filter_experiment}, "b."},
+      {"b",
+       {lab09::pixel_filter_experiment},
+       "b. Spokes that are too fine come through the box as rings and other spokes; through the "
+       "wider filters hardly, and these blur the coarse ones a little. Offsets drawn from the "
+       "filter have no bias. Weighed ones have, at first: it falls as 1/n, so that noise is soon "
+       "all there is, and more of it than where offsets were drawn."},
       {"c",
        {lab09::feature_filter_experiment},
        "c. Filtered by colours and features, 16 samples have the error of some 40. By features alone "

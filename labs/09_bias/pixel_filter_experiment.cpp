@@ -83,11 +83,11 @@ void show_spokes(Notebook& notebook) {
           return filtered_pixel(camera, size, size, x, y, filter, samples, radiance, rng);
         }));
   }
-  carlo::Table table({"filter", "1 to 2 pixels", "2.5 to 3.5 pixels", "5 to 6 pixels"},
+  carlo::Table table({"filter", "1 to 1.4 pixels", "2.5 to 3.5 pixels", "5 to 6 pixels"},
                      {"filter", "too_fine", "fine", "coarse"});
   std::vector<std::string> row;
   for (const auto& [name, image] : images) {
-    table.add_row({name, contrast_cell(contrast(image, 1, 2)),
+    table.add_row({name, contrast_cell(contrast(image, 1, 1.4)),
                    contrast_cell(contrast(image, 2.5, 3.5)), contrast_cell(contrast(image, 5, 6))});
     row.push_back(carlo::image_tile(
         name,
@@ -96,12 +96,12 @@ void show_spokes(Notebook& notebook) {
   }
   notebook.say(
       "Spokes that become finer towards the hub. Where one spoke and one gap take less than two "
-      "pixels no image can show them, and what is there in their place, rings and other spokes, is "
-      "aliasing. It should be grey.");
+      "pixels, 1.4 along a diagonal, no image can show them, and what is there in their place, rings "
+      "and other spokes, is aliasing. It should be grey.");
   notebook.raw_html(carlo::tiles(row));
   notebook.table("spokes", table,
-                 "Contrast that is left where a spoke and a gap take so many pixels: below two all "
-                 "of it is aliasing");
+                 "Contrast that is left where a spoke and a gap take so many pixels: in the first "
+                 "column all of it is aliasing");
 }
 
 // An edge -----------------------------------------------------------------------------------------
@@ -171,6 +171,7 @@ void measure_edge(Notebook& notebook) {
   std::vector<Curve> curves;
   double done = 0;
   for (const auto& [name, filter] : pixel_filters) {
+    if (filter.curve == PixelFilter::Curve::box) continue;
     for (const PixelWay& way : pixel_ways) {
       Curve curve{
           fmt::format("{}, {}", std::string(name).substr(0, std::string(name).find(',')), way.name),
@@ -182,18 +183,19 @@ void measure_edge(Notebook& notebook) {
              part_cell(run.parts.bias2 + run.parts.variance), carlo::seconds_cell(run.seconds)});
         curve.runs.push_back({samples, 0, run.error(), run.seconds});
       }
-      if (filter.curve != PixelFilter::Curve::box) curves.push_back(curve);
-      notebook.progress(1 + ++done, 1 + 2.0 * std::size(pixel_filters));
+      curves.push_back(curve);
+      notebook.progress(1 + ++done, 5);
     }
   }
   notebook.say(fmt::format(
       "One pixel, and an edge {} pixels to the right of its middle, lit beyond. What the pixel "
       "should be has a closed form: the filter's share beyond the edge. Offsets are drawn from the "
-      "filter, or uniform in its square and weighed.",
+      "filter, or uniform in its square and weighed. (A box weighs all alike: there both are one.)",
       carlo::number_text(edge_at)));
   notebook.table("edge", table, "A pixel on an edge: bias and noise apart");
   std::vector<carlo::Chart> charts =
       carlo::error_charts("A pixel on an edge", "error", curves, false);
+  charts[0].title = "A pixel on an edge: error against rays";
   charts[0].x.label = "rays";
   notebook.charts(charts);
 }
@@ -204,7 +206,7 @@ void pixel_filter_experiment(Notebook& notebook) {
   notebook.begin("Step b: pixel filters");
   notebook.attempt([&] {
     show_spokes(notebook);
-    notebook.progress(1, 1 + 2.0 * std::size(pixel_filters));
+    notebook.progress(1, 5);
     measure_edge(notebook);
   });
 }
