@@ -120,9 +120,11 @@ void judge_spread(const RaysAnswer& answer, const FilterCase& filter, const std:
     products.push_back((2 * x - 1) * (2 * y - 1));
     diagonal = diagonal && std::abs(p.x - p.y) < 2 * place_rounding;
   }
+  const bool in_square =
+      all_offsets(answer, [&](PixelPoint p) { return within(answer.filter, p); });
   std::vector<Diagnosis> told;
   for (const auto& [square, diagnosis] : others) {
-    if (told.empty() && spread_is(answer, square)) told = {diagnosis};
+    if (told.empty() && in_square && spread_is(answer, square)) told = {diagnosis};
   }
   if (one_place(answer)) told = {one_offset};
   if (!answer.offsets_right) told.clear();
