@@ -77,10 +77,11 @@ void show_spokes(Notebook& notebook) {
                         return radiance(lab08::middle_ray(camera, size, size, x, y));
                       }));
   const int samples = notebook.options().quick ? 256 : 1024;
-  for (const auto& [name, filter] : pixel_filters) {
+  for (const NamedFilter& named : pixel_filters) {
     images.emplace_back(
-        name, lab08::render(size, size, notebook.rng().next_u64(), [&](int x, int y, Rng& rng) {
-          return filtered_pixel(camera, size, size, x, y, filter, samples, radiance, rng);
+        named.name,
+        lab08::render(size, size, notebook.rng().next_u64(), [&](int x, int y, Rng& rng) {
+          return filtered_pixel(camera, size, size, x, y, named.filter, samples, radiance, rng);
         }));
   }
   carlo::Table table({"filter", "1 to 1.4 pixels", "2.5 to 3.5 pixels", "5 to 6 pixels"},
