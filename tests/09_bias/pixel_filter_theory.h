@@ -90,9 +90,11 @@ inline WeightedEdge weighted_edge(double edge, int rays) {
   const double c = 1 - edge, lit = c / 2;
   if (rays == 1) return {lit, lit};
   WeightedEdge sum;
+  constexpr int steps = 400;
   constexpr double step = 0.1;
-  for (double v = step / 2; v < 40; v += step) {
-    for (double w = step / 2; w < 40; w += step) {
+  for (int i = 0; i < steps; ++i) {
+    for (int j = 0; j < steps; ++j) {
+      const double v = (i + 0.5) * step, w = (j + 0.5) * step;
       const double chance = v * std::exp(-v) * w * std::exp(-w) * step * step;
       const double against_any = c * std::exp(-v) / (c * std::exp(-v) + std::exp(-w));
       const double against_lit = std::exp(-v) / (std::exp(-v) + std::exp(-w));
