@@ -15,6 +15,7 @@
 #include <bit>
 #include <chrono>
 #include <mutex>
+#include <vector>
 
 namespace carlo {
 namespace {
@@ -32,6 +33,7 @@ class Job {
         options_(options),
         columns_((film_.width() + tile_size - 1) / tile_size),
         rows_((film_.height() + tile_size - 1) / tile_size),
+        share_(options.share.value_or(everything())),
         earlier_seconds_(result.seconds),
         progress_("rendering", options.progress) {}
 
@@ -39,36 +41,64 @@ class Job {
   void run() {
     const std::size_t pixels =
         static_cast<std::size_t>(film_.width()) * static_cast<std::size_t>(film_.height());
-    const std::uint32_t passes = options_.seconds ? ~0u : options_.spp / film_.block();
-    for (std::uint32_t pass = first_pass(); pass < passes && !stopped(pass); ++pass) {
+    const auto passes = static_cast<std::uint32_t>((share_.end + tiles() - 1) / tiles());
+    for (std::uint32_t pass = first_pass(passes); pass < passes && !stopped(pass); ++pass) {
       const LampPass lamps(integrator_, pixels, 0, pass * film_.block(), film_.block());
       if (interrupt_noted()) break;
-      result_.counts += lamps.counts();
       tbb::parallel_for(
-          0, columns_ * rows_, [&](int tile) { run_tile(tile, pass, passes, lamps); },
+          0, columns_ * rows_, [&](int tile) { run_tile(tile, pass, lamps); },
           tbb::simple_partitioner{});
+      settle();
       if (pass + 1 < passes && !stopped(pass + 1)) save();
     }
-    result_.seconds = earlier_seconds_ + elapsed();
+    settle();
   }
 
  private:
-  /// Tiles may differ by a pass, after an interruption.
-  std::uint32_t first_pass() {
-    std::uint32_t first = film_.blocks(0, 0);
-    for (int y = 0; y < film_.height(); y += tile_size) {
-      for (int x = 0; x < film_.width(); x += tile_size) {
-        first = std::min(first, film_.blocks(x, y));
-        tiles_done_ += film_.blocks(x, y);
-      }
+  std::uint64_t tiles() const {
+    return static_cast<std::uint64_t>(columns_) * static_cast<std::uint64_t>(rows_);
+  }
+
+  BlockRange everything() const {
+    const std::uint32_t passes = options_.seconds ? ~0u : options_.spp / film_.block();
+    return {0, passes * tiles()};
+  }
+
+  int corner_x(int tile) const { return tile % columns_ * tile_size; }
+  int corner_y(int tile) const { return tile / columns_ * tile_size; }
+
+  /// The pass of a tile that comes next. Tiles may differ by one, after an interruption.
+  std::uint64_t next_pass(int tile) const {
+    return share_.first_pass(static_cast<std::uint64_t>(tile), tiles()) +
+           film_.blocks(corner_x(tile), corner_y(tile));
+  }
+
+  /// Whether a tile's block is of this share and not an earlier render's.
+  bool lacks(int tile, std::uint64_t pass) const {
+    return next_pass(tile) <= pass &&
+           share_.contains(pass * tiles() + static_cast<std::uint64_t>(tile));
+  }
+
+  /// The first that is not finished; `passes` if all are.
+  std::uint32_t first_pass(std::uint32_t passes) {
+    std::uint64_t first = passes;
+    for (int tile = 0; tile < columns_ * rows_; ++tile) {
+      const std::uint64_t next = next_pass(tile);
+      if (next < first && lacks(tile, next)) first = next;
+      blocks_done_ += film_.blocks(corner_x(tile), corner_y(tile));
     }
-    return first;
+    return static_cast<std::uint32_t>(first);
+  }
+
+  /// Fills in what follows from the rest.
+  void settle() {
+    result_.seconds = earlier_seconds_ + elapsed();
+    result_.counts.lamp_ties = result_.lamp_ties.value() / static_cast<double>(tiles());
   }
 
   /// Lets the caller keep what is there, now and then.
   void save() {
     if (!options_.checkpoint || elapsed() - last_save_ < options_.checkpoint_seconds) return;
-    result_.seconds = earlier_seconds_ + elapsed();
     options_.checkpoint(result_);
     last_save_ = elapsed();
   }
@@ -82,14 +112,13 @@ class Job {
     return interrupt_noted() || (options_.seconds && pass >= 2 && elapsed() >= *options_.seconds);
   }
 
-  void run_tile(int number, std::uint32_t pass, std::uint32_t passes, const LampPass& lamps) {
-    if (stopped(pass)) return;
+  void run_tile(int number, std::uint32_t pass, const LampPass& lamps) {
+    if (stopped(pass) || !lacks(number, pass)) return;
     Tile tile;
-    tile.x0 = number % columns_ * tile_size;
-    tile.y0 = number / columns_ * tile_size;
+    tile.x0 = corner_x(number);
+    tile.y0 = corner_y(number);
     tile.x1 = std::min(tile.x0 + tile_size, film_.width());
     tile.y1 = std::min(tile.y0 + tile_size, film_.height());
-    if (film_.blocks(tile.x0, tile.y0) > pass) return;  // an earlier render's
     tile.samples = film_.block();
     tile.first_sample = pass * film_.block();
     std::array<std::array<double, 3>, tile_size * tile_size> means;
@@ -105,16 +134,19 @@ class Job {
         film_.add_block(x, y, means[i]);
       }
     }
-    finish_tile(counts, passes);
+    // A pass that is rendered in several goes traces its paths from lamps in each: once they count.
+    if (number == 0) counts += lamps.counts();
+    finish_tile(counts, lamps.counts().lamp_ties);
   }
 
-  void finish_tile(const Counts& counts, std::uint32_t passes) {
+  void finish_tile(const Counts& counts, double lamp_ties) {
     const std::lock_guard lock(mutex_);
     result_.counts += counts;
-    ++tiles_done_;
-    const double total = static_cast<double>(columns_) * rows_ * passes;
-    progress_.update(options_.seconds ? elapsed() / *options_.seconds
-                                      : static_cast<double>(tiles_done_) / total);
+    result_.lamp_ties.add(lamp_ties);
+    ++blocks_done_;
+    progress_.update(options_.seconds
+                         ? elapsed() / *options_.seconds
+                         : static_cast<double>(blocks_done_) / static_cast<double>(share_.count()));
   }
 
   const Integrator& integrator_;
@@ -122,10 +154,11 @@ class Job {
   Film& film_;
   const RenderOptions& options_;
   int columns_, rows_;
+  BlockRange share_;
   double earlier_seconds_, last_save_ = 0;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::mutex mutex_;  ///< guards the two below
-  std::uint64_t tiles_done_ = 0;
+  std::uint64_t blocks_done_ = 0;
   Progress progress_;
 };
 
@@ -178,6 +211,31 @@ bool render_interrupted() {
 std::uint32_t block_size(std::uint32_t spp) {
   const std::uint32_t divisor = spp & (~spp + 1);
   return std::clamp(std::bit_floor(spp / 8), 1u, std::min(divisor, 64u));
+}
+
+BlockGrid block_grid(const Film& film, std::uint32_t spp) {
+  return {film.width(), film.height(), film.block(), spp / film.block()};
+}
+
+BlockSet blocks_done(const Film& film, const BlockRange& share) {
+  const BlockGrid grid = block_grid(film, 0);
+  const std::uint64_t tiles = grid.tiles();
+  std::vector<std::uint64_t> next;  ///< of each tile, the pass that comes next
+  for (int y = 0; y < film.height(); y += tile_size) {
+    for (int x = 0; x < film.width(); x += tile_size)
+      next.push_back(share.first_pass(next.size(), tiles) + film.blocks(x, y));
+  }
+  const auto [least, most] = std::minmax_element(next.begin(), next.end());
+  if (*most - *least > 2) throw Error("its tiles are not those of one render");
+  const std::uint64_t all = std::min(*least * tiles, share.end);
+  std::vector<BlockRange> ranges{{std::min(share.begin, all), all}};
+  for (std::uint64_t pass = *least; pass < *most; ++pass) {
+    for (std::uint64_t tile = 0; tile < tiles; ++tile) {
+      const std::uint64_t number = pass * tiles + tile;
+      if (pass < next[tile] && share.contains(number)) ranges.push_back({number, number + 1});
+    }
+  }
+  return BlockSet(ranges);
 }
 
 RenderResult render(const Integrator& integrator, int width, int height,

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "image/film.h"
+#include "numeric/exact_sum.h"
 #include "render/adaptive.h"
+#include "render/blocks.h"
 #include "render/integrator.h"
 
 #include <cstdint>
@@ -23,6 +25,8 @@ struct RenderOptions {
   /// The result of an earlier render with the same integrator to go on from; its film's block
   /// stays. With target_error it must be that of one with the same target.
   const RenderResult* earlier = nullptr;
+  /// These blocks alone of what `spp` asks for. Not with seconds or target_error.
+  std::optional<BlockRange> share = {};
   /// Called with what is there, while nothing else runs, when this many seconds have gone by.
   std::function<void(const RenderResult&)> checkpoint = {};
   double checkpoint_seconds = 60;
@@ -31,6 +35,10 @@ struct RenderOptions {
 struct RenderResult {
   Film film;
   Counts counts{};
+  /// Over all blocks of all tiles (blocks.h), Counts::lamp_ties of the paths from lamps that go
+  /// with the block's pass: exact, so that it does not depend on who rendered what. None with
+  /// target_error.
+  ExactSum lamp_ties{};
   double seconds = 0;
   int threads = 1;
   bool interrupted = false;                      ///< by Ctrl-C; the film holds what was finished
@@ -46,6 +54,13 @@ constexpr int driver_tile_size = 16;
 /// The size of the blocks (film.h) for a planned number of samples: the largest power of two that
 /// divides spp, leaves at least eight blocks if it can, and is at most 64.
 std::uint32_t block_size(std::uint32_t spp);
+
+/// The blocks of which a film is made in the end.
+BlockGrid block_grid(const Film& film, std::uint32_t spp);
+
+/// Which of a share's blocks a film holds, of a render of just these. A tile's blocks are rendered
+/// in order; tiles differ by one after an interruption. Throws Error if they differ by more.
+BlockSet blocks_done(const Film& film, const BlockRange& share);
 
 /// Renders `width` x `height` pixels with any integrator, in tiles, on `threads` threads. The film
 /// has the same bits for any number of threads. Exceptions from the integrator reach the caller.

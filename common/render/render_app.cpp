@@ -5,13 +5,12 @@
 #include "cli/error.h"
 #include "cli/number.h"
 #include "image/exr.h"
-#include "image/png.h"
 #include "render/driver.h"
-#include "render/error_map.h"
+#include "render/outputs.h"
 #include "render/render_page.h"
 #include "render/report.h"
 #include "render/resume.h"
-#include "render/samples_map.h"
+#include "render/shard_render.h"
 #include "scene/load_scene.h"
 #include "scene/sampler_kind.h"
 
@@ -48,6 +47,7 @@ struct Arguments {
   std::string resume;
   double checkpoint = 60;
   bool no_sums = false;
+  std::optional<std::string> shard;
 };
 
 void add_common_options(CommandLine& app, Arguments& a) {
@@ -78,6 +78,10 @@ void add_common_options(CommandLine& app, Arguments& a) {
       .range(0.0, 1e7)
       .show_default();
   app.flag("--no-sums", a.no_sums, "a smaller EXR, which cannot be resumed");
+  app.option("--shard", a.shard,
+             "the I-th of N shares of the samples alone, into a part, OUTPUT.part, for ./carlo "
+             "merge; the same command goes on with a killed one")
+      .type_name("I/N");
   app.flag("--quiet", a.quiet, "no progress bar, no report on stdout");
 }
 
@@ -114,24 +118,6 @@ void apply(const Arguments& a, Scene& scene) {
   if (!a.sampler.empty()) scene.sampler = sampler_kind(a.sampler);
 }
 
-/// Where the outputs go: their common stem. A default folder is made, a given one must exist.
-fs::path output_stem(const Arguments& a) {
-  if (a.output.empty()) {
-    std::error_code ec;
-    fs::create_directories("out", ec);
-    if (ec) throw Error("cannot write into out: {}", ec.message());
-    return fs::path("out") / fs::path(a.scene).stem();
-  }
-  const fs::path given(a.output);
-  if (!given.has_filename() || fs::is_directory(given)) return given / fs::path(a.scene).stem();
-  const bool suffixed = given.extension() == ".exr" || given.extension() == ".png";
-  return suffixed ? fs::path(given).replace_extension() : given;
-}
-
-fs::path with_suffix(const fs::path& stem, const char* suffix) {
-  return fs::path(stem.string() + suffix);
-}
-
 /// `--page SCENE.xml` names the scene, not the page.
 void tell_page_from_scene(Arguments& a) {
   if (!a.page || a.page->empty() || fs::path(*a.page).extension() == ".html") return;
@@ -145,70 +131,20 @@ std::optional<fs::path> page_path(const Arguments& a, const fs::path& stem) {
   return a.page->empty() ? with_suffix(stem, ".html") : fs::path(*a.page);
 }
 
-/// The number of samples of each pixel.
-std::vector<std::uint32_t> sample_counts(const Film& film) {
-  std::vector<std::uint32_t> counts;
-  for (int y = 0; y < film.height(); ++y) {
-    for (int x = 0; x < film.width(); ++x)
-      counts.push_back(static_cast<std::uint32_t>(film.samples(x, y)));
-  }
-  return counts;
-}
-
-/// Writes the files of a render, and of a render under way.
-class Outputs {
- public:
-  Outputs(fs::path stem, RenderSettings settings, bool sums)
-      : stem_(std::move(stem)), settings_(std::move(settings)), sums_(sums) {
-    // Find out now, not after an hour, that the output cannot be written.
-    for (const char* suffix : {".exr", ".png", ".error.png", ".samples.png", ".json"}) {
-      const AtomicFile writable(with_suffix(stem_, suffix));
-    }
-  }
-
-  const fs::path& stem() const { return stem_; }
-
-  /// All that goes on needs: the image and how long it took.
-  void checkpoint(const RenderResult& result, const RenderReport& report) const {
-    write_exr(with_suffix(stem_, ".exr"), exr(result, report, true));
-    write_file(with_suffix(stem_, ".json"), to_json(report));
-  }
-
-  void write(const RenderResult& result, const RenderReport& report) const {
-    const ExrFile file = exr(result, report, sums_);
-    write_exr(with_suffix(stem_, ".exr"), file);
-    write_png(with_suffix(stem_, ".png"), file.image);
-    write_png(with_suffix(stem_, ".error.png"), error_map(result.film));
-    if (result.adaptive) {
-      write_png(with_suffix(stem_, ".samples.png"), samples_map(result.film));
-    }
-    write_file(with_suffix(stem_, ".json"), to_json(report));
-  }
-
- private:
-  ExrFile exr(const RenderResult& result, const RenderReport& report, bool sums) const {
-    ExrFile file{result.film.mean(),
-                 result.film.standard_error(),
-                 {{"scene", report.scene},
-                  {"seed", std::to_string(report.seed)},
-                  {"spp", fmt::format("{}", report.spp)},
-                  {"kernel", report.kernel}}};
-    if (result.adaptive) file.counts["samples"] = sample_counts(result.film);
-    if (sums && result.adaptive) {
-      add_sums(file, settings_, *result.adaptive_state, result.counts);
-    } else if (sums) {
-      add_sums(file, settings_, result.film, result.counts);
-    }
-    return file;
-  }
-
-  fs::path stem_;
-  RenderSettings settings_;
-  bool sums_;
-};
-
 /// Refuses what does not go together.
 void check(const Arguments& a) {
+  if (a.shard) {
+    const auto refuse = [](bool given, const char* option, const char* why) {
+      if (given) throw Error("--shard does not go with {}: {}", option, why);
+    };
+    refuse(a.seconds.has_value(), "--seconds", "a share is of a number of samples, --spp");
+    refuse(a.target_error.has_value(), "--target-error",
+           "each pixel's number of samples would hang on those of other shards");
+    refuse(!a.resume.empty(), "--resume", "the same command goes on with a killed shard");
+    refuse(a.no_sums, "--no-sums", "a part is its sums");
+    refuse(!a.reference.empty(), "--reference", "./carlo merge compares, with all the samples");
+    refuse(a.page.has_value(), "--page", "a part is no image yet");
+  }
   if (a.seconds && a.spp && !a.target_error) {
     throw Error("give --seconds or --spp: both are for --target-error only");
   }
@@ -257,7 +193,8 @@ RenderResult result_of(const EarlierRender& earlier, const Arguments& a, const S
     result.adaptive_state = std::move(state);
     return result;
   }
-  RenderResult result{.film = earlier.film(), .counts = earlier.counts()};
+  RenderResult result{
+      .film = earlier.film(), .counts = earlier.counts(), .lamp_ties = earlier.lamp_ties()};
   result.seconds = earlier.seconds(result.film);
   const std::uint32_t block = result.film.block();
   const auto pixels =
@@ -271,6 +208,8 @@ RenderResult result_of(const EarlierRender& earlier, const Arguments& a, const S
 
 int run(Arguments a, const IntegratorFactory& factory, const std::string& command) {
   check(a);
+  std::optional<Shard> shard;
+  if (a.shard) shard = shard_of(*a.shard);
   std::optional<EarlierRender> earlier;
   if (!a.resume.empty()) {
     earlier.emplace(a.resume);
@@ -292,6 +231,17 @@ int run(Arguments a, const IntegratorFactory& factory, const std::string& comman
   const auto integrator = factory(scene, seed, planned);
   RenderSettings settings =
       render_settings(scene, integrator->name(), seed, planned, a.definitions);
+  if (shard) {
+    return render_shard(scene, *integrator,
+                        {.shard = *shard,
+                         .scene = a.scene,
+                         .output = a.output,
+                         .settings = settings,
+                         .spp = spp,
+                         .threads = a.threads,
+                         .checkpoint_seconds = a.checkpoint,
+                         .quiet = a.quiet});
+  }
   if (a.target_error) {
     settings["target_error"] = fmt::format("{}", *a.target_error);
     settings["spp_limit"] = std::to_string(spp);
@@ -301,7 +251,7 @@ int run(Arguments a, const IntegratorFactory& factory, const std::string& comman
     earlier->require_same(settings);
     start = result_of(*earlier, a, scene);
   }
-  const Outputs outputs(output_stem(a), settings, !a.no_sums);
+  const Outputs outputs(output_stem(a.output, a.scene), settings, !a.no_sums);
   const std::optional<fs::path> page = page_path(a, outputs.stem());
   if (page) const AtomicFile writable(*page);
   const auto report_on = [&](const RenderResult& result) {
@@ -333,9 +283,7 @@ int run(Arguments a, const IntegratorFactory& factory, const std::string& comman
       fmt::print("  {:<16} the time is that of this part: no report lies beside {}\n", "note",
                  a.resume);
     }
-    fmt::print("  {:<16} {}.png, .exr (with standard errors), .error.png (noise map){}, .json\n",
-               "written", outputs.stem().string(),
-               result.adaptive ? ", .samples.png (where the samples went)" : "");
+    fmt::print("  {:<16} {}\n", "written", outputs.names(result));
     if (page) fmt::print("  {:<16} {}\n", "page", page->string());
   }
   return result.interrupted ? 130 : 0;

@@ -9,8 +9,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace carlo {
 namespace {
@@ -72,8 +74,11 @@ std::string time_text(const RenderReport& r) {
   const auto rate = [&r](std::uint64_t count) {
     return millions(static_cast<double>(count) / r.seconds);
   };
-  std::string text = fmt::format("{} on {} thread{}: {} paths/s", format_seconds(r.seconds),
-                                 r.threads, r.threads == 1 ? "" : "s", rate(r.counts.paths));
+  const std::string where =
+      r.parts > 0 ? fmt::format("in {} part{}", r.parts, r.parts == 1 ? "" : "s")
+                  : fmt::format("on {} thread{}", r.threads, r.threads == 1 ? "" : "s");
+  std::string text =
+      fmt::format("{} {}: {} paths/s", format_seconds(r.seconds), where, rate(r.counts.paths));
   if (r.counts.lamp_paths > 0) {
     text += fmt::format(", {} from lamps", rate(r.counts.lamp_paths));
   }
@@ -85,16 +90,48 @@ std::vector<double> list(const std::array<double, 3>& x) {
   return {x.begin(), x.end()};
 }
 
+/// Of each two pixels with blocks, the mean over all pairs of 1 / (the more of their blocks): how
+/// many passes' means, of all that either has, both have at most.
+double shared_passes(const Film& film) {
+  std::vector<std::uint32_t> blocks;
+  for (int y = 0; y < film.height(); ++y) {
+    for (int x = 0; x < film.width(); ++x)
+      if (film.blocks(x, y) > 0) blocks.push_back(film.blocks(x, y));
+  }
+  std::sort(blocks.begin(), blocks.end());
+  const auto count = static_cast<double>(blocks.size());
+  CompensatedSum sum;
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    sum.add((2 * static_cast<double>(i) + 1) / blocks[i]);
+  return sum.value() / (count * count);
+}
+
+/// The covariances of the image's pixels, over all pairs, that paths from lamps make. Of an
+/// adaptive render's rounds, pixels take about as many as their mean number of samples says. Else
+/// each block of each tile tells those of its pass; where blocks are missing, passes that are there
+/// stand for the others.
+double covariance_of_lamps(const RenderResult& result) {
+  const Film& film = result.film;
+  const auto samples = static_cast<double>(film.samples());
+  const double pixels = 1.0 * film.width() * film.height();
+  if (result.adaptive)
+    return result.counts.lamp_ties /
+           (samples * pixels * static_cast<double>(result.adaptive->most));
+  double blocks = 0;
+  for (int y = 0; y < film.height(); y += driver_tile_size) {
+    for (int x = 0; x < film.width(); x += driver_tile_size)
+      blocks += film.blocks(x, y);
+  }
+  const double of_a_pass = film.block() * pixels;
+  return result.lamp_ties.value() / blocks * shared_passes(film) / (of_a_pass * of_a_pass);
+}
+
 /// What paths from lamps that reach several pixels add to the variance of the image's mean. The
-/// channels are taken to be tied as the luminance is; with Sobol' points, an upper bound. Of an
-/// adaptive render's rounds, pixels take about as many as their mean number of samples says.
+/// channels are taken to be tied as the luminance is; with Sobol' points, an upper bound.
 std::array<double, 3> ties(const RenderResult& result, const MeanRadiance& mean) {
-  const double all = luminance(mean.value), samples = static_cast<double>(result.film.samples());
-  if (!(all > 0) || !(samples > 0)) return {};
-  const double pixels = 1.0 * result.film.width() * result.film.height();
-  const double most =
-      result.adaptive ? pixels * static_cast<double>(result.adaptive->most) : samples;
-  const double relative = result.counts.lamp_ties / (samples * most * all * all);
+  const double all = luminance(mean.value);
+  if (!(all > 0) || result.counts.lamp_ties == 0) return {};
+  const double relative = covariance_of_lamps(result) / (all * all);
   std::array<double, 3> ties{};
   for (std::size_t c = 0; c < 3; ++c)
     ties[c] = std::fmax(relative, 0) * mean.value[c] * mean.value[c];
@@ -112,13 +149,18 @@ MeanRadiance mean_of(const RenderResult& result) {
 }
 
 RenderReport make_report(const Scene& scene, const RenderResult& result) {
-  RenderReport report;
+  RenderReport report = make_report(result);
   report.needs = describe(needs(scene));
   report.sampler = name_of(scene.sampler);
+  report.max_depth = scene.max_depth;
+  return report;
+}
+
+RenderReport make_report(const RenderResult& result) {
+  RenderReport report;
   report.width = result.film.width();
   report.height = result.film.height();
   report.threads = result.threads;
-  report.max_depth = scene.max_depth;
   report.samples = result.film.samples();
   report.spp = static_cast<double>(report.samples) / (1.0 * report.width * report.height);
   report.seconds = result.seconds;
@@ -159,6 +201,11 @@ ReportLines to_lines(const RenderReport& r) {
     line("INTERRUPTED", fmt::format("{:.0f} % of the pixels have samples, the others are black; "
                                     "means are over the former",
                                     100 * r.finished));
+  }
+  if (r.share < 1) {
+    line("PARTIAL", fmt::format("{:.4g} % of the samples are there; {:.4g} % of the pixels have "
+                                "some, the others are black; means are over the former",
+                                100 * r.share, 100 * r.finished));
   }
   line("time", time_text(r));
   line("mean radiance", fmt::format("R {:.6g}, G {:.6g}, B {:.6g}", r.mean.value[0],
@@ -231,6 +278,10 @@ static void fields(JsonFields& json, RenderReport& r) {
   json.also("samples", r.samples);
   json.also("interrupted", r.interrupted);
   json.also("seconds", r.seconds);
+  if (r.parts > 0) {
+    json.also("parts", r.parts);
+    json.also("share", r.share);
+  }
   json.also("paths", r.counts.paths);
   if (r.counts.rays > 0) {
     json.also("rays", r.counts.rays);

@@ -28,8 +28,10 @@ struct RenderReport {
   std::string scene, needs, kernel, sampler;
   int width = 0, height = 0, threads = 0, max_depth = 0;
   std::uint64_t seed = 0, samples = 0;
-  double spp = 0;  ///< mean over the pixels
-  double seconds = 0;
+  double spp = 0;           ///< mean over the pixels
+  double seconds = 0;       ///< of a merged render, those of its parts together
+  std::uint64_t parts = 0;  ///< that were merged; 0 where all was rendered at once
+  double share = 1;         ///< of a merged render, how much of its samples is there
   bool interrupted = false;
   Counts counts;
   MeanRadiance mean;
@@ -43,6 +45,8 @@ struct RenderReport {
 MeanRadiance mean_of(const RenderResult& result);
 
 /// Fills in what follows from the result.
+RenderReport make_report(const RenderResult& result);
+/// And from the scene.
 RenderReport make_report(const Scene& scene, const RenderResult& result);
 
 /// Compares with a reference; its standard error is used where the file has one.

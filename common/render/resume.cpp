@@ -5,7 +5,9 @@
 #include "cli/number.h"
 #include "json/json_fields.h"
 #include "render/adaptive_exr.h"
+#include "render/blocks.h"
 #include "render/driver.h"
+#include "render/exact_sum_text.h"
 #include "scene/fingerprint.h"
 #include "scene/sampler_kind.h"
 
@@ -19,10 +21,6 @@ namespace carlo {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The order in which differences are told: the most telling first.
-constexpr std::array<const char*, 7> setting_names = {
-    "scene_digest", "seed", "sampler", "max_depth", "planned_spp", "kernel", "definitions"};
 
 constexpr const char* blocks_channel = "sums.blocks";
 
@@ -106,9 +104,10 @@ RenderSettings render_settings(const Scene& scene, const std::string& kernel, st
           {"definitions", json_text(Definitions{definitions})}};
 }
 
-void add_sums(ExrFile& file, const RenderSettings& settings, const Film& film,
-              const Counts& counts) {
+void add_sums(ExrFile& file, const RenderSettings& settings, const Film& film, const Counts& counts,
+              const ExactSum& lamp_ties) {
   add_attributes(file, settings, counts);
+  if (!(lamp_ties == ExactSum{})) file.attributes["lamp_tie_sum"] = to_text(lamp_ties);
   file.attributes["block"] = std::to_string(film.block());
   const std::size_t pixels = file.image.pixels.size();
   for (const std::string& name : all_channels())
@@ -260,6 +259,19 @@ Counts EarlierRender::counts() const {
           .cut = number("cut_paths"),
           .bad = number("bad_samples"),
           .lamp_ties = lamps ? real("lamp_ties") : 0};
+}
+
+ExactSum EarlierRender::lamp_ties() const {
+  const auto it = file_.attributes.find("lamp_tie_sum");
+  if (it != file_.attributes.end()) {
+    if (const auto sum = exact_sum_of(it->second)) return *sum;
+    throw Error("cannot resume {}: its lamp_tie_sum is '{}', expected the words of a sum",
+                path_.string(), it->second);
+  }
+  // Renders from before it was kept have the rounded sum alone.
+  ExactSum sum;
+  sum.add(counts().lamp_ties * static_cast<double>(BlockGrid{width(), height()}.tiles()));
+  return sum;
 }
 
 double EarlierRender::seconds(const Film& film) const {

@@ -2,10 +2,12 @@
 
 #include "image/exr.h"
 #include "image/film.h"
+#include "numeric/exact_sum.h"
 #include "render/adaptive_state.h"
 #include "render/integrator.h"
 #include "scene/scene.h"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -18,15 +20,19 @@ namespace carlo {
 /// What the bits of a render depend on besides the program: by name, as text.
 using RenderSettings = std::map<std::string, std::string>;
 
+/// Those that make another render where they differ, the most telling first.
+constexpr std::array<const char*, 7> setting_names = {
+    "scene_digest", "seed", "sampler", "max_depth", "planned_spp", "kernel", "definitions"};
+
 /// `planned` is the number of samples that the integrator was made for.
 RenderSettings render_settings(const Scene& scene, const std::string& kernel, std::uint64_t seed,
                                std::uint32_t planned, const std::vector<std::string>& definitions);
 
 /// Adds to an image what it takes to go on with it: the settings and counts as attributes, and the
 /// film's sums, which are whole numbers of 128 bits, in channels of 32 bits: so no bit is lost, and
-/// the film goes on as if it had never been away.
-void add_sums(ExrFile& file, const RenderSettings& settings, const Film& film,
-              const Counts& counts);
+/// the film goes on as if it had never been away. `lamp_ties` as in RenderResult.
+void add_sums(ExrFile& file, const RenderSettings& settings, const Film& film, const Counts& counts,
+              const ExactSum& lamp_ties = {});
 
 /// The same for an adaptive render.
 void add_sums(ExrFile& file, const RenderSettings& settings, const AdaptiveState& state,
@@ -57,6 +63,8 @@ class EarlierRender {
   /// The same of an adaptive render.
   AdaptiveState adaptive_state() const;
   Counts counts() const;
+  /// As in RenderResult, of one without a target error.
+  ExactSum lamp_ties() const;
   /// The seconds that the report beside the image tells; 0 if there is none of the same render.
   double seconds(const Film& film) const;
 

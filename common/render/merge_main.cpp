@@ -1,0 +1,119 @@
+// `./carlo merge`: parts of a render become its image, or one part.
+
+#include "cli/arguments.h"
+#include "cli/error.h"
+#include "cli/main_guard.h"
+#include "cli/number.h"
+#include "cli/progress.h"
+#include "image/exr.h"
+#include "image/metrics.h"
+#include "render/merge.h"
+#include "render/outputs.h"
+#include "render/part.h"
+#include "render/report.h"
+
+#include <fmt/core.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace carlo;
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::vector<std::string> parts;
+  std::string output, reference;
+  bool partial = false, no_sums = false, quiet = false;
+};
+
+void add_options(CommandLine& app, Arguments& a) {
+  app.option("parts", a.parts, "what ./carlo render --shard I/N has written, in any order")
+      .required();
+  app.option("-o,--output", a.output,
+             "base name of .png, .exr, .error.png and .json (default: out/SCENE); with the ending "
+             ".part they become one part, to be merged again");
+  app.flag("--partial", a.partial, "make an image although some samples are missing");
+  app.option("--reference", a.reference, "EXR to measure the error against");
+  app.flag("--no-sums", a.no_sums, "a smaller EXR, which cannot be resumed");
+  app.flag("--quiet", a.quiet, "no progress bar, no report on stdout");
+  app.footer("Merged are the bits of one machine that rendered everything.");
+}
+
+RenderResult run(const Merge& merge, const Arguments& a) {
+  Progress progress("merging", !a.quiet);
+  return merge.run([&](double fraction) { progress.update(fraction); });
+}
+
+void merge_to_part(const Merge& merge, const Arguments& a) {
+  if (a.partial || a.no_sums || !a.reference.empty()) {
+    throw Error("--partial, --no-sums and --reference are for images, and {} is a part", a.output);
+  }
+  const RenderResult result = run(merge, a);
+  write_part(a.output, merge.header(), result.film);
+  if (a.quiet) return;
+  fmt::print("  {:<16} {}: {:.4g} % of all samples, from {} parts\n", "written", a.output,
+             100 * merge.share(), merge.header().parts);
+}
+
+RenderReport report_of(const Merge& merge, const RenderResult& result) {
+  const PartHeader& part = merge.header();
+  RenderReport report = make_report(result);
+  report.scene = part.scene;
+  report.needs = part.needs;
+  report.kernel = part.settings.at("kernel");
+  report.sampler = part.settings.at("sampler");
+  report.max_depth = number_of<int>(part.settings.at("max_depth")).value_or(0);
+  report.seed = number_of<std::uint64_t>(part.settings.at("seed")).value_or(0);
+  report.parts = part.parts;
+  report.share = merge.share();
+  return report;
+}
+
+void merge_to_image(const Merge& merge, const Arguments& a) {
+  const PartHeader& part = merge.header();
+  if (!merge.complete() && !a.partial) {
+    throw Error("{} missing; --partial merges what is there", merge.missing());
+  }
+  std::optional<ExrFile> reference;
+  if (!a.reference.empty()) {
+    reference = read_exr(a.reference);
+    compare(reference->image, Image(part.grid.width, part.grid.height));
+  }
+  RenderSettings settings = part.settings;
+  settings.erase("version");
+  // A render goes on from its first samples only.
+  const Outputs outputs(output_stem(a.output, part.scene), settings,
+                        merge.complete() && !a.no_sums);
+  const RenderResult result = run(merge, a);
+  RenderReport report = report_of(merge, result);
+  if (reference) report.reference = compare_with_reference(result, a.reference, *reference);
+  outputs.write(result, report);
+  if (a.quiet) return;
+  fmt::print("{}", to_text(report));
+  if (!merge.complete()) fmt::print("  {:<16} {}\n", "missing", merge.missing());
+  fmt::print("  {:<16} {}\n", "written", outputs.names(result));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_main([&] {
+    Arguments arguments;
+    CommandLine app("Merges parts of a render: PNG, EXR and a report, or a larger part.",
+                    "./carlo merge");
+    add_options(app, arguments);
+    if (const auto code = app.parse(argc, argv)) return *code;
+    const Merge merge(std::vector<fs::path>(arguments.parts.begin(), arguments.parts.end()));
+    if (fs::path(arguments.output).extension() == part_suffix) {
+      merge_to_part(merge, arguments);
+    } else {
+      merge_to_image(merge, arguments);
+    }
+    return 0;
+  });
+}
