@@ -23,11 +23,17 @@ const std::string attribute_prefix = "carlo:";
 /// OpenEXR files carry a date; a fixed one keeps equal images equal.
 constexpr const char* fixed_date = "2000:01:01 00:00:00";
 
-/// The pixels' channels one after the other, as 32-bit words: floats, then whole numbers.
-std::vector<std::uint32_t> interleave(const ExrFile& file) {
+/// Lines that are put together at once: several of the format's bands of 16.
+constexpr int lines_at_once = 64;
+
+/// Channels one after the other, of each pixel of some lines, as 32-bit words: floats, then whole
+/// numbers.
+std::vector<std::uint32_t> interleave(const ExrFile& file, int first_line, int end_line) {
   std::vector<std::uint32_t> data;
-  data.reserve(file.image.pixels.size() * ((file.standard_error ? 6 : 3) + file.counts.size()));
-  for (std::size_t i = 0; i < file.image.pixels.size(); ++i) {
+  const std::size_t first = file.image.index(0, first_line);
+  const std::size_t end = first + file.image.index(0, end_line - first_line);
+  data.reserve((end - first) * ((file.standard_error ? 6 : 3) + file.counts.size()));
+  for (std::size_t i = first; i < end; ++i) {
     for (int c = 0; c < 3; ++c)
       data.push_back(std::bit_cast<std::uint32_t>(file.image.pixels[i][c]));
     for (int c = 0; c < 3 && file.standard_error; ++c)
@@ -36,6 +42,15 @@ std::vector<std::uint32_t> interleave(const ExrFile& file) {
       data.push_back(values[i]);
   }
   return data;
+}
+
+bool write_lines(OIIO::ImageOutput& out, const ExrFile& file) {
+  for (int y = 0; y < file.image.height; y += lines_at_once) {
+    const int end = std::min(y + lines_at_once, file.image.height);
+    const std::vector<std::uint32_t> data = interleave(file, y, end);
+    if (!out.write_scanlines(y, end, 0, OIIO::TypeDesc::UNKNOWN, data.data())) return false;
+  }
+  return true;
 }
 
 OIIO::ImageSpec spec_of(const ExrFile& file) {
@@ -152,9 +167,8 @@ void write_exr(const std::filesystem::path& path, const ExrFile& file) {
   AtomicFile target(path);
   auto out = OIIO::ImageOutput::create("exr");
   if (!out) throw Error("cannot write {}: {}", path.string(), OIIO::geterror());
-  const std::vector<std::uint32_t> data = interleave(file);
-  if (!out->open(target.path().string(), spec_of(file)) ||
-      !out->write_image(OIIO::TypeDesc::UNKNOWN, data.data()) || !out->close()) {
+  if (!out->open(target.path().string(), spec_of(file)) || !write_lines(*out, file) ||
+      !out->close()) {
     throw Error("cannot write {}: {}", path.string(), out->geterror());
   }
   target.commit();

@@ -82,6 +82,7 @@ std::string BlockSet::text() const {
 
 std::optional<BlockSet> BlockSet::from_text(std::string_view text) {
   BlockSet set;
+  if (text.ends_with(' ')) return std::nullopt;
   while (!text.empty()) {
     const std::string_view word = text.substr(0, text.find(' '));
     text.remove_prefix(std::min(word.size() + 1, text.size()));

@@ -16,6 +16,7 @@ std::string to_text(const ExactSum& sum) {
 }
 
 std::optional<ExactSum> exact_sum_of(std::string_view text) {
+  if (text.ends_with(' ')) return std::nullopt;
   std::array<std::uint32_t, ExactSum::words_count> words{};
   for (std::uint32_t& word : words) {
     const std::string_view digits = text.substr(0, text.find(' '));

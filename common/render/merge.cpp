@@ -114,10 +114,10 @@ std::string Merge::missing() const {
       ++more;
       continue;
     }
-    text += fmt::format("{} {}{}", listed++ == 0 ? ": shard" : ",", shard.text(),
-                        lacks == range.count() ? "" : " (in part)");
+    text += fmt::format("{}{}{}", listed++ == 0 ? " (shards " : ", ", shard.text(),
+                        lacks == range.count() ? "" : " in part");
   }
-  return more > 0 ? fmt::format("{} and {} more", text, more) : text;
+  return text + (more > 0 ? fmt::format(" and {} more)", more) : ")");
 }
 
 RenderResult Merge::run(const std::function<void(double)>& progress) const {

@@ -25,7 +25,7 @@ class Merge {
   bool complete() const { return header_.blocks.count() == header_.grid.blocks(); }
   /// Of all samples, how much is there.
   double share() const;
-  /// What is missing: "12.5 % of the samples: shard 3/8".
+  /// What is missing: "12.5 % of the samples (shards 3/8)".
   std::string missing() const;
 
   /// Adds the parts' sums, one part after the other. Throws Error if some are spoilt, or another

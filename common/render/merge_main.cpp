@@ -77,7 +77,7 @@ RenderReport report_of(const Merge& merge, const RenderResult& result) {
 void merge_to_image(const Merge& merge, const Arguments& a) {
   const PartHeader& part = merge.header();
   if (!merge.complete() && !a.partial) {
-    throw Error("{} missing; --partial merges what is there", merge.missing());
+    throw Error("{} are missing; --partial merges what is there", merge.missing());
   }
   std::optional<ExrFile> reference;
   if (!a.reference.empty()) {

@@ -43,7 +43,10 @@ double finished(const Film& film) {
 }
 
 std::string error_text(const RenderReport& r) {
-  if (!std::isfinite(r.relative_error)) return "not known: it takes two samples a pixel at least";
+  if (!std::isfinite(r.relative_error)) {
+    return r.spp < 2 ? "not known: it takes two samples a pixel at least"
+                     : "not known: some pixels have fewer than two blocks of samples";
+  }
   return fmt::format("R {:.2g}, G {:.2g}, B {:.2g}; of a pixel: {:.2g} % of the mean (rms)",
                      r.mean.standard_error[0], r.mean.standard_error[1], r.mean.standard_error[2],
                      100 * r.relative_error);
@@ -203,9 +206,12 @@ ReportLines to_lines(const RenderReport& r) {
                                     100 * r.finished));
   }
   if (r.share < 1) {
-    line("PARTIAL", fmt::format("{:.4g} % of the samples are there; {:.4g} % of the pixels have "
-                                "some, the others are black; means are over the former",
-                                100 * r.share, 100 * r.finished));
+    line("PARTIAL",
+         fmt::format("{:.4g} % of the samples are there{}", 100 * r.share,
+                     r.finished < 1 ? fmt::format("; {:.4g} % of the pixels have some, the others "
+                                                  "are black; means are over the former",
+                                                  100 * r.finished)
+                                    : ""));
   }
   line("time", time_text(r));
   line("mean radiance", fmt::format("R {:.6g}, G {:.6g}, B {:.6g}", r.mean.value[0],
