@@ -161,9 +161,9 @@ static void fields(JsonFields& json, PartHeader& part) {
 }
 
 std::vector<std::string> part_setting_names() {
-  std::vector<std::string> names(setting_names.begin(), setting_names.end());
-  names.push_back("version");
-  return names;
+  // What the digest of a scene depends on comes before it, and what depends on the scene behind.
+  return {"seed",         "sampler", "max_depth", "planned_spp",
+          "scene_digest", "kernel",  "version",   "definitions"};
 }
 
 void write_part(const fs::path& path, const PartHeader& header, const Film& film) {
@@ -259,17 +259,18 @@ void PartFile::add_to(Film& film) const {
 }
 
 std::optional<PartDifference> difference_of(const PartHeader& a, const PartHeader& b) {
-  for (const std::string& name : part_setting_names()) {
-    // What -D defines is in the scene already.
-    if (name == "definitions" || a.settings.at(name) == b.settings.at(name)) continue;
-    return PartDifference{name == "scene_digest" ? "scene or film" : name, a.settings.at(name),
-                          b.settings.at(name)};
-  }
   const auto film = [](const BlockGrid& grid) {
     return fmt::format("{} x {} in {} blocks of {}", grid.width, grid.height, grid.passes,
                        grid.block);
   };
-  if (a.grid != b.grid) return PartDifference{"film", film(a.grid), film(b.grid)};
+  for (const std::string& name : part_setting_names()) {
+    if (name == "scene_digest" && a.grid != b.grid)
+      return PartDifference{"film", film(a.grid), film(b.grid)};
+    // What -D defines is in the scene already.
+    if (name == "definitions" || a.settings.at(name) == b.settings.at(name)) continue;
+    return PartDifference{name == "scene_digest" ? "scene" : name, a.settings.at(name),
+                          b.settings.at(name)};
+  }
   return std::nullopt;
 }
 

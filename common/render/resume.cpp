@@ -22,6 +22,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The order in which differences are told: the most telling first.
+constexpr std::array<const char*, 7> setting_names = {
+    "scene_digest", "seed", "sampler", "max_depth", "planned_spp", "kernel", "definitions"};
+
 constexpr const char* blocks_channel = "sums.blocks";
 
 /// The channel of 32 of the bits of a sum, or of a sum of squares.

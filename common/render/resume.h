@@ -7,7 +7,6 @@
 #include "render/integrator.h"
 #include "scene/scene.h"
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -19,10 +18,6 @@ namespace carlo {
 
 /// What the bits of a render depend on besides the program: by name, as text.
 using RenderSettings = std::map<std::string, std::string>;
-
-/// Those that make another render where they differ, the most telling first.
-constexpr std::array<const char*, 7> setting_names = {
-    "scene_digest", "seed", "sampler", "max_depth", "planned_spp", "kernel", "definitions"};
 
 /// `planned` is the number of samples that the integrator was made for.
 RenderSettings render_settings(const Scene& scene, const std::string& kernel, std::uint64_t seed,

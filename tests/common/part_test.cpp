@@ -148,8 +148,7 @@ struct Pair {
 TEST_CASE("Another render's part is refused by name") {
   using Change = std::function<void(PartHeader&)>;
   const std::vector<std::pair<Change, std::string>> changes = {
-      {[](PartHeader& p) { p.settings["scene_digest"] = "2"; },
-       "its scene or film is 2, the other's 1"},
+      {[](PartHeader& p) { p.settings["scene_digest"] = "2"; }, "its scene is 2, the other's 1"},
       {[](PartHeader& p) { p.settings["seed"] = "2"; }, "its seed is 2, the other's 1"},
       {[](PartHeader& p) { p.settings["sampler"] = "2"; }, "its sampler is 2"},
       {[](PartHeader& p) { p.settings["max_depth"] = "2"; }, "its max_depth is 2"},
