@@ -13,12 +13,14 @@
 #                alarm of one in a thousand gradings shows within the week), 5 of every mistake
 #   fuzz         ten minutes for each reader of foreign bytes
 #   paths        1e9 paths through every scene: is one of them not finite, or negative?
+#   shards       renders in 1 to 64 shards, killed and gone on with, merged in 20 random orders each: one
+#                SHA-256; what eight cost, and what merging 1000 parts of 512 x 512 takes (half an hour)
 #   chroot       the README's commands in a bare Debian (as root; needs debootstrap)
 set -uo pipefail
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/..")
 cd "$root" || exit 1
 
-all=(thorough sanitizers apart tidy calibration fuzz paths chroot)
+all=(thorough sanitizers apart tidy calibration fuzz paths shards chroot)
 
 thorough() {
   ./carlo test --solutions -C thorough
@@ -46,6 +48,11 @@ fuzz() {
 
 paths() {
   ./carlo bench paths --paths 1e9
+}
+
+shards() {
+  ./carlo merge --help >/dev/null && ./carlo render --help >/dev/null &&
+    tests/renderer/shards_in_full.sh build/release/bin "$root"
 }
 
 chroot() {

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace carlo {
 
@@ -60,16 +61,16 @@ std::uint64_t BlockSet::count_in(const BlockRange& range) const {
 }
 
 std::vector<std::uint32_t> BlockSet::of_tiles(std::uint64_t tiles) const {
-  std::vector<std::uint32_t> counts(tiles);
-  std::uint64_t everywhere = 0;
+  // By how much a tile has more than the one before: unsigned, so that less is more.
+  std::vector<std::uint32_t> counts(tiles + 1);
   for (const BlockRange& range : ranges_) {
-    everywhere += range.count() / tiles;
-    const std::uint64_t rest = range.count() % tiles;
-    for (std::uint64_t i = 0; i < rest; ++i)
-      ++counts[(range.begin + i) % tiles];
+    const std::uint64_t first = range.begin % tiles, end = first + range.count() % tiles;
+    counts[0] += static_cast<std::uint32_t>(range.count() / tiles) + (end > tiles ? 1 : 0);
+    ++counts[first];
+    --counts[end > tiles ? end - tiles : end];
   }
-  for (std::uint32_t& count : counts)
-    count += static_cast<std::uint32_t>(everywhere);
+  std::partial_sum(counts.begin(), counts.end(), counts.begin());
+  counts.pop_back();
   return counts;
 }
 

@@ -105,10 +105,16 @@ std::string Merge::missing() const {
   std::string text = fmt::format("{:.3g} % of the samples", 100 * (1 - share()));
   if (!header_.shard) return text;
   std::size_t listed = 0, more = 0;
+  auto gap = gaps.ranges().begin();
   for (std::uint32_t index = 1; index <= header_.shard->count; ++index) {
     const Shard shard{index, header_.shard->count};
     const BlockRange range = share_of(shard, header_.grid, header_.lamps);
-    const std::uint64_t lacks = gaps.count_in(range);
+    std::uint64_t lacks = 0;
+    while (gap != gaps.ranges().end() && gap->begin < range.end) {
+      lacks += std::min(gap->end, range.end) - std::max(gap->begin, range.begin);
+      if (gap->end > range.end) break;
+      ++gap;
+    }
     if (lacks == 0) continue;
     if (listed == most_listed) {
       ++more;
@@ -117,6 +123,7 @@ std::string Merge::missing() const {
     text += fmt::format("{}{}{}", listed++ == 0 ? " (shards " : ", ", shard.text(),
                         lacks == range.count() ? "" : " in part");
   }
+  if (listed == 0) return text;
   return text + (more > 0 ? fmt::format(" and {} more)", more) : ")");
 }
 

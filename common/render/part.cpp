@@ -90,7 +90,8 @@ void require_possible(const PartHeader& part, const fs::path& path) {
   if (part.blocks.end() > grid.blocks()) {
     fail(fmt::format("it has blocks up to {} of {}", part.blocks.end(), grid.blocks()));
   }
-  if (part.shard && (part.shard->count < 1 || part.shard->index > part.shard->count)) {
+  if (part.shard && (part.shard->count < 1 || part.shard->count > most_shards ||
+                     part.shard->index > part.shard->count)) {
     fail(fmt::format("it is shard {}", part.shard->text()));
   }
 }

@@ -38,6 +38,20 @@ TEST_CASE("Sets of blocks are text and back, and know what is missing") {
   CHECK(set.count_in({8, 22}) == 3);
   CHECK(set.count_in({9, 20}) == 0);
   CHECK(set.of_tiles(4) == std::vector<std::uint32_t>{5, 4, 4, 4});
+  Rng rng(23, 0);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<BlockRange> ranges;
+    const auto tiles = 1 + static_cast<std::uint64_t>(rng.uniform_float() * 9);
+    std::vector<std::uint32_t> expected(tiles);
+    for (std::uint64_t begin = 0; begin < 60;) {
+      const std::uint64_t end = begin + static_cast<std::uint64_t>(rng.uniform_float() * 20);
+      ranges.push_back({begin, end});
+      for (; begin < end; ++begin)
+        ++expected[begin % tiles];
+      begin += 1 + static_cast<std::uint64_t>(rng.uniform_float() * 9);
+    }
+    CHECK(BlockSet(ranges).of_tiles(tiles) == expected);
+  }
   for (const char* spoilt : {" ", "1", "1-", "-1", "2-1", "1-1", "1-2 ", "1-3 3-4", "1-3 2-4",
                              "4-5 1-2", "1-2,3-4", "1-99999999999999999999", "+1-2", "1-2  4-5"}) {
     INFO(spoilt);

@@ -22,7 +22,7 @@ std::vector<std::string> no_seeds() {
   return {};
 }
 
-constexpr std::array<Target, 13> all{{
+constexpr std::array<Target, 14> all{{
     {"archive", "zip and tar archives that are handed in", read_archive, no_seeds},
     {"exr", "images, and renders to go on with", read_exr, no_seeds},
     {"frame", "what a worker sends back", read_frame, frame_seeds},
@@ -31,6 +31,7 @@ constexpr std::array<Target, 13> all{{
     {"numbers", "numbers in scenes and arguments", read_numbers, no_seeds},
     {"obj", "meshes", read_obj, no_seeds},
     {"params", "a probe's parameters", read_params, params_seeds},
+    {"part", "parts of renders", read_part, part_seeds},
     {"ply", "meshes", read_ply, no_seeds},
     {"questions", "what a judge has asked, as JSON", read_questions, questions_seeds},
     {"record", "a graded submission, as JSON", read_record, record_seeds},

@@ -9,12 +9,16 @@
 #include "grader/protocol/params.h"
 #include "image/exr.h"
 #include "image/hdr.h"
+#include "render/checksum.h"
+#include "render/merge.h"
+#include "render/part.h"
 #include "render/resume.h"
 #include "scene/load_scene.h"
 #include "scene/mesh_file.h"
 #include "scene/needs.h"
 #include "scene/text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -99,6 +103,30 @@ void read_params(std::string_view bytes) {
   const grader::Params params = grader::params_from_text(bytes);
   const std::string text = to_text(params);
   require(to_text(grader::params_from_text(text)) == text, "parameters survive their text");
+}
+
+/// A header, a line's end and sums, to which right lengths and checksums are added: no change would
+/// come past them.
+void read_part(std::string_view bytes) {
+  const std::size_t end = std::min(bytes.find('\n'), bytes.size());
+  const std::string_view header = bytes.substr(0, end);
+  const std::string_view sums = bytes.substr(std::min(end + 1, bytes.size()));
+  Checksum checksum;
+  checksum.add({reinterpret_cast<const unsigned char*>(header.data()), header.size()});
+  std::string file = "carlo part 1\n";
+  const auto add = [&file](std::uint64_t number) {
+    file.append(reinterpret_cast<const char*>(&number), sizeof number);
+  };
+  add(header.size()), add(checksum.value());
+  file.append(header).append(sums);
+  add(sums.size()), add(0);
+  const PartFile part(as_file(file, "fuzz.part"));
+  const BlockGrid& grid = part.header().grid;
+  require(part.header().blocks.count() <= grid.blocks(), "a part has no more blocks than a render");
+  Merge({part.path()}).missing();
+  if (grid.width > 256 || grid.height > 256) return;
+  Film film(grid.width, grid.height, grid.block);
+  part.add_to(film);
 }
 
 void read_ply(std::string_view bytes) {

@@ -14,7 +14,7 @@
 set -euo pipefail
 here=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")")
 root=$(readlink -f "$here/../..")
-all=(archive exr frame hdr messages numbers obj params ply questions record scene symbols)
+all=(archive exr frame hdr messages numbers obj params part ply questions record scene symbols)
 
 build='' seconds=60 runs=-1 keep='' jobs=1 targets=()
 while [ $# -gt 0 ]; do

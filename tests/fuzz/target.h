@@ -34,6 +34,7 @@ void read_messages(std::string_view bytes);
 void read_numbers(std::string_view bytes);
 void read_obj(std::string_view bytes);
 void read_params(std::string_view bytes);
+void read_part(std::string_view bytes);
 void read_ply(std::string_view bytes);
 void read_questions(std::string_view bytes);
 void read_record(std::string_view bytes);
@@ -42,6 +43,7 @@ void read_symbols(std::string_view bytes);
 
 std::vector<std::string> frame_seeds();
 std::vector<std::string> params_seeds();
+std::vector<std::string> part_seeds();
 std::vector<std::string> questions_seeds();
 std::vector<std::string> record_seeds();
 
