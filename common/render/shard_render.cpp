@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 /// What -o names with the ending of parts; by default the scene's name and the share.
 fs::path part_path(const ShardRender& render) {
-  const fs::path given(render.output);
+  fs::path given(render.output);
   if (given.extension() == part_suffix) return given;
   const bool named = given.has_filename() && !fs::is_directory(given);
   const fs::path stem = output_stem(render.output, render.scene);

@@ -66,7 +66,7 @@ Merge merge_at_random(std::vector<fs::path> parts, const fs::path& folder, Rng& 
     for (std::size_t i = parts.size(); i > 1; --i)
       std::swap(parts[i - 1], parts[below(i)]);
     const std::size_t taken = 1 + below(parts.size());
-    const Merge merge({parts.end() - static_cast<std::ptrdiff_t>(taken), parts.end()});
+    Merge merge({parts.end() - static_cast<std::ptrdiff_t>(taken), parts.end()});
     if (taken == parts.size()) return merge;
     parts.resize(parts.size() - taken);
     parts.push_back(folder / fmt::format("merged{}.part", round));
