@@ -142,8 +142,8 @@ void trace_photon(const World& world, const Emission& emission, Rng& rng,
 
 // Step e: steps/e_density.cpp ---------------------------------------------------------------------
 
-/// Lab 9.5. The radiance that `surface` reflects towards its wo, by all photons within `radius` > 0,
-/// whose flux is taken to lie on a disc. Photons that arrived on the surface's other side do not
+/// Lab 9.5. The radiance that `surface` reflects towards its wo, by all photons within `radius` >
+/// 0, whose flux is taken to lie on a disc. Photons that arrived on the surface's other side do not
 /// count.
 Rgb radiance_within(const PhotonMap& map, const Surface& surface, const Brdf& f, float radius);
 
@@ -172,8 +172,8 @@ Rgb caustic_radiance(const World& world, const Ray& ray, const PhotonMap& causti
 double next_radius(double radius, int pass, double alpha);
 
 /// Lab 9.6. The mean over passes with photons of their own: estimate(pass, radius) is called for
-/// pass 1, 2, ... `passes` once, in this order, the first with first_radius. passes >= 1, and may be
-/// so many that floats do not hold their sum.
+/// pass 1, 2, ... `passes` once, in this order, the first with first_radius. passes >= 1, and may
+/// be so many that floats do not hold their sum.
 Rgb progressive_mean(int passes, double first_radius, double alpha,
                      const std::function<Rgb(int pass, double radius)>& estimate);
 

@@ -38,8 +38,15 @@ std::vector<Step> steps() {
        "Counts under a point lamp follow I cos/d^2, and their noise falls as the root of their "
        "number. A disc wide enough to have little noise says too little of its middle. In a closed "
        "sphere all power arrives, 1/(1 - albedo) times."},
-      {"e", {lab09::density_experiment, lab09::caustic_experiment}, "e."},
-      {"f", {lab09::progressive_experiment, lab09::progressive_image_experiment}, "f."},
+      {"e",
+       {lab09::density_experiment, lab09::caustic_experiment},
+       "e. Wide discs: little noise, much bias; small ones the other way round, both as theory has "
+       "them. Half of the light is missing at a floor's edge. The caustic is there at once, where "
+       "paths of the same time show noise."},
+      {"f",
+       {lab09::progressive_experiment, lab09::progressive_image_experiment},
+       "f. A radius that stays ends at its bias, one that shrinks goes on with a slope of about -1/3. "
+       "Paths have -1/2, once they find the lamp."},
       {"g",
        {lab09::irradiance_cache_experiment, lab09::leak_experiment},
        "g. Records crowd along edges. More directions take noise away and leave the bias: the "
