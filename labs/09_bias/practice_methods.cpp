@@ -1,4 +1,5 @@
 #include "given/sampled.h"
+#include "noisy_image.h"
 #include "practice.h"
 
 #include <cmath>

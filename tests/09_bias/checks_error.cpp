@@ -256,12 +256,12 @@ TEST_CASE("Lab 9.1: when the unbiased method overtakes", "[lab09][ex1]") {
                 {right / bias2, error_slips::bias_squared_twice},
                 {(a - b) / std::sqrt(bias2), error_slips::bias_root},
                 {right * right, error_slips::bias_root}}));
-  for (const std::size_t row : {1, 4, 5}) {
+  for (const std::size_t row : {1u, 4u, 5u}) {
     const char* bias = row == 1 ? "" : row == 4 ? ", bias2 = 0" : ", bias2 below 0";
     judge(is_so(fmt::format("seconds where a is below b{}", bias), rows.at(row, 0) == 0,
                 number_in_report(rows.at(row, 0)), "0", {error_slips::not_from_start}));
   }
-  for (const std::size_t row : {2, 3}) {
+  for (const std::size_t row : {2u, 3u}) {
     judge(is_so(fmt::format("seconds where bias2 is {}", row == 2 ? "0" : "below 0"),
                 std::isinf(rows.at(row, 0)) && rows.at(row, 0) > 0,
                 number_in_report(rows.at(row, 0)), "infinity", {error_slips::not_never}));

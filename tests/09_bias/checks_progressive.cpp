@@ -212,7 +212,8 @@ std::vector<Diagnosis> of_radii(const ProgressiveAnswer& answer) {
     }
     return true;
   };
-  const auto& [first, alpha] = answer.run;
+  const auto [bound_first, bound_alpha] = answer.run;
+  const auto first = bound_first, alpha = bound_alpha;  // older clang captures no bindings
   const auto root = [alpha = alpha](double pass) { return std::sqrt(shrinking(pass, alpha)); };
   const auto chain = [&](double pass) {
     return radius_of(answer.run, static_cast<std::int64_t>(pass));
