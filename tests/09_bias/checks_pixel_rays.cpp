@@ -99,12 +99,12 @@ void judge_square(const RaysAnswer& answer, const std::string& of) {
                                  : kept_on_film}));
 }
 
-/// Whether the mean square of the offsets is near to this.
+/// Whether the mean square of the offsets is near to this: to six standard deviations of a tent.
 bool spread_is(const RaysAnswer& answer, double square) {
   double sum = 0;
   for (const PixelPoint p : answer.offsets)
     sum += (p.x * p.x + p.y * p.y) / (2 * static_cast<double>(answer.count()));
-  return std::abs(sum - square) < 0.05 * square;
+  return std::abs(sum - square) < 0.12 * square;
 }
 
 /// Judges the distribution of the places, which should be that of `filter`. `others`: what to say
