@@ -53,7 +53,12 @@ std::vector<Step> steps() {
        "curves of coarse caches go flat, one after the other, and all of them lie below that of "
        "paths. Light leaks through a thin wall as soon as records reach across it, and through a "
        "board where nobody asks what lies in front."},
-      {"practice", {lab09::practice_experiment}, "In practice."}};
+      {"practice",
+       {lab09::practice_experiment},
+       "In practice. After a second the photon maps are far ahead where light is gathered by glass "
+       "or comes by way of walls, and filtered paths where it comes straight; the path tracer is "
+       "ahead nowhere. But one radius has one bias: after seconds to minutes the path tracer "
+       "overtakes it, and the irradiance cache too. An hour belongs to what is consistent."}};
 }
 
 }  // namespace

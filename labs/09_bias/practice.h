@@ -29,7 +29,7 @@ struct PracticeScene {
 enum class Trend {
   unbiased,   ///< a/t
   biased,     ///< bias^2 + b/t
-  consistent  ///< a power of t that has to be measured
+  consistent  ///< a power of t that has to be measured, t^-1 at best
 };
 
 /// A way to make an image in passes; more of them bring less noise.
@@ -42,9 +42,16 @@ struct PracticeMethod {
 /// The methods for one scene, which must outlive them; path tracing first.
 std::vector<PracticeMethod> practice_methods(const PracticeScene& scene);
 
-/// Bias and noise of several images of a scene: means over pixels and channels, relative: over
-/// reference^2 + .01. What the reference's own noise adds to bias^2 is taken off.
-ErrorParts practice_parts(const PracticeScene& scene, const std::vector<carlo::Image>& images);
+/// Bias and noise of an image: means over pixels and channels, relative: over reference^2 + .01.
+struct ImageParts : ErrorParts {
+  double bias_error = 0;  ///< the standard error of bias2, if each pixel has noise of its own
+
+  /// bias^2 where it can be told from 0.
+  double bias_seen() const { return bias2 > 2 * bias_error ? bias2 : 0; }
+};
+
+/// From several images of a scene. What the reference's own noise adds to bias^2 is taken off.
+ImageParts practice_parts(const PracticeScene& scene, const std::vector<carlo::Image>& images);
 
 /// The mean of the images of all passes, each by pass(number from 0), on all cores.
 carlo::Image mean_of_passes(int passes, const std::function<carlo::Image(int number)>& pass);
@@ -53,7 +60,7 @@ carlo::Image mean_of_passes(int passes, const std::function<carlo::Image(int num
 struct PracticeRun {
   int passes = 0;
   double seconds = 0;
-  ErrorParts parts;    ///< as of practice_parts()
+  ImageParts parts;
   carlo::Image shown;  ///< one of the images
 
   double rel_mse() const { return parts.bias2 + parts.variance; }
@@ -66,7 +73,8 @@ struct PracticeCurve {
   std::vector<PracticeRun> runs;
 
   const PracticeRun& longest() const { return runs.back(); }
-  /// The slope of its square error against time.
+  /// The slope of its square error against time, but no steeper than that of noise, -1: a steeper
+  /// one does not go on.
   double slope() const;
   /// Its square error after t seconds, by its trend.
   double foretold(double t) const;

@@ -34,8 +34,8 @@ void add_practice_rows(carlo::Table& table, const std::string& scene,
     const PracticeRun& run = curve.longest();
     const double overtaken = overtaking(paths, curve);
     table.add_row({scene, curve.name, run.passes, carlo::seconds_cell(run.seconds),
-                   practice_number(run.parts.bias2), practice_number(run.parts.variance),
-                   practice_number(run.rel_mse()),
+                   carlo::interval_cell(run.parts.bias2, 2 * run.parts.bias_error),
+                   practice_number(run.parts.variance), practice_number(run.rel_mse()),
                    practice_number(run.rel_mse() * run.seconds /
                                    (paths.longest().rel_mse() * paths.longest().seconds)),
                    practice_number(curve.foretold(hour)),

@@ -87,11 +87,14 @@ PracticeScene::PracticeScene(const std::string& scene_name, int most)
       reference_error(practice_reference(name, true, most)),
       world(practice_scene(name, reference)) {}
 
-ErrorParts practice_parts(const PracticeScene& scene, const std::vector<carlo::Image>& images) {
+ImageParts practice_parts(const PracticeScene& scene, const std::vector<carlo::Image>& images) {
   const auto count = 3 * static_cast<double>(scene.reference.pixels.size());
-  ErrorParts sum;
+  const auto n = static_cast<double>(images.size());
+  ImageParts sum;
+  double bias_variance = 0;
   std::vector<double> values(images.size());
   for (std::size_t i = 0; i < scene.reference.pixels.size(); ++i) {
+    double pixel_variance = 0;
     for (int c = 0; c < 3; ++c) {
       for (std::size_t k = 0; k < images.size(); ++k)
         values[k] = static_cast<double>(images[k].pixels[i][c]);
@@ -100,9 +103,14 @@ ErrorParts practice_parts(const PracticeScene& scene, const std::vector<carlo::I
       const ErrorParts parts = split_error(values, exact);
       const double unit = count * (exact * exact + 0.01);
       sum.bias2 += (parts.bias2 - error * error) / unit;
-      sum.variance += parts.variance / unit;
+      pixel_variance += parts.variance / unit;
     }
+    sum.variance += pixel_variance;
+    // Without bias, bias2 is the mean of products of two errors, over all pairs of images: its
+    // variance is 2 sigma^4/(n (n - 1)); and s^4 is sigma^4 (n + 1)/(n - 1) on average.
+    bias_variance += 2 * pixel_variance * pixel_variance / (n * (n + 1));
   }
+  sum.bias_error = std::sqrt(bias_variance);
   return sum;
 }
 
@@ -125,7 +133,7 @@ double PracticeCurve::slope() const {
     seconds.push_back(run.seconds);
     errors.push_back(std::max(run.rel_mse(), std::numeric_limits<double>::min()));
   }
-  return fitted_slope(seconds, errors);
+  return std::max(fitted_slope(seconds, errors), -1.0);
 }
 
 double PracticeCurve::foretold(double t) const {
@@ -134,7 +142,7 @@ double PracticeCurve::foretold(double t) const {
     case Trend::unbiased:
       return last.parts.variance * last.seconds / t;
     case Trend::biased:
-      return std::max(last.parts.bias2, 0.0) + last.parts.variance * last.seconds / t;
+      return last.parts.bias_seen() + last.parts.variance * last.seconds / t;
     case Trend::consistent:
       return last.rel_mse() * std::pow(t / last.seconds, slope());
   }
@@ -148,8 +156,10 @@ PracticeCurve measure_practice(Notebook& notebook, const PracticeScene& scene,
   for (const int share : {16, 4, 1}) {
     const int passes = cost.passes_in(seconds / share);
     if (!curve.runs.empty() && passes == curve.longest().passes) continue;
-    curve.runs.push_back(
-        practice_run(notebook, scene, method, passes, share == 1 ? 3 : 2 + share / 2));
+    curve.runs.push_back(practice_run(notebook, scene, method, passes,
+                                      share == 1   ? 2
+                                      : share == 4 ? 3
+                                                   : 4));
   }
   return curve;
 }
@@ -158,7 +168,8 @@ double overtaking(const PracticeCurve& unbiased, const PracticeCurve& other) {
   const double a = unbiased.longest().parts.variance * unbiased.longest().seconds;
   const PracticeRun& last = other.longest();
   if (other.trend != Trend::consistent) {
-    return overtakes_after(a, last.parts.variance * last.seconds, last.parts.bias2);
+    const double bias2 = other.trend == Trend::biased ? last.parts.bias_seen() : 0;
+    return overtakes_after(a, last.parts.variance * last.seconds, bias2);
   }
   // a/t = p t^slope
   const double slope = other.slope();

@@ -209,7 +209,7 @@ PracticeMethod filtered(const PracticeScene& s) {
 std::vector<PracticeMethod> practice_methods(const PracticeScene& s) {
   using namespace practice;
   return {path_tracing<carlo::IndependentSampler>(s, "path tracing", Trend::unbiased),
-          path_tracing<carlo::SobolSampler>(s, "path tracing, Sobol'", Trend::consistent),
+          path_tracing<carlo::SobolSampler>(s, "path tracing, Sobol'", Trend::unbiased),
           filtered(s),
           photons(s),
           progressive(s),
