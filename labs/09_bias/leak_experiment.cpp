@@ -44,19 +44,11 @@ Record record_at(const World& world, Vec3 p, Rng& rng) {
   return make_record(p, {0, 0, 1}, 8, look, rng);
 }
 
-/// interpolate(), but records in front serve as well.
-std::optional<Rgb> interpolate_anyway(const std::vector<Record>& records, Vec3 p, Vec3 n,
-                                      double most) {
-  Rgb sum(0);
-  double weights = 0;
-  for (const Record& record : records) {
-    const double error = std::max(record_error(record, p, n), 1e-9);
-    if (error >= most) continue;
-    sum += record.E / static_cast<float>(error);
-    weights += 1 / error;
-  }
-  if (weights == 0) return std::nullopt;
-  return sum / static_cast<float>(weights);
+/// interpolate(), but records in front serve as well: as if all lay on the floor.
+std::optional<Rgb> interpolate_anyway(std::vector<Record> records, Vec3 p, Vec3 n, double most) {
+  for (Record& record : records)
+    record.p -= glm::dot(record.p - p, n) * n;
+  return interpolate(records, p, n, most);
 }
 
 struct LeakSetting {

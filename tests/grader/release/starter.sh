@@ -14,9 +14,11 @@ slides' formulas that handouts and hints cite (labs/formulas.md). No solution of
 it, no patch of a typical mistake, no reference image, nothing of the class's grading.
 
 The judge has to work out what is right, so tests/NN_name/*.h and *.cpp hold code that a student could
-learn an exercise from: of labs 1 to 8 that of 2.1, 2.3, 2.5 and 2.6 (tests/02_pi/reference.h), the
-inversions of 5.1 and 5.2, the density of 6.3, Phong's f and pdf (tests/08_path_tracer/theory.h), and
-everywhere the values that typical mistakes would give. Whoever reads these has looked an answer up.
+learn an exercise from: of labs 1 to 9 that of 2.1, 2.3, 2.5 and 2.6 (tests/02_pi/reference.h), the
+inversions of 5.1 and 5.2, the density of 6.3, Phong's f and pdf (tests/08_path_tracer/theory.h), the
+formulas of 9.1 (tests/09_bias/checks_error.cpp), the filters of 9.2 and 9.3 (pixel_filter_theory.h,
+feature_theory.h) and the interpolation of 9.7 (irradiance_theory.h), and everywhere the values that
+typical mistakes would give. Whoever reads these has looked an answer up.
 
 It is made from what is committed, and the same commit gives the same bytes.
 
