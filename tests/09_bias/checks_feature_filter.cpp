@@ -105,7 +105,10 @@ Suspects normal_slips(const Pair& p) {
 Suspects depth_slips(const Pair& p) {
   const double a = real(p.one.depth), b = real(p.other.depth), apart = a - b;
   const double two = 2 * p.strength.depth * p.strength.depth;
-  const auto over = [&](double depth) { return std::exp(-apart * apart / (depth * depth * two)); };
+  // Who divides by the wrong depth still leaves out one of 0.
+  const auto over = [&](double depth) {
+    return depth == 0 ? 1 : std::exp(-apart * apart / (depth * depth * two));
+  };
   Suspects slips{{std::exp(-apart * apart / two), depth_absolute},
                  {over(a), depth_of_one},
                  {over(b), depth_of_one},
