@@ -309,7 +309,7 @@ void judge_progressive_mean(std::int64_t passes) {
     wrong_radius += near_to(answer.radius[i], radius_of(answer.run, pass), 1e-8) ? 0 : 1;
   }
   // Calls that are too few or too many have other passes and radii, and another mean.
-  const auto unless_miscounted = [&](std::vector<Diagnosis> diagnoses) {
+  const auto unless_miscounted = [&](const std::vector<Diagnosis>& diagnoses) {
     return found.empty() ? diagnoses : found;
   };
   judge(holds("passes with a wrong number" + of, wrong_pass == 0, fmt::format("{:g}", wrong_pass),
