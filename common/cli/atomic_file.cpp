@@ -6,11 +6,18 @@
 
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <system_error>
 
 namespace carlo {
 
 namespace fs = std::filesystem;
+
+/// Processes of several machines, which may have the same number, write into shared folders.
+static std::string unlike_others() {
+  std::random_device random;
+  return fmt::format("{:08x}{:08x}", random(), random());
+}
 
 AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
   // A link stays one: what it points to is replaced.
@@ -26,7 +33,7 @@ AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
   if (::access(folder.c_str(), W_OK) != 0) {
     throw Error("cannot write {}: no permission in {}", target_.string(), folder.string());
   }
-  temporary_ = folder / fmt::format(".{}.{}{}", target_.stem().string(), ::getpid(),
+  temporary_ = folder / fmt::format(".{}.{}{}", target_.stem().string(), unlike_others(),
                                     target_.extension().string());
 }
 
