@@ -37,6 +37,11 @@ develop  libclang-rt-dev       compiler-rt            compiler-rt    llvm
 develop  llvm                  llvm                   llvm           llvm
 develop  mold                  mold                   mold           mold
 develop  shellcheck            ShellCheck             shellcheck     shellcheck
+cluster  slurmctld             slurm-slurmctld        !              !
+cluster  slurmd                slurm-slurmd           !              !
+cluster  slurm-client          slurm                  !              !
+cluster  munge                 munge                  !              !
+cluster  iproute2              iproute                iproute2       !
 browser  nodejs                nodejs                 nodejs         node
 browser  npm                   npm                    npm            node
 browser  chromium              chromium               chromium       !
