@@ -13,7 +13,7 @@
 #   cluster.sh hurry                requeued jobs start now, not in two minutes
 #   cluster.sh settled [SECONDS]    waits until there are no jobs, so long at most (600)
 #
-# N nodes (4), node1 to nodeN, say that they have C processors (2), however many this machine has.
+# N nodes (4), node1 to nodeN, say that they have C processors (2) and 16 GB, whatever this machine has.
 # Partitions: main (the default; its jobs are requeued for those of urgent) and urgent. Processes,
 # network and mounts are in namespaces of their own: two clusters do not see each other, ports are
 # always free, and the end of this process or of its parent, even by SIGKILL, is the end of all of it,
@@ -116,7 +116,7 @@ PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP PriorityTier=
 PartitionName=urgent Nodes=ALL Default=NO MaxTime=INFINITE State=UP PriorityTier=2 PreemptMode=OFF
 END
   for ((number = 1; number <= $1; ++number)); do
-    printf 'NodeName=node%d NodeHostname=node%d NodeAddr=10.0.0.1 Port=%d CPUs=%d State=UNKNOWN\n' \
+    printf 'NodeName=node%d NodeHostname=node%d NodeAddr=10.0.0.1 Port=%d CPUs=%d RealMemory=16000 State=UNKNOWN\n' \
       "$number" "$number" "$((17000 + number))" "$2"
   done >>"$folder/slurm.conf"
 }
