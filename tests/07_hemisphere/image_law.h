@@ -45,14 +45,13 @@ inline TexelPlace lit_texel_near(const SkyImage& image, ImagePoint p) {
 
 /// A texel's density per solid angle.
 inline double density_of(const SkyImage& image, std::size_t index) {
-  return image.luminance[index] / image.power();
+  return image.luminance[index] / image.power;
 }
 
 /// Whether a density is some lit texel's.
 inline bool fits_a_texel(const SkyImage& image, double density) {
-  const double power = image.power();
   return std::any_of(image.luminance.begin(), image.luminance.end(), [&](double luminance) {
-    return luminance > 0 && agree(density, luminance / power, 1e-5);
+    return luminance > 0 && agree(density, luminance / image.power, 1e-5);
   });
 }
 

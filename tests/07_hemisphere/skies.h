@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 // The images of Lab 7.8, and where they are asked; the convention is that of the contract.
@@ -22,8 +23,17 @@ enum class Sky {
 };
 
 struct SkyImage {
-  std::size_t width = 1, height = 1;
-  std::vector<double> luminance = {2.5};
+  std::size_t width, height;
+  std::vector<double> luminance;
+  double power =
+      0;  ///< luminance times solid angle, of all texels: summed once, not for each place
+
+  SkyImage(std::size_t columns, std::size_t rows, std::vector<double> texels)
+      : width(columns), height(rows), luminance(std::move(texels)) {
+    for (std::size_t k = 0; k < luminance.size(); ++k) {
+      if (luminance[k] > 0) power += luminance[k] * solid_angle(k / width);
+    }
+  }
 
   double solid_angle(std::size_t row) const {
     // cos a - cos b = 2 sin((a + b) / 2) sin((b - a) / 2).
@@ -31,19 +41,14 @@ struct SkyImage {
     return 4 * pi / static_cast<double>(width) *
            std::sin(pi * (static_cast<double>(row) + 0.5) / rows) * std::sin(pi / (2 * rows));
   }
-  double power() const {
-    double sum = 0;
-    for (std::size_t k = 0; k < luminance.size(); ++k)
-      sum += luminance[k] * solid_angle(k / width);
-    return sum;
-  }
 };
 
 /// A single texel of luminance 5e4.
 inline SkyImage lone_sun(std::size_t column, std::size_t row) {
-  SkyImage image{64, 32, std::vector<double>(std::size_t{64} * 32)};
-  image.luminance[row * image.width + column] = 5e4;
-  return image;
+  constexpr std::size_t width = 64, height = 32;
+  std::vector<double> texels(width * height);
+  texels[row * width + column] = 5e4;
+  return {width, height, texels};
 }
 
 inline SkyImage sky_image(Sky sky) {
@@ -51,12 +56,13 @@ inline SkyImage sky_image(Sky sky) {
     case Sky::one_texel:
       break;
     case Sky::spotted: {
-      SkyImage image{12, 6, {}};
-      for (std::size_t k = 0; k < image.width * image.height; ++k) {
-        const bool black = k / image.width == 3 || k * k % 7 == 1;
-        image.luminance.push_back(black ? 0 : 1 + static_cast<double>(k * k * 37 % 101) / 20);
+      constexpr std::size_t width = 12, height = 6;
+      std::vector<double> texels;
+      for (std::size_t k = 0; k < width * height; ++k) {
+        const bool black = k / width == 3 || k * k % 7 == 1;
+        texels.push_back(black ? 0 : 1 + static_cast<double>(k * k * 37 % 101) / 20);
       }
-      return image;
+      return {width, height, texels};
     }
     case Sky::half:
       return {4, 2, {1, 1, 1, 1, 0, 0, 0, 0}};
@@ -67,12 +73,13 @@ inline SkyImage sky_image(Sky sky) {
     case Sky::sun_bottom:
       return lone_sun(63, 31);
     case Sky::cap: {
-      SkyImage image{8, 4000, std::vector<double>(std::size_t{8} * 4000)};
-      std::fill_n(image.luminance.begin(), image.width, 1);
-      return image;
+      constexpr std::size_t width = 8, height = 4000;
+      std::vector<double> texels(width * height);
+      std::fill_n(texels.begin(), width, 1);
+      return {width, height, texels};
     }
   }
-  return {};
+  return {1, 1, {2.5}};
 }
 
 /// A point of the image, in [0, 1]^2.
