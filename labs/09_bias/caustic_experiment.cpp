@@ -3,6 +3,7 @@
 #include "report/format.h"
 #include "report/stopwatch.h"
 #include "report/tiles.h"
+#include "signed_root.h"
 
 #include <fmt/core.h>
 
@@ -75,10 +76,7 @@ void compare(Notebook& notebook) {
   std::vector<std::string> tiles = {
       carlo::image_tile("reference", fmt::format("Lab 8.8, {} samples a pixel", 2 * samples),
                         reference.image, white)};
-  const auto percent = [](double square) {
-    const double part = std::copysign(std::sqrt(std::abs(square)), square);
-    return carlo::Cell(fmt::format("{} %", carlo::number_text(100 * part, 3)), part);
-  };
+  const auto percent = [](double square) { return percent_of_root(square, 3); };
   for (const Renderer& renderer : renderers(notebook, view)) {
     std::vector<carlo::Image> images;
     const carlo::Stopwatch watch;
@@ -93,11 +91,10 @@ void compare(Notebook& notebook) {
         images[0], white));
   }
   notebook.raw_html(carlo::tiles(tiles));
-  notebook.table(
-      "caustic", table,
-      fmt::format("The error of a pixel, over the mean of the reference: bias and noise "
-                  "from {} pictures of each; a bias with a minus is one that noise hides",
-                  runs));
+  notebook.table("caustic", table,
+                 fmt::format("The error of a pixel, over the mean of the reference: bias and noise "
+                             "from {} pictures of each; {}",
+                             runs, minus_is_noise));
 }
 
 }  // namespace

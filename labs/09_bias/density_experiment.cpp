@@ -1,6 +1,7 @@
 #include "experiments.h"
 #include "numeric/robust.h"
 #include "report/format.h"
+#include "signed_root.h"
 
 #include <fmt/core.h>
 
@@ -58,12 +59,14 @@ PhotonMap map_below(std::int64_t emitted, Rng& rng) {
   return {std::move(photons), 1 / static_cast<float>(emitted)};
 }
 
+constexpr int below_maps = 512;
+
 using Estimate = std::function<Rgb(const PhotonMap& map)>;
 
 /// Bias and noise of several estimates at the foot, by as many maps.
 std::vector<ErrorParts> errors_below(Notebook& notebook, std::int64_t emitted,
                                      const std::vector<Estimate>& estimates) {
-  const int maps = notebook.repetitions(512);
+  const int maps = notebook.repetitions(below_maps);
   std::vector<std::vector<double>> values(estimates.size());
   Rng rng = notebook.rng();
   for (int i = 0; i < maps; ++i) {
@@ -85,9 +88,8 @@ carlo::Cell percent(double part) {
   return {fmt::format("{} %", carlo::number_text(100 * part, 3)), part};
 }
 
-/// bias^2 as a size, with its sign: what is lost in noise may be below 0.
 carlo::Cell bias_cell(double bias2) {
-  return percent(std::copysign(std::sqrt(std::abs(bias2)), bias2));
+  return percent_of_root(bias2, 3);
 }
 
 constexpr std::int64_t emitted_below = 1 << 13;
@@ -123,9 +125,9 @@ carlo::Chart against_radius(Notebook& notebook) {
                    percent(bias), bias_cell(measured[i].bias2), percent(noise),
                    percent(std::sqrt(measured[i].variance))});
   }
-  notebook.table("density_radius", table,
-                 "At the foot of a point lamp, by photons within a radius; a measured bias with a "
-                 "minus is one that noise hides");
+  notebook.table(
+      "density_radius", table,
+      fmt::format("At the foot of a point lamp, by photons within a radius; {}", minus_is_noise));
   return chart;
 }
 
@@ -153,14 +155,17 @@ carlo::Chart against_count(Notebook& notebook) {
   }
   const std::vector<ErrorParts> parts = errors_below(notebook, emitted_below, estimates);
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    const double k = counts[i], bias = std::sqrt(std::max(parts[i].bias2, 0.0));
-    if (bias > 0) chart.series[0].points.push_back({k, bias});
+    const double k = counts[i], bias = signed_root(parts[i].bias2);
+    // On axes of powers of ten there is no place for what noise may well have made.
+    const double doubtful = 4 * parts[i].variance / notebook.repetitions(below_maps);
+    if (parts[i].bias2 > doubtful) chart.series[0].points.push_back({k, bias});
     chart.series[1].points.push_back({k, std::sqrt(parts[i].variance)});
     chart.series[2].points.push_back({k, size_of(parts[i])});
     table.add_row({counts[i], bias_cell(parts[i].bias2), percent(std::sqrt(parts[i].variance)),
                    bias_cell(parts[i + counts.size()].bias2)});
   }
-  notebook.table("density_nearest", table, "The same by the k nearest photons");
+  notebook.table("density_nearest", table,
+                 fmt::format("The same by the k nearest photons; {}", minus_is_noise));
   return chart;
 }
 
@@ -195,7 +200,7 @@ void at_edges(Notebook& notebook) {
   };
   std::vector<Place> places;
   for (const double d : {1.0, 0.75, 0.5, 0.25, 0.0})
-    places.push_back({fmt::format("{:g} radii from the edge", d),
+    places.push_back({d == 0 ? "on the edge" : fmt::format("{:g} radii from the edge", d),
                       {2, static_cast<float>(d), 0},
                       share_before(d)});
   places.push_back({"at a corner", {0, 0, 0}, 0.25});

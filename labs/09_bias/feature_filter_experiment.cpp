@@ -2,6 +2,7 @@
 #include "report/format.h"
 #include "report/stopwatch.h"
 #include "report/tiles.h"
+#include "signed_root.h"
 
 #include <fmt/core.h>
 
@@ -63,11 +64,6 @@ std::vector<FilterRun> filter_runs(Notebook& notebook, const PracticeScene& scen
   return runs;
 }
 
-carlo::Cell root_cell(double square) {
-  const double root = std::sqrt(std::max(square, 0.0));
-  return {fmt::format("{} %", carlo::number_text(100 * root, 2)), root};
-}
-
 void add_filter_pictures(Notebook& notebook, const PracticeScene& scene, int samples,
                          const std::vector<FilterRun>& runs) {
   constexpr double white = 1;
@@ -99,9 +95,9 @@ void feature_filter_experiment(Notebook& notebook) {
       const std::vector<FilterRun> runs = filter_runs(notebook, scene, samples);
       for (std::size_t k = 0; k < runs.size(); ++k) {
         const FilterRun& run = runs[k];
-        table.add_row({samples, filter_settings[k].name, root_cell(run.parts.bias2),
-                       root_cell(run.parts.variance),
-                       root_cell(run.parts.bias2 + run.parts.variance),
+        table.add_row({samples, filter_settings[k].name, percent_of_root(run.parts.bias2, 2),
+                       percent_of_root(run.parts.variance, 2),
+                       percent_of_root(run.parts.bias2 + run.parts.variance, 2),
                        carlo::seconds_cell(run.seconds)});
         curves[k].runs.push_back({samples, 0, run.error(), run.seconds});
       }
@@ -113,7 +109,8 @@ void feature_filter_experiment(Notebook& notebook) {
         "are relative, dark pixels counted as .1. Albedo, normal and depth know of corners and of "
         "the balls' outlines, but not of a shadow's edge: that is left to the colours, and k says "
         "how many standard errors they may differ by.");
-    notebook.table("filter", table, "Filtered and not: bias and noise apart");
+    notebook.table("filter", table,
+                   fmt::format("Filtered and not: bias and noise apart; {}", minus_is_noise));
     notebook.charts({carlo::error_charts("Soft shadows", "relative RMS error", curves, false)[1]});
   });
 }

@@ -4,6 +4,7 @@
 #include "report/format.h"
 #include "report/stopwatch.h"
 #include "report/tiles.h"
+#include "signed_root.h"
 
 #include <fmt/core.h>
 #include <tbb/parallel_for.h>
@@ -126,11 +127,11 @@ carlo::Cell percent_cell(double part) {
 }
 
 void add_cache_row(carlo::Table& table, const CacheSetting& setting, const CacheRun& run) {
-  const auto root = [](double square) { return percent_cell(std::sqrt(std::max(square, 0.0))); };
-  table.add_row(
-      {carlo::Cell(carlo::number_text(setting.most), setting.most), setting.strata * setting.strata,
-       carlo::Cell(fmt::format("{:.0f}", run.records), run.records), root(run.parts.bias2),
-       root(run.parts.variance), percent_cell(run.error()), carlo::seconds_cell(run.seconds)});
+  table.add_row({carlo::Cell(carlo::number_text(setting.most), setting.most),
+                 setting.strata * setting.strata,
+                 carlo::Cell(fmt::format("{:.0f}", run.records), run.records),
+                 percent_of_root(run.parts.bias2, 2), percent_of_root(run.parts.variance, 2),
+                 percent_cell(run.error()), carlo::seconds_cell(run.seconds)});
 }
 
 constexpr double limits[] = {0.1, 0.2, 0.4, 0.8};
@@ -210,7 +211,9 @@ void irradiance_cache_experiment(Notebook& notebook) {
         "in the image as blotches, and the bias of using them elsewhere. More directions a record "
         "help against the first alone.");
     notebook.raw_html(carlo::tiles(pictures));
-    notebook.table("cache", table, "Caches: bias and noise apart, in parts of the mean radiance");
+    notebook.table("cache", table,
+                   fmt::format("Caches: bias and noise apart, in parts of the mean radiance; {}",
+                               minus_is_noise));
     carlo::Table by_paths({"paths a pixel", "error", "time"}, {"paths", "error", "seconds"});
     for (const Measurement& run : traced.curve.runs)
       by_paths.add_row({run.points, percent_cell(run.error), carlo::seconds_cell(run.seconds)});

@@ -4,6 +4,7 @@
 #include "report/format.h"
 #include "report/stopwatch.h"
 #include "report/tiles.h"
+#include "signed_root.h"
 
 #include <fmt/core.h>
 
@@ -162,7 +163,7 @@ EdgeRun edge_run(Notebook& notebook, const PixelFilter& filter, const PixelWay& 
 }
 
 carlo::Cell part_cell(double square) {
-  const double root = std::sqrt(std::max(square, 0.0));
+  const double root = signed_root(square);
   return {carlo::number_text(root, 2), root};
 }
 
@@ -193,7 +194,8 @@ void measure_edge(Notebook& notebook) {
       "should be has a closed form: the filter's share beyond the edge. Offsets are drawn from the "
       "filter, or uniform in its square and weighed. (A box weighs all alike: there both are one.)",
       carlo::number_text(edge_at)));
-  notebook.table("edge", table, "A pixel on an edge: bias and noise apart");
+  notebook.table("edge", table,
+                 fmt::format("A pixel on an edge: bias and noise apart; {}", minus_is_noise));
   std::vector<carlo::Chart> charts =
       carlo::error_charts("A pixel on an edge", "error", curves, false);
   charts[0].title = "A pixel on an edge: error against rays";

@@ -3,6 +3,7 @@
 #include "mirrored_lamp.h"
 #include "report/format.h"
 #include "sampling/samplers.h"
+#include "signed_root.h"
 
 #include <fmt/core.h>
 #include <tbb/parallel_for.h>
@@ -115,11 +116,6 @@ Falling falling(Notebook& notebook, const Method& method) {
   return all;
 }
 
-carlo::Cell percent_of(double square) {
-  const double part = std::copysign(std::sqrt(std::abs(square)), square);
-  return {fmt::format("{} %", carlo::number_text(100 * part, 3)), part};
-}
-
 void slopes(Notebook& notebook) {
   const std::int64_t passes = notebook.options().n / 4096, samples = notebook.options().n / 16;
   const std::vector<Method> methods = {
@@ -152,14 +148,16 @@ void slopes(Notebook& notebook) {
     table.add_row(
         {method.name,
          carlo::Cell(carlo::count_text(static_cast<std::int64_t>(all.n.back())), all.n.back()),
-         percent_of(all.parts.back().bias2), percent_of(all.parts.back().variance),
+         percent_of_root(all.parts.back().bias2, 3), percent_of_root(all.parts.back().variance, 3),
          carlo::Cell(carlo::number_text(slope, 2), slope), method.expected});
     notebook.progress(static_cast<double>(chart.series.size()),
                       static_cast<double>(methods.size()));
   }
   notebook.charts({chart});
-  notebook.table("progressive", table,
-                 "The largest number of passes or samples of each; slopes by fitted_slope()");
+  notebook.table(
+      "progressive", table,
+      fmt::format("The largest number of passes or samples of each; slopes by fitted_slope(); {}",
+                  minus_is_noise));
   notebook.data("progressive_errors", data, "All errors, over the square of the exact value");
 }
 

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "report/format.h"
+#include "report/table.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+namespace lab09 {
+
+/// The root of a mean square, with the square's sign: an estimate of bias^2 is right on average,
+/// and so comes out below 0 where the bias is lost in noise. Such a bias is shown with a minus, not
+/// as 0.
+inline double signed_root(double square) {
+  return std::copysign(std::sqrt(std::abs(square)), square);
+}
+
+/// The same in a table, in per cent.
+inline carlo::Cell percent_of_root(double square, int digits) {
+  const double part = signed_root(square);
+  return {fmt::format("{} %", carlo::number_text(100 * part, digits)), part};
+}
+
+/// What a table with such a bias says below it.
+constexpr const char* minus_is_noise = "a bias with a minus is one that noise hides";
+
+}  // namespace lab09
