@@ -166,7 +166,7 @@ std::vector<std::vector<DensityPhoton>> photons_of_places(std::uint64_t seed) {
   Rng rng(seed);
   std::vector<std::vector<DensityPhoton>> all;
   for (const DensityPlace& place : density_places) {
-    all.push_back(drawn_photons(rng, density_photons, place.at, place.radius));
+    all.push_back(drawn_photons(rng, density_photons, place.at, density_normal, place.radius));
     std::sort(all.back().begin(), all.back().end(),
               [&](const DensityPhoton& a, const DensityPhoton& b) {
                 return distance_of(a, place) < distance_of(b, place);

@@ -51,7 +51,7 @@ DensityVec phong_of(Vec3 wi_, Vec3 wo_) {
 
 std::vector<DensityPhoton> photons_on_target(std::uint64_t seed) {
   Rng rng(seed);
-  return drawn_photons(rng, target_photons, {0, 0, 0}, target_radius);
+  return drawn_photons(rng, target_photons, {0, 0, 0}, {0, 0, 1}, target_radius);
 }
 
 /// What the photons on the target bring.

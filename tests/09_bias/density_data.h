@@ -33,16 +33,30 @@ inline Vec3 drawn_direction(Rng& rng) {
   return {r * std::cos(phi), r * std::sin(phi), z};
 }
 
-/// Photons around a point, up to two radii away and none at the radius itself, with a flux of the
-/// radius squared, more or less. Half of them come from either side.
-inline std::vector<DensityPhoton> drawn_photons(Rng& rng, int count, Vec3 at, float radius) {
+/// A direction that rounding takes to neither side of a surface with this normal.
+inline Vec3 drawn_beside(Vec3 normal, Rng& rng) {
+  Vec3 d = drawn_direction(rng);
+  while (std::abs(glm::dot(d, normal)) < 1e-3f)
+    d = drawn_direction(rng);
+  return d;
+}
+
+/// Photons around a point of a surface, up to two radii away and none at the radius itself, with a
+/// flux of the radius squared, more or less. Half of them come from either side. No two are at
+/// distances that rounding could exchange: of an even number, half have a part each of the radius.
+inline std::vector<DensityPhoton> drawn_photons(Rng& rng, int count, Vec3 at, Vec3 normal,
+                                                float radius) {
   std::vector<DensityPhoton> photons;
+  const int half = count / 2;
   for (int i = 0; i < count; ++i) {
     DensityPhoton photon{};
     const Vec3 away = drawn_direction(rng);
-    const float share = i % 2 == 0 ? 0.98f * rng.uniform_float() : 1.02f + rng.uniform_float();
+    // In no order: 7 and half have no common divisor.
+    const auto part = static_cast<float>(i / 2 * 7 % half);
+    const float within = (part + 0.05f + 0.9f * rng.uniform_float()) / static_cast<float>(half);
+    const float share = i % 2 == 0 ? 0.98f * within : 1.02f + within;
     photon.p = at + radius * share * away;
-    photon.wi = drawn_direction(rng);
+    photon.wi = drawn_beside(normal, rng);
     const float red = rng.uniform_float(), green = rng.uniform_float(), blue = rng.uniform_float();
     photon.flux = radius * radius * Rgb(red, green, blue);
     photon.phong = i % 3;

@@ -72,12 +72,13 @@ PROBE("Lab 9.5 within", "red", "green", "blue",
   Rng rng(params.seed);
   RowWriter rows;
   for (const DensityPlace& place : density_places) {
-    const PhotonMap map = map_of(drawn_photons(rng, density_photons, place.at, place.radius));
+    const PhotonMap map =
+        map_of(drawn_photons(rng, density_photons, place.at, density_normal, place.radius));
     add_radiance(rows,
                  lab09::radiance_within(map, surface_at(place.at), density_brdf, place.radius));
   }
   add_radiance(rows, lab09::radiance_within({}, surface_at({1, 2, 3}), density_brdf, 0.5f));
-  const PhotonMap map = map_of(drawn_photons(rng, density_photons, {0, 0, 0}, 1));
+  const PhotonMap map = map_of(drawn_photons(rng, density_photons, {0, 0, 0}, density_normal, 1));
   add_radiance(rows, lab09::radiance_within(map, surface_at({9, 9, 9}), density_brdf, 1));
   return rows.take();
 }
@@ -88,7 +89,7 @@ PROBE("Lab 9.5 nearest", "red", "green", "blue",
   RowWriter rows;
   PhotonMap map;
   for (const DensityPlace& place : density_places) {
-    map = map_of(drawn_photons(rng, density_photons, place.at, place.radius));
+    map = map_of(drawn_photons(rng, density_photons, place.at, density_normal, place.radius));
     for (const int k : density_counts)
       add_radiance(rows, lab09::radiance_nearest(map, surface_at(place.at), density_brdf, k));
   }
@@ -117,7 +118,8 @@ PROBE("Lab 9.5 sights", "red", "green", "blue",
   const auto sight = static_cast<Sight>(params.whole("sight"));
   const lab08::World world(sight_scene(sight));
   Rng rng(params.seed);
-  const PhotonMap map = map_of(drawn_photons(rng, target_photons, {0, 0, 0}, target_radius));
+  const PhotonMap map =
+      map_of(drawn_photons(rng, target_photons, {0, 0, 0}, {0, 0, 1}, target_radius));
   RowWriter rows;
   for (std::int64_t i = 0; i < params.n; ++i)
     add_radiance(rows, radiance_along(params.whole("caustic") == 1, world, sight_ray(sight), map,
