@@ -203,6 +203,21 @@ inline std::vector<OtherImagePdf> other_image_pdfs(const SkyImage& image) {
   };
 }
 
+/// Whether these are the densities of a law that divides by the sine of each direction.
+inline bool divides_by_sine(const SkyImage& image, const std::vector<Double3>& directions,
+                            const std::vector<double>& densities) {
+  for (const OtherImagePdf& other : other_image_pdfs(image)) {
+    if (other.diagnosis.id != sine_of_direction.id) continue;
+    bool fits = true;
+    for (std::size_t i = 0; fits && i < directions.size(); ++i) {
+      const TexelPlace t = texel_place(image, stands_at(directions[i]));
+      fits = t.near_edge || agree(densities[i], other.pdf(t.index, directions[i]), 1e-3);
+    }
+    if (fits) return true;
+  }
+  return false;
+}
+
 /// The densities at `places` against theory; says which mistake all of them agree with.
 inline Verdict image_density_is(const std::string& what, const SkyImage& image,
                                 const std::vector<Vec3>& places,
