@@ -3,20 +3,14 @@
 #include "cli/arguments.h"
 #include "cli/error.h"
 #include "cli/main_guard.h"
-#include "cli/number.h"
 #include "cli/progress.h"
-#include "image/exr.h"
-#include "image/metrics.h"
 #include "render/merge.h"
-#include "render/outputs.h"
+#include "render/merge_image.h"
 #include "render/part.h"
-#include "render/report.h"
 
 #include <fmt/core.h>
 
-#include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,59 +38,28 @@ void add_options(CommandLine& app, Arguments& a) {
   app.footer("Merged are the bits of one machine that rendered everything.");
 }
 
-RenderResult run(const Merge& merge, const Arguments& a) {
-  Progress progress("merging", !a.quiet);
-  return merge.run([&](double fraction) { progress.update(fraction); });
-}
-
 void merge_to_part(const Merge& merge, const Arguments& a) {
   if (a.partial || a.no_sums || !a.reference.empty()) {
     throw Error("--partial, --no-sums and --reference are for images, and {} is a part", a.output);
   }
-  const RenderResult result = run(merge, a);
+  const RenderResult result = [&] {
+    Progress progress("merging", !a.quiet);
+    return merge.run([&](double fraction) { progress.update(fraction); });
+  }();
   write_part(a.output, merge.header(), result.film);
   if (a.quiet) return;
   fmt::print("  {:<16} {}: {:.4g} % of all samples, from {} parts\n", "written", a.output,
              100 * merge.share(), merge.header().parts);
 }
 
-RenderReport report_of(const Merge& merge, const RenderResult& result) {
-  const PartHeader& part = merge.header();
-  RenderReport report = make_report(result);
-  report.scene = part.scene;
-  report.needs = part.needs;
-  report.kernel = part.settings.at("kernel");
-  report.sampler = part.settings.at("sampler");
-  report.max_depth = number_of<int>(part.settings.at("max_depth")).value_or(0);
-  report.seed = number_of<std::uint64_t>(part.settings.at("seed")).value_or(0);
-  report.parts = part.parts;
-  report.share = merge.share();
-  return report;
-}
-
 void merge_to_image(const Merge& merge, const Arguments& a) {
-  const PartHeader& part = merge.header();
   if (!merge.complete() && !a.partial) {
     throw Error("{} are missing; --partial merges what is there", merge.missing());
   }
-  std::optional<ExrFile> reference;
-  if (!a.reference.empty()) {
-    reference = read_exr(a.reference);
-    compare(reference->image, Image(part.grid.width, part.grid.height));
-  }
-  RenderSettings settings = part.settings;
-  settings.erase("version");
-  // A render goes on from its first samples only.
-  const Outputs outputs(output_stem(a.output, part.scene), settings,
-                        merge.complete() && !a.no_sums);
-  const RenderResult result = run(merge, a);
-  RenderReport report = report_of(merge, result);
-  if (reference) report.reference = compare_with_reference(result, a.reference, *reference);
-  outputs.write(result, report);
-  if (a.quiet) return;
-  fmt::print("{}", to_text(report));
-  if (!merge.complete()) fmt::print("  {:<16} {}\n", "missing", merge.missing());
-  fmt::print("  {:<16} {}\n", "written", outputs.names(result));
+  const std::string report = write_merged(
+      merge,
+      {.output = a.output, .reference = a.reference, .sums = !a.no_sums, .progress = !a.quiet});
+  if (!a.quiet) fmt::print("{}", report);
 }
 
 }  // namespace

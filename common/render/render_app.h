@@ -7,14 +7,16 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace carlo {
 
 class CommandLine;
 
-/// Makes an integrator for a scene; `spp` is the planned number of samples a pixel.
+/// Makes an integrator for a scene; `spp` is the planned number of samples a pixel, `lamps` says
+/// whether it traces paths from lamps, where that was decided before.
 using IntegratorFactory = std::function<std::unique_ptr<Integrator>(
-    const Scene& scene, std::uint64_t seed, std::uint32_t spp)>;
+    const Scene& scene, std::uint64_t seed, std::uint32_t spp, std::optional<bool> lamps)>;
 
 /// The command `render SCENE ...`, whatever integrator it drives: loads the scene, renders, writes
 /// PNG, EXR and JSON and prints the report. `add_options` may add options of the integrator's own;

@@ -78,6 +78,19 @@ RenderResult result_of(const PartFile& file, const PartHeader& now, const BlockR
   return result;
 }
 
+/// Whether a part has more of the same share by now, by another process: of a node, say, that was
+/// taken for dead.
+bool is_behind(const fs::path& path, const PartHeader& part) {
+  try {
+    const PartFile file(path);
+    const PartHeader& there = file.header();
+    return there.shard == part.shard && !difference_of(there, part) &&
+           there.blocks.count() > part.blocks.count();
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 void tell(const Scene& scene, const ShardRender& render, const PartHeader& part,
           const RenderResult& result, const fs::path& path, const BlockRange& share) {
   RenderReport report = make_report(scene, result);
@@ -120,7 +133,8 @@ int render_shard(const Scene& scene, const Integrator& integrator, const ShardRe
     }
   }
   const auto write = [&](const RenderResult& r) {
-    write_part(path, with(header, r, share), r.film);
+    const PartHeader part = with(header, r, share);
+    if (!is_behind(path, part)) write_part(path, part, r.film);
   };
   const RenderResult result = carlo::render(integrator, scene.width, scene.height,
                                             {.spp = render.spp,

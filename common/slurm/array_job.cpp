@@ -44,16 +44,18 @@ bool is_program(const std::string& name) {
 
 /// Those that cannot be changed by a variable stand on the command line.
 std::vector<std::string> sbatch_words(const ArrayJob& job, const fs::path& script) {
-  std::vector<std::string> words{"sbatch",
-                                 "--parsable",
-                                 "--requeue",
-                                 "--open-mode=append",
-                                 "--job-name=" + job.name,
-                                 fmt::format("--array=1-{}", job.tasks),
-                                 "--output=" + literal(job.folder) + "/%a.txt",
-                                 "--chdir=" + job.folder.string()};
+  std::vector<std::string> words{
+      "sbatch",
+      "--parsable",
+      "--requeue",
+      "--open-mode=append",
+      "--job-name=" + job.name,
+      "--array=" + (job.numbers.empty() ? fmt::format("1-{}", job.tasks) : job.numbers),
+      "--output=" + literal(job.folder) + "/%a.txt",
+      "--chdir=" + (job.start.empty() ? job.folder : job.start).string()};
   if (!job.time.empty()) words.push_back("--time=" + job.time);
   if (!job.partition.empty()) words.push_back("--partition=" + job.partition);
+  if (!job.signal.empty()) words.push_back("--signal=B:" + job.signal);
   if (!job.excluded.empty())
     words.push_back(fmt::format("--exclude={}", fmt::join(job.excluded, ",")));
   if (!job.after.empty()) words.push_back("--dependency=afterany:" + job.after);
@@ -100,6 +102,23 @@ Jobs jobs_named(const std::string& name) {
   // %F: the array's number, for each of its tasks.
   return parse_jobs(output_of(
       {"squeue", "--me", "--noheader", "--array", "--name=" + name, "--format=%F %T %r"}));
+}
+
+void cancel(const std::string& id) {
+  output_of({"scancel", id});
+}
+
+std::string array_numbers(const std::vector<int>& numbers) {
+  std::string text;
+  for (std::size_t i = 0; i < numbers.size();) {
+    std::size_t end = i + 1;
+    while (end < numbers.size() && numbers[end] == numbers[end - 1] + 1)
+      ++end;
+    text += fmt::format("{}{}", text.empty() ? "" : ",", numbers[i]);
+    if (end - i > 1) text += fmt::format("-{}", numbers[end - 1]);
+    i = end;
+  }
+  return text;
 }
 
 void need_slurm() {

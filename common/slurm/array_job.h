@@ -19,7 +19,10 @@ struct ArrayJob {
   int megabytes = 0;                       ///< of memory a processor; 0: what the cluster gives
   std::string time = {}, partition = {};   ///< in sbatch's words; empty: what the cluster gives
   std::vector<std::string> excluded = {};  ///< nodes that it must not run on
-  std::string after = {};                  ///< a job whose end, good or bad, it waits for
+  std::string after = {};                  ///< jobs ("12:15") whose end, good or bad, it waits for
+  std::string numbers = {};                ///< its tasks', as "3,7-9"; empty: 1 to `tasks`
+  std::string signal = {};  ///< "USR1@60": what the command gets so many seconds before its limit
+  std::filesystem::path start = {};  ///< where the command starts; empty: in `folder`
 };
 
 /// What each task runs: FOLDER/NAME.sh. SBATCH_* variables of whoever submits go before what stands
@@ -46,8 +49,14 @@ Jobs jobs_named(const std::string& name);
 /// The same from what squeue printed.
 Jobs parse_jobs(const std::string& lines);
 
+/// Ends a job. Throws Error.
+void cancel(const std::string& id);
+
 /// Throws Error where there is no Slurm.
 void need_slurm();
+
+/// "3,7-9" from 3, 7, 8, 9.
+std::string array_numbers(const std::vector<int>& numbers);
 
 /// A job's name for what is made in a folder: `kind`, and a number that follows from the path.
 std::string job_name(const std::string& kind, const std::filesystem::path& folder);

@@ -5,11 +5,15 @@
 #include "render/render_app.h"
 #include "renderer/path_integrator.h"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 namespace {
 
-renderer::Technique technique_of(const std::string& name) {
+/// `lamps`: what was decided before.
+renderer::Technique technique_of(const std::string& name, std::optional<bool> lamps) {
+  if (lamps) return *lamps ? renderer::Technique::bidirectional : renderer::Technique::path;
   if (name == "path") return renderer::Technique::path;
   if (name == "bidirectional") return renderer::Technique::bidirectional;
   return renderer::Technique::automatic;
@@ -23,12 +27,15 @@ int main(int argc, char** argv) {
     std::string technique = "auto";
     return carlo::render_app(
         argc, argv,
-        [&](const carlo::Scene& scene, std::uint64_t seed, std::uint32_t spp) {
+        [&](const carlo::Scene& scene, std::uint64_t seed, std::uint32_t spp,
+            std::optional<bool> lamps) {
           const auto choice =
               kernel == "scalar" ? renderer::Kernel::scalar : renderer::Kernel::best;
-          return renderer::make_path_integrator(
-              scene,
-              {.seed = seed, .spp = spp, .kernel = choice, .technique = technique_of(technique)});
+          return renderer::make_path_integrator(scene,
+                                                {.seed = seed,
+                                                 .spp = spp,
+                                                 .kernel = choice,
+                                                 .technique = technique_of(technique, lamps)});
         },
         [&](carlo::CommandLine& app) {
           app.option("--kernel", kernel,

@@ -36,6 +36,12 @@ TEST_CASE("jobs of a name: tasks by their state, arrays once") {
   CHECK(jobs.reason == "Dependency");
 }
 
+TEST_CASE("an array's numbers: runs in short") {
+  CHECK(array_numbers({}).empty());
+  CHECK(array_numbers({7}) == "7");
+  CHECK(array_numbers({1, 2, 3, 5, 8, 9}) == "1-3,5,8-9");
+}
+
 TEST_CASE("a job's name follows from its folder, through links and dots") {
   const std::string name = job_name("grade", "/tmp/a");
   CHECK(name.starts_with("grade_"));

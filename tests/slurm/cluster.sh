@@ -59,6 +59,8 @@ run() {
 inside() {
   local nodes=$1 cpus=$2 number code=0
   shift 2
+  # What COMMAND mounts is mounted on all nodes, too.
+  mount --make-rshared /
   mount -t tmpfs -o mode=755 none /run
   mkdir -p "$folder/state"
   printf '127.0.0.1 localhost\n10.0.0.1 control\n' >"$folder/hosts"
@@ -138,7 +140,7 @@ responds() { scontrol ping | grep -q 'is UP'; }
 start_node() {
   local node=$1
   # shellcheck disable=SC2016 # expanded inside
-  setsid unshare --pid --mount --uts --fork --kill-child --mount-proc -- \
+  setsid unshare --pid --mount --propagation slave --uts --fork --kill-child --mount-proc -- \
     bash -c 'hostname "$1" && exec slurmd -D -N "$1"' node "$node" >"$folder/$node.out" 2>&1 &
   printf '%s\n' $! >"$folder/$node.power"
   disown

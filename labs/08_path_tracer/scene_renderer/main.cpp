@@ -5,7 +5,9 @@
 #include "render/render_app.h"
 #include "scene_renderer/lab_integrator.h"
 
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace {
@@ -21,7 +23,8 @@ int main(int argc, char** argv) {
     std::string method = "iterative";
     return carlo::render_app(
         argc, argv,
-        [&](const carlo::Scene& scene, std::uint64_t seed, std::uint32_t spp) {
+        [&](const carlo::Scene& scene, std::uint64_t seed, std::uint32_t spp,
+            std::optional<bool> /*lamps*/) {
           return lab08::make_lab_integrator(
               scene, {.method = methods.at(method), .seed = seed, .spp = spp});
         },

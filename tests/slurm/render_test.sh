@@ -1,0 +1,198 @@
+#!/usr/bin/env bash
+# render_test.sh RENDERER SOURCE [STEP ...]: `./carlo render --slurm` on a real Slurm: whatever happens to tasks,
+# nodes and whoever submits, the image has the bits of one process. Without steps, the short ones.
+set -euo pipefail
+if [ "${1:-}" != --inside ]; then
+  exec "$(dirname "${BASH_SOURCE[0]}")/cluster.sh" run --nodes 3 "${BASH_SOURCE[0]}" --inside "$@"
+fi
+renderer=$2 source=$3
+shift 3
+. "$source/tests/renderer/expect_error.sh"
+cd "$scratch"
+short=(plain twice_at_once killed requeued node_down full_disk read_only refused)
+[ $# != 0 ] || set -- "${short[@]}"
+scene=$source/common/scenes/cornell_phong.xml
+
+# of SPP [ARGUMENTS...]: a render's own arguments.
+of() { render=("$renderer" "$scene" --quiet --size 48x48 --spp "$@"); }
+
+# whole NAME: by one process, once for all that have these arguments.
+whole() { [ -s "$1.exr" ] || "${render[@]}" -o "$1"; }
+
+same() { cmp "$1.exr" "$2.exr" || complain "$2: other bits"; }
+
+# Arrays and merges that were ever submitted for an image, while Slurm remembers them.
+submitted() {
+  local name
+  name=$(sed -n 's/.*"jobs": "\(.*\)".*/\1/p' "$1.slurm/plan.json")
+  scontrol --oneliner show jobs | grep " JobName=$name$2 " | sed -n 's/.*ArrayJobId=\([0-9]*\).*/\1/p' | sort -u | wc -l
+}
+
+# tasks NAME: the processes of an image's tasks.
+tasks() { pgrep -f -- "^$scratch/$1.slurm/carlo_render --slurm-task" || true; }
+
+# until_there COMMAND...: which shall print something.
+until_there() {
+  local tries
+  for ((tries = 0; tries < 1200; ++tries)); do
+    [ -z "$("$@" 2>/dev/null)" ] || return 0
+    sleep .05
+  done
+  complain "waited in vain: $*"
+}
+checkpoints() { ls "$1".slurm/*.part; }
+
+# awaited PID NAME: it shall end well, and so shall the image.
+awaited() {
+  local code=0
+  wait "$1" || code=$?
+  [ "$code" = 0 ] || complain "$2: exit code $code: $(cat "$2.stderr")"
+}
+
+# Requeued jobs need not wait for two minutes here.
+while sleep .5; do "$CARLO_CLUSTER" hurry; done >/dev/null 2>&1 &
+hurrying=$!
+
+plain() {
+  of 64
+  whole whole64
+  "${render[@]}" -o plain --slurm --tasks 5 --threads 2 --partition urgent --time 10
+  same whole64 plain
+  [ -z "$(checkpoints plain 2>/dev/null)" ] || complain 'parts are left'
+  # Done is done.
+  stat -c %Y.%i plain.* >before
+  "${render[@]}" -o plain --slurm
+  stat -c %Y.%i plain.* | cmp - before || complain 'what was there was written again'
+  [ "$(submitted plain '') $(submitted plain _merge)" = '1 1' ] || complain 'jobs for what is done'
+  # More shards than blocks of samples; nobody waits.
+  (cd / && "${render[@]/48x48/16x16}" -o "$scratch/tiny" --slurm --no-wait --tasks 20)
+  "$CARLO_CLUSTER" settled
+  "${render[@]/48x48/16x16}" -o tiny_whole
+  same tiny_whole tiny
+  expect_error 'was rendered, and is gone since; to render it again, remove' \
+    bash -c 'cd "$1" && rm tiny.exr && shift && "$@"' - "$scratch" "${render[@]/48x48/16x16}" -o tiny --slurm
+}
+
+twice_at_once() {
+  local pids=() pid
+  of 256
+  whole whole256
+  for _ in 1 2 3; do
+    "${render[@]}" -o twice --slurm --tasks 4 2>>twice.stderr &
+    pids+=($!)
+  done
+  for pid in "${pids[@]}"; do awaited "$pid" twice; done
+  same whole256 twice
+  [ "$(submitted twice '') $(submitted twice _merge)" = '1 1' ] ||
+    complain "three submissions at once: $(submitted twice '') arrays, $(submitted twice _merge) merges"
+}
+
+# A third of the tasks, without a word, and the submitting process.
+killed() {
+  local pid
+  of 2048 --checkpoint .1
+  whole whole2048
+  "${render[@]}" -o killed --slurm --tasks 6 2>killed.stderr &
+  pid=$!
+  until_there checkpoints killed
+  kill -KILL $pid
+  tasks killed | shuf -n 2 | xargs --no-run-if-empty kill -KILL
+  wait $pid 2>/dev/null || true
+  "${render[@]}" -o killed --slurm 2>killed.stderr &
+  awaited $! killed
+  same whole2048 killed
+}
+
+# By Slurm, and by itself when its time is up.
+requeued() {
+  local pid id
+  of 2048 --checkpoint .1
+  whole whole2048
+  "${render[@]}" -o again --slurm --tasks 4 2>again.stderr &
+  pid=$!
+  until_there checkpoints again
+  id=$(squeue --noheader --states RUNNING --format %F | head -1)
+  scontrol requeue "${id}_1" || true
+  scancel --batch --signal USR1 "${id}_2" "${id}_3" || true
+  awaited $pid again
+  same whole2048 again
+  grep -q 'time is up; queued again' again.slurm/tasks/*.txt || complain 'no task was queued again'
+  [ "$(submitted again '')" = 1 ] || complain 'requeued tasks were submitted again'
+}
+
+node_down() {
+  local pid
+  of 2048 --checkpoint .1
+  whole whole2048
+  "${render[@]}" -o down --slurm --tasks 6 2>down.stderr &
+  pid=$!
+  until_there checkpoints down
+  "$CARLO_CLUSTER" crash node2
+  scontrol update NodeName=node2 State=DOWN Reason=power
+  sleep .5
+  "$CARLO_CLUSTER" up node2
+  awaited $pid down
+  same whole2048 down
+}
+
+full_disk() {
+  mkdir -p small
+  mount -t tmpfs -o size=4m none small
+  of 8
+  render=("${render[@]/48x48/256x256}")
+  expect_error 'shards, the first of them .* came to nothing.*disk full' "${render[@]}" -o "$scratch/small/image" --slurm --tasks 2
+  [ ! -e small/image.exr ] || complain 'an image on a full disk'
+  mount -o remount,size=64m small
+  "${render[@]}" -o small/image --slurm
+  "${render[@]}" -o whole256x256
+  same whole256x256 small/image
+  umount small
+}
+
+# For all at first, then for the nodes alone.
+read_only() {
+  local node
+  mkdir -p closed
+  of 64
+  mount -t tmpfs none closed
+  mount -o remount,ro closed
+  expect_error 'cannot make .*: Read-only file system' "${render[@]}" -o "$scratch/closed/image" --slurm --tasks 2
+  mount -o remount,rw closed
+  for node in node1 node2 node3; do "$CARLO_CLUSTER" on $node mount -o remount,bind,ro "$scratch/closed"; done
+  expect_error 'came to nothing' "${render[@]}" -o "$scratch/closed/image" --slurm --tasks 2
+  for node in node1 node2 node3; do "$CARLO_CLUSTER" on $node mount -o remount,bind,rw "$scratch/closed"; done
+  "${render[@]}" -o closed/image --slurm
+  whole whole64
+  same whole64 closed/image
+  umount closed
+}
+
+refused() {
+  of 64
+  "${render[@]}" -o taken --slurm --tasks 2 --no-wait
+  local image=$scratch/taken
+  expect_error 'cannot go on with .*: its seed is 1, this render.s 2; remove it' "${render[@]}" -o "$image" --slurm --seed 2
+  expect_error 'its number of tasks is 2, this render.s 3' "${render[@]}" -o "$image" --slurm --tasks 3
+  expect_error 'its sampler is sobol' "${render[@]}" -o "$image" --slurm --sampler independent
+  expect_error 'slurm does not go with --seconds' "$renderer" "$scene" --seconds 3 -o "$image" --slurm
+  expect_error 'slurm does not go with --resume' "${render[@]}" -o "$image" --slurm --resume "$image.exr"
+  expect_error 'slurm does not go with --shard' "${render[@]}" -o "$image" --slurm --shard 1/2
+  expect_error 'slurm does not go with --page' "${render[@]}" -o "$image" --slurm --page
+  expect_error '^error: --tasks is for --slurm' "${render[@]}" -o "$image" --tasks 2
+  expect_error '^error: --time is for --slurm' "${render[@]}" -o "$image" --time 2
+  expect_error '^error: --partition is for --slurm' "${render[@]}" -o "$image" --partition main
+  expect_error '^error: --no-wait is for --slurm' "${render[@]}" -o "$image" --no-wait
+  expect_error 'tasks' "${render[@]}" -o "$image" --slurm --tasks 0
+  ! "${render[@]}" -o nowhere --slurm --partition nowhere 2>stderr || complain 'a partition that is not there'
+  grep -q 'invalid partition' stderr || complain "a partition that is not there: $(cat stderr)"
+  expect_error 'there is no sbatch here' env PATH=/nowhere "${render[@]}" -o "$scratch/nowhere" --slurm
+  "$CARLO_CLUSTER" settled
+}
+
+for step in "$@"; do
+  begun=$SECONDS
+  "$step"
+  printf '%-14s %d s\n' "$step" $((SECONDS - begun))
+done
+kill $hurrying
+finish
