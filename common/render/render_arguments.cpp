@@ -5,6 +5,7 @@
 #include "cli/number.h"
 #include "render/blocks.h"
 #include "render/outputs.h"
+#include "render/scene_film.h"
 #include "scene/sampler_kind.h"
 
 #include <algorithm>
