@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# slides_test.sh SOURCE: the checks of the slides find nothing wrong in this tree; in copies of it in
-# which one thing is broken they fail, and name it.
+# slides_test.sh SOURCE BIN: the checks of the slides find nothing wrong in this tree; in copies of it in
+# which one thing is broken they fail, and name it. Plots are drawn by the program in BIN.
 set -euo pipefail
-source=$1
+source=$1 bin=$2
 command -v node >/dev/null || { echo "node is missing: ./carlo setup --developer" && exit 77; }
 
 scratch=$(mktemp -d)
@@ -91,6 +91,33 @@ sed -i 's/<!-- notes:/<!-- /' "$tree/slides/00_rendering_is_integration.md"
 expect "slides without speaker notes" 'no speaker notes'
 sed -i 's/^minutes: .*/minutes: 400/' "$tree/slides/00_rendering_is_integration.md"
 expect "a deck without duration" 'minutes: N'
+
+# Plots: round numbers at the axes' ends, names side by side, a square that is one.
+node --input-type=module - "$source" "$bin" <<'END' || failures=$((failures + 1))
+import assert from "node:assert";
+const [source, bin] = process.argv.slice(2);
+const { plotSvg } = await import(`${source}/slides/tool/plot.mjs`);
+const { Runs } = await import(`${source}/slides/tool/runs.mjs`);
+const runs = new Runs(source, bin);
+const places = (svg, pattern) => [...svg.matchAll(pattern)].map(([, value]) => Number(value));
+const named = (name, y, slope) => ({ name, points: [[16, 0.5], [64, NaN], [50000, y]], slope });
+
+const loglog = plotSvg(runs, { kind: "loglog", xlabel: "N" }, "a < b", [named("one", 0.02, -0.5), named("<two>", 0.02)]);
+assert.match(loglog, /aria-label="a &lt; b"/);
+assert.match(loglog, />&lt;two&gt;<[^]*>one −0.50</);
+assert.match(loglog, />10<\/text>[^]*>10<tspan[^>]*>5<\/tspan><\/text>/);
+const [first, second] = places(loglog, /class="name[^>]* y="([^"]*)"/g);
+assert(Math.abs(first - second) >= 14, "names overlap");
+
+const square = plotSvg(runs, { kind: "points", square: true }, "", [named("", 70)]);
+const [, left, top, bottom, right] = /class="axis" d="M([^ ]*) ([^V]*)V([^H]*)H([^"]*)"/.exec(square).map(Number);
+assert(Math.abs(bottom - top - (right - left)) < 1.5, "the axes are no square");
+
+const bars = plotSvg(runs, { kind: "bars", digits: 2 }, "", [{ name: "", points: [["a", 1], ["b", 4], ["c", NaN]] }]);
+const [a, b, c] = places(bars, /<rect[^>]* width="([^"]*)"/g);
+assert(Math.abs(b - 4 * a) < 0.5 && c === 0, "bars are as long as their values");
+assert.throws(() => plotSvg(runs, { kind: "lines", yscale: "cubic" }, "", []), /expected one of linear, log, got 'cubic'/);
+END
 
 # Programs that fail, and programs that no longer have what figures take from them.
 mkdir "$scratch/bin"

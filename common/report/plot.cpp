@@ -17,32 +17,20 @@ constexpr double frame_air = 8;  ///< around a frame, for marks at its edges
 
 using Ticks = std::vector<std::pair<double, std::string>>;
 
-constexpr double letter = 6.2;  ///< the width of one, on average
-
-double width_of(std::string_view text) {
-  return letter * static_cast<double>(std::count_if(text.begin(), text.end(), [](char c) {
-           return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-         }));
+std::string with_minus(std::string number) {
+  if (number.starts_with('-')) number.replace(0, 1, "−");
+  return number;
 }
 
-std::string superscript(int number) {
-  constexpr std::array<const char*, 10> digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text;
-  for (const char c : std::to_string(number))
-    text += c == '-' ? "⁻" : digits[static_cast<std::size_t>(c - '0')];
-  return text;
-}
-
-/// "2·10⁻⁵" for "2e-5", and a minus for a hyphen.
+/// 2·10 to the power of −5 for "2e-5", and a minus for a hyphen. Few fonts have all superscripts.
 std::string typeset(std::string text) {
   const std::size_t e = text.find('e');
   if (e != std::string::npos) {
-    const std::string factor = text.substr(0, e),
-                      power = superscript(std::stoi(text.substr(e + 1)));
-    text = (factor == "1" ? "10" : factor + "·10") + power;
+    const std::string factor = text.substr(0, e), power = text.substr(e + 1);
+    text = fmt::format("{}10<tspan dy=\"-4\" font-size=\"8.5\">{}</tspan>",
+                       factor == "1" ? "" : factor + "·", with_minus(power));
   }
-  if (text.starts_with('-')) text.replace(0, 1, "−");
-  return text;
+  return with_minus(text);
 }
 
 /// The number that a tick stands for. `step` is the distance to the next one, a factor on a
@@ -112,9 +100,12 @@ std::vector<double> log_ticks(Stretch on, std::size_t most) {
   if (ticks.size() >= 2 && ticks.size() <= most + 1) return ticks;
   ticks.clear();
   const int decades = high - low;
-  int stride = std::max(1, (decades + static_cast<int>(most) - 1) / static_cast<int>(most));
-  while (decades % stride != 0 && decades % stride * 2 < decades)
+  const int least = std::max(1, (decades + static_cast<int>(most) - 1) / static_cast<int>(most));
+  // Ticks that reach both ends are worth a few less of them.
+  int stride = least;
+  while (decades % stride != 0 && stride <= 2 * least)
     ++stride;
+  if (decades % stride != 0) stride = least;
   for (int e = low; e <= high; e += stride)
     ticks.push_back(std::pow(10, e));
   if (ticks.size() < 2) return {on.first, on.last};
@@ -135,7 +126,7 @@ Ticks ticks_of(const Axis& axis, Stretch on, std::size_t most) {
 double widest_text(const Ticks& ticks) {
   double widest = 0;
   for (const auto& [place, text] : ticks)
-    widest = std::max(widest, width_of(text));
+    widest = std::max(widest, text_width(text));
   return widest;
 }
 
@@ -178,6 +169,15 @@ constexpr std::array<Shape, 7> shapes = {{
 
 }  // namespace
 
+double text_width(std::string_view text) {
+  constexpr double letter = 6.2;  // on average
+  bool in_tag = false;
+  return letter * static_cast<double>(std::count_if(text.begin(), text.end(), [&](char c) {
+           if (c == '<' || c == '>') in_tag = c == '<';
+           return !in_tag && c != '>' && (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+         }));
+}
+
 bool Axis::can_show(double value) const {
   return std::isfinite(value) && (scale == Scale::linear || value > 0);
 }
@@ -218,7 +218,7 @@ Plot::Plot(const Axis& x, Stretch across, const Axis& y, Stretch up, Size size)
       up_(up),
       size_(size),
       y_ticks_(ticks_of(y, up, static_cast<std::size_t>(std::max(6.0, size.height / 34)))),
-      right_(size.width - 16),
+      right_(size.width - size.right),
       top_(8),
       bottom_(size.height - (x.label.empty() ? 20 : 38)) {
   left_ = widest_text(y_ticks_) + (y.label.empty() ? 8 : 24);
@@ -357,7 +357,7 @@ std::string Plot::svg(std::string_view description) const {
         "<text transform=\"translate(10 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
         (top_ + bottom_) / 2, html_escaped(y_.label));
   }
-  return out + "</svg>\n";
+  return out + around_ + "</svg>\n";
 }
 
 }  // namespace carlo

@@ -41,7 +41,11 @@ Stretch round_stretch(const Axis& axis, std::span<const double> values);
 /// How large a drawing is, in units of which a letter is some 11 high; it is scaled to its place.
 struct Size {
   double width = 360, height = 216;
+  double right = 16;  ///< of the width, beside the axes
 };
+
+/// How wide a text is in these units, nearly; its tags take no room.
+double text_width(std::string_view text);
 
 /// A drawing with two axes, as SVG for a page, whose style sheet gives colours: `style` names one
 /// of its classes, c1 to c8 for the colours of series, "dashed", "dotted". Text is escaped; what
@@ -57,6 +61,8 @@ class Plot {
   double y(double value) const;
 
   void add(const std::string& svg) { body_ += svg; }
+  /// Outside of the axes, where nothing is cut off.
+  void add_around(const std::string& svg) { around_ += svg; }
   /// What has been drawn so far, without the axes: a layer of another plot with the same ones.
   const std::string& body() const { return body_; }
   /// Through the points, interrupted where an axis cannot show one.
@@ -88,7 +94,7 @@ class Plot {
   std::vector<std::pair<double, std::string>> x_ticks_, y_ticks_;  ///< places and what stands there
   double left_, right_, top_, bottom_;                             ///< where the axes are
   bool framed_ = false;
-  std::string body_;
+  std::string body_, around_;
 };
 
 /// A function's graph over a stretch.

@@ -4,7 +4,7 @@ import { spawn } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
 
-import { escaped } from "./plot.mjs";
+import { escaped } from "./pictures.mjs";
 import { UserError } from "./problems.mjs";
 import { marpMarkdown } from "./transform.mjs";
 

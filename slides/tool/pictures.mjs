@@ -4,18 +4,26 @@ import fs from "node:fs";
 import path from "node:path";
 
 import { UserError } from "./problems.mjs";
-import { escaped, functionsSvg, plotSvg } from "./plot.mjs";
+import { functionsSvg, plotSvg } from "./plot.mjs";
 import { plots } from "./figures.mjs";
+import { drawingRules } from "./theme.mjs";
+
+export const escaped = (text) =>
+  String(text)
+    .replaceAll("&", "&amp;")
+    .replaceAll("<", "&lt;")
+    .replaceAll(">", "&gt;")
+    .replaceAll('"', "&quot;");
 
 /** The figure as one line of HTML. `data`: what slides/data/NN.json keeps of it. */
 export function figureHtml(root, figure, alt, data, runs) {
-  const body = bodyOf(root, figure, data, runs).replaceAll("\n", " ");
+  const body = bodyOf(root, figure, alt, data, runs).replaceAll("\n", " ");
   return `<figure class="${figure.kind}" aria-label="${escaped(alt)}">${body}</figure>`;
 }
 
-function bodyOf(root, figure, data, runs) {
-  if (plots.includes(figure.kind)) return plotSvg(figure, structuredClone(data.series));
-  if (figure.kind === "functions") return functionsSvg(figure);
+function bodyOf(root, figure, alt, data, runs) {
+  if (plots.includes(figure.kind)) return plotSvg(runs, figure, alt, data.series);
+  if (figure.kind === "functions") return functionsSvg(runs, figure, alt);
   if (figure.kind === "drawing") return drawing(path.join(root, "slides/figures", figure.drawing));
   const tiles = figure.kind === "image" ? renders(figure, runs) : pictures(figure, runs);
   return `<div class="row">${tiles.join("")}</div>`;
@@ -49,10 +57,7 @@ function renders(figure, runs) {
 /** The figures of a lab's page whose descriptions start with one of figure.alt. */
 function pictures(figure, runs) {
   const page = runs.page(figure.command);
-  // The light colours, and what drawings look like.
-  const style = [/^:root \{[^}]*\}/m, /^\.(?:c[1-8]|plot|tiles)[^{]*\{[^}]*\}/gm]
-    .flatMap((rules) => page.match(rules) ?? [])
-    .join(" ");
+  const style = drawingRules(page).join(" ");
   const wanted = [figure.alt].flat();
   const letters = wanted.length > 2 ? 13 : 11.5; // three pictures beside each other are small
   return wanted.map((alt, index) => {

@@ -43,6 +43,21 @@ export class Runs {
     return fs.readFileSync(this.#kept(command, "png", options));
   }
 
+  /** What a program says on stdout to a text on its stdin. */
+  answer(name, text) {
+    const program = this.#built(name);
+    const { status, signal, stdout, stderr, error } = spawnSync(program, { ...this.#options, input: text, stdio: "pipe" });
+    if (error) throw new UserError(`${name}: ${error.message}`);
+    if (status !== 0) throw new UserError(`${name} failed (${signal ?? `exit code ${status}`}): ${stderr.trim()}`);
+    return stdout;
+  }
+
+  #built(name) {
+    const program = path.join(this.programs, name);
+    if (!fs.existsSync(program)) throw new UserError(`${program} is not built`);
+    return program;
+  }
+
   /** Runs those commands that have no answer yet, one for each processor at a time. What fails is told when
    * its answer is asked for. */
   async prepare(commands) {
@@ -86,7 +101,7 @@ export class Runs {
   /** Runs the command unless its answer is younger than its program; returns the answer's file. */
   #kept(command, extension, { fresh = false }) {
     const { program, words, file, isAnswered, forget } = this.#job(command, extension);
-    if (!fs.existsSync(program)) throw new UserError(`${program} is not built`);
+    this.#built(programOf(command));
     if (!fresh && isAnswered()) return file;
     fs.mkdirSync(this.folder, { recursive: true });
     const { status, signal, stdout, stderr, error } = spawnSync(program, words, this.#options);

@@ -10,6 +10,7 @@ import { allLabels, readDecks } from "./deck.mjs";
 import { commandsOf, readData, readDefinitions, remake } from "./figures.mjs";
 import { checkPictures, commandOf, labsWithPictures, writePicture } from "./lab_pictures.mjs";
 import { checkOverflow } from "./overflow.mjs";
+import { plotProgram } from "./plot.mjs";
 import { Problems, UserError } from "./problems.mjs";
 import { runCommands } from "./quick.mjs";
 import { Runs, programOf } from "./runs.mjs";
@@ -105,11 +106,12 @@ const modes = {
     }[mode];
     if (!taken) return;
     const wanted = [...book.definitions.figures.values(), ...book.definitions.numbers.values()];
+    const drawing = ["html", "pdf", "watch"].includes(mode) ? [plotProgram] : [];
     const programs = wanted
       .filter((one) => numbers.includes(one.number) && taken(one))
       .flatMap(commandsOf)
       .map(programOf);
-    console.log([...new Set(programs)].filter(Boolean).join(" "));
+    console.log([...new Set([...drawing, ...programs])].filter(Boolean).join(" "));
   },
 
   check(book) {

@@ -6,6 +6,10 @@ import path from "node:path";
 const faces = ["source-sans-3/400", "source-sans-3/400-italic", "source-sans-3/600", "source-code-pro/400"];
 const subsets = ["latin", "greek"];
 
+/** What the pages' style sheet says of drawings, in the light colours. */
+export const drawingRules = (css) =>
+  [/^:root \{[^}]*\}/m, /^\.(?:c[1-8]|plot|tiles)[^{]*\{[^}]*\}/gm].flatMap((rules) => css.match(rules) ?? []);
+
 /** Writes build/slides/theme.css; returns its name. */
 export function writeTheme(root) {
   const fonts = path.join(root, "build/slides/node_modules/@fontsource");
@@ -22,7 +26,10 @@ export function writeTheme(root) {
       .map((rule) => inlined(`/* ${rule}`, path.dirname(file)));
   });
   const theme = path.join(root, "build/slides/theme.css");
-  fs.writeFileSync(theme, fs.readFileSync(path.join(root, "slides/theme.css"), "utf8") + rules.join(""));
+  const [own, pages] = ["slides/theme.css", "common/report/web/page.css"].map((file) =>
+    fs.readFileSync(path.join(root, file), "utf8"),
+  );
+  fs.writeFileSync(theme, [own, ...drawingRules(pages), ...rules].join("\n"));
   return theme;
 }
 

@@ -22,14 +22,20 @@ Stretch around(const Axis& axis, const std::vector<double>& values) {
   return carlo::round_stretch(axis, values);
 }
 
-/// The words along the x axis of an empty plot.
+/// The words along the x axis of an empty plot, powers as "10^-9".
 std::vector<std::string> ticks(const Axis& axis, Stretch across) {
   const std::string svg = Plot(axis, across, {"", Unit::number, Scale::linear}, {0, 1}).svg("");
   std::vector<std::string> words;
   const std::string open = "text-anchor=\"middle\">";
   for (std::size_t at = 0; (at = svg.find(open, at)) != std::string::npos; ++at) {
     const std::size_t from = at + open.size();
-    words.push_back(svg.substr(from, svg.find('<', from) - from));
+    std::string word = svg.substr(from, svg.find("</text>", from) - from);
+    const std::size_t power = word.find("<tspan");
+    if (power != std::string::npos) {
+      word.replace(power, word.find('>') + 1 - power, "^");
+      word.resize(word.find('<'));
+    }
+    words.push_back(word);
   }
   words.pop_back();  // the axis's label
   return words;
@@ -69,12 +75,18 @@ TEST_CASE("Numbers stand at both ends of an axis where they are round", "[plot]"
   CHECK(ticks(linear, {0, 0.5}) == Words{"0", "0.1", "0.2", "0.3", "0.4", "0.5"});
   CHECK(ticks(linear, {-1, 1}) == Words{"−1", "−0.5", "0", "0.5", "1"});
   CHECK(ticks(linear, {0, 3e6}) ==
-        Words{"0", "500000", "10⁶", "1.5·10⁶", "2·10⁶", "2.5·10⁶", "3·10⁶"});
-  CHECK(ticks(logarithmic, {1e-9, 1}) == Words{"10⁻⁹", "10⁻⁶", "10⁻³", "1"});
-  CHECK(ticks(logarithmic, {10, 1e5}) == Words{"10", "100", "1000", "10⁴", "10⁵"});
+        Words{"0", "500000", "10^6", "1.5·10^6", "2·10^6", "2.5·10^6", "3·10^6"});
+  CHECK(ticks(logarithmic, {1e-9, 1}) == Words{"10^−9", "10^−6", "10^−3", "1"});
+  CHECK(ticks(logarithmic, {1e-11, 1}) ==
+        Words{"10^−11", "10^−9", "10^−7", "10^−5", "10^−3", "0.1"});
+  CHECK(ticks(logarithmic, {10, 1e5}) == Words{"10", "100", "1000", "10^4", "10^5"});
   CHECK(ticks(logarithmic, {2, 20}) == Words{"2", "5", "10", "20"});
   CHECK(ticks({"t", Unit::seconds}, {1e-7, 1e-4}) == Words{"100 ns", "1 µs", "10 µs", "100 µs"});
   CHECK(ticks(linear, {0, 3.14159}) == Words{"0", "0.5", "1", "1.5", "2", "2.5", "3"});
+}
+
+TEST_CASE("Tags take no room in a text", "[plot]") {
+  CHECK(carlo::text_width("10<tspan dy=\"-4\">−9</tspan>") == carlo::text_width("10−9"));
 }
 
 TEST_CASE("What an axis cannot show is left out, and any ends are lived with", "[plot]") {
