@@ -23,17 +23,29 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-enum ExitCode { graded = 0, there_already = 10, failed = 1 };
+enum ExitCode { graded = 0, there_already = 10, not_there = 11, failed = 1 };
+
+/// A file server's client may believe for a minute what it heard of a folder; whoever opens the
+/// folder makes it ask again.
+void refresh(const fs::path& folder) {
+  std::error_code ec;
+  const fs::directory_iterator opened(folder, ec);
+}
+
+/// Whether the marks of this submission are there.
+bool has_marks(const Course& course, const Source& source, const Intake& intake,
+               const fs::path& out) {
+  refresh(out / source.name);
+  const std::optional<Record> earlier = load_record(out / source.name);
+  return earlier && earlier->complete() && earlier->name == source.name &&
+         earlier->key == record_key(course, source.name, intake);
+}
 
 /// The work of one child: a submission, from its files to its marks. Archives of strangers are
 /// unpacked here, so that a spoilt one can end this process and no other.
-ExitCode grade_one(const Course& course, const Source& source, const fs::path& out) {
+int grade_one(const Course& course, const Source& source, const fs::path& out) {
   const Intake intake = take_in(source, course.labs);
-  const std::optional<Record> earlier = load_record(out / source.name);
-  if (earlier && earlier->complete() && earlier->name == source.name &&
-      earlier->key == record_key(course, source.name, intake)) {
-    return there_already;
-  }
+  if (has_marks(course, source, intake, out)) return there_already;
   // Nobody else may find it, and nobody else may pass: grade() opens it to this one's sandbox.
   std::string name = course.clean.path() / "at_work_XXXXXX";
   if (::mkdtemp(name.data()) == nullptr) throw Error("{}: {}", name, std::strerror(errno));
@@ -45,13 +57,20 @@ ExitCode grade_one(const Course& course, const Source& source, const fs::path& o
   return graded;
 }
 
+/// The work of one child that only looks.
+int look_at(const Course& course, const Source& source, const fs::path& out) {
+  return has_marks(course, source, take_in(source, course.labs), out) ? there_already : not_there;
+}
+
+using Work = int (*)(const Course&, const Source&, const fs::path&);
+
 /// Starts the process for one submission; it and all that it starts end when we do.
-pid_t start(const Course& course, const Source& source, const fs::path& out) {
+pid_t start(Work work, const Course& course, const Source& source, const fs::path& out) {
   return start_guarded([&]() -> int {
     // Ends what no other limit does, such as an archive that is slow to read.
     ::alarm(static_cast<unsigned>(3600 * (1 + course.labs.size())));
     try {
-      return grade_one(course, source, out);
+      return work(course, source, out);
     } catch (const std::exception& error) {
       fmt::print(stderr, "carlo: {}: {}\n", source.name, error.what());
       return failed;
@@ -78,13 +97,14 @@ Finished result_of(const Course& course, const Source& source, const fs::path& o
   return {record, false, 0};
 }
 
-/// Grades some of the submissions, `workers` at a time. `tell` hears of each with its index.
+/// Works on some of the submissions, `workers` at a time.
 class Round {
  public:
-  using Tell = std::function<void(std::size_t, const Finished&)>;
+  /// Hears of each by its index: its child's status, and the seconds that it took.
+  using Tell = std::function<void(std::size_t, int, double)>;
 
-  Round(const Course& course, const std::vector<Source>& sources, const fs::path& out)
-      : course_(course), sources_(sources), out_(out) {}
+  Round(Work work, const Course& course, const std::vector<Source>& sources, const fs::path& out)
+      : work_(work), course_(course), sources_(sources), out_(out) {}
 
   void run(const std::vector<std::size_t>& indices, std::size_t workers, const Tell& tell) {
     std::size_t next = 0;
@@ -104,7 +124,7 @@ class Round {
   /// False when the machine has no process left for it; then one of ours must end first.
   bool begin(std::size_t index) {
     try {
-      running_[start(course_, sources_[index], out_)] = {index, Clock::now()};
+      running_[start(work_, course_, sources_[index], out_)] = {index, Clock::now()};
       return true;
     } catch (const Error&) {
       if (running_.empty()) throw;
@@ -119,41 +139,65 @@ class Round {
     if (job == running_.end()) return;
     const auto [index, begun] = job->second;
     running_.erase(job);
-    Finished finished = result_of(course_, sources_[index], out_, status);
-    finished.record.source = sources_[index].handed_in();
-    finished.seconds = std::chrono::duration<double>(Clock::now() - begun).count();
-    tell(index, finished);
+    tell(index, status, std::chrono::duration<double>(Clock::now() - begun).count());
   }
 
+  Work work_;
   const Course& course_;
   const std::vector<Source>& sources_;
   fs::path out_;
   std::map<pid_t, Job> running_;
 };
 
+std::vector<std::size_t> all_of(const std::vector<Source>& sources) {
+  std::vector<std::size_t> all(sources.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
 }  // namespace
 
 std::vector<Record> grade_class(const Course& course, const std::vector<Source>& sources,
                                 const fs::path& out, int workers,
                                 const std::function<void(const Finished&)>& tell) {
-  Round round(course, sources, out);
+  Round round(grade_one, course, sources, out);
   std::vector<Record> records(sources.size());
-  std::vector<std::size_t> all(sources.size()), again;
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  round.run(all, static_cast<std::size_t>(workers), [&](std::size_t i, const Finished& finished) {
+  std::vector<std::size_t> again;
+  const auto finish = [&](std::size_t i, int status, double seconds) {
+    Finished finished = result_of(course, sources[i], out, status);
+    finished.record.source = sources[i].handed_in();
+    finished.seconds = seconds;
     records[i] = finished.record;
-    if (finished.record.complete()) {
-      tell(finished);
-    } else {
-      again.push_back(i);
-    }
-  });
+    return finished;
+  };
+  round.run(all_of(sources), static_cast<std::size_t>(workers),
+            [&](std::size_t i, int status, double seconds) {
+              const Finished finished = finish(i, status, seconds);
+              if (finished.record.complete()) {
+                tell(finished);
+              } else {
+                again.push_back(i);
+              }
+            });
   // What the machine lacked for so many at a time it may have for fewer.
   const auto fewer = static_cast<std::size_t>(std::max(1, workers / 8));
-  round.run(again, fewer, [&](std::size_t i, const Finished& finished) {
-    records[i] = finished.record;
-    tell(finished);
-  });
+  round.run(again, fewer,
+            [&](std::size_t i, int status, double seconds) { tell(finish(i, status, seconds)); });
+  return records;
+}
+
+std::vector<std::optional<Record>> survey_class(const Course& course,
+                                                const std::vector<Source>& sources,
+                                                const fs::path& out, int workers) {
+  refresh(out);
+  std::vector<std::optional<Record>> records(sources.size());
+  Round(look_at, course, sources, out)
+      .run(all_of(sources), static_cast<std::size_t>(workers),
+           [&](std::size_t i, int status, double) {
+             if (!WIFEXITED(status) || WEXITSTATUS(status) != there_already) return;
+             records[i] = load_record(out / sources[i].name);
+             if (records[i]) records[i]->source = sources[i].handed_in();
+           });
   return records;
 }
 

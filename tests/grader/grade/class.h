@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace carlo::grader {
@@ -23,5 +24,11 @@ struct Finished {
 std::vector<Record> grade_class(const Course& course, const std::vector<Source>& sources,
                                 const std::filesystem::path& out, int workers,
                                 const std::function<void(const Finished&)>& tell);
+
+/// What is there already: of each submission the record with its marks, in the order of `sources`,
+/// and nothing of one that is still to be graded. Grades and writes nothing.
+std::vector<std::optional<Record>> survey_class(const Course& course,
+                                                const std::vector<Source>& sources,
+                                                const std::filesystem::path& out, int workers);
 
 }  // namespace carlo::grader

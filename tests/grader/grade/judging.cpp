@@ -161,6 +161,7 @@ std::string course_digest(const Course& course) {
   digest.add_text(sha256(course.secret));
   digest.add_text(fmt::format("{}", course.deadline));
   digest.add_text(read_file("/proc/self/exe"));
+  digest.add_text(course.toolchain);
   for (const CourseLab& lab : course.labs) {
     digest.add_text(read_file(course.tree / "labs" / lab.folder / "lab.json"));
     digest.add_text(read_file(course.build / fmt::format("bin/lab{}_judge", lab.number())));

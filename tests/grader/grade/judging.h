@@ -18,8 +18,9 @@ struct Course {
   const CleanTree& clean;
   Sandbox sandbox;
   std::string secret;
-  double deadline = 10;  ///< seconds that one probe may take
-  std::string digest;    ///< of the grader and the secret
+  double deadline = 10;   ///< seconds that one probe may take
+  std::string toolchain;  ///< what compiles here: toolchain_of()
+  std::string digest;     ///< of the grader and the secret
 };
 
 /// Grades one submission: compiles and judges lab after lab. `name` is its name, `folder` is for
@@ -31,7 +32,7 @@ Record grade(const Course& course, const std::string& name, const Intake& intake
 /// What the marks of a submission follow from.
 std::string record_key(const Course& course, const std::string& name, const Intake& intake);
 
-/// A digest of the judges, the clean tree, the labs, the secret and this program.
+/// A digest of the judges, the clean tree, the labs, the secret, the compiler and this program.
 std::string course_digest(const Course& course);
 
 /// A record without marks: the grader failed.

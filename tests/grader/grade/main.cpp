@@ -1,27 +1,21 @@
 // Grades submissions: one student's or a class's.
 
 #include "cli/arguments.h"
-#include "cli/atomic_file.h"
-#include "cli/descriptor.h"
 #include "cli/error.h"
 #include "cli/main_guard.h"
 #include "cli/progress.h"
-#include "cli/terminal.h"
 #include "grader/grade/class.h"
 #include "grader/grade/machine.h"
-#include "grader/grade/outputs.h"
-#include "verdict/printed.h"
-#include "verdict/verdict.h"
+#include "grader/grade/on_cluster.h"
+#include "grader/grade/settings.h"
+#include "grader/grade/summary.h"
+#include "slurm/array_job.h"
+#include "slurm/folder_lock.h"
 
-#include <fcntl.h>
 #include <fmt/core.h>
-#include <sys/file.h>
-#include <sys/random.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <clocale>
 #include <cstdlib>
 #include <string>
@@ -41,6 +35,9 @@ struct Options {
   int workers = 0;
   double deadline = 10;
   bool one = false, check_machine = false;
+  bool slurm = false, no_wait = false;
+  int tasks = 0;
+  std::string time, partition, task;
 };
 
 void add_options(CommandLine& app, Options& options) {
@@ -61,149 +58,17 @@ void add_options(CommandLine& app, Options& options) {
   app.option("--deadline", options.deadline, "seconds that one probe may take")
       .range(0.1, 3600.0)
       .show_default();
+  app.flag("--slurm", options.slurm,
+           "on a cluster, as a job array: submits what is still to be graded, and waits; the same "
+           "command goes on after any failure (-j: of one task, 1)");
+  app.option("--tasks", options.tasks, "with --slurm: so many (default: ten submissions each)")
+      .range(1, 100000);
+  app.option("--time", options.time, "with --slurm: what a task may take, such as 30 or 2:00:00");
+  app.option("--partition", options.partition, "with --slurm: which one");
+  app.flag("--no-wait", options.no_wait, "with --slurm: submits, and says what to type later");
+  app.option("--task", options.task, "on a node: this plan's").hidden();
   app.option("--tree", options.tree, "the repository");
   app.option("--build", options.build, "its build folder, with judges and workers");
-}
-
-std::string random_secret() {
-  std::array<unsigned char, 32> bytes{};
-  if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
-    throw Error("no random numbers for a secret: give one with --secret-file");
-  }
-  std::string text;
-  for (const unsigned char byte : bytes)
-    text += fmt::format("{:02x}", byte);
-  return text;
-}
-
-/// The secret stays with the marks that follow from it, readable for their owner alone.
-std::string kept_secret(const fs::path& file) {
-  if (!fs::exists(file)) {
-    const mode_t before = ::umask(077);
-    write_file(file, random_secret());
-    ::umask(before);
-  }
-  return read_file(file);
-}
-
-std::string secret_of(const Options& options) {
-  std::string secret;
-  if (!options.secret_file.empty()) {
-    secret = read_file(options.secret_file);
-  } else if (const char* given = std::getenv("CARLO_SECRET")) {
-    secret = given;
-  } else {
-    secret = kept_secret(fs::path(options.out) / "secret");
-  }
-  if (secret.empty())
-    throw Error("the secret is empty: seeds that follow from it are known to all");
-  return secret;
-}
-
-/// Two graders in one folder would write over each other's marks.
-Descriptor sole_user(const fs::path& out) {
-  Descriptor folder(::open(out.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!folder.open() || ::flock(folder.get(), LOCK_EX | LOCK_NB) != 0) {
-    throw Error("{}: another grader is at work there", out.string());
-  }
-  return folder;
-}
-
-/// The sandbox must show a worker of this build, and the clean tree. At the level that shuts
-/// nothing off, submissions have the rights of whoever grades: never root's.
-Sandbox make_sandbox(const Options& options, const CleanTree& clean) {
-  const View view{{clean.path() / "tree", clean.path() / "link"}, {}};
-  Sandbox sandbox = options.sandbox == "auto" ? Sandbox::strongest(view)
-                                              : Sandbox::at(level_of(options.sandbox), view);
-  if (sandbox.level() == Level::limits && ::geteuid() == 0) {
-    throw Error(
-        "at the sandbox level \"limits\" submissions would run as root: grade at a stronger level, "
-        "or as another user");
-  }
-  return sandbox;
-}
-
-std::string line_of(const Finished& finished) {
-  const Record& record = finished.record;
-  const std::string points = record.complete() ? points_text(*record.points()) : "no marks,";
-  const std::string status = record.status() == "graded" ? "" : "  " + record.status();
-  const std::string time = finished.again ? "as before" : format_seconds(finished.seconds);
-  return fmt::format("{}: {} of {} points ({}){}\n", record.name, points, record.max(), time,
-                     status);
-}
-
-/// The largest and the mean cost of a lab over all submissions that were judged.
-std::string costs(const std::vector<Record>& records, const CourseLab& lab) {
-  double worst = 0, sum = 0;
-  std::size_t peak = 0;
-  int count = 0;
-  for (const Record& record : records) {
-    for (const LabGrade& grade : record.labs) {
-      if (grade.result.lab != lab.lab.number || grade.unjudged) continue;
-      const double seconds = grade.compile_seconds + grade.judge_seconds;
-      worst = std::max(worst, seconds);
-      sum += seconds;
-      peak = std::max({peak, grade.compile_peak_bytes, grade.judge_peak_bytes});
-      ++count;
-    }
-  }
-  if (count == 0) return "";
-  return fmt::format("  lab {:02}: {} judged, {} each, {} at most, {} MB at most\n", lab.lab.number,
-                     count, format_seconds(sum / count), format_seconds(worst), peak >> 20);
-}
-
-/// Who is who is not for the grader to guess. Returns how many.
-std::size_t tell_renamed(const std::vector<Source>& sources) {
-  std::size_t count = 0;
-  for (const Source& source : sources) {
-    if (!source.renamed) continue;
-    fmt::print(stderr, "carlo: {} is graded as {}: another submission has its name\n",
-               harmless(source.handed_in()), source.name);
-    ++count;
-  }
-  return count;
-}
-
-/// A file beside the submissions may be one. Returns how many.
-std::size_t tell_left_out(const std::vector<std::string>& files) {
-  constexpr std::size_t shown = 20;
-  for (std::size_t i = 0; i < std::min(files.size(), shown); ++i) {
-    fmt::print(stderr, "carlo: {} is no folder, .zip, .tar, .tar.gz or .tgz: not graded\n",
-               harmless(files[i]));
-  }
-  if (files.size() > shown) fmt::print(stderr, "carlo: and {} others\n", files.size() - shown);
-  return files.size();
-}
-
-int finish(const Course& course, const std::vector<Record>& records, const Submissions& submissions,
-           const fs::path& out) {
-  write_file(out / "class.csv", class_csv(records));
-  write_file(out / "timing.csv", timing_csv(records));
-  const auto failures = std::count_if(records.begin(), records.end(),
-                                      [](const Record& record) { return !record.complete(); });
-  fmt::print("{} submissions, {} without all marks; compiling and judging took\n", records.size(),
-             failures);
-  for (const CourseLab& lab : course.labs)
-    fmt::print("{}", costs(records, lab));
-  fmt::print("marks: {}\n", (out / "class.csv").string());
-  const std::size_t renamed = tell_renamed(submissions.sources);
-  const std::size_t left_out = tell_left_out(submissions.left_out);
-  if (failures == 0 && renamed > 0) {
-    throw Error(
-        "{} submissions have names that others have: class.csv says in its last column "
-        "where each was found",
-        renamed);
-  }
-  if (failures == 0 && left_out > 0) {
-    throw Error(
-        "not all that stands beside the submissions is one ({} files): take it away, or make folders",
-        left_out);
-  }
-  if (failures == 0) return 0;
-  throw Error(
-      "{} submissions could not be graded: run the same command again, or see their "
-      "report.txt",
-      failures);
 }
 
 /// Marks in a class's folder would be the next run's submission. In a student's they are nothing.
@@ -226,30 +91,11 @@ int tell_machine() {
   return machine.good ? 0 : 1;
 }
 
-int run(const Options& options) {
-  if (options.check_machine) return tell_machine();
-  for (const auto& [name, value] :
-       {std::pair("PATH", options.paths.empty()), std::pair("--tree", options.tree.empty()),
-        std::pair("--build", options.build.empty())}) {
-    if (value) throw Error("{} is required: see --help", name);
-  }
-  const fs::path tree = fs::canonical(options.tree), build = fs::canonical(options.build);
-  const fs::path out = options.out;
-  const std::vector<CourseLab> labs = course_labs(tree / "labs", options.labs);
-  const Submissions submissions =
-      find_submissions({options.paths.begin(), options.paths.end()}, labs, options.one);
-  const std::vector<Source>& sources = submissions.sources;
-  refuse_among(sources, options);
-  fs::create_directories(out);
-  const Descriptor lock = sole_user(out);
-  const CleanTree clean(tree, build, labs);
-  Course course{
-      tree, build, labs, clean, make_sandbox(options, clean), secret_of(options), options.deadline,
-      ""};
-  course.digest = course_digest(course);
+/// Here, on this machine.
+std::vector<Record> grade_here(const Course& course, const std::vector<Source>& sources,
+                               const Options& options) {
   fmt::print("{} submissions, sandbox: {}\n", sources.size(), course.sandbox.description());
   std::fflush(stdout);
-
   const int cores = static_cast<int>(std::thread::hardware_concurrency());
   const int workers = options.workers > 0 ? options.workers : std::max(cores, 1);
   Progress progress("grading", true);
@@ -260,9 +106,68 @@ int run(const Options& options) {
     std::fflush(stdout);
     progress.update(static_cast<double>(++done) / static_cast<double>(sources.size()));
   };
-  const std::vector<Record> records = grade_class(course, sources, out, workers, tell);
-  progress.clear();
-  return finish(course, records, submissions, out);
+  return grade_class(course, sources, options.out, workers, tell);
+}
+
+int run_here(const Options& options, const Settings& settings, const std::vector<CourseLab>& labs,
+             const Submissions& submissions) {
+  const auto lock = slurm::FolderLock::take(settings.out, slurm::FolderLock::Use::alone);
+  if (!lock) throw Error("{}: another grader is at work there", options.out);
+  const CleanTree clean(settings.tree, settings.build, labs);
+  const Course course = course_of(settings, labs, clean, sandbox_of(settings, clean));
+  return finish_class(labs, grade_here(course, submissions.sources, options), submissions,
+                      options.out);
+}
+
+int run_on_cluster(const Options& options, const Settings& settings,
+                   const std::vector<CourseLab>& labs, const Submissions& submissions) {
+  if (options.secret_file.empty() && std::getenv("CARLO_SECRET") != nullptr) {
+    throw Error(
+        "--slurm takes a --secret-file: a cluster keeps the variables of its jobs, CARLO_SECRET too");
+  }
+  const CleanTree clean(settings.tree, settings.build, labs);
+  const Course course = course_of(settings, labs, clean, sandbox_for_nodes(settings, clean));
+  fmt::print("{} submissions, sandbox of the nodes: {}\n", submissions.sources.size(),
+             to_string(course.sandbox.level()));
+  std::fflush(stdout);
+  const ClusterOptions asked{options.tasks, options.time, options.partition,
+                             std::max(options.workers, 1), !options.no_wait};
+  const auto graded = grade_on_cluster(course, settings, submissions.sources, asked);
+  return graded ? finish_class(labs, graded->records, submissions, options.out) : 0;
+}
+
+/// What makes no sense together, or lacks what it needs.
+void check(const Options& options) {
+  for (const auto& [name, missing] :
+       {std::pair("PATH", options.paths.empty()), std::pair("--tree", options.tree.empty()),
+        std::pair("--build", options.build.empty())}) {
+    if (missing) throw Error("{} is required: see --help", name);
+  }
+  for (const auto& [name, given] :
+       {std::pair("--tasks", options.tasks != 0), std::pair("--time", !options.time.empty()),
+        std::pair("--partition", !options.partition.empty()),
+        std::pair("--no-wait", options.no_wait)}) {
+    if (given && !options.slurm) throw Error("{} is for --slurm", name);
+  }
+}
+
+int run(const Options& options) {
+  if (options.check_machine) return tell_machine();
+  if (!options.task.empty()) return run_cluster_task(options.task);
+  check(options);
+  if (options.slurm) slurm::need_slurm();
+  Settings settings{fs::canonical(options.tree), fs::canonical(options.build), {}, options.labs};
+  const std::vector<CourseLab> labs = course_labs(settings.tree / "labs", options.labs);
+  const Submissions submissions =
+      find_submissions({options.paths.begin(), options.paths.end()}, labs, options.one);
+  refuse_among(submissions.sources, options);
+  fs::create_directories(options.out);
+  settings.out = fs::canonical(options.out);
+  if (!options.secret_file.empty()) settings.secret_file = fs::absolute(options.secret_file);
+  settings.sandbox = options.sandbox;
+  settings.deadline = options.deadline;
+  return options.slurm ? run_on_cluster(options, settings, labs, submissions)
+                       : run_here(options, settings, labs, submissions);
 }
 
 }  // namespace
