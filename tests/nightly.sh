@@ -15,12 +15,14 @@
 #   paths        1e9 paths through every scene: is one of them not finite, or negative?
 #   shards       renders in 1 to 64 shards, killed and gone on with, merged in 20 random orders each: one
 #                SHA-256; what eight cost, and what merging 1000 parts of 512 x 512 takes (half an hour)
+#   classes      a class of 200 on this machine, and ten times on a cluster whose tasks and nodes die: the same
+#                class.csv (hours; as root; needs Slurm)
 #   chroot       the README's commands in a bare Debian (as root; needs debootstrap)
 set -uo pipefail
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/..")
 cd "$root" || exit 1
 
-all=(thorough sanitizers apart tidy calibration fuzz paths shards chroot)
+all=(thorough sanitizers apart tidy calibration fuzz paths shards classes chroot)
 
 thorough() {
   ./carlo test --solutions -C thorough
@@ -53,6 +55,11 @@ paths() {
 shards() {
   ./carlo merge --help >/dev/null && ./carlo render --help >/dev/null &&
     tests/renderer/shards_in_full.sh build/release/bin "$root"
+}
+
+classes() {
+  ninja -C build/release --quiet all && rm -rf build/class_in_full &&
+    tests/slurm/class_in_full.sh . build/release build/class_in_full
 }
 
 chroot() {
