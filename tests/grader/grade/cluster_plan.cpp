@@ -83,7 +83,7 @@ std::vector<RefusedNode> refused_nodes(const fs::path& out) {
   for (const auto& entry : fs::directory_iterator(cluster_folder(out) / "refused", ec)) {
     const std::string name = entry.path().filename().string();
     const auto age = fs::file_time_type::clock::now() - entry.last_write_time(ec);
-    if (name.starts_with(".") || ec || age > std::chrono::hours(12)) continue;
+    if (name.starts_with(".") || ec || age > std::chrono::hours(1)) continue;
     std::string why = read_file(entry.path());
     nodes.push_back({name, why.substr(0, why.find('\n'))});
   }

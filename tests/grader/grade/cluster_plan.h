@@ -36,7 +36,7 @@ struct RefusedNode {
   std::string name, why;
 };
 
-/// Notes it for twelve hours: then a node may have been mended.
+/// Notes it for an hour: then a node may have been mended, or be less busy.
 void refuse_node(const std::filesystem::path& out, const RefusedNode& node);
 
 std::vector<RefusedNode> refused_nodes(const std::filesystem::path& out);

@@ -140,7 +140,7 @@ class Rounds {
   std::optional<ClusterClass> run() {
     std::optional<Before> before;
     for (;;) {
-      if (!wait()) return {};
+      if (!wait()) return later();
       FolderLock lock = take_alone(settings_.out);
       // Another may have submitted while we waited for the lock.
       if (ask(name_).any()) continue;
@@ -153,6 +153,7 @@ class Rounds {
         return ClusterClass{std::move(lock), with_failures(survey)};
       }
       submit(survey.missing, refused);
+      if (!options_.wait) return later();
       before = {survey.missing.size(), refused.size()};
     }
   }
@@ -163,13 +164,19 @@ class Rounds {
     std::vector<Source> missing;
   };
 
+  /// What to type when there is nothing more to be waited for now.
+  std::nullopt_t later() const {
+    fmt::print("the same command, later, writes {}, or submits what is missing then\n",
+               (settings_.out / "class.csv").string());
+    return std::nullopt;
+  }
+
   /// Until no task is left. False when there are some, and nobody waits.
   bool wait() const {
     const Jobs jobs = ask(name_);
     if (!jobs.any()) return true;
     if (!options_.wait) {
-      fmt::print("job {}: {}. The same command, later, writes {} or submits what is missing\n",
-                 fmt::join(jobs.ids, ", "), in_words(jobs), (settings_.out / "class.csv").string());
+      fmt::print("job {}: {}\n", fmt::join(jobs.ids, ", "), in_words(jobs));
       return false;
     }
     fmt::print(stderr,
