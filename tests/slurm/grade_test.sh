@@ -12,10 +12,11 @@ fail() {
 }
 
 # grade OUT OPTION...
+class=class
 grade() {
   local out=$1
   shift
-  "$build/bin/carlo_grade" --tree "$source" --build "$build" class --secret-file secret -o "$out" "$@"
+  "$build/bin/carlo_grade" --tree "$source" --build "$build" "$class" --secret-file secret -o "$out" "$@"
 }
 
 records() { find cluster -name record.json 2>/dev/null | wc -l; }
@@ -52,7 +53,7 @@ inside() {
   ! grade cluster >here.log 2>&1 || fail 'one machine grades where tasks are at work'
   grep -q 'another grader is at work there' here.log || fail "nobody says why: $(cat here.log)"
   grade cluster --slurm --no-wait >again.log
-  grep -q 'The same command, later' again.log || fail "typed again: $(cat again.log)"
+  grep -q 'the same command, later' again.log || fail "typed again: $(cat again.log)"
   ! grep -q 'tasks for' again.log || fail 'submitted twice'
 
   local first second
@@ -82,8 +83,26 @@ inside() {
   [ -z "$twice" ] || fail "graded twice: $twice"
 }
 
+# The folder of marks is full, or may not be written to, and then it is and may.
+bad_folders() {
+  local class=few
+  mkdir -p few/{a,b} small
+  mount -t tmpfs -o size=36k none small
+  ! grade small --slurm >full.log 2>&1 || fail 'a class is graded on a full disk'
+  grep -q '^error: ' full.log || fail "nobody says that the disk is full: $(cat full.log)"
+  mount -o remount,size=64m small
+  grade small --slurm >full.log 2>&1 || fail "there is room again: $(cat full.log)"
+  mount -o remount,ro small
+  ! grade small --slurm >full.log 2>&1 || fail 'a class is graded where nothing can be written'
+  grep -q '^error: .*Read-only file system' full.log || fail "nobody says that nothing can be written: $(cat full.log)"
+  grade few_here >/dev/null
+  cmp few_here/class.csv small/class.csv || fail 'after a full disk the class.csv is another'
+  umount small
+}
+
 if [ "${3:-}" = inside ]; then
   inside
+  bad_folders
   exit
 fi
 "$here/cluster.sh" run --nodes 1 true || exit
