@@ -20,11 +20,11 @@ expect_error 'did you mean ./carlo test\?' tset
 expect_error 'did you mean ./carlo status\?' Statsu 1
 expect_error 'did you mean ./carlo lab\?' labs 1
 expect_error 'no lab 99; there are: 1, 2' hint 99.1
-expect_error 'no exercise 1.9; lab 1 has 1.1 to 1.7' hint 1.9
-expect_error 'which exercise of lab 1\? There are 1.1 to 1.7' hint 1
+expect_error 'no exercise 1.99; lab 1 has 1.1 to 1[.][0-9]+' hint 1.99
+expect_error 'which exercise of lab 1\? There are 1.1 to 1[.][0-9]+' hint 1
 expect_error 'an exercise is a number such as' hint one
-expect_error 'no exercise 1.9; lab 1 has 1.1 to 1.7' replay 1.9
-expect_error 'no exercise 1.9' test 1.9
+expect_error 'no exercise 1.99; lab 1 has 1.1 to 1[.][0-9]+' replay 1.99
+expect_error 'no exercise 1.99' test 1.99
 expect_error 'no exercise 1.0' test 1 --exercise 1.0
 expect_error 'no lab 99' test 99
 expect_error 'a lab is a number' test x

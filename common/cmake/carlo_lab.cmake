@@ -130,8 +130,7 @@ function(carlo_lab_patched_worker lab folder name kind patch others)
   add_custom_command(
     OUTPUT "${patched}"
     COMMAND ${CMAKE_COMMAND} -E make_directory "${patched_folder}"
-    COMMAND "${CARLO_PATCH}" --quiet --fuzz=0 --no-backup-if-mismatch --reject-file=-
-            "--output=${patched}" "${solution}" "${patch}"
+    COMMAND "${PROJECT_SOURCE_DIR}/tests/grader/put_patch.sh" "${patch}" "${solution}" "${patched}"
     DEPENDS "${solution}" "${patch}"
     COMMENT "Putting ${kind} ${title} into lab ${folder}" VERBATIM)
   set(worker ${lab}_worker_${kind}_${title})

@@ -109,5 +109,14 @@ function(add_lab_tests folder name)
   # Tests of what a lab gives its students.
   if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/CMakeLists.txt")
     add_subdirectory(${folder})
+    get_property(own DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
   endif()
+  # What ./carlo test N --solutions builds.
+  add_custom_target(${lab}_tests)
+  foreach(needed IN ITEMS ${lab}_judge ${lab}_worker ${lab}_worker_solution ${lab}_mistakes ${lab}_variants
+                          ${own})
+    if(TARGET ${needed})
+      add_dependencies(${lab}_tests ${needed})
+    endif()
+  endforeach()
 endfunction()
