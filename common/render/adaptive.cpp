@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <iterator>
 #include <mutex>
 #include <numbers>
 #include <vector>
@@ -62,8 +61,13 @@ class AdaptiveJob {
       for (std::uint32_t half = 0; half < 2; ++half) {
         if (!render(work, half)) return;  // some pixels may lack the round
       }
+      if (options_.share) return;  // others have the rest of it
       if (state_.level == 0) set_floors();
       decide();
+      if (options_.one_round) {
+        ++state_.level;
+        return;
+      }
     }
   }
 
@@ -82,7 +86,7 @@ class AdaptiveJob {
     summary.median = samples[samples.size() / 2];
     summary.most = samples.back();
     summary.floor = floor_fraction * mean_luminance(0, 1);
-    summary.within = expected_within(summary.floor);
+    summary.within = expected_within(state_, goal_.target, summary.floor);
     summary.capped = capped();
     const auto taken = static_cast<double>(counts_.paths);
     summary.decided_only = taken > 0 ? 1 - static_cast<double>(result.film.samples()) / taken : 0;
@@ -125,11 +129,17 @@ class AdaptiveJob {
     return interrupt_noted() || (goal_.seconds && state_.level > 0 && elapsed() >= *goal_.seconds);
   }
 
+  bool ours(std::uint32_t number) const {
+    return !options_.share || number % options_.share->count == options_.share->index - 1;
+  }
+
   /// A half's work of a round; whether it was finished.
   bool render(const std::vector<Work>& work, std::uint32_t half) {
     std::vector<Work> left;
-    std::copy_if(work.begin(), work.end(), std::back_inserter(left),
-                 [&](const Work& w) { return w.half == half && !done(w); });
+    std::uint32_t number = 0;  // of the half's jobs
+    for (const Work& w : work) {
+      if (w.half == half && ours(number++) && !done(w)) left.push_back(w);
+    }
     if (left.empty()) return true;
     const std::vector<LampPass> lamps = trace_lamps(half);
     const auto batch = jobs_at_once * tbb::this_task_arena::max_concurrency();
@@ -137,7 +147,8 @@ class AdaptiveJob {
       const auto end = begin + std::min<std::ptrdiff_t>(batch, left.end() - begin);
       tbb::parallel_for_each(begin, end, [&](const Work& w) { render(w, lamps); });
       // Counted with the last of the half's work: what goes on from a copy traces them again.
-      if (std::all_of(left.begin(), left.end(), [&](const Work& w) { return done(w); })) {
+      if (ours(0) &&
+          std::all_of(left.begin(), left.end(), [&](const Work& w) { return done(w); })) {
         for (const LampPass& pass : lamps)
           counts_ += pass.counts();
       }
@@ -347,17 +358,6 @@ class AdaptiveJob {
       for (int x = x0; x < std::min(x0 + unit_size, state_.width); ++x)
         state_.halves[half][state_.pixel(x, y)].finish();
     }
-  }
-
-  /// The mean over the pixels of the probability that a normal error is within the target.
-  double expected_within(double floor) const {
-    double sum = 0;
-    for (std::size_t i = 0; i < state_.halves[0].size(); ++i) {
-      const AdaptiveEstimate e = adaptive_estimate(state_.halves[0][i], state_.halves[1][i], 3);
-      const double allowed = goal_.target * std::fmax(e.mean, floor);
-      sum += e.variance > 0 ? std::erf(allowed / std::sqrt(2 * e.variance)) : 1;
-    }
-    return sum / static_cast<double>(state_.halves[0].size());
   }
 
   double capped() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/film.h"
+#include "render/blocks.h"
 #include "render/integrator.h"
 
 #include <cstdint>
@@ -47,6 +48,11 @@ struct AdaptiveOptions {
   /// Called with what is there when this many seconds have gone by, while nothing else runs.
   std::function<void(const AdaptiveResult&)> checkpoint = {};
   double checkpoint_seconds = 60;
+  /// Of the next round this share of the jobs alone, and no decision (adaptive_rounds.h). Paths
+  /// from lamps are traced whole by each share, and counted by the first.
+  std::optional<Shard> share = {};
+  /// The next round alone, and what it decides.
+  bool one_round = false;
 };
 
 /// Renders so that each pixel's luminance is within `goal.target` of the truth, relatively, with 95

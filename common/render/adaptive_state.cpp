@@ -30,6 +30,16 @@ AdaptiveEstimate adaptive_estimate(const HalfPixel& a, const HalfPixel& b, std::
   return {(p.mean() + q.mean()) / 2, (p.variance() + q.variance()) / 4};
 }
 
+double expected_within(const AdaptiveState& state, double target, double floor) {
+  double sum = 0;
+  for (std::size_t i = 0; i < state.halves[0].size(); ++i) {
+    const AdaptiveEstimate e = adaptive_estimate(state.halves[0][i], state.halves[1][i], 3);
+    const double allowed = target * std::fmax(e.mean, floor);
+    sum += e.variance > 0 ? std::erf(allowed / std::sqrt(2 * e.variance)) : 1;
+  }
+  return sum / static_cast<double>(state.halves[0].size());
+}
+
 Film AdaptiveState::film() const {
   Film film(width, height, 1);
   for (int y = 0; y < height; ++y) {

@@ -60,4 +60,8 @@ struct AdaptiveEstimate {
 /// say in; after an interruption the half that is.
 AdaptiveEstimate adaptive_estimate(const HalfPixel& a, const HalfPixel& b, std::size_t channel);
 
+/// The mean over the pixels of the probability that a normal error is within `target`, relative to
+/// the pixel's luminance, or to `floor` where it is darker.
+double expected_within(const AdaptiveState& state, double target, double floor);
+
 }  // namespace carlo

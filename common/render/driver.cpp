@@ -187,7 +187,9 @@ RenderResult run_adaptive(tbb::task_arena& arena, const Integrator& integrator, 
   const AdaptiveGoal goal{*options.target_error, options.spp, options.seconds};
   Progress progress("rendering", options.progress);
   AdaptiveOptions adaptive{.progress = [&](double fraction) { progress.update(fraction); },
-                           .checkpoint_seconds = options.checkpoint_seconds};
+                           .checkpoint_seconds = options.checkpoint_seconds,
+                           .share = options.round_share,
+                           .one_round = options.one_round};
   if (options.earlier) {
     if (!options.earlier->adaptive_state) {
       throw Error("a render with a target error goes on from one with a target error only");

@@ -27,6 +27,10 @@ struct RenderOptions {
   const RenderResult* earlier = nullptr;
   /// These blocks alone of what `spp` asks for. Not with seconds or target_error.
   std::optional<BlockRange> share = {};
+  /// With target_error: of the next round this share of the jobs alone, and no decision.
+  std::optional<Shard> round_share = {};
+  /// With target_error: the next round alone, and what it decides.
+  bool one_round = false;
   /// Called with what is there, while nothing else runs, when this many seconds have gone by.
   std::function<void(const RenderResult&)> checkpoint = {};
   double checkpoint_seconds = 60;

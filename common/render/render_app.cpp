@@ -90,7 +90,9 @@ RenderResult result_of(const EarlierRender& earlier, const RenderArguments& a, c
 /// What was decided when a render on a cluster was begun.
 std::optional<bool> lamps_of(const RenderArguments& a) {
   std::optional<SlurmPlan> plan;
-  if (!a.slurm_task.empty()) plan = SlurmFolder(a.slurm_task).plan();
+  for (const std::string& folder : {a.slurm_task, a.slurm_merge}) {
+    if (!folder.empty()) plan = SlurmFolder(folder).plan();
+  }
   if (a.slurm) plan = SlurmFolder::beside(output_stem(a.output, a.scene)).plan();
   return plan ? std::optional(plan->lamps) : std::nullopt;
 }
@@ -103,6 +105,7 @@ int submit(const RenderArguments& a, const Scene& scene, const Integrator& integ
                               .width = scene.width,
                               .height = scene.height,
                               .spp = scene.spp,
+                              .target_error = a.target_error.value_or(0),
                               .lamps = integrator.lamp_paths() > 0,
                               .shards = a.tasks.value_or(default_tasks),
                               .words = std::move(words),
@@ -120,10 +123,10 @@ int submit(const RenderArguments& a, const Scene& scene, const Integrator& integ
 int run(RenderArguments a, const IntegratorFactory& factory, const std::string& command,
         const std::vector<std::string>& words) {
   check(a);
-  if (!a.slurm_merge.empty()) {
+  const MergeOutput merged{.output = a.output, .reference = a.reference, .sums = !a.no_sums};
+  if (!a.slurm_merge.empty() && !a.target_error) {
     SlurmFolder folder(a.slurm_merge);
-    return run_slurm_merge(folder,
-                           {.output = a.output, .reference = a.reference, .sums = !a.no_sums});
+    return run_slurm_merge(folder, merged);
   }
   // A job that is told to end has its checkpoint to write, whatever it is at.
   std::optional<InterruptGuard> guard;
@@ -151,7 +154,11 @@ int run(RenderArguments a, const IntegratorFactory& factory, const std::string& 
   const auto integrator = factory(scene, seed, planned, lamps_of(a));
   RenderSettings settings =
       render_settings(scene, integrator->name(), seed, planned, a.definitions);
-  if (shard || !a.slurm_task.empty()) {
+  if (a.target_error) {
+    settings["target_error"] = fmt::format("{}", *a.target_error);
+    settings["spp_limit"] = std::to_string(spp);
+  }
+  if (shard || !a.slurm_task.empty() || !a.slurm_merge.empty()) {
     const ShardRender share{.shard = shard.value_or(Shard{}),
                             .scene = a.scene,
                             .output = a.output,
@@ -160,14 +167,14 @@ int run(RenderArguments a, const IntegratorFactory& factory, const std::string& 
                             .threads = a.threads,
                             .checkpoint_seconds = a.checkpoint,
                             .quiet = a.quiet};
+    if (!a.slurm_merge.empty()) {
+      SlurmFolder folder(a.slurm_merge);
+      return run_slurm_round_merge(folder, scene, *integrator, share, merged);
+    }
     return shard ? render_shard(scene, *integrator, share)
                  : run_slurm_task(SlurmFolder(a.slurm_task), scene, *integrator, share);
   }
   if (a.slurm) return submit(a, scene, *integrator, settings, words);
-  if (a.target_error) {
-    settings["target_error"] = fmt::format("{}", *a.target_error);
-    settings["spp_limit"] = std::to_string(spp);
-  }
   std::optional<RenderResult> start;
   if (earlier) {
     earlier->require_same(settings);

@@ -116,8 +116,6 @@ static void check_slurm(const RenderArguments& a) {
   if (a.slurm) {
     refuse(a.shard.has_value(), "--shard", "its tasks are the shards");
     refuse(a.seconds.has_value(), "--seconds", "shards are of a number of samples, --spp");
-    refuse(a.target_error.has_value(), "--target-error",
-           "each pixel's number of samples would hang on those of other shards");
     refuse(!a.resume.empty(), "--resume", "the same command goes on");
     refuse(a.page.has_value(), "--page", "its image has none yet");
     return;

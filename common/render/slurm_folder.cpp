@@ -4,6 +4,7 @@
 #include "cli/error.h"
 #include "cli/number.h"
 #include "json/json_fields.h"
+#include "render/adaptive_levels.h"
 #include "render/driver.h"
 #include "render/outputs.h"
 #include "render/part.h"
@@ -44,6 +45,7 @@ static void fields(JsonFields& json, SlurmPlan& plan) {
   json("width", plan.width);
   json("height", plan.height);
   json("spp", plan.spp);
+  json("target_error", plan.target_error);
   json("lamps", plan.lamps);
   json("shards", plan.shards);
   json("jobs", plan.jobs);
@@ -64,12 +66,48 @@ BlockRange SlurmPlan::share(int shard) const {
                   lamps);
 }
 
+double SlurmPlan::all_blocks() const {
+  return adaptive() ? shards * Levels(static_cast<std::uint32_t>(spp)).count()
+                    : static_cast<double>(grid().blocks());
+}
+
 SlurmFolder SlurmFolder::beside(const fs::path& stem) {
   return SlurmFolder(fs::absolute(with_suffix(stem, ".slurm")).lexically_normal());
 }
 
 fs::path SlurmFolder::part(int shard) const {
   return path_ / fmt::format("{}{}", shard, part_suffix);
+}
+
+int SlurmFolder::round() const {
+  return static_cast<int>(number_in(path_ / "round").value_or(0));
+}
+
+fs::path SlurmFolder::round_state(int round) const {
+  return path_ / fmt::format("{}.exr", round);
+}
+
+fs::path SlurmFolder::round_part(int round, int shard) const {
+  return path_ / fmt::format("{}.{}.exr", round, shard);
+}
+
+fs::path SlurmFolder::round_part_begun(int round, int shard) const {
+  return path_ / fmt::format("{}.{}.begun.exr", round, shard);
+}
+
+void SlurmFolder::next_round(const SlurmPlan& plan) const {
+  const int last = round();
+  write_file(path_ / "round", fmt::format("{}", last + 1));
+  remove_round(plan, last);
+}
+
+void SlurmFolder::remove_round(const SlurmPlan& plan, int round) const {
+  std::error_code ignored;  // a file too many harms nobody
+  fs::remove(round_state(round), ignored);
+  for (int i = 1; i <= plan.shards; ++i) {
+    fs::remove(round_part(round, i), ignored);
+    fs::remove(round_part_begun(round, i), ignored);
+  }
 }
 
 std::optional<SlurmPlan> SlurmFolder::plan() const {
@@ -107,7 +145,19 @@ std::string SlurmFolder::settle_kernel(const std::string& mine) const {
   return read_file(file);
 }
 
+SlurmFolder::State SlurmFolder::look_at_round(const SlurmPlan& plan) const {
+  State state;
+  const int at = round();
+  for (int i = 1; i <= plan.shards; ++i) {
+    if (!fs::exists(round_part(at, i))) state.missing.push_back(i);
+  }
+  state.blocks = static_cast<std::uint64_t>(at) * static_cast<std::uint64_t>(plan.shards) +
+                 static_cast<std::uint64_t>(plan.shards) - state.missing.size();
+  return state;
+}
+
 SlurmFolder::State SlurmFolder::look(const SlurmPlan& plan) {
+  if (plan.adaptive()) return look_at_round(plan);
   State state;
   finished_.resize(static_cast<std::size_t>(plan.shards) + 1);
   for (int i = 1; i <= plan.shards; ++i) {
@@ -140,6 +190,7 @@ void SlurmFolder::finish(const SlurmPlan& plan, const fs::path& image,
                          const std::string& report) const {
   const Done done{fs::absolute(image).string(), report, fs::file_size(image)};
   write_file(path_ / "done", json_text(done, 1) + "\n");
+  remove_round(plan, round());
   std::error_code ignored;  // a part too many harms nobody
   for (int i = 1; i <= plan.shards; ++i)
     fs::remove(part(i), ignored);

@@ -2,18 +2,18 @@
 
 #include "cli/error.h"
 #include "cli/number.h"
-#include "cli/program.h"
-#include "render/interrupt.h"
+#include "image/exr.h"
+#include "render/adaptive_rounds.h"
 #include "render/merge.h"
 #include "render/outputs.h"
 #include "render/part.h"
+#include "render/report.h"
 #include "render/slurm_render.h"
+#include "render/slurm_round.h"
 
 #include <fmt/core.h>
 
-#include <csignal>
 #include <cstdint>
-#include <cstdlib>
 #include <system_error>
 #include <vector>
 
@@ -22,10 +22,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string variable(const char* name) {
-  const char* const value = std::getenv(name);
-  if (value == nullptr) throw Error("there is no {}: this is for Slurm's jobs alone", name);
-  return value;
+/// The number of this job's array.
+std::string own_array() {
+  return variable("SLURM_ARRAY_JOB_ID");
+}
+
+/// Whether shards are missing; then they are submitted again, or `code` says that this is in vain.
+bool goes_on(SlurmFolder& folder, const SlurmPlan& plan, int& code) {
+  const SlurmFolder::State state = folder.look(plan);
+  if (state.missing.empty()) return false;
+  fmt::print("{} of {} shards are not finished\n", state.missing.size(), plan.shards);
+  code = advance_on_slurm(folder, false, own_array()) == SlurmStep::stuck ? 1 : 0;
+  return true;
 }
 
 SlurmPlan plan_of(const SlurmFolder& folder) {
@@ -72,35 +80,57 @@ int run_slurm_task(const SlurmFolder& folder, const Scene& scene, const Integrat
   if (!index || *index < 1 || *index > plan.shards)
     throw Error("there is no shard {} of {}", variable("SLURM_ARRAY_TASK_ID"), plan.shards);
   require_same(folder, plan, render.settings);
+  render.threads = plan.threads;
+  if (plan.adaptive()) return render_round_share(folder, plan, integrator, render, *index);
   const fs::path part = folder.part(*index);
   const std::uint64_t before = usable_blocks(part);
   render.shard = {static_cast<std::uint32_t>(*index), static_cast<std::uint32_t>(plan.shards)};
   render.output = part.string();
-  render.threads = plan.threads;
   render.quiet = true;
   const int code = render_shard(scene, integrator, render);
-  if (interrupt_signal() != SIGUSR1 || code == 0) return code;
-  if (PartFile(part).header().blocks.count() == before)
-    throw Error("time was up before a single block of samples was finished: --time is too short");
-  fmt::print("time is up; queued again\n");
-  output_of({"scontrol", "requeue", variable("SLURM_JOB_ID")});
-  return 0;
+  if (code == 0) return 0;
+  return end_early(code, PartFile(part).header().blocks.count() > before);
 }
 
 int run_slurm_merge(SlurmFolder& folder, const MergeOutput& how) {
   if (folder.done()) return 0;
   const SlurmPlan plan = plan_of(folder);
-  if (const auto state = folder.look(plan); !state.missing.empty()) {
-    fmt::print("{} of {} shards are not finished\n", state.missing.size(), plan.shards);
-    return advance_on_slurm(folder, false, variable("SLURM_ARRAY_JOB_ID")) == SlurmStep::stuck ? 1
-                                                                                               : 0;
-  }
+  if (int code = 0; goes_on(folder, plan, code)) return code;
   std::vector<fs::path> parts;
   for (int i = 1; i <= plan.shards; ++i) {
     if (plan.share(i).count() > 0) parts.push_back(folder.part(i));
   }
   const std::string report = write_merged(Merge(parts), how);
   folder.finish(plan, with_suffix(output_stem(how.output, plan.scene), ".exr"), report);
+  return 0;
+}
+
+int run_slurm_round_merge(SlurmFolder& folder, const Scene& scene, const Integrator& integrator,
+                          ShardRender render, const MergeOutput& how) {
+  if (folder.done()) return 0;
+  const SlurmPlan plan = plan_of(folder);
+  // It renders nothing, so that its own processor has no say.
+  render.settings["kernel"] = folder.settle_kernel(integrator.name());
+  if (int code = 0; goes_on(folder, plan, code)) return code;
+  const RenderResult result = merge_round(folder, plan, integrator, render);
+  if (!all_rounds_done(*result.adaptive_state, render.spp)) {
+    write_round(folder.round_state(folder.round() + 1), render.settings, *result.adaptive_state,
+                result);
+    folder.next_round(plan);
+    advance_on_slurm(folder, true, own_array());
+    return 0;
+  }
+  RenderReport report = make_report(scene, result);
+  report.scene = plan.scene;
+  report.kernel = render.settings.at("kernel");
+  report.seed = number_of<std::uint64_t>(render.settings.at("seed")).value_or(0);
+  report.parts = static_cast<std::uint64_t>(plan.shards);
+  if (!how.reference.empty())
+    report.reference = compare_with_reference(result, how.reference, read_exr(how.reference));
+  const Outputs outputs(output_stem(how.output, plan.scene), render.settings, how.sums);
+  outputs.write(result, report);
+  folder.finish(plan, with_suffix(outputs.stem(), ".exr"),
+                to_text(report) + fmt::format("  {:<16} {}\n", "written", outputs.names(result)));
   return 0;
 }
 

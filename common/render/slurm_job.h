@@ -13,8 +13,13 @@ namespace carlo {
 int run_slurm_task(const SlurmFolder& folder, const Scene& scene, const Integrator& integrator,
                    ShardRender render);
 
-/// When tasks have ended: merges what they made to the image, or submits again what is missing, if
-/// they got any further. Returns the exit code; throws Error.
+/// When tasks have ended, of a render without a target error: merges what they made to the image,
+/// or submits again what is missing, if they got any further. Returns the exit code; throws Error.
 int run_slurm_merge(SlurmFolder& folder, const MergeOutput& how);
+
+/// The same with a target error: puts a round together, decides, and submits the next one or writes
+/// the image.
+int run_slurm_round_merge(SlurmFolder& folder, const Scene& scene, const Integrator& integrator,
+                          ShardRender render, const MergeOutput& how);
 
 }  // namespace carlo

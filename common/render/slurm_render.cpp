@@ -179,7 +179,7 @@ class Waiting {
   void show() {
     if (Clock::now() < next_look_) return;
     const auto blocks = static_cast<double>(folder_.look(plan_).blocks);
-    progress_.update(blocks / static_cast<double>(plan_.grid().blocks()));
+    progress_.update(blocks / plan_.all_blocks());
     next_look_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                     Seconds(std::max(2.0, plan_.shards / parts_a_second)));
   }

@@ -1,6 +1,7 @@
 #include "cli/error.h"
 #include "noise_integrator.h"
 #include "random/rng.h"
+#include "render/adaptive_rounds.h"
 #include "render/adaptive_state.h"
 #include "render/driver.h"
 #include "render/resume.h"
@@ -274,6 +275,70 @@ TEST_CASE("An adaptive render does not go on from another one") {
   incomplete.counts.erase("adaptive.B.Y.sum.1");
   write_exr(path, incomplete);
   CHECK_THROWS_AS(EarlierRender(path), Error);
+}
+
+/// A share of the round that comes after `start`; the second is interrupted and gone on with.
+RenderResult round_share(const RenderResult& start, const Shard& share) {
+  RenderResult before = start;
+  before.counts = {};
+  RenderOptions how = options(most, &before);
+  how.round_share = share;
+  Flicker flicker;
+  if (share.index == 2) flicker.interrupt_at = 5;
+  RenderResult result = render(flicker, width, height, how);
+  if (result.interrupted) {
+    how.earlier = &result;
+    result = render(Flicker(), width, height, how);
+  }
+  result.adaptive_state = std::make_shared<const AdaptiveState>(
+      round_part(*result.adaptive_state, *start.adaptive_state));
+  result.film = result.adaptive_state->film();
+  return written_and_read(result);
+}
+
+/// A round in shares, and what it decides.
+RenderResult shared_round(const RenderResult& start, std::uint32_t shares) {
+  RenderResult all = start;
+  AdaptiveState state = *start.adaptive_state;
+  for (std::uint32_t i = 1; i <= shares; ++i) {
+    const RenderResult part = round_share(start, {i, shares});
+    add_round_part(state, *part.adaptive_state);
+    all.counts += part.counts;
+    if (i > 1) continue;
+    CHECK_THROWS_WITH(add_round_part(state, *part.adaptive_state),
+                      Catch::Matchers::ContainsSubstring("there already"));
+  }
+  all.adaptive_state = std::make_shared<const AdaptiveState>(state);
+  RenderOptions decision = options(most, &all);
+  decision.one_round = true;
+  const Flicker idle;
+  const RenderResult result = render(idle, width, height, decision);
+  CHECK(idle.calls == 0);  // nothing is left to render
+  return result;
+}
+
+TEST_CASE("An adaptive render whose rounds are shared out has the bits of one that is not") {
+  const RenderResult whole = run(Flicker());
+  for (const std::uint32_t shares : {1u, 3u, 50u}) {
+    INFO(shares << " shares");
+    RenderResult result{.film = Film(width, height, 1)};
+    result.adaptive_state = std::make_shared<const AdaptiveState>(width, height);
+    int rounds = 0;
+    while (!all_rounds_done(*result.adaptive_state, most)) {
+      result = written_and_read(shared_round(result, shares));
+      ++rounds;
+    }
+    CHECK(rounds > 3);
+    check_same_state(*result.adaptive_state, *whole.adaptive_state);
+    CHECK(result.film.mean().pixels == whole.film.mean().pixels);
+    CHECK(result.counts.paths == whole.counts.paths);
+    CHECK(result.counts.lamp_paths == whole.counts.lamp_paths);
+  }
+  AdaptiveState other(width, height);
+  other.level = 1;
+  AdaptiveState base(width, height);
+  CHECK_THROWS_WITH(add_round_part(base, other),
+                    Catch::Matchers::ContainsSubstring("it is of round 1"));
 }
 
 }  // namespace
