@@ -19,9 +19,10 @@ grade() {
   "$build/bin/carlo_grade" --tree "$source" --build "$build" class --secret-file secret -o "$out" "$@"
 }
 
-# Until it is killed: every some seconds a task or a node dies, and what was down comes back.
+# disturb OUT TIMES: every some seconds a task or a node dies, and what was down comes back; in the end no
+# task is killed any more, so that the last ones may end.
 disturb() {
-  local node task running=() down=''
+  local node task running=() down='' times=$2
   while :; do
     sleep $((RANDOM % 20 + 5))
     if [ -n "$down" ]; then
@@ -29,6 +30,7 @@ disturb() {
       down=''
     fi
     "$CARLO_CLUSTER" hurry
+    ((times-- > 0)) || continue
     node=node$((RANDOM % 4 + 1))
     case $((RANDOM % 3)) in
       0)
@@ -53,7 +55,7 @@ disturb() {
 cluster() {
   local out=run_$1 tries code=0 noise other
   RANDOM=$1
-  disturb "$out" &
+  disturb "$out" 24 &
   noise=$!
   # Where no round of an array brought anything new somebody types the command again.
   for ((tries = 1; tries <= 20; ++tries)); do

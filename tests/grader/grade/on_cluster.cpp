@@ -83,11 +83,13 @@ std::string in_words(const Jobs& jobs) {
 /// Waits until no job of that name is left.
 void wait_for_jobs(const std::string& name, const fs::path& out) {
   constexpr std::chrono::seconds quiet{30};
+  constexpr std::chrono::duration<double> least_pause{0.5}, longest_pause{10};
   Fresh fresh(out);
   Progress progress("grading", true);
   std::string told;
   Clock::time_point told_at = Clock::now() - quiet;
-  for (double pause = 0.5;; pause = std::min(10.0, pause * 1.5)) {
+  const Clock::time_point begun = Clock::now();
+  for (;;) {
     const Jobs jobs = ask(name);
     if (!jobs.any()) return;
     const std::size_t done = fresh.count();
@@ -101,7 +103,9 @@ void wait_for_jobs(const std::string& name, const fs::path& out) {
     }
     progress.update(static_cast<double>(done) /
                     static_cast<double>(std::max<std::size_t>(1, fresh.total())));
-    std::this_thread::sleep_for(std::chrono::duration<double>(pause));
+    // A short class is not kept waiting, and a long one does not keep Slurm busy.
+    const std::chrono::duration<double> waited = Clock::now() - begun;
+    std::this_thread::sleep_for(std::clamp(waited / 20, least_pause, longest_pause));
   }
 }
 
