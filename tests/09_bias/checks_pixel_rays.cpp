@@ -251,7 +251,7 @@ TEST_CASE("Lab 9.2: rays of a filtered pixel are drawn from the filter", "[lab09
   for (std::size_t number = 0; number < plain_filters; ++number) {
     RaysAnswer answer = rays_answer(number, false, many_rays);
     answer.offsets_right = offsets_are_right(number);
-    const std::string of = ", " + name_of(answer.filter);
+    const std::string of = ", by " + curve_of(answer.filter);
     judge_square(answer, of);
     // A box is uniform.
     const double uniform = answer.filter.radius * answer.filter.radius / 3;
@@ -306,7 +306,7 @@ TEST_CASE("Lab 9.2: an edge, filtered without bias", "[lab09][ex2]") {
                               {.rows = 2000, .columns = 1, .of = "an edge, filtered"});
     const FilterCase filter = drawn_filters(rows.seed).at(number);
     const double lit = share_beyond(filter, drawn_edge(rows.seed) * filter.radius);
-    judge(mean_is("an edge, by " + name_of(filter), rows.values,
+    judge(mean_is("an edge, by " + curve_of(filter), rows.values,
                   {.mean = lit, .sd = std::sqrt(lit * (1 - lit) / samples)}));
   }
 }
