@@ -4,6 +4,7 @@
 #include "09_bias/pixel_filter_theory.h"
 #include "grader/judge/figures.h"
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <utility>
@@ -270,6 +271,15 @@ struct OffsetAnswer {
   FilterCase filter;
   std::vector<PixelPoint> pairs, is;
 
+  /// Whether an answer near to another law is far from the right one: of a Gaussian that is nearly
+  /// a box the uniform law tells nothing.
+  bool tells_apart(const std::function<PixelPoint(PixelPoint)>& right,
+                   const std::function<PixelPoint(PixelPoint)>& other) const {
+    return std::any_of(pairs.begin(), pairs.end(), [&](PixelPoint u) {
+      return apart(right(u), other(u)) > 3e-4 * filter.radius;
+    });
+  }
+
   bool all(const std::function<PixelPoint(PixelPoint)>& offset, double tolerance,
            std::size_t without_last = end_pairs) const {
     for (std::size_t i = 0; i + without_last < is.size(); ++i) {
@@ -306,7 +316,8 @@ std::vector<Diagnosis> of_offsets(const OffsetAnswer& answer,
     return {coarse};
   }
   for (const OffsetSlip& slip : offset_slips(answer.filter)) {
-    if (answer.all(slip.offset, 1e-4)) return {slip.diagnosis};
+    if (answer.all(slip.offset, 1e-4) && answer.tells_apart(right, slip.offset))
+      return {slip.diagnosis};
   }
   return answer.all(right, 0.02) ? std::vector{coarse} : std::vector<Diagnosis>{};
 }
