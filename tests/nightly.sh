@@ -17,12 +17,12 @@
 #                SHA-256; what eight cost, and what merging 1000 parts of 512 x 512 takes (half an hour)
 #   classes      a class of 200 on this machine, and ten times on a cluster whose tasks and nodes die: the same
 #                class.csv (hours; as root; needs Slurm)
-#   chroot       the README's commands in a bare Debian (as root; needs debootstrap)
+#   machines     the README's commands in a bare Debian 12 and 13 (as root; needs debootstrap, and 10 GB)
 set -uo pipefail
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/..")
 cd "$root" || exit 1
 
-all=(thorough sanitizers apart tidy calibration fuzz paths shards classes chroot)
+all=(thorough sanitizers apart tidy calibration fuzz paths shards classes machines)
 
 thorough() {
   ./carlo test --solutions -C thorough
@@ -62,8 +62,8 @@ classes() {
     tests/slurm/class_in_full.sh . build/release build/class_in_full
 }
 
-chroot() {
-  "$root/tests/machines/chroot.sh"
+machines() {
+  "$root/tests/machines/chroot.sh" bookworm trixie
 }
 
 case ${1:-} in

@@ -1,34 +1,72 @@
 #!/usr/bin/env bash
-# chroot.sh [SUITE] [--keep]: the README's first command in a bare Debian (default: bookworm), made with
-# debootstrap in a folder of its own below build/: does set-up install all that is needed? As root.
+# chroot.sh [MACHINE ...] [--store FOLDER] [--fresh] [--step STEP ...] [-- ARGUMENT...]
+# The README's commands on other machines than this one, as root, on a clean clone of HEAD. A MACHINE is
+#
+#   bookworm, trixie  a bare Debian 12 or 13 (the default: both), or any other release by its name
+#
+# made once by debootstrap and kept in FOLDER (build/machines) with the packages that set-up has installed
+# and with what was built: a run that was stopped goes on there, the next one builds what has changed.
+#
+#   --fresh      packages and builds from nothing (the base system is kept)
+#   --step STEP  only these, by default all: setup (./carlo setup), render
+#                (./carlo render), test (./carlo test --solutions); or shell: a shell in the tree there
+#   ARGUMENT     for ctest, such as -R common
+#
+# Each step says when it began, the last lines what passed and how long it took; what a step wrote is in
+# FOLDER/MACHINE.STEP.log. Exit code 0: all passed.
 set -euo pipefail
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
-suite=bookworm keep=''
-for word in "$@"; do
-  case $word in
-    --keep) keep=yes ;;
-    -*) printf 'chroot.sh: takes a suite and --keep, got %s\n' "$word" >&2 && exit 1 ;;
-    *) suite=$word ;;
+. "$root/tests/machines/inside.sh"
+
+machines=() steps=() store=$root/build/machines fresh='' ctest=()
+while [ $# != 0 ]; do
+  case $1 in
+    --help | -h) sed -n '2,/^set/{s/^# \{0,1\}//;/^set/d;p}' "${BASH_SOURCE[0]}" && exit ;;
+    --store) store=${2:?--store needs a folder} && shift ;;
+    --fresh) fresh=yes ;;
+    --step)
+      case ${2:-} in
+        setup | render | test | shell) steps+=("$2") ;;
+        *) fail "--step is setup, render, test or shell, got '${2:-}'" ;;
+      esac
+      shift ;;
+    --) shift && ctest=("$@") && break ;;
+    -*) fail "knows no '$1' (see --help)" ;;
+    *) machines+=("$1") ;;
   esac
+  shift
 done
-[ "$(id -u)" = 0 ] || { printf 'chroot.sh: needs root\n' >&2 && exit 1; }
-command -v debootstrap >/dev/null || { printf 'chroot.sh: debootstrap is missing (apt-get install debootstrap)\n' >&2 && exit 1; }
-mkdir -p "$root/build"
-folder=$(mktemp -d "$root/build/chroot.XXXXXX")
-clean() {
-  umount "$folder/proc" "$folder/dev" 2>/dev/null || true
-  [ -n "$keep" ] || rm -rf --one-file-system "$folder"
+[ ${#machines[@]} != 0 ] || machines=(bookworm trixie)
+[ ${#steps[@]} != 0 ] || steps=(setup render test)
+needs_root_and debootstrap unshare pivot_root git
+mkdir -p "$store"
+store=$(readlink -f "$store")
+
+summary='' failed=0
+# step MACHINE NAME COMMAND...: runs it there, and keeps what it wrote.
+step() {
+  local machine=$1 name=$2 log=$store/$1.$2.log begun=$SECONDS word=passed
+  shift 2
+  printf '\n=== %s: %s, %s\n' "$machine" "$*" "$(date +%H:%M:%S)"
+  inside "$store/$machine" "$@" 2>&1 | tee "$log" || word=FAILED failed=1
+  summary+=$(printf '%-10s %-7s %s in %d s' "$machine" "$name" "$word" "$((SECONDS - begun))")$'\n'
+  [ "$word" = passed ]
 }
-trap clean EXIT
-# The mirror that this machine uses already.
-mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 2>/dev/null | grep -m1 '/debian/\?$' || true)
-debootstrap --variant=minbase "$suite" "$folder" "${mirror:-http://deb.debian.org/debian}" >"$folder.log" ||
-  { tail -5 "$folder.log" >&2 && exit 1; }
-rm -f "$folder.log"
-cp /etc/resolv.conf "$folder/etc/" 2>/dev/null || true
-cp -r /etc/apt/apt.conf.d/. "$folder/etc/apt/apt.conf.d/" 2>/dev/null || true
-mount -t proc proc "$folder/proc"
-mount --bind /dev "$folder/dev"
-mkdir -p "$folder/carlo"
-git -C "$root" archive HEAD | tar -x -C "$folder/carlo"
-chroot "$folder" /carlo/carlo render --size 64x64 --spp 16
+
+for machine in "${machines[@]}"; do
+  exec 8>"$store/$machine.lock"
+  flock -n 8 || fail "another run is at work in $store/$machine"
+  base_system "$machine" "$store/$machine" "$fresh"
+  clean_clone "$root" "$store/$machine/carlo"
+  for name in "${steps[@]}"; do
+    case $name in
+      # Without what set-up installs nothing else can work; a render that fails says nothing about the tests.
+      setup) step "$machine" setup ./carlo setup || break ;;
+      render) step "$machine" render ./carlo render --size 64x64 --spp 16 -o /tmp/render || true ;;
+      test) step "$machine" test ./carlo test --solutions ${ctest[@]+"${ctest[@]}"} || true ;;
+      shell) inside "$store/$machine" bash || true ;;
+    esac
+  done
+done
+printf '\n%s' "$summary"
+exit "$failed"
