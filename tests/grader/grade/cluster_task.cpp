@@ -40,7 +40,7 @@ int task_number(const ClusterPlan& plan) {
 
 /// As Slurm calls it.
 std::string node_name() {
-  const std::string name = variable("SLURMD_NODENAME");
+  std::string name = variable("SLURMD_NODENAME");
   if (!name.empty()) return name;
   std::array<char, 256> host{};
   if (::gethostname(host.data(), host.size() - 1) != 0) throw Error("this node has no name");
