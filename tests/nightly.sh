@@ -17,12 +17,13 @@
 #                SHA-256; what eight cost, and what merging 1000 parts of 512 x 512 takes (half an hour)
 #   classes      a class of 200 on this machine, and ten times on a cluster whose tasks and nodes die: the same
 #                class.csv (hours; as root; needs Slurm)
+#   slurm        renders on a cluster of virtual nodes: tasks killed at random moments, a time limit (as root)
 #   machines     the README's commands in a bare Debian 12 and 13 (as root; needs debootstrap, and 10 GB)
 set -uo pipefail
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/..")
 cd "$root" || exit 1
 
-all=(thorough sanitizers apart tidy calibration fuzz paths shards classes machines)
+all=(thorough sanitizers apart tidy calibration fuzz paths shards slurm classes machines)
 
 thorough() {
   ./carlo test --solutions -C thorough
@@ -60,6 +61,12 @@ shards() {
 classes() {
   ninja -C build/release --quiet all && rm -rf build/class_in_full &&
     tests/slurm/class_in_full.sh . build/release build/class_in_full
+}
+
+slurm() {
+  ./carlo render --help >/dev/null &&
+    CARLO_SLURM_TESTS=required tests/slurm/render_test.sh "$root/build/release/bin/carlo_render" "$root" \
+      third_killed rounds_killed time_limit
 }
 
 machines() {

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # render_test.sh RENDERER SOURCE [STEP ...]: `./carlo render --slurm` on a real Slurm: whatever happens to tasks,
-# nodes and whoever submits, the image has the bits of one process. Without steps, the short ones.
+# nodes and whoever submits, the image has the bits of one process. Without steps, the short ones; nightly:
+# third_killed time_limit rounds_killed.
 set -euo pipefail
 if [ "${1:-}" != --inside ]; then
   exec "$(dirname "${BASH_SOURCE[0]}")/cluster.sh" run --nodes 3 "${BASH_SOURCE[0]}" --inside "$@"
@@ -9,7 +10,7 @@ renderer=$2 source=$3
 shift 3
 . "$source/tests/renderer/expect_error.sh"
 cd "$scratch"
-short=(plain twice_at_once killed requeued node_down full_disk read_only refused)
+short=(plain twice_at_once killed node_down rounds full_disk read_only refused)
 [ $# != 0 ] || set -- "${short[@]}"
 scene=$source/common/scenes/cornell_phong.xml
 
@@ -60,9 +61,9 @@ plain() {
   same whole64 plain
   [ -z "$(checkpoints plain 2>/dev/null)" ] || complain 'parts are left'
   # Done is done.
-  stat -c %Y.%i plain.* >before
+  stat -c %Y.%i plain.{exr,png,json} >before
   "${render[@]}" -o plain --slurm
-  stat -c %Y.%i plain.* | cmp - before || complain 'what was there was written again'
+  stat -c %Y.%i plain.{exr,png,json} | cmp - before || complain 'what was there was written again'
   [ "$(submitted plain '') $(submitted plain _merge)" = '1 1' ] || complain 'jobs for what is done'
   # More shards than blocks of samples; nobody waits.
   (cd / && "${render[@]/48x48/16x16}" -o "$scratch/tiny" --slurm --no-wait --tasks 20)
@@ -104,20 +105,21 @@ killed() {
 }
 
 # By Slurm, and by itself when its time is up.
+all_four() { [ "$(checkpoints again | wc -l)" != 4 ] || printf 'yes'; }
 requeued() {
   local pid id
   of 2048 --checkpoint .1
   whole whole2048
   "${render[@]}" -o again --slurm --tasks 4 2>again.stderr &
   pid=$!
-  until_there checkpoints again
+  until_there all_four
   id=$(squeue --noheader --states RUNNING --format %F | head -1)
   scontrol requeue "${id}_1" || true
   scancel --batch --signal USR1 "${id}_2" "${id}_3" || true
   awaited $pid again
   same whole2048 again
   grep -q 'time is up; queued again' again.slurm/tasks/*.txt || complain 'no task was queued again'
-  [ "$(submitted again '')" = 1 ] || complain 'requeued tasks were submitted again'
+  [ "$(submitted again '')" = 1 ] || complain "requeued tasks were submitted again: $(tail -n 3 again.slurm/*/*.txt)"
 }
 
 node_down() {
@@ -133,6 +135,16 @@ node_down() {
   "$CARLO_CLUSTER" up node2
   awaited $pid down
   same whole2048 down
+}
+
+# With a target error, in rounds.
+rounds() {
+  of 192 --target-error .2 --technique path
+  whole adaptive
+  "${render[@]}" -o rounds --slurm --tasks 3
+  same adaptive rounds
+  cmp adaptive.samples.png rounds.samples.png || complain 'other numbers of samples'
+  [ -z "$(find rounds.slurm -maxdepth 1 -name '*.exr')" ] || complain 'files of rounds are left'
 }
 
 full_disk() {
@@ -187,6 +199,66 @@ refused() {
   grep -q 'invalid partition' stderr || complain "a partition that is not there: $(cat stderr)"
   expect_error 'there is no sbatch here' env PATH=/nowhere "${render[@]}" -o "$scratch/nowhere" --slurm
   "$CARLO_CLUSTER" settled
+}
+
+# --- nightly -------------------------------------------------------------------------------------
+
+# killing NAME PID: until PID ends, kills a task of the image now and then: one in three, about.
+killing() {
+  local task
+  while kill -0 "$2" 2>/dev/null; do
+    sleep ".$((RANDOM % 10))"
+    for task in $(tasks "$1"); do
+      [ $((RANDOM % 12)) != 0 ] || ! kill -KILL "$task" 2>/dev/null || printf '%s\n' "$task" >>"$1.killed"
+    done
+  done
+}
+
+# A third of the tasks killed at random moments, and one SHA-256 of the sums (the EXR is nothing else).
+third_killed() {
+  local name file pid
+  for name in cornell_phong caustics mesh; do
+    file=$source/common/scenes/$name.xml
+    [ $name != mesh ] || file=$source/tests/common/scenes/meshes.xml
+    render=("$renderer" "$file" --quiet --size 64x64 --spp 2048 --checkpoint .2)
+    : >"$name.killed"
+    "${render[@]}" -o "whole_$name"
+    "${render[@]}" -o "$name" --slurm --tasks 12 2>"$name.stderr" &
+    pid=$!
+    killing "$name" $pid &
+    # Whoever waits gives up when the tasks came to nothing: the same command goes on.
+    until wait $pid; do
+      printf '%s: again, after: %s\n' "$name" "$(cat "$name.stderr")"
+      "${render[@]}" -o "$name" --slurm 2>"$name.stderr" &
+      pid=$!
+    done
+    same "whole_$name" "$name"
+    sha256sum "whole_$name.exr" "$name.exr"
+    printf '%s: killed %d times, 12 tasks\n' "$name" "$(wc -l <"$name.killed")"
+  done
+}
+
+rounds_killed() {
+  local pid
+  of 2048 --target-error .05 --checkpoint .2
+  "${render[@]}" -o adaptive_long
+  "${render[@]}" -o rounds_long --slurm --tasks 4 2>rounds_long.stderr &
+  pid=$!
+  killing rounds_long $pid &
+  until wait $pid; do
+    "${render[@]}" -o rounds_long --slurm 2>rounds_long.stderr &
+    pid=$!
+  done
+  cmp adaptive_long.png rounds_long.png || complain 'another image in rounds'
+}
+
+# Longer than a task may take: Slurm's shortest limit is a minute, and its warning comes as early as that.
+time_limit() {
+  of 400000 --checkpoint 1000
+  "${render[@]}" -o limited --slurm --tasks 2 --time 2
+  grep -q 'time is up; queued again' limited.slurm/tasks/*.txt || complain 'no task met its limit'
+  "${render[@]}" -o unlimited
+  same unlimited limited
 }
 
 for step in "$@"; do
