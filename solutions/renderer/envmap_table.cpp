@@ -2,6 +2,7 @@
 
 #include "numeric/robust.h"
 #include "render/half_sums.h"
+#include "renderer/warp.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,10 +101,9 @@ EnvmapTable::Sample EnvmapTable::sample(Vec2 u) const {
   const Picked column = step_of(columns.data() + y * (width + 1), width, u.x);
   const float h = upper[y] + row.within * (lower[y] - upper[y]);
   const float sine = carlo::safe_sqrt(h * (2 - h));
-  const float phi =
-      2 * carlo::pi_f *
-      ((static_cast<float>(column.index) + column.within) / static_cast<float>(width));
-  const Vec3 own(sine * std::sin(phi), pole[y] * (1 - h), -sine * std::cos(phi));
+  const Vec2 around =
+      on_circle((static_cast<float>(column.index) + column.within) / static_cast<float>(width));
+  const Vec3 own(sine * around.y, pole[y] * (1 - h), -sine * around.x);
   const auto& [r, g, b, pdf] = texels[y * width + column.index];
   return {rotation * own, Rgb(r, g, b), pdf};
 }

@@ -67,8 +67,8 @@ AreaPoint sample_area(const Sphere& s, Vec2 u) {
 
 AreaPoint sample_area(const Disk& s, Vec2 u) {
   const Frame frame(s.normal);
-  const float r = s.radius * std::sqrt(u.x), phi = 2 * carlo::pi_f * u.y;
-  return {s.center + r * (std::cos(phi) * frame.s + std::sin(phi) * frame.t), s.normal,
+  const Vec2 place = s.radius * std::sqrt(u.x) * on_circle(u.y);
+  return {s.center + place.x * frame.s + place.y * frame.t, s.normal,
           carlo::rounding_bound(12) * (glm::abs(s.center) + Vec3(s.radius))};
 }
 

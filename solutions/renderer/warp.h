@@ -13,12 +13,18 @@ using carlo::Vec2;
 using carlo::Vec3;
 
 // Each sampler stands beside its pdf. u is uniform in [0, 1)^2; directions are in a frame whose z
-// is the axis; pdfs are per solid angle.
+// is the axis; pdfs are per solid angle. Elementary functions are those of double, rounded: those
+// of float differ between standard libraries, and between processors by one library.
+
+/// The unit vector of azimuth 2 pi u in the plane.
+inline Vec2 on_circle(float u) {
+  const double phi = 2 * carlo::pi * static_cast<double>(u);
+  return {static_cast<float>(std::cos(phi)), static_cast<float>(std::sin(phi))};
+}
 
 /// The direction with polar angle given by its cosine and sine, azimuth 2 pi u.
 inline Vec3 spherical(float cos_theta, float sin_theta, float u) {
-  const float phi = 2 * pi_f * u;
-  return {sin_theta * std::cos(phi), sin_theta * std::sin(phi), cos_theta};
+  return {sin_theta * on_circle(u), cos_theta};
 }
 
 /// Density cos(theta) / pi on the upper hemisphere. Lecture, "Reflected Ray Sampling".
@@ -43,8 +49,9 @@ inline float cone_pdf(float one_minus_cos) {
 /// cos(alpha) = z^(1/(n+1)), with sin^2(alpha) = -expm1(2 ln z / (n+1)), which keeps its digits
 /// when n is large and the cosine rounds to 1.
 inline Vec3 sample_lobe(Vec2 u, float n) {
-  const float log_cos = std::log1p(-u.x) / (n + 1);
-  return spherical(std::exp(log_cos), carlo::safe_sqrt(-std::expm1(2 * log_cos)), u.y);
+  const double log_cos = std::log1p(-static_cast<double>(u.x)) / (static_cast<double>(n) + 1);
+  return spherical(static_cast<float>(std::exp(log_cos)),
+                   static_cast<float>(std::sqrt(-std::expm1(2 * log_cos))), u.y);
 }
 
 /// cos^n(alpha) of the angle between two unit vectors, 0 for alpha >= 90 degrees. From their
@@ -54,7 +61,8 @@ inline float cos_power(Vec3 a, Vec3 b, float n) {
   const Vec3 d = a - b;
   const float one_minus_cos = 0.5f * glm::dot(d, d);
   if (!(one_minus_cos < 1)) return 0;
-  return std::exp(n * std::log1p(-one_minus_cos));
+  return static_cast<float>(
+      std::exp(static_cast<double>(n) * std::log1p(-static_cast<double>(one_minus_cos))));
 }
 inline float lobe_pdf(float cos_to_n, float n) {
   return (n + 1) / (2 * pi_f) * cos_to_n;
