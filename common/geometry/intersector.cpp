@@ -350,7 +350,10 @@ void Intersector::Impl::fill(const RTCRayHit& query, const Ray& ray, Hit& hit) c
   const Primitive<Mesh>& mesh = meshes[id - first_mesh];
   hit.shape = mesh.shape;
   hit.primitive = primitive;
-  const TrianglePoint point = triangle_point(*mesh.surface, primitive, query.hit.u, query.hit.v);
+  const TriangleHit met = triangle_hit(*mesh.surface, primitive, ray.o, ray.d,
+                                       {query.ray.tfar, query.hit.u, query.hit.v});
+  const TrianglePoint point = triangle_point(*mesh.surface, primitive, met.u, met.v);
+  hit.t = met.t;
   hit.p = point.p;
   hit.p_error = point.error;
   hit.n = point.n;

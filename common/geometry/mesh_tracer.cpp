@@ -5,7 +5,9 @@
 #include "geometry/triangles.h"
 #include "numeric/robust.h"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <utility>
@@ -51,6 +53,26 @@ TrianglePoint triangle_point(const Mesh& mesh, std::uint32_t triangle, float u, 
           Vec3(glm::normalize(glm::cross(Vec3d(b) - Vec3d(a), Vec3d(c) - Vec3d(a))))};
 }
 
+TriangleHit triangle_hit(const Mesh& mesh, std::uint32_t triangle, Vec3 o, Vec3 d,
+                         const TriangleHit& about) {
+  // Source: Moeller, Trumbore, "Fast, minimum storage ray/triangle intersection", Journal of
+  // Graphics Tools 2(1), 1997.
+  using Vec3d = glm::dvec3;
+  const glm::uvec3 corner = mesh.triangles[triangle];
+  const Vec3d a = mesh.positions[corner.x], along = d;
+  const Vec3d ab = Vec3d(mesh.positions[corner.y]) - a, ac = Vec3d(mesh.positions[corner.z]) - a;
+  const Vec3d across = glm::cross(along, ac), from_a = Vec3d(o) - a;
+  const double inverse = 1 / glm::dot(ab, across);
+  const Vec3d normal = glm::cross(from_a, ab);
+  const double t = inverse * glm::dot(ac, normal);
+  if (!std::isfinite(t)) return about;
+  // By so much as Embree lets neighbours overlap, a hit may lie outside.
+  const double u = std::clamp(inverse * glm::dot(from_a, across), 0.0, 1.0);
+  const double v = std::clamp(inverse * glm::dot(along, normal), 0.0, 1 - u);
+  return {std::max(static_cast<float>(t), std::numeric_limits<float>::min()), static_cast<float>(u),
+          static_cast<float>(v)};
+}
+
 struct MeshTracer::Impl {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
@@ -93,8 +115,10 @@ std::uint32_t MeshTracer::intersect(MeshRays& rays, std::uint32_t wanted) const 
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     embree_intersect(impl_->scene, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
-    rays.t[i] = query.ray.tfar;
-    rays.u[i] = query.hit.u, rays.v[i] = query.hit.v;
+    const TriangleHit hit = triangle_hit(
+        mesh(query.hit.geomID), query.hit.primID, {rays.ox[i], rays.oy[i], rays.oz[i]},
+        {rays.dx[i], rays.dy[i], rays.dz[i]}, {query.ray.tfar, query.hit.u, query.hit.v});
+    rays.t[i] = hit.t, rays.u[i] = hit.u, rays.v[i] = hit.v;
     rays.mesh[i] = query.hit.geomID, rays.triangle[i] = query.hit.primID;
     met |= std::uint32_t{1} << i;
   }

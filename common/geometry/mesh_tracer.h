@@ -17,7 +17,17 @@ struct TrianglePoint {
   Vec3 p, error, n;
 };
 
-/// Where a ray meets a triangle of a mesh: (1 - u - v) a + u b + v c.
+/// Where a ray meets a triangle: at o + t d, which is (1 - u - v) a + u b + v c.
+struct TriangleHit {
+  float t, u, v;
+};
+
+/// The same of a ray that Embree says to meet the triangle, there or thereabouts: in double,
+/// rounded once. Embree's own numbers are those of the processor's approximate reciprocals.
+TriangleHit triangle_hit(const Mesh& mesh, std::uint32_t triangle, Vec3 o, Vec3 d,
+                         const TriangleHit& about);
+
+/// Where (1 - u - v) a + u b + v c lies on a triangle.
 TrianglePoint triangle_point(const Mesh& mesh, std::uint32_t triangle, float u, float v);
 
 /// Several rays o + x d, 0 < x < t, a column a coordinate; and what they met: the mesh by its
