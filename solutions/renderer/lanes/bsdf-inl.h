@@ -7,9 +7,9 @@
 #define CARLO_BSDF_INL
 #endif
 
+#include "renderer/lanes/elementary-inl.h"
 #include "renderer/lanes/vector_math-inl.h"
 
-#include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -39,11 +39,10 @@ HWY_INLINE Bsdfs evaluate(const Surfaces& s, V3 wi, V cosine) {
   const V h = hn::Mul(set(0.5f), dot(apart, apart));
   const M front = hn::Lt(h, set(1));
   const V inside = select(front, h, set(0.5f));
-  const V power =
-      hn::IfThenElseZero(front, hn::Exp(d_, hn::Mul(s.exponent, hn::Log1p(d_, hn::Neg(inside)))));
+  const V power = hn::IfThenElseZero(front, exp_of(hn::Mul(s.exponent, log_one_minus(inside))));
   const V lobe_pdf = hn::Mul(hn::Mul(hn::Add(s.exponent, set(1)), set(0.5f / pi)), power);
   return {add_scaled(s.kd, power, s.ks),
-          hn::MulAdd(s.diffuse, hn::Sub(cosine_pdf, lobe_pdf), lobe_pdf)};
+          mul_add(s.diffuse, hn::Sub(cosine_pdf, lobe_pdf), lobe_pdf)};
 }
 
 /// The density with which the direction of arrival, of cosine `arrival`, would be drawn by a path
@@ -72,10 +71,10 @@ HWY_INLINE V3 sample_direction(const Surfaces& s, V2 u) {
   const V x = hn::Min(stretched, set(0x1.fffffep-1f));
   const SinCos azimuth = turn(u.y);
   // cos^2 = 1 - x for the cosine's lobe, (1 - x)^(2/(n+1)) for cos^n.
-  const V log_cos2 =
-      hn::Mul(hn::Log1p(d_, hn::Neg(x)), hn::Div(set(2), hn::Add(s.exponent, set(1))));
-  const V sin2 = select(is_diffuse, x, hn::Neg(hn::Expm1(d_, log_cos2)));
-  const V cos2 = select(is_diffuse, hn::Sub(set(1), x), hn::Exp(d_, log_cos2));
+  const V log_cos2 = hn::Mul(log_one_minus(x), hn::Div(set(2), hn::Add(s.exponent, set(1))));
+  const Exponential e = exponential(log_cos2);
+  const V sin2 = select(is_diffuse, x, neg_mul_add(e.scale, e.more, hn::Sub(set(1), e.scale)));
+  const V cos2 = select(is_diffuse, hn::Sub(set(1), x), mul_add(e.scale, e.more, e.scale));
   const V r = hn::Sqrt(hn::Max(sin2, set(0)));
   const FrameV frame = frame_about(select(is_diffuse, s.n, s.mirror));
   return renormalize(
@@ -98,15 +97,15 @@ HWY_INLINE Reflections reflect(V3 d, V3 n, M front, V3 reflectance, V ior, V u) 
   const V inner = select(glass, ior, set(1));
   const V eta = select(front, hn::Div(set(1), inner), inner);
   const V cos_o = hn::Min(hn::Neg(dot(n, d)), set(1));
-  const V sin2_t = hn::Mul(hn::Mul(eta, eta), hn::NegMulAdd(cos_o, cos_o, set(1)));
+  const V sin2_t = hn::Mul(hn::Mul(eta, eta), neg_mul_add(cos_o, cos_o, set(1)));
   const V cos_t = hn::Sqrt(hn::Max(hn::Sub(set(1), sin2_t), set(0)));
-  const V parallel = hn::Div(hn::NegMulAdd(eta, cos_t, cos_o), hn::MulAdd(eta, cos_t, cos_o));
-  const V perpendicular = hn::Div(hn::MulSub(eta, cos_o, cos_t), hn::MulAdd(eta, cos_o, cos_t));
+  const V parallel = hn::Div(neg_mul_add(eta, cos_t, cos_o), mul_add(eta, cos_t, cos_o));
+  const V perpendicular = hn::Div(mul_sub(eta, cos_o, cos_t), mul_add(eta, cos_o, cos_t));
   const V fresnel =
-      hn::Mul(set(0.5f), hn::MulAdd(parallel, parallel, hn::Mul(perpendicular, perpendicular)));
+      hn::Mul(set(0.5f), mul_add(parallel, parallel, hn::Mul(perpendicular, perpendicular)));
   const M through = hn::And(glass, hn::And(hn::Lt(sin2_t, set(1)), hn::Ge(u, fresnel)));
   const V3 mirrored = add_scaled(d, hn::Add(cos_o, cos_o), n);
-  const V3 refracted = add_scaled(eta * d, hn::MulSub(eta, cos_o, cos_t), n);
+  const V3 refracted = add_scaled(eta * d, mul_sub(eta, cos_o, cos_t), n);
   const V eta2 = select(through, hn::Mul(eta, eta), set(1));
   return {normalize(select(through, refracted, mirrored)),
           select(glass, {eta2, eta2, eta2}, reflectance), eta2, through};

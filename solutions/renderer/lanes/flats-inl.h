@@ -31,7 +31,7 @@ HWY_INLINE M inside(const LaneScene& s, std::size_t i, V3 p) {
   const V a = hn::Sub(dot(set(s.ax[i], s.ay[i], s.az[i]), p), set(s.a0[i]));
   const V b = hn::Sub(dot(set(s.bx[i], s.by[i], s.bz[i]), p), set(s.b0[i]));
   const V outwards =
-      outline == Outline::disk ? hn::MulAdd(a, a, hn::Mul(b, b)) : hn::Max(hn::Abs(a), hn::Abs(b));
+      outline == Outline::disk ? mul_add(a, a, hn::Mul(b, b)) : hn::Max(hn::Abs(a), hn::Abs(b));
   return hn::Le(outwards, set(reach));
 }
 

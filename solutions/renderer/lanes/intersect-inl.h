@@ -29,14 +29,14 @@ struct SlabHit {
 HWY_INLINE SlabHit meet_slab(const LaneBox& box, std::size_t k, V3 o, V3 d) {
   const V3 axis = set(box.axis[k][0], box.axis[k][1], box.axis[k][2]);
   const V from =
-      hn::MulAdd(axis.x, o.x, hn::MulAdd(axis.y, o.y, hn::MulSub(axis.z, o.z, set(box.center[k]))));
+      mul_add(axis.x, o.x, mul_add(axis.y, o.y, mul_sub(axis.z, o.z, set(box.center[k]))));
   // A component of 0 becomes 2^-63, so that 0 is never divided by 0; those from there to 2 have
   // this bit anyway.
   const V along = hn::Or(dot(axis, d), set(0x1p-63f));
   const V inverse = hn::Div(set(1), along), reach_of_half = hn::Abs(inverse);
   const V middle = hn::Mul(from, inverse);
-  return {hn::NegMulSub(set(box.half[k]), reach_of_half, middle),
-          hn::MulSub(set(box.half[k]), reach_of_half, middle), along};
+  return {neg_mul_sub(set(box.half[k]), reach_of_half, middle),
+          mul_sub(set(box.half[k]), reach_of_half, middle), along};
 }
 
 /// The number, within its box, of the side of slab k that a ray enters (leaves) by.
@@ -117,10 +117,10 @@ HWY_INLINE Chord meet_sphere(const LaneScene& s, std::size_t i, V3 o, V3 d) {
   const V3 from_center = o - set(s.cx[i], s.cy[i], s.cz[i]);
   const V middle = hn::Neg(dot(from_center, d));
   const V3 closest = add_scaled(from_center, middle, d);
-  const V half2 = hn::NegMulAdd(
-      closest.x, closest.x,
-      hn::NegMulAdd(closest.y, closest.y,
-                    hn::NegMulAdd(closest.z, closest.z, set(s.radius[i] * s.radius[i]))));
+  const V half2 =
+      neg_mul_add(closest.x, closest.x,
+                  neg_mul_add(closest.y, closest.y,
+                              neg_mul_add(closest.z, closest.z, set(s.radius[i] * s.radius[i]))));
   const M met = hn::Ge(half2, set(0));
   const V half = hn::Sqrt(hn::Max(half2, set(0)));
   return {middle, hn::Sub(middle, half), hn::Add(middle, half), met};

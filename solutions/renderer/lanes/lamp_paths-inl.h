@@ -25,6 +25,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 HWY_BEFORE_NAMESPACE();
 namespace renderer {
@@ -56,6 +57,9 @@ class LampWalk : Steps<Needs> {
 
   /// The same for one register of paths, or `batch` of them where there are sdfs.
   HWY_NOINLINE void extend_batch(std::span<Paths> paths) const { this->step_batch(*this, paths); }
+
+  /// The unit of Paths::ties, squared luminances of splats.
+  double tie_unit() const { return large_ * large_; }
 
   // For step_batch():
 
@@ -95,7 +99,7 @@ class LampWalk : Steps<Needs> {
   HWY_INLINE void gather(Paths& paths, const Vertex& vertex) const {
     const M clear = vertex.to_light.clear;
     if (hn::AllFalse(d_, clear)) return;
-    tie(paths.brought, vertex.direct, clear);
+    tie(paths, vertex.direct, clear);
     alignas(64) std::array<float, lanes> r, g, b;
     alignas(64) std::array<std::uint32_t, lanes> pixel;
     hn::Store(vertex.direct.x, d_, r.data());
@@ -137,7 +141,7 @@ class LampWalk : Steps<Needs> {
     return {hn::Mul(paths.rival, per), of_lights, spots.cosine};
   }
   HWY_INLINE V rival(const Rivals& rivals, const Surfaces& surface, V cosine, V pdf) const {
-    const V back = pdf_back<Needs::phong>(surface, rivals.cosine, cosine, pdf);
+    const V back = this->way_back(surface, rivals.cosine, cosine, pdf);
     return this->together(hn::Mul(rivals.factor, back), rivals.of_lights);
   }
 
@@ -152,10 +156,9 @@ class LampWalk : Steps<Needs> {
     const V ahead = hn::Neg(dot(wi, forward_));
     const V x = hn::Div(hn::Neg(dot(wi, right_)), hn::Mul(ahead, set(c.tan_half_x)));
     const V y = hn::Div(hn::Neg(dot(wi, up_)), hn::Mul(ahead, set(c.tan_half_y)));
-    const V column =
-        hn::Mul(hn::MulAdd(x, set(0.5f), set(0.5f)), set(static_cast<float>(job_.width)));
+    const V column = hn::Mul(mul_add(x, set(0.5f), set(0.5f)), set(static_cast<float>(job_.width)));
     const V row =
-        hn::Mul(hn::NegMulAdd(y, set(0.5f), set(0.5f)), set(static_cast<float>(job_.height)));
+        hn::Mul(neg_mul_add(y, set(0.5f), set(0.5f)), set(static_cast<float>(job_.height)));
     const M seen = hn::And(hn::And(hn::Gt(cosine, set(0)), hn::Gt(ahead, set(0))),
                            hn::And(hn::Lt(hn::Abs(x), set(1)), hn::Lt(hn::Abs(y), set(1))));
     const M asked = hn::And(paths.alive, seen);
@@ -164,7 +167,7 @@ class LampWalk : Steps<Needs> {
     const Segments segment{paths.from, wi, eye_, hn::Mul(distance2, inverse), set_word(nothing)};
     const M clear = unoccluded<Needs::close, Needs::full, true>(s_, segment, asked);
     if (hn::AllFalse(d_, clear)) return;
-    const Bsdfs bsdf = evaluate<Needs::phong>(surface, wi, cosine);
+    const Bsdfs bsdf = this->reflected(surface, wi, cosine);
     const V by_camera = camera_density(job_, set(-1) * wi);
     const V cosine_by_area = hn::Mul(cosine, hn::Mul(inverse, inverse));
     const V from_camera =
@@ -184,9 +187,9 @@ class LampWalk : Steps<Needs> {
   }
 
   HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, V2 u, const Rivals& rivals) const {
-    const V3 wi = sample_direction<Needs::phong>(surface, u);
+    const V3 wi = this->drawn(surface, u);
     const V cosine = dot(surface.n, wi);
-    const Bsdfs bsdf = evaluate<Needs::phong>(surface, wi, cosine);
+    const Bsdfs bsdf = this->reflected(surface, wi, cosine);
     const M above = hn::And(hn::Gt(cosine, set(0)), hn::Gt(bsdf.pdf, set(0)));
     paths.alive = hn::And(paths.alive, above);
     const V weight = hn::Div(cosine, bsdf.pdf);
@@ -196,12 +199,11 @@ class LampWalk : Steps<Needs> {
   }
 
   /// Counts what the pixels that a path reaches have in common.
-  HWY_INLINE void tie(V& brought, const V3& splat, M clear) const {
+  HWY_INLINE void tie(Paths& paths, const V3& splat, M clear) const {
     const V luminance = hn::Mul(dot(splat, set(0.2126f, 0.7152f, 0.0722f)), set(small_));
     const V more = hn::IfThenElseZero(hn::And(clear, hn::Lt(luminance, set(0x1p12f))), luminance);
-    counts_.lamp_ties +=
-        2.0 * hn::GetLane(hn::SumOfLanes(d_, hn::Mul(brought, more))) * large_ * large_;
-    brought = hn::Add(brought, more);
+    paths.ties = mul_add(paths.brought, more, paths.ties);
+    paths.brought = hn::Add(paths.brought, more);
   }
 
   std::int64_t units(float value) const {
@@ -230,9 +232,8 @@ HWY_INLINE void start_at_lamps(const LampJob& job, U index, U key, M starts, Pat
   if (Needs::full && s.sky) starts = hn::AndNot(lamp.beyond, starts);
   // Cosine-distributed about the normal, or uniform.
   const SinCos azimuth = turn(v.y);
-  const V z =
-      select(lamp.point, hn::NegMulAdd(v.x, set(2), set(1)), hn::Sqrt(hn::Sub(set(1), v.x)));
-  const V r = hn::Sqrt(select(lamp.point, hn::Max(hn::NegMulAdd(z, z, set(1)), set(0)), v.x));
+  const V z = select(lamp.point, neg_mul_add(v.x, set(2), set(1)), hn::Sqrt(hn::Sub(set(1), v.x)));
+  const V r = hn::Sqrt(select(lamp.point, hn::Max(neg_mul_add(z, z, set(1)), set(0)), v.x));
   // The normal of a point is that of some surface, or 0 if that is no plane.
   const V3 axis = select(lamp.point, set(0, 0, 1), lamp.n);
   const V3 d = to_world(frame_about(axis), hn::Mul(r, azimuth.cos), hn::Mul(r, azimuth.sin), z);
@@ -264,6 +265,38 @@ HWY_INLINE void start_at_lamps(const LampJob& job, U index, U key, M starts, Pat
   paths.alive = hn::Or(paths.alive, starts);
 }
 
+/// Paths::ties of a call's paths, summed in the paths' order: that in which they end depends on the
+/// number of lanes.
+class Ties {
+ public:
+  explicit Ties(std::uint64_t paths) : ties_(paths + 1) {}
+
+  /// Of lanes that have had no path yet.
+  std::uint32_t no_path() const { return static_cast<std::uint32_t>(ties_.size() - 1); }
+
+  /// Keeps those of some lanes' paths, which have ended.
+  HWY_INLINE void keep(const Paths& paths, M ended) {
+    alignas(64) std::array<float, lanes> ties;
+    alignas(64) std::array<std::uint32_t, lanes> number;
+    hn::Store(paths.ties, d_, ties.data());
+    hn::Store(paths.number, du_, number.data());
+    for (std::uint32_t left = bits(ended); left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+      ties_[number[lane]] = ties[lane];
+    }
+  }
+
+  double sum() const {
+    double sum = 0;
+    for (const float tie : ties_)
+      sum += static_cast<double>(tie);
+    return sum;
+  }
+
+ private:
+  std::vector<float> ties_;
+};
+
 /// trace_lamps(). Lanes are refilled when a quarter of them is free.
 template <class Needs>
 HWY_ATTR void run_lamps(const LampJob& job, carlo::Splats& splats, carlo::Counts& counts) {
@@ -271,8 +304,9 @@ HWY_ATTR void run_lamps(const LampJob& job, carlo::Splats& splats, carlo::Counts
   constexpr std::size_t most = Needs::full ? batch : 1;
   const std::size_t registers = Needs::full && !job.whole.scene.sdfs.empty() ? most : 1;
   std::array<Paths, most> paths{};
+  Ties ties(job.count);
   for (Paths& some : paths)
-    some.alive = hn::FirstN(d_, 0);
+    some.alive = hn::FirstN(d_, 0), some.number = set_word(ties.no_path());
   std::uint64_t next = job.first;
   const std::uint64_t end = job.first + job.count;
   for (std::uint64_t round = 0;; ++round) {
@@ -288,19 +322,27 @@ HWY_ATTR void run_lamps(const LampJob& job, carlo::Splats& splats, carlo::Counts
         // Paths of different 2^32 have keys of their own.
         const auto key = static_cast<std::uint32_t>(carlo::hash(job.whole.seed, ~(next >> 32)));
         const U index = hn::Add(place, set_word(static_cast<std::uint32_t>(next)));
+        ties.keep(paths[w], starts);
+        const auto started = static_cast<std::uint32_t>(next - job.first);
+        paths[w].number = hn::IfThenElse(hn::RebindMask(du_, starts),
+                                         hn::Add(place, set_word(started)), paths[w].number);
+        paths[w].ties = hn::IfThenZeroElse(starts, paths[w].ties);
         start_at_lamps<Needs>(job, index, set_word(key), starts, paths[w]);
         next += taken;
         counts.lamp_paths += taken;
       }
       alive = alive || !hn::AllFalse(d_, paths[w].alive);
     }
-    if (!alive && next == end) return;
+    if (!alive && next == end) break;
     if (round % 4096 == 4095 && carlo::render_interrupted()) return;
     if constexpr (Needs::full)
       walk.extend_batch({paths.data(), registers});
     else
       walk.extend(paths[0]);
   }
+  for (std::size_t w = 0; w < registers; ++w)
+    ties.keep(paths[w], hn::FirstN(d_, lanes));
+  counts.lamp_ties += 2 * ties.sum() * walk.tie_unit();
 }
 
 }  // namespace HWY_NAMESPACE

@@ -55,8 +55,8 @@ void trace_lamps(const LampJob& job, carlo::Splats& splats, carlo::Counts& count
 
 /// Renders a tile with the widest instruction set of this machine: the mean of the samples of each
 /// pixel, row by row. One lane carries one path; lanes whose paths have ended take the next
-/// samples, so that shading, too, runs on full vectors. The same job gives the same bits on the
-/// same instruction set.
+/// samples, so that shading, too, runs on full vectors. The same job gives the same bits on all of
+/// them.
 void render_lanes(const LaneJob& job, std::span<std::array<double, 3>> means,
                   carlo::Counts& counts);
 

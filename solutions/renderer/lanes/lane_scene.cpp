@@ -342,7 +342,9 @@ bool LaneScene::suits(const carlo::Needs& needs, const carlo::Scene& scene) {
 
 double LaneScene::splat_unit(std::uint64_t paths) const {
   if (!(brightest > 0)) return 1;
-  return std::exp2(std::ceil(std::log2(brightest * static_cast<double>(paths))) - 50);
+  int above = 0;  // the next power of 2
+  if (std::frexp(brightest * static_cast<double>(paths), &above) == 0.5) --above;
+  return std::ldexp(1.0, above - 50);
 }
 
 LaneScene::LaneScene(const carlo::Scene& scene) {

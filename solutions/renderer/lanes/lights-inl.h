@@ -125,9 +125,9 @@ HWY_INLINE void sample_balls(const Balls& ball, V3 p, V2 u, M chosen, LightPoint
   // center, in a way that keeps its digits where the distance is a thousand times the radius.
   const V aside = hn::Mul(cone.distance, r);
   const V half =
-      hn::Sqrt(hn::Max(hn::MulSub(ball.radius, ball.radius, hn::Mul(aside, aside)), set(0)));
+      hn::Sqrt(hn::Max(mul_sub(ball.radius, ball.radius, hn::Mul(aside, aside)), set(0)));
   const V t = hn::Sub(hn::Mul(cone.distance, z), half);
-  const V back = hn::MulAdd(h, hn::Add(cone.distance, t), half);
+  const V back = mul_add(h, hn::Add(cone.distance, t), half);
   const V side = select(outwards, hn::Mul(t, r), r), ahead = select(outwards, hn::Neg(back), z);
   const V3 n = normalize(to_world(frame_about(cone.axis), hn::Mul(side, azimuth.cos),
                                   hn::Mul(side, azimuth.sin), ahead));
@@ -251,8 +251,8 @@ HWY_INLINE LightPoints sample_lamp(const LaneScene& s, V2 u) {
   return draw_light<full, true>(
       s, u,
       [&](const Balls& ball, V2 place, M chosen, LightPoints& points) HWY_ATTR {
-        const V z = hn::NegMulAdd(place.x, set(2), set(1));
-        const V r = hn::Sqrt(hn::Max(hn::NegMulAdd(z, z, set(1)), set(0)));
+        const V z = neg_mul_add(place.x, set(2), set(1));
+        const V r = hn::Sqrt(hn::Max(neg_mul_add(z, z, set(1)), set(0)));
         const SinCos azimuth = turn(place.y);
         const V3 outward = normalize({hn::Mul(r, azimuth.cos), hn::Mul(r, azimuth.sin), z});
         points.p = select(chosen, add_scaled(ball.center, hn::Abs(ball.radius), outward), points.p);

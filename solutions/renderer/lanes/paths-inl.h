@@ -111,7 +111,7 @@ class Walk : Steps<Needs> {
     return {select(first, hn::Mul(factor, hn::Mul(t, t)), factor), first, spots.cosine};
   }
   HWY_INLINE V rival(const Rivals& rivals, const Surfaces& surface, V cosine, V pdf) const {
-    const V back = pdf_back<Needs::phong>(surface, rivals.cosine, cosine, pdf);
+    const V back = this->way_back(surface, rivals.cosine, cosine, pdf);
     return select(rivals.first, rivals.factor, hn::Mul(rivals.factor, back));
   }
 
@@ -168,12 +168,12 @@ class Walk : Steps<Needs> {
   }
 
   HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, V2 u, const Rivals& rivals) const {
-    const V3 wi = sample_direction<Needs::phong>(surface, u);
+    const V3 wi = this->drawn(surface, u);
     const V cosine = dot(surface.n, wi);
-    const Bsdfs bsdf = evaluate<Needs::phong>(surface, wi, cosine);
+    const Bsdfs bsdf = this->reflected(surface, wi, cosine);
     const M above = hn::And(hn::Gt(cosine, set(0)), hn::Gt(bsdf.pdf, set(0)));
     paths.alive = hn::And(paths.alive, above);
-    const V weight = Needs::phong ? hn::Div(cosine, bsdf.pdf) : set(pi);
+    const V weight = this->lobes() ? hn::Div(cosine, bsdf.pdf) : set(pi);
     paths.beta = paths.beta * (weight * bsdf.f);
     paths.pdf = s_.lights > 0 ? bsdf.pdf : set(-1);
     paths.d = wi;
@@ -204,7 +204,7 @@ class Walk : Steps<Needs> {
     counts_.rays += hn::CountTrue(d_, faces);
     const Segments way{paths.from, wi, light.p, hn::Mul(distance2, inverse), light.plane};
     const M clear = unoccluded<Needs::close, Needs::full>(s_, way, faces);
-    const Bsdfs bsdf = evaluate<Needs::phong>(surface, wi, cosine);
+    const Bsdfs bsdf = this->reflected(surface, wi, cosine);
     // Solid angle: one over the density of wi by light sampling.
     V solid_angle = hn::Mul(hn::Mul(light.area, light_cosine), hn::Mul(inverse, inverse));
     if (Needs::full && (s_.sphere_lights || s_.sky))

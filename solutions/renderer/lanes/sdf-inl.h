@@ -10,7 +10,6 @@
 #include "renderer/lanes/lane_sdf.h"
 #include "renderer/lanes/vector_math-inl.h"
 
-#include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
 #include <array>
@@ -46,7 +45,7 @@ HWY_INLINE V3D operator*(VD s, V3D a) {
   return {hn::Mul(s, a.x), hn::Mul(s, a.y), hn::Mul(s, a.z)};
 }
 HWY_INLINE VD dot(V3D a, V3D b) {
-  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+  return mul_add(a.x, b.x, mul_add(a.y, b.y, hn::Mul(a.z, b.z)));
 }
 HWY_INLINE VD length(V3D a) {
   return hn::Sqrt(dot(a, a));
@@ -87,9 +86,9 @@ HWY_INLINE Jet ball(const LaneSdf::Step& s, V3D q) {
 
 template <bool slopes>
 HWY_INLINE Jet torus(const LaneSdf::Step& s, V3D q) {
-  const VD from_axis = hn::Sqrt(hn::MulAdd(q.x, q.x, hn::Mul(q.y, q.y)));
+  const VD from_axis = hn::Sqrt(mul_add(q.x, q.x, hn::Mul(q.y, q.y)));
   const VD from_circle = hn::Sub(from_axis, number(s.size[0]));
-  const VD l = hn::Sqrt(hn::MulAdd(from_circle, from_circle, hn::Mul(q.z, q.z)));
+  const VD l = hn::Sqrt(mul_add(from_circle, from_circle, hn::Mul(q.z, q.z)));
   Jet jet{hn::Sub(l, number(s.size[1])), {}};
   if constexpr (slopes) {
     const VD share =
@@ -141,20 +140,19 @@ struct Wave {
 HWY_INLINE Wave wave(VD u) {
   // The nearest quarter turn, and at most an eighth of a turn from there.
   const VD quarters = hn::Round(hn::Mul(u, number(4)));
-  const VD x = hn::Mul(hn::NegMulAdd(quarters, number(0.25), u), number(6.283185307179586477)),
+  const VD x = hn::Mul(neg_mul_add(quarters, number(0.25), u), number(6.283185307179586477)),
            x2 = hn::Mul(x, x);
-  const auto next = [x2](VD sum, double term)
-                        HWY_ATTR { return hn::MulAdd(sum, x2, number(term)); };
+  const auto next = [x2](VD sum, double term) HWY_ATTR { return mul_add(sum, x2, number(term)); };
   VD s = next(number(1.58969099521155010221e-10), -2.50507602534068634195e-08);
   s = next(next(s, 2.75573137070700676789e-06), -1.98412698298579493134e-04);
   s = next(next(s, 8.33333333332248946124e-03), -1.66666666666666324348e-01);
-  s = hn::MulAdd(hn::Mul(s, x2), x, x);
+  s = mul_add(hn::Mul(s, x2), x, x);
   VD c = next(number(-1.13596475577881948265e-11), 2.08757232129817482790e-09);
   c = next(next(c, -2.75573143513906633035e-07), 2.48015872894767294178e-05);
   c = next(next(c, -1.38888888888741095749e-03), 4.16666666666666019037e-02);
   c = next(next(c, -0.5), 1);
   // Which quarter, from 0 to 3: the sine changes its sign in 2 and 3, the cosine in 1 and 2.
-  const VD quarter = hn::NegMulAdd(number(4), hn::Floor(hn::Mul(quarters, number(0.25))), quarters);
+  const VD quarter = neg_mul_add(number(4), hn::Floor(hn::Mul(quarters, number(0.25))), quarters);
   const MD odd = hn::Eq(hn::Abs(hn::Sub(quarter, number(2))), number(1));
   const MD middle = hn::Lt(hn::Abs(hn::Sub(quarter, number(1.5))), number(1));
   const VD sine = hn::IfThenElse(odd, c, s), cosine = hn::IfThenElse(odd, s, c);
@@ -167,11 +165,11 @@ HWY_INLINE Jet gyroid(const LaneSdf::Step& s, V3D q) {
   const V3D turns = q * s.size[0];
   const Wave x = wave(turns.x), y = wave(turns.y), z = wave(turns.z);
   const VD g = dot({x.sin, y.sin, z.sin}, {y.cos, z.cos, x.cos});
-  Jet jet{hn::MulSub(hn::Abs(g), number(s.size[2]), number(s.size[1])), {}};
+  Jet jet{mul_sub(hn::Abs(g), number(s.size[2]), number(s.size[1])), {}};
   if constexpr (slopes) {
-    const V3D slope{hn::MulSub(x.cos, y.cos, hn::Mul(z.sin, x.sin)),
-                    hn::MulSub(y.cos, z.cos, hn::Mul(x.sin, y.sin)),
-                    hn::MulSub(z.cos, x.cos, hn::Mul(y.sin, z.sin))};
+    const V3D slope{mul_sub(x.cos, y.cos, hn::Mul(z.sin, x.sin)),
+                    mul_sub(y.cos, z.cos, hn::Mul(x.sin, y.sin)),
+                    mul_sub(z.cos, x.cos, hn::Mul(y.sin, z.sin))};
     constexpr double per_root_3 = 0.577350269189625765;  // the slope's most is 1 on the surface
     jet.gradient = hn::CopySign(number(per_root_3), g) * slope;
   }
@@ -187,11 +185,10 @@ template <bool slopes>
 HWY_INLINE Jet minimum(const Jet& a, const Jet& b, double k) {
   VD overlap = number(0);
   if (k > 0) {
-    overlap = hn::Max(hn::NegMulAdd(hn::Abs(hn::Sub(a.value, b.value)), number(1 / k), number(1)),
+    overlap = hn::Max(neg_mul_add(hn::Abs(hn::Sub(a.value, b.value)), number(1 / k), number(1)),
                       number(0));
   }
-  Jet jet{hn::NegMulAdd(hn::Mul(number(0.25 * k), overlap), overlap, hn::Min(a.value, b.value)),
-          {}};
+  Jet jet{neg_mul_add(hn::Mul(number(0.25 * k), overlap), overlap, hn::Min(a.value, b.value)), {}};
   if constexpr (slopes) {
     const VD other = hn::Mul(number(0.5), overlap);
     const VD of_b = hn::IfThenElse(hn::Lt(a.value, b.value), other, hn::Sub(number(1), other));

@@ -8,9 +8,9 @@
 #endif
 
 #include "renderer/envmap_table.h"
+#include "renderer/lanes/elementary-inl.h"
 #include "renderer/lanes/vector_math-inl.h"
 
-#include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
 #include <bit>
@@ -30,7 +30,7 @@ HWY_INLINE V gather(const float* column, U index) {
 HWY_INLINE V turns_to(V y, V x) {
   const V ax = hn::Abs(x), ay = hn::Abs(y);
   const V larger = hn::Max(hn::Max(ax, ay), set(1e-30f)), smaller = hn::Min(ax, ay);
-  V turns = hn::Mul(hn::Atan(d_, hn::Div(smaller, larger)), set(0.1591549431f));
+  V turns = turns_of_tangent(hn::Div(smaller, larger));
   turns = select(hn::Gt(ay, ax), hn::Sub(set(0.25f), turns), turns);
   turns = select(hn::Lt(x, set(0)), hn::Sub(set(0.5f), turns), turns);
   return hn::CopySign(turns, y);
@@ -62,7 +62,7 @@ inline HWY_NOINLINE Texels sky_at(const EnvmapTable& table, const V3& d, M asked
           z = dot(there, set(m[2][0], m[2][1], m[2][2]));
   const V around = turns_to(x, hn::Neg(z));
   const V s = select(hn::Lt(around, set(0)), hn::Add(around, set(1)), around);
-  const V t = hn::Mul(set(2), turns_to(hn::Sqrt(hn::MulAdd(x, x, hn::Mul(z, z))), y));
+  const V t = hn::Mul(set(2), turns_to(hn::Sqrt(mul_add(x, x, hn::Mul(z, z))), y));
   const U row = step_in(t, table.height), column = step_in(s, table.width);
   return texels(table,
                 hn::Add(hn::Mul(row, set_word(static_cast<std::uint32_t>(table.width))), column));
@@ -100,7 +100,7 @@ inline HWY_NOINLINE SkyDirections sample_sky(const EnvmapTable& table, V2 u) {
       step_of(table.columns.data(), hn::Mul(row.index, set_word(width + 1)), table.width, u.x);
   const V upper = gather(table.upper.data(), row.index),
           lower = gather(table.lower.data(), row.index);
-  const V h = hn::MulAdd(row.within, hn::Sub(lower, upper), upper);
+  const V h = mul_add(row.within, hn::Sub(lower, upper), upper);
   const V sine = hn::Sqrt(hn::Max(hn::Mul(h, hn::Sub(set(2), h)), set(0)));
   const V place = hn::Add(hn::ConvertTo(d_, hn::BitCast(di_, column.index)), column.within);
   const SinCos azimuth = turn(hn::Mul(place, set(1 / static_cast<float>(width))));

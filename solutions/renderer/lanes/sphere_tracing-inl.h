@@ -71,7 +71,7 @@ HWY_INLINE VL some_of(const List& list, std::size_t begin, std::size_t end) {
 }
 
 HWY_INLINE V3D at(const V3D& o, const V3D& d, VD s) {
-  return {hn::MulAdd(s, d.x, o.x), hn::MulAdd(s, d.y, o.y), hn::MulAdd(s, d.z, o.z)};
+  return {mul_add(s, d.x, o.x), mul_add(s, d.y, o.y), mul_add(s, d.z, o.z)};
 }
 
 /// How exactly a point of a ray from o can be known to lie on the surface: 64 roundings of the
@@ -95,9 +95,9 @@ HWY_INLINE VD narrowed(const LaneSdf& sdf, const V3D& o, const V3D& d, Brackets 
   VD best = x.b;
   for (int i = 0; i < 100 && !hn::AllFalse(dd_, wanted); ++i) {
     const VD by_secant =
-        hn::Div(hn::NegMulAdd(x.b, x.f_a, hn::Mul(x.a, x.f_b)), hn::Sub(x.f_b, x.f_a));
+        hn::Div(neg_mul_add(x.b, x.f_a, hn::Mul(x.a, x.f_b)), hn::Sub(x.f_b, x.f_a));
     const VD low = hn::Min(x.a, x.b), high = hn::Max(x.a, x.b);
-    const VD middle = hn::MulAdd(hn::Sub(high, low), number(0.5), low);
+    const VD middle = mul_add(hn::Sub(high, low), number(0.5), low);
     // A division by 0 is a value that no comparison holds for.
     const MD inside = hn::And(hn::Ge(by_secant, low), hn::Le(by_secant, high));
     const VD next = i < 30 ? hn::IfThenElse(inside, by_secant, middle) : middle;
@@ -164,7 +164,7 @@ class March {
       const MD over = hn::AndNot(hn::Lt(x, end_), stands);  // NaN ends, too
       going_ = hn::AndNot(hn::Or(crossed, over), going_);
       const VD rise = hn::Div(hn::Sub(beyond, hn::Mul(f_, side_)), way);
-      const VD mean = hn::MulAdd(number(0.3), rise, hn::Mul(number(0.7), slope_));
+      const VD mean = mul_add(number(0.3), rise, hn::Mul(number(0.7), slope_));
       slope_ = hn::IfThenElse(stands, hn::Min(mean, number(most_slope)), number(-1));
       const MD moves = hn::Not(gap);
       s_ = hn::IfThenElse(moves, x, s_);
@@ -321,11 +321,11 @@ HWY_INLINE M near_sdf(const LaneSdf& sdf, V3 o, V3 d, V longest, M wanted) {
                                      static_cast<float>(sdf.place.origin.y),
                                      static_cast<float>(sdf.place.origin.z)));
   // What the coordinates' rounding may take, many times over.
-  const V margin = hn::MulAdd(
-      set(1e-5f),
-      hn::Add(hn::Mul(inverse, hn::Add(hn::Abs(o.x), hn::Add(hn::Abs(o.y), hn::Abs(o.z)))),
-              f(glm::length(sdf.place.origin) / sdf.place.scale)),
-      f(1e-5 * sdf.reach));
+  const V margin =
+      mul_add(set(1e-5f),
+              hn::Add(hn::Mul(inverse, hn::Add(hn::Abs(o.x), hn::Add(hn::Abs(o.y), hn::Abs(o.z)))),
+                      f(glm::length(sdf.place.origin) / sdf.place.scale)),
+              f(1e-5 * sdf.reach));
   V begin = set(0), end = hn::Mul(longest, inverse);
   for (int k = 0; k < 3; ++k) {
     const V3 axis =

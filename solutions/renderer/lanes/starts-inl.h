@@ -24,8 +24,8 @@ namespace HWY_NAMESPACE {
 /// Through the film's point (x, y), in pixels; of length 1. Camera::ray() in lanes.
 HWY_INLINE V3 camera_direction(const LaneJob& job, V x, V y) {
   const carlo::Camera& c = job.camera;
-  const V fx = hn::MulSub(x, set(2 / static_cast<float>(job.width)), set(1));
-  const V fy = hn::NegMulAdd(y, set(2 / static_cast<float>(job.height)), set(1));
+  const V fx = mul_sub(x, set(2 / static_cast<float>(job.width)), set(1));
+  const V fy = neg_mul_add(y, set(2 / static_cast<float>(job.height)), set(1));
   const V3 forward = set(c.forward.x, c.forward.y, c.forward.z);
   return normalize(add_scaled(
       add_scaled(forward, hn::Mul(fx, set(c.tan_half_x)), set(c.right.x, c.right.y, c.right.z)),
@@ -55,12 +55,20 @@ class Starts {
     pixel_key_ = key_of_pixel();
   }
 
+  /// Lets up to `most` more samples start, once all before have; their number.
+  std::uint32_t allow(std::uint32_t most) {
+    allowed_ = static_cast<std::uint32_t>(std::min<std::uint64_t>(most, left_));
+    left_ -= allowed_;
+    number_ = 0;
+    return allowed_;
+  }
+
   /// Gives paths to lanes that have none, as far as there are.
   template <class Needs>
   HWY_INLINE void refill(Paths& paths, carlo::Counts& counts) {
     const std::uint32_t alive = bits(paths.alive);
     if (alive == static_cast<std::uint32_t>((std::uint64_t{1} << lanes) - 1)) return;
-    if (waiting_ < lanes && left_ > 0) prepare();
+    if (waiting_ < lanes && allowed_ > 0) prepare();
     if (waiting_ == 0) return;
     // The place in the queue: how many lanes before this one are free.
     const U before = hn::Sub(hn::Shl(set_word(1), hn::Iota(du_, 0)), set_word(1));
@@ -105,7 +113,7 @@ class Starts {
     paths.depth = hn::IfThenElse(starts_u, set_word(0), paths.depth);
     paths.key = hn::IfThenElse(starts_u, words(key_.data()), paths.key);
     paths.reversed_index = hn::IfThenElse(starts_u, words(index_.data()), paths.reversed_index);
-    paths.pixel = hn::IfThenElse(starts_u, words(pixel_of_.data()), paths.pixel);
+    paths.number = hn::IfThenElse(starts_u, words(number_of_.data()), paths.number);
     paths.alive = hn::Or(paths.alive, starts);
   }
 
@@ -113,15 +121,14 @@ class Starts {
   /// last sample the register holds nothing that counts as waiting.
   HWY_INLINE void prepare() {
     move(dx_, d_), move(dy_, d_), move(dz_, d_);
-    move(key_, du_), move(index_, du_), move(pixel_of_, du_);
+    move(key_, du_), move(index_, du_), move(number_of_, du_);
     first_ = 0;
-    const auto made = static_cast<std::uint32_t>(std::min<std::uint64_t>(lanes, left_));
+    const auto made = static_cast<std::uint32_t>(std::min<std::uint32_t>(lanes, allowed_));
     const std::uint32_t samples = job_.tile.samples;
     if (sample_ == samples) next_pixel();
     const U lane = hn::Iota(du_, 0);
     V x = set(static_cast<float>(x_)), y = set(static_cast<float>(y_));
-    U keys = set_word(pixel_key_), pixel = set_word(pixel_),
-      sample = hn::Add(lane, set_word(sample_));
+    U keys = set_word(pixel_key_), sample = hn::Add(lane, set_word(sample_));
     std::uint32_t first = 0;  // lane of the pixel
     while (made - first > samples - sample_) {
       first += samples - sample_;
@@ -131,7 +138,6 @@ class Starts {
       x = select(next_f, set(static_cast<float>(x_)), x);
       y = select(next_f, set(static_cast<float>(y_)), y);
       keys = hn::IfThenElse(next, set_word(pixel_key_), keys);
-      pixel = hn::IfThenElse(next, set_word(pixel_), pixel);
       sample = hn::IfThenElse(next, hn::Sub(lane, set_word(first)), sample);
     }
     sample_ += made - first;
@@ -143,13 +149,13 @@ class Starts {
     hn::StoreU(d.z, d_, dz_.data() + waiting_);
     hn::StoreU(hn::Add(keys, set_word(key_step)), du_, key_.data() + waiting_);
     hn::StoreU(reversed, du_, index_.data() + waiting_);
-    hn::StoreU(pixel, du_, pixel_of_.data() + waiting_);
+    hn::StoreU(hn::Add(lane, set_word(number_)), du_, number_of_.data() + waiting_);
     waiting_ += made;
-    left_ -= made;
+    number_ += made;
+    allowed_ -= made;
   }
 
   void next_pixel() {
-    ++pixel_;
     sample_ = 0;
     if (++x_ == job_.tile.x1) x_ = job_.tile.x0, ++y_;
     pixel_key_ = key_of_pixel();
@@ -172,10 +178,12 @@ class Starts {
   using Queue = std::array<T, 3 * lanes>;
   static constexpr std::size_t alignment = lanes * sizeof(float);
   alignas(alignment) Queue<float> dx_{}, dy_{}, dz_{};
-  alignas(alignment) Queue<std::uint32_t> key_{}, index_{}, pixel_of_{};
+  alignas(alignment) Queue<std::uint32_t> key_{}, index_{}, number_of_{};
   std::uint32_t first_ = 0, waiting_ = 0;
-  std::uint64_t left_;                    ///< samples that have not joined the queue
-  std::uint32_t pixel_ = 0, sample_ = 0;  ///< the next
+  std::uint64_t left_;         ///< samples that may not start yet
+  std::uint32_t allowed_ = 0;  ///< those that may, and have not joined the queue
+  std::uint32_t number_ = 0;   ///< of the next one that joins it, among all that may start
+  std::uint32_t sample_ = 0;   ///< the next of its pixel
   int x_, y_;
   std::uint32_t pixel_key_ = 0;
   const LaneJob& job_;

@@ -53,10 +53,13 @@ struct Paths {
   U depth;           ///< segments so far
   U key;             ///< of the next vertex
   U reversed_index;  ///< of the sample
-  U pixel;           ///< of the tile
+  U number;          ///< among the tile's samples (Starts::allow), or the lamps' paths of a call
   M alive;
-  V rival;    ///< for Features::lamps (lane_kernel.h, "Paths from lamps")
-  V brought;  ///< of a path from a lamp: the luminance of its splats
+  V rival;  ///< for Features::lamps (lane_kernel.h, "Paths from lamps")
+  // Of a path from a lamp:
+  U pixel;    ///< where the camera sees its vertex
+  V brought;  ///< the luminance of its splats
+  V ties;     ///< the sum of the products of each two of them
 };
 
 /// What the columns hold of a surface and its material.
@@ -140,7 +143,7 @@ class Steps {
   HWY_INLINE V weigh(V ratio, V other) const { return weigh(together(ratio, other)); }
   /// The ratio of one technique that weighs as much as two.
   HWY_INLINE V together(V a, V b) const {
-    return job_.choices.power_heuristic ? hn::Sqrt(hn::MulAdd(a, a, hn::Mul(b, b))) : hn::Add(a, b);
+    return job_.choices.power_heuristic ? hn::Sqrt(mul_add(a, a, hn::Mul(b, b))) : hn::Add(a, b);
   }
 
   /// Paths::rival behind mirrors and glass: the chance of the way taken is that of the way back.
@@ -238,13 +241,29 @@ class Steps {
     return specular;
   }
 
+  /// Whether there are lobes. Where the code is compiled for everything, it asks the scene: a scene
+  /// without has the same bits by code that knows of none.
+  HWY_INLINE bool lobes() const { return Needs::phong && (!Needs::full || s_.phong); }
+  HWY_INLINE Bsdfs reflected(const Surfaces& surface, V3 wi, V cosine) const {
+    return lobes() ? evaluate<Needs::phong>(surface, wi, cosine)
+                   : evaluate<false>(surface, wi, cosine);
+  }
+  HWY_INLINE V3 drawn(const Surfaces& surface, V2 u) const {
+    return lobes() ? sample_direction<Needs::phong>(surface, u)
+                   : sample_direction<false>(surface, u);
+  }
+  HWY_INLINE V way_back(const Surfaces& surface, V arrival, V cosine, V pdf) const {
+    return lobes() ? pdf_back<Needs::phong>(surface, arrival, cosine, pdf)
+                   : pdf_back<false>(surface, arrival, cosine, pdf);
+  }
+
   HWY_INLINE Surfaces surface_at(V3 d, const Spots& spots) const {
     const Numbers& material = spots.material;
-    Surfaces surface;
+    Surfaces surface{};
     surface.p = each(spots.p);
     surface.n = each(spots.n);
     surface.kd = each(material(s_.kd_r, s_.kd_g, s_.kd_b));
-    if constexpr (Needs::phong) {
+    if (lobes()) {
       surface.exponent = material(s_.exponent.data());
       surface.diffuse = material(s_.diffuse.data());
       surface.ks = material(s_.ks_r, s_.ks_g, s_.ks_b);

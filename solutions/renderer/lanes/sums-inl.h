@@ -12,10 +12,12 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -23,32 +25,45 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// The radiances of a tile's pixels, summed in the order in which paths end.
+/// The radiances of a tile's pixels, summed in the order of the samples: that in which paths end
+/// depends on the number of lanes. Samples are kept until all up to `most` of them are there.
 class Sums {
  public:
+  static constexpr std::uint32_t most = 1 << 14;
+
   explicit Sums(const carlo::Tile& tile)
       : samples_(tile.samples),
-        sums_(static_cast<std::size_t>((tile.x1 - tile.x0) * (tile.y1 - tile.y0))) {}
+        sums_(static_cast<std::size_t>((tile.x1 - tile.x0) * (tile.y1 - tile.y0))),
+        kept_(std::make_unique_for_overwrite<Rgb[]>(
+            std::min<std::size_t>(most, sums_.size() * samples_))) {}
 
-  /// What is no radiance is counted and left out, as in carlo::BlockSum.
-  HWY_INLINE void add(const Paths& paths, M ended, carlo::Counts& counts) {
+  /// Keeps those of paths that have ended, by Paths::number. What is no radiance is counted and
+  /// left out, as in carlo::BlockSum.
+  HWY_INLINE void keep(const Paths& paths, M ended, carlo::Counts& counts) {
     const V3 L = paths.L;
     const M good = hn::And(hn::And(hn::Ge(L.x, set(0)), hn::Ge(L.y, set(0))),
                            hn::And(hn::Ge(L.z, set(0)),
                                    hn::Le(max_element(L), set(std::numeric_limits<float>::max()))));
     counts.bad += hn::CountTrue(d_, hn::AndNot(good, ended));
     alignas(64) std::array<float, lanes> r, g, b;
-    alignas(64) std::array<std::uint32_t, lanes> pixel;
-    hn::Store(L.x, d_, r.data());
-    hn::Store(L.y, d_, g.data());
-    hn::Store(L.z, d_, b.data());
-    hn::Store(paths.pixel, du_, pixel.data());
-    for (std::uint32_t left = bits(hn::And(good, ended)); left != 0; left &= left - 1) {
+    alignas(64) std::array<std::uint32_t, lanes> number;
+    hn::Store(hn::IfThenElseZero(good, L.x), d_, r.data());
+    hn::Store(hn::IfThenElseZero(good, L.y), d_, g.data());
+    hn::Store(hn::IfThenElseZero(good, L.z), d_, b.data());
+    hn::Store(paths.number, du_, number.data());
+    for (std::uint32_t left = bits(ended); left != 0; left &= left - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      std::array<double, 3>& sum = sums_[pixel[lane]];
-      sum[0] += static_cast<double>(r[lane]);
-      sum[1] += static_cast<double>(g[lane]);
-      sum[2] += static_cast<double>(b[lane]);
+      kept_[number[lane]] = {r[lane], g[lane], b[lane]};
+    }
+  }
+
+  /// Adds the first `count` samples that were kept to those before.
+  void add(std::uint32_t count) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (sample_ == samples_) sample_ = 0, ++pixel_;
+      ++sample_;
+      for (std::size_t c = 0; c < 3; ++c)
+        sums_[pixel_][c] += static_cast<double>(kept_[i][c]);
     }
   }
 
@@ -60,8 +75,12 @@ class Sums {
   }
 
  private:
+  using Rgb = std::array<float, 3>;
   std::uint32_t samples_;
   std::vector<std::array<double, 3>> sums_;
+  std::unique_ptr<Rgb[]> kept_;
+  std::size_t pixel_ = 0;     ///< the one that add() has come to,
+  std::uint32_t sample_ = 0;  ///< and how many of its samples
 };
 
 }  // namespace HWY_NAMESPACE

@@ -37,6 +37,7 @@ HWY_ATTR void run(const LaneJob& job, std::span<std::array<double, 3>> means,
   std::array<M, most> before{};
   for (Paths& some : paths)
     some.alive = hn::FirstN(d_, 0);
+  std::uint32_t waited_for = starts.allow(Sums::most);
   for (std::uint64_t round = 0;; ++round) {
     bool alive = false;
     for (std::size_t w = 0; w < registers; ++w) {
@@ -44,7 +45,12 @@ HWY_ATTR void run(const LaneJob& job, std::span<std::array<double, 3>> means,
       before[w] = paths[w].alive;
       alive = alive || !hn::AllFalse(d_, before[w]);
     }
-    if (!alive) break;
+    if (!alive) {
+      sums.add(waited_for);
+      waited_for = starts.allow(Sums::most);
+      if (waited_for == 0) break;
+      continue;
+    }
     if (round % 4096 == 4095 && carlo::render_interrupted()) return;
     if constexpr (Needs::full)
       walk.extend_batch({paths.data(), registers});
@@ -52,7 +58,7 @@ HWY_ATTR void run(const LaneJob& job, std::span<std::array<double, 3>> means,
       walk.extend(paths[0]);
     for (std::size_t w = 0; w < registers; ++w) {
       const M ended = hn::AndNot(paths[w].alive, before[w]);
-      if (!hn::AllFalse(d_, ended)) sums.add(paths[w], ended, counts);
+      if (!hn::AllFalse(d_, ended)) sums.keep(paths[w], ended, counts);
     }
   }
   sums.means(means);

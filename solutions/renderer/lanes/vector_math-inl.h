@@ -8,7 +8,8 @@
 #define CARLO_VECTOR_MATH_INL
 #endif
 
-#include <hwy/contrib/math/math-inl.h>
+#include "renderer/lanes/fused-inl.h"
+
 #include <hwy/highway.h>
 
 #include <array>
@@ -77,17 +78,17 @@ HWY_INLINE V3 operator*(V s, V3 a) {
 }
 /// a + s b
 HWY_INLINE V3 add_scaled(V3 a, V s, V3 b) {
-  return {hn::MulAdd(s, b.x, a.x), hn::MulAdd(s, b.y, a.y), hn::MulAdd(s, b.z, a.z)};
+  return {mul_add(s, b.x, a.x), mul_add(s, b.y, a.y), mul_add(s, b.z, a.z)};
 }
 HWY_INLINE V dot(V3 a, V3 b) {
-  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+  return mul_add(a.x, b.x, mul_add(a.y, b.y, hn::Mul(a.z, b.z)));
 }
 HWY_INLINE V3 normalize(V3 a) {
   return hn::Div(set(1), hn::Sqrt(dot(a, a))) * a;
 }
 /// Of a vector whose length is 1 but for rounding: one step of Newton's method.
 HWY_INLINE V3 renormalize(V3 a) {
-  return hn::NegMulAdd(set(0.5f), dot(a, a), set(1.5f)) * a;
+  return neg_mul_add(set(0.5f), dot(a, a), set(1.5f)) * a;
 }
 HWY_INLINE V3 select(M m, V3 yes, V3 no) {
   return {select(m, yes.x, no.x), select(m, yes.y, no.y), select(m, yes.z, no.z)};
@@ -109,8 +110,8 @@ HWY_INLINE FrameV frame_about(V3 n) {
   const V a = hn::Neg(hn::Div(set(1), hn::Add(sign, n.z)));
   const V b = hn::Mul(hn::Mul(n.x, n.y), a);
   const V sx = hn::Mul(sign, n.x);
-  return {{hn::MulAdd(hn::Mul(sx, n.x), a, set(1)), hn::Mul(sign, b), hn::Neg(sx)},
-          {b, hn::MulAdd(hn::Mul(n.y, n.y), a, sign), hn::Neg(n.y)},
+  return {{mul_add(hn::Mul(sx, n.x), a, set(1)), hn::Mul(sign, b), hn::Neg(sx)},
+          {b, mul_add(hn::Mul(n.y, n.y), a, sign), hn::Neg(n.y)},
           n};
 }
 HWY_INLINE V3 to_world(const FrameV& f, V x, V y, V z) {
@@ -124,14 +125,13 @@ struct SinCos {
 HWY_INLINE SinCos turn(V u) {
   // The nearest quarter turn, and at most an eighth of a turn from there.
   const V quarters = hn::Round(hn::Mul(u, set(4)));
-  const V x = hn::Mul(hn::NegMulAdd(quarters, set(0.25f), u), set(6.283185307f)),
-          x2 = hn::Mul(x, x);
+  const V x = hn::Mul(neg_mul_add(quarters, set(0.25f), u), set(6.283185307f)), x2 = hn::Mul(x, x);
   // Taylor's polynomials to x^9 and x^8: the next terms are below 2e-9 and 3e-8 at pi/4.
-  V s = hn::MulAdd(x2, set(2.755731922e-6f), set(-1.984126984e-4f));
-  s = hn::MulAdd(hn::MulAdd(hn::MulAdd(s, x2, set(8.333333333e-3f)), x2, set(-1.666666667e-1f)),
-                 hn::Mul(x2, x), x);
-  V c = hn::MulAdd(x2, set(2.480158730e-5f), set(-1.388888889e-3f));
-  c = hn::MulAdd(hn::MulAdd(hn::MulAdd(c, x2, set(4.166666667e-2f)), x2, set(-0.5f)), x2, set(1));
+  V s = mul_add(x2, set(2.755731922e-6f), set(-1.984126984e-4f));
+  s = mul_add(mul_add(mul_add(s, x2, set(8.333333333e-3f)), x2, set(-1.666666667e-1f)),
+              hn::Mul(x2, x), x);
+  V c = mul_add(x2, set(2.480158730e-5f), set(-1.388888889e-3f));
+  c = mul_add(mul_add(mul_add(c, x2, set(4.166666667e-2f)), x2, set(-0.5f)), x2, set(1));
   const auto q = hn::ConvertTo(di_, quarters);
   const M odd = hn::RebindMask(d_, hn::Ne(hn::And(q, hn::Set(di_, 1)), hn::Zero(di_)));
   // Signs: the sine changes in quarters 2 and 3, the cosine in 1 and 2.
