@@ -76,7 +76,7 @@ HWY_INLINE V exp_of(V x) {
   return hn::IfThenElseZero(hn::Ge(x, set(-86)), mul_add(e.scale, e.more, e.scale));
 }
 
-/// The angle whose tangent is x, x from 0 to 1, in whole turns: to two units in the last place.
+/// The angle whose tangent is x, x from 0 to 1, in whole turns: to four units in the last place.
 HWY_INLINE V turns_of_tangent(V x) {
   const V x2 = hn::Mul(x, x);
   // Minimax, relative error 2e-8.
