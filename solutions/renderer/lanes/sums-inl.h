@@ -34,8 +34,8 @@ class Sums {
   explicit Sums(const carlo::Tile& tile)
       : samples_(tile.samples),
         sums_(static_cast<std::size_t>((tile.x1 - tile.x0) * (tile.y1 - tile.y0))),
-        kept_(std::make_unique_for_overwrite<Rgb[]>(
-            std::min<std::size_t>(most, sums_.size() * samples_))) {}
+        kept_(std::make_unique_for_overwrite<float[]>(
+            3 * std::min<std::size_t>(most, sums_.size() * samples_))) {}
 
   /// Keeps those of paths that have ended, by Paths::number. What is no radiance is counted and
   /// left out, as in carlo::BlockSum.
@@ -53,17 +53,22 @@ class Sums {
     hn::Store(paths.number, du_, number.data());
     for (std::uint32_t left = bits(ended); left != 0; left &= left - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      kept_[number[lane]] = {r[lane], g[lane], b[lane]};
+      float* const kept = kept_.get() + std::size_t{3} * number[lane];
+      kept[0] = r[lane], kept[1] = g[lane], kept[2] = b[lane];
     }
   }
 
   /// Adds the first `count` samples that were kept to those before.
   void add(std::uint32_t count) {
-    for (std::uint32_t i = 0; i < count; ++i) {
-      if (sample_ == samples_) sample_ = 0, ++pixel_;
-      ++sample_;
+    const float* next = kept_.get();
+    while (count > 0) {
+      const std::uint32_t here = std::min(count, samples_ - sample_);
+      next = add_to_pixel(here, next);
+      count -= here;
+      if (sample_ < samples_) return;
       for (std::size_t c = 0; c < 3; ++c)
-        sums_[pixel_][c] += static_cast<double>(kept_[i][c]);
+        sums_[pixel_][c] = (four_[c] + four_[3 + c]) + (four_[6 + c] + four_[9 + c]);
+      ++pixel_, sample_ = 0, four_.fill(0);
     }
   }
 
@@ -75,12 +80,34 @@ class Sums {
   }
 
  private:
-  using Rgb = std::array<float, 3>;
+  /// Adds so many samples to a pixel; what follows them. Sums of each fourth sample do not wait for
+  /// each other.
+  const float* add_to_pixel(std::uint32_t count, const float* next) {
+    const std::uint32_t end = sample_ + count;
+    const auto one = [&] {
+      for (std::size_t c = 0; c < 3; ++c)
+        four_[sample_ % 4 * 3 + c] += static_cast<double>(*next++);
+      ++sample_;
+    };
+    while (sample_ < end && sample_ % 4 != 0)
+      one();
+    std::array<double, 12> four = four_;
+    for (; sample_ + 4 <= end; sample_ += 4, next += four.size()) {
+      for (std::size_t i = 0; i < four.size(); ++i)
+        four[i] += static_cast<double>(next[i]);
+    }
+    four_ = four;
+    while (sample_ < end)
+      one();
+    return next;
+  }
+
   std::uint32_t samples_;
   std::vector<std::array<double, 3>> sums_;
-  std::unique_ptr<Rgb[]> kept_;
-  std::size_t pixel_ = 0;     ///< the one that add() has come to,
-  std::uint32_t sample_ = 0;  ///< and how many of its samples
+  std::unique_ptr<float[]> kept_;
+  std::size_t pixel_ = 0;          ///< the one that add() has come to,
+  std::uint32_t sample_ = 0;       ///< how many of its samples,
+  std::array<double, 12> four_{};  ///< and the sums of each fourth of them
 };
 
 }  // namespace HWY_NAMESPACE
