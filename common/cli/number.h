@@ -4,18 +4,31 @@
 #include <optional>
 #include <string_view>
 #include <system_error>
+#include <type_traits>
 
 namespace carlo {
+
+/// number_of() by the C library, for standard libraries whose from_chars() reads whole numbers
+/// only: those of LLVM before 20, so macOS's.
+std::optional<double> number_by_strtod(std::string_view text);
 
 /// The number that the whole text is, without blanks or a leading plus sign; nothing when it is
 /// anything else, or more than the type holds.
 template <class Number>
 std::optional<Number> number_of(std::string_view text) {
-  Number value{};
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stop != end) return std::nullopt;
-  return value;
+#if !defined(__cpp_lib_to_chars)
+  if constexpr (std::is_floating_point_v<Number>) {
+    static_assert(std::is_same_v<Number, double>, "a float would be rounded twice");
+    return number_by_strtod(text);
+  } else
+#endif
+  {
+    Number value{};
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc{} || stop != end) return std::nullopt;
+    return value;
+  }
 }
 
 }  // namespace carlo

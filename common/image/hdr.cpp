@@ -1,16 +1,17 @@
 #include "image/hdr.h"
 
 #include "cli/error.h"
+#include "cli/number.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,12 +61,9 @@ class HdrReader {
   template <class T>
   T number(std::string_view text, std::string_view what) const {
     text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
-    T value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !(value > 0)) {
-      fail(fmt::format("{} must be a number > 0", what));
-    }
-    return value;
+    const std::optional<T> value = number_of<T>(text);
+    if (!value || !(*value > 0)) fail(fmt::format("{} must be a number > 0", what));
+    return *value;
   }
 
   void read_header() {

@@ -1,12 +1,13 @@
 #include "grader/protocol/params.h"
 
 #include "cli/error.h"
+#include "cli/number.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace carlo::grader {
@@ -27,10 +28,9 @@ class Words {
     const std::size_t equals = word.find('=');
     if (equals == 0 || equals == std::string_view::npos) complain();
     const std::string_view digits = word.substr(equals + 1);
-    Number value{};
-    const auto [end, error] = std::from_chars(digits.begin(), digits.end(), value);
-    if (error != std::errc{} || end != digits.end()) complain();
-    return {std::string(word.substr(0, equals)), value};
+    const std::optional<Number> value = number_of<Number>(digits);
+    if (!value) complain();
+    return {std::string(word.substr(0, equals)), *value};
   }
 
   template <class Number>
