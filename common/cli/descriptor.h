@@ -24,4 +24,11 @@ class Descriptor {
   int fd_;
 };
 
+struct Pipe {
+  Descriptor read, write;
+};
+
+/// A pipe whose ends close at exec(). Throws Error when there is none to be had.
+Pipe make_pipe();
+
 }  // namespace carlo

@@ -3,15 +3,19 @@
 #include "cli/descriptor.h"
 #include "cli/error.h"
 
-#include <fcntl.h>
 #include <fmt/ranges.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#if defined(__linux__)
+#include <sys/prctl.h>
+#elif defined(__APPLE__)
+#include <mach-o/dyld.h>
+#endif
 
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
 #include <utility>
 
@@ -27,7 +31,10 @@ namespace {
             ::setpgid(0, 0) == 0;
   }
   if (how.ends_with_us) {
-    ready = ready && ::prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 && ::getppid() == parent;
+#if defined(__linux__)
+    ready = ready && ::prctl(PR_SET_PDEATHSIG, SIGKILL) == 0;
+#endif
+    ready = ready && ::getppid() == parent;
   }
   for (const auto& [from, to] :
        {std::pair{how.input, STDIN_FILENO}, std::pair{how.output, STDOUT_FILENO},
@@ -50,6 +57,18 @@ std::vector<char*> pointers(const std::vector<std::string>& words) {
   return list;
 }
 
+std::string own_path() {
+#if defined(__APPLE__)
+  std::string path(4096, '\0');
+  auto size = static_cast<std::uint32_t>(path.size());
+  if (::_NSGetExecutablePath(path.data(), &size) != 0)
+    throw Error("the program's own path is too long");
+  return path.c_str();
+#else
+  return "/proc/self/exe";
+#endif
+}
+
 pid_t start_program(const std::vector<std::string>& words, const ProgramStart& how) {
   const std::vector<char*> argv = pointers(words);
   const pid_t parent = ::getpid(), child = ::fork();
@@ -69,15 +88,12 @@ int wait_for(pid_t child) {
 }
 
 std::string output_of(const std::vector<std::string>& words) {
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw Error("no pipe: {}", std::strerror(errno));
-  const Descriptor read_end(ends[0]);
-  Descriptor write_end(ends[1]);
-  const pid_t child = start_program(words, {.output = write_end.get()});
-  write_end.close();
+  Pipe pipe = make_pipe();
+  const pid_t child = start_program(words, {.output = pipe.write.get()});
+  pipe.write.close();
   std::string text;
   std::array<char, 4096> piece{};
-  for (ssize_t n = 0; (n = ::read(read_end.get(), piece.data(), piece.size())) != 0;) {
+  for (ssize_t n = 0; (n = ::read(pipe.read.get(), piece.data(), piece.size())) != 0;) {
     if (n > 0) text.append(piece.data(), static_cast<std::size_t>(n));
     if (n < 0 && errno != EINTR) break;
   }

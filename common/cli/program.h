@@ -12,11 +12,15 @@ namespace carlo {
 /// argv of a command, for exec: pointers into its words, and a null.
 std::vector<char*> pointers(const std::vector<std::string>& words);
 
+/// A path that leads to the file of this program as it was started. Throws Error where there is
+/// none.
+std::string own_path();
+
 /// What a program that is started gets. Descriptors: -1 stands for ours.
 struct ProgramStart {
   int input = -1, output = -1, error = -1;
   bool own_group = false;     ///< a process group of its own, with no signal blocked
-  bool ends_with_us = false;  ///< it is killed when this thread ends
+  bool ends_with_us = false;  ///< it is killed when this thread ends; on Linux alone
 };
 
 /// Starts a program (by its path, or a name that is looked for in PATH). Throws Error when there is

@@ -3,6 +3,7 @@
 #include "cli/atomic_file.h"
 #include "cli/error.h"
 #include "cli/number.h"
+#include "cli/program.h"
 #include "json/json_fields.h"
 #include "render/checksum.h"
 #include "render/exact_sum_text.h"
@@ -281,14 +282,15 @@ std::string told(const PartHeader& part) {
 }
 
 std::string program_version() {
-  std::ifstream in("/proc/self/exe", std::ios::binary);
+  const std::string path = own_path();
+  std::ifstream in(path, std::ios::binary);
   Checksum checksum;
   std::vector<unsigned char> bytes(1 << 20);
   while (in) {
     in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     checksum.add(std::span(bytes).first(static_cast<std::size_t>(in.gcount())));
   }
-  if (!in.eof()) throw Error("cannot read /proc/self/exe, the program itself, to tell its version");
+  if (!in.eof()) throw Error("cannot read {}, the program itself, to tell its version", path);
   return fmt::format("{:016x}", checksum.value());
 }
 

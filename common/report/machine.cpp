@@ -32,6 +32,8 @@ std::string instruction_sets_text() {
   if (__builtin_cpu_supports("avx2") != 0) text += ", AVX2";
   if (__builtin_cpu_supports("avx512f") != 0) text += ", AVX-512";
   return text;
+#elif defined(__aarch64__)
+  return "NEON";
 #else
   return "not an x86";
 #endif

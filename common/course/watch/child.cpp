@@ -1,6 +1,5 @@
 #include "course/watch/child.h"
 
-#include "cli/error.h"
 #include "cli/program.h"
 
 #include <fcntl.h>
@@ -10,14 +9,13 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstring>
+#include <utility>
 
 namespace carlo {
 Child::Child(const std::vector<std::string>& command) {
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw Error("no pipe: {}", std::strerror(errno));
-  fd_ = Descriptor(ends[0]);
-  const Descriptor out(ends[1]), none(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+  Pipe pipe = make_pipe();
+  fd_ = std::move(pipe.read);
+  const Descriptor out = std::move(pipe.write), none(::open("/dev/null", O_RDONLY | O_CLOEXEC));
   pid_ = start_program(
       command, {.input = none.get(), .output = out.get(), .error = out.get(), .own_group = true});
   ::fcntl(fd_.get(), F_SETFL, O_NONBLOCK);

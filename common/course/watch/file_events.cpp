@@ -1,10 +1,12 @@
 #include "course/watch/file_events.h"
 
 #include <fmt/core.h>
-#include <sys/inotify.h>
 #include <sys/stat.h>
-#include <sys/vfs.h>
 #include <unistd.h>
+#if defined(__linux__)
+#include <sys/inotify.h>
+#include <sys/vfs.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -13,6 +15,8 @@
 namespace carlo {
 
 namespace fs = std::filesystem;
+
+#if defined(__linux__)
 
 bool tells_of_changes(const fs::path& folder) {
   struct statfs status {};
@@ -36,9 +40,7 @@ bool tells_of_changes(const fs::path& folder) {
   return std::find(silent.begin(), silent.end(), type) == silent.end();
 }
 
-FileEvents::FileEvents(std::vector<fs::path> folders, bool look) : folders_(std::move(folders)) {
-  seen_ = appearance();
-  if (look || !std::all_of(folders_.begin(), folders_.end(), tells_of_changes)) return;
+void FileEvents::subscribe() {
   fd_ = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
   if (fd_ < 0) return;
   for (const fs::path& folder : folders_) {
@@ -49,6 +51,33 @@ FileEvents::FileEvents(std::vector<fs::path> folders, bool look) : folders_(std:
     fd_ = -1;  // too many watches on this machine, for instance
     return;
   }
+}
+
+bool FileEvents::told() const {
+  bool any = false;
+  alignas(inotify_event) std::array<char, 4096> buffer{};
+  while (::read(fd_, buffer.data(), buffer.size()) > 0)
+    any = true;
+  return any;
+}
+
+#else
+
+bool tells_of_changes(const fs::path&) {
+  return false;
+}
+
+void FileEvents::subscribe() {}
+
+bool FileEvents::told() const {
+  return false;
+}
+
+#endif
+
+FileEvents::FileEvents(std::vector<fs::path> folders, bool look) : folders_(std::move(folders)) {
+  seen_ = appearance();
+  if (!look && std::all_of(folders_.begin(), folders_.end(), tells_of_changes)) subscribe();
 }
 
 FileEvents::~FileEvents() {
@@ -63,8 +92,13 @@ std::string FileEvents::appearance() const {
       struct stat status {};
       if (entry.path().extension() != ".cpp") continue;
       if (::stat(entry.path().c_str(), &status) != 0) continue;
+#if defined(__APPLE__)
+      const timespec& changed = status.st_mtimespec;
+#else
+      const timespec& changed = status.st_mtim;
+#endif
       lines.push_back(fmt::format("{} {} {}.{:09} {}\n", entry.path().string(), status.st_size,
-                                  status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_ino));
+                                  changed.tv_sec, changed.tv_nsec, status.st_ino));
     }
   }
   std::sort(lines.begin(), lines.end());
@@ -75,13 +109,7 @@ std::string FileEvents::appearance() const {
 }
 
 bool FileEvents::happened() {
-  if (fd_ >= 0) {
-    bool any = false;
-    alignas(inotify_event) std::array<char, 4096> buffer{};
-    while (::read(fd_, buffer.data(), buffer.size()) > 0)
-      any = true;
-    return any;
-  }
+  if (fd_ >= 0) return told();
   std::string now = appearance();
   const bool changed = now != seen_;
   seen_ = std::move(now);

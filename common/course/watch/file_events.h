@@ -8,7 +8,7 @@ namespace carlo {
 
 /// Whether the system tells of every change to files of this folder: not where other machines, the
 /// host of a container or a layer below may change them (NFS, SMB, 9p, FUSE, virtiofs, overlay
-/// ...), nor where that cannot be found out.
+/// ...), nor where that cannot be found out, nor on macOS.
 bool tells_of_changes(const std::filesystem::path& folder);
 
 /// Tells when source files in some folders may have changed: by inotify, or by looking at their
@@ -30,6 +30,10 @@ class FileEvents {
   bool happened();
 
  private:
+  /// Asks the system to tell; fd_ stays -1 where it does not.
+  void subscribe();
+  /// Whether it has told something since the last call.
+  bool told() const;
   /// Names, sizes and times of the source files.
   std::string appearance() const;
 

@@ -1,5 +1,6 @@
 #include "course/watch/watch.h"
 
+#include "cli/descriptor.h"
 #include "cli/error.h"
 #include "cli/scratch_folder.h"
 #include "cli/terminal.h"
@@ -8,9 +9,9 @@
 #include "course/watch/keyboard.h"
 #include "course/watch/session.h"
 
+#include <fcntl.h>
 #include <fmt/core.h>
 #include <poll.h>
-#include <sys/signalfd.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -35,34 +36,46 @@ using Clock = std::chrono::steady_clock;
 /// A save is several events, and an editor may write twice.
 constexpr std::chrono::milliseconds calm{40};
 
-/// Signals as something to wait for.
+/// Signals as something to wait for: each writes its number into a pipe. One object at a time.
 class Signals {
  public:
-  Signals() {
-    ::sigemptyset(&set_);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGWINCH})
-      ::sigaddset(&set_, signal);
-    ::sigprocmask(SIG_BLOCK, &set_, &before_);
-    fd_ = ::signalfd(-1, &set_, SFD_NONBLOCK | SFD_CLOEXEC);
-    if (fd_ < 0) throw Error("cannot wait for signals: {}", std::strerror(errno));
+  Signals() : pipe_(make_pipe()) {
+    for (const int end : {pipe_.read.get(), pipe_.write.get()})
+      ::fcntl(end, F_SETFL, O_NONBLOCK);
+    into_ = pipe_.write.get();
+    struct sigaction tell {};
+    tell.sa_handler = [](int signal) {
+      const int error = errno;
+      const auto number = static_cast<unsigned char>(signal);
+      // A full pipe holds more than anybody will ever read.
+      [[maybe_unused]] const ssize_t written = ::write(into_, &number, 1);
+      errno = error;
+    };
+    tell.sa_flags = SA_RESTART;
+    ::sigemptyset(&tell.sa_mask);
+    for (std::size_t i = 0; i < awaited.size(); ++i)
+      ::sigaction(awaited[i], &tell, &before_[i]);
   }
   ~Signals() {
-    ::close(fd_);
-    ::sigprocmask(SIG_SETMASK, &before_, nullptr);
+    for (std::size_t i = 0; i < awaited.size(); ++i)
+      ::sigaction(awaited[i], &before_[i], nullptr);
   }
   Signals(const Signals&) = delete;
   Signals& operator=(const Signals&) = delete;
 
-  int fd() const { return fd_; }
+  int fd() const { return pipe_.read.get(); }
   /// The next one that has come; 0 when none has.
   int next() const {
-    signalfd_siginfo info{};
-    return ::read(fd_, &info, sizeof info) == sizeof info ? static_cast<int>(info.ssi_signo) : 0;
+    unsigned char number = 0;
+    return ::read(fd(), &number, 1) == 1 ? number : 0;
   }
 
  private:
-  sigset_t set_{}, before_{};
-  int fd_ = -1;
+  static constexpr std::array<int, 6> awaited{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGWINCH};
+  static inline volatile std::sig_atomic_t into_ = -1;
+
+  Pipe pipe_;
+  std::array<struct sigaction, awaited.size()> before_{};
 };
 
 /// Every line dim, and in no other colour: what is shown is of the run before.

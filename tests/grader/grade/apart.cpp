@@ -3,13 +3,13 @@
 #include "cli/descriptor.h"
 #include "cli/error.h"
 #include "grader/judge/bubblewrap.h"
+#include "grader/judge/kinship.h"
 #include "grader/judge/landlock.h"
 #include "grader/judge/process.h"
 #include "grader/judge/syscall_filter.h"
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -36,7 +36,9 @@ constexpr std::chrono::minutes longest{5};
 /// The first byte that a child sends: what follows is a result, or an Error's text.
 constexpr char returned = 'r', thrown = 'e';
 
-bool limit(__rlimit_resource_t resource, rlim_t value) {
+/// The kind of limit is a number or an enumeration, as the C library likes.
+template <class Resource>
+bool limit(Resource resource, rlim_t value) {
   const rlimit wanted{value, value};
   return ::setrlimit(resource, &wanted) == 0;
 }
@@ -53,8 +55,8 @@ std::optional<LandlockRules> rules_for(const fs::path& readable) {
 
 /// Limits always hold; Landlock and the filter as far as the kernel has them.
 bool shut_in(const std::optional<LandlockRules>& rules, pid_t parent) {
-  if (::prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0) != 0 || ::getppid() != parent) return false;
-  if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return false;
+  if (!ends_with_parent(SIGKILL) || ::getppid() != parent) return false;
+  if (!gains_no_privileges()) return false;
   if (!limit(RLIMIT_CORE, 0) || !limit(RLIMIT_FSIZE, 0)) return false;
   if (!limit(RLIMIT_CPU, most_cpu_seconds)) return false;
   if (!address_sanitizer() && !limit(RLIMIT_AS, most_memory)) return false;
@@ -113,17 +115,14 @@ std::string end_in_words(int status, bool in_time) {
 
 std::string apart(const fs::path& readable, const std::function<std::string()>& body) {
   const std::optional<LandlockRules> rules = rules_for(readable);
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw Error("pipe: {}", std::strerror(errno));
-  const Descriptor read_end(ends[0]);
-  Descriptor write_end(ends[1]);
+  Pipe pipe = make_pipe();
   std::fflush(nullptr);
   const pid_t parent = ::getpid();
   const pid_t child = ::fork();
   if (child < 0) throw Error("cannot start a process: {}", std::strerror(errno));
-  if (child == 0) work(write_end.get(), rules, parent, body);
-  write_end.close();
-  const std::optional<std::string> answer = all_of(read_end.get());
+  if (child == 0) work(pipe.write.get(), rules, parent, body);
+  pipe.write.close();
+  const std::optional<std::string> answer = all_of(pipe.read.get());
   if (!answer) ::kill(child, SIGKILL);
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {

@@ -13,6 +13,9 @@
 #include <cstring>
 
 namespace carlo::grader {
+
+#if defined(__linux__)
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -93,5 +96,25 @@ void LandlockRules::allow_device(const fs::path& device) {
 bool restrict_to_landlock_rules(int descriptor) {
   return ::syscall(restrict_self, descriptor, 0) == 0;
 }
+
+#else
+
+int landlock_version() {
+  return 0;
+}
+
+LandlockRules::LandlockRules() {
+  throw Error("Landlock is Linux's");
+}
+
+void LandlockRules::allow_reading(const std::filesystem::path&) {}
+void LandlockRules::allow_writing(const std::filesystem::path&) {}
+void LandlockRules::allow_device(const std::filesystem::path&) {}
+
+bool restrict_to_landlock_rules(int) {
+  return false;
+}
+
+#endif
 
 }  // namespace carlo::grader

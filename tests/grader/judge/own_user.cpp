@@ -12,6 +12,9 @@
 #include <optional>
 
 namespace carlo::grader {
+
+#if defined(__linux__)
+
 namespace {
 
 // Inside the 65536 ids that a container has, above those that Debian gives out.
@@ -49,5 +52,14 @@ OwnUser::OwnUser() {
   }
   throw Error("no user id between {} and {} is unused", first, first + count - 1);
 }
+
+#else
+
+// A name that no file stands for, and that ends with its process, is Linux's alone.
+OwnUser::OwnUser() {
+  throw Error("only on Linux programs get a user of their own");
+}
+
+#endif
 
 }  // namespace carlo::grader

@@ -60,12 +60,11 @@ LandlockRules landlock_rules(const View& view, const fs::path& scratch) {
 class BubblewrapStatus {
  public:
   BubblewrapStatus() {
-    std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0)
-      throw Error("pipe: {}", std::strerror(errno));
-    const Descriptor read(ends[0]), write(ends[1]);
-    read_ = read.lifted();
-    write_ = write.lifted();
+    const Pipe low = make_pipe();
+    read_ = low.read.lifted();
+    write_ = low.write.lifted();
+    for (const int end : {read_.get(), write_.get()})
+      if (::fcntl(end, F_SETFL, O_NONBLOCK) != 0) throw Error("pipe: {}", std::strerror(errno));
   }
 
   int end_for_child() const { return write_.get(); }
@@ -84,7 +83,8 @@ class BubblewrapStatus {
 /// bubblewrap reports a child's death by signal as exit code 128 + signal, as shells do.
 void tell_signal(Outcome& outcome) {
   if (outcome.end != Outcome::End::exited) return;
-  if (outcome.code <= 128 || outcome.code > 128 + SIGRTMAX) return;
+  constexpr int last_signal = 64;
+  if (outcome.code <= 128 || outcome.code > 128 + last_signal) return;
   outcome.end = Outcome::End::signalled;
   outcome.code -= 128;
 }

@@ -1,16 +1,19 @@
 #include "grader/judge/spawn.h"
 
+#include "cli/descriptor.h"
 #include "cli/error.h"
 #include "cli/program.h"
+#include "grader/judge/kinship.h"
 #include "grader/judge/landlock.h"
 
 #include <fcntl.h>
 #include <grp.h>
-#include <linux/close_range.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/syscall.h>
 #include <unistd.h>
+#if defined(__linux__)
+#include <linux/close_range.h>
+#include <sys/syscall.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -22,22 +25,21 @@
 namespace carlo::grader {
 namespace {
 
-struct Pipe {
-  Descriptor read, write;
-};
-
 /// A pipe whose ends lie above the descriptors that the child is given, and do not reach it.
-Pipe make_pipe(bool blocks = false) {
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw Error("pipe: {}", std::strerror(errno));
-  const Descriptor low_read(ends[0]);
-  const Descriptor low_write(ends[1]);
-  Pipe pipe{low_read.lifted(), low_write.lifted()};
+Pipe lifted_pipe(bool blocks = false) {
+  const Pipe low = make_pipe();
+  Pipe pipe{low.read.lifted(), low.write.lifted()};
   if (!blocks && ::fcntl(pipe.read.get(), F_SETFL, O_NONBLOCK) != 0) {
     throw Error("pipe: {}", std::strerror(errno));
   }
   return pipe;
 }
+
+#if defined(O_PATH)
+constexpr int to_run = O_PATH;
+#else
+constexpr int to_run = O_RDONLY;
+#endif
 
 Descriptor open_lifted(const char* path, int flags) {
   const Descriptor low(::open(path, flags | O_CLOEXEC));
@@ -64,7 +66,9 @@ constexpr const char* steps[] = {"its session", "its descriptors", "its limits",
 // From here to exec() only calls that are safe between fork and exec.
 
 /// `soft`: the limit that a signal tells of, where it is another.
-bool limit(__rlimit_resource_t resource, rlim_t value, rlim_t soft = RLIM_INFINITY) {
+/// The kind of limit is a number or an enumeration, as the C library likes.
+template <class Resource>
+bool limit(Resource resource, rlim_t value, rlim_t soft = RLIM_INFINITY) {
   rlimit current{};
   if (::getrlimit(resource, &current) != 0) return false;
   const rlim_t hard = std::min(value, current.rlim_max);
@@ -87,14 +91,20 @@ bool apply_limits(const Limits& limits, bool own_user) {
 }
 
 bool become_user(uid_t user) {
+#if defined(__linux__)
   return ::setgroups(0, nullptr) == 0 && ::setresgid(user, user, user) == 0 &&
          ::setresuid(user, user, user) == 0;
+#else
+  return user == ::getuid();
+#endif
 }
 
 /// All descriptors from `first` on end at exec().
 bool close_at_exec(unsigned first) {
+#if defined(__linux__)
   if (::close_range(first, ~0U, CLOSE_RANGE_CLOEXEC) == 0) return true;
-  rlimit open{};  // before Linux 5.11: one by one
+#endif
+  rlimit open{};  // before Linux 5.11, and elsewhere: one by one
   if (::getrlimit(RLIMIT_NOFILE, &open) != 0) return false;
   for (rlim_t fd = first; fd < std::min(open.rlim_cur, rlim_t{65536}); ++fd)
     ::fcntl(static_cast<int>(fd), F_SETFD, FD_CLOEXEC);
@@ -123,8 +133,8 @@ bool confine(Plan& plan) {
   Confinement& own = plan.confinement;
   if (!own.folder.empty() && ::chdir(own.folder.c_str()) != 0) return false;
   if (own.user && !become_user(*own.user)) return false;
-  if (::prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0) != 0 || ::getppid() != plan.parent) return false;
-  if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return false;
+  if (!ends_with_parent(SIGKILL) || ::getppid() != plan.parent) return false;
+  if (!gains_no_privileges()) return false;
   if (!apply_limits(plan.limits, own.user.has_value())) return false;
   if (own.landlock_rules >= 0 && !restrict_to_landlock_rules(own.landlock_rules)) return false;
   if (!own.filter) return true;
@@ -138,10 +148,14 @@ int begin(Plan& plan) {
   if (plan.confinement.untrusted) go_first();
   if (!set_descriptors(plan)) return 1;
   if (!confine(plan)) return 2;
-  // By its descriptor, which was opened with our rights: the folders above it may be closed to the
-  // user that the child has become.
+    // By its descriptor, which was opened with our rights: the folders above it may be closed to
+    // the user that the child has become.
+#if defined(__linux__)
   ::syscall(SYS_execveat, plan.program.get(), "", plan.argv.data(), plan.environment.data(),
             AT_EMPTY_PATH);
+#else
+  ::execve(plan.argv.front(), plan.argv.data(), plan.environment.data());
+#endif
   return 3;
 }
 
@@ -169,14 +183,14 @@ std::string problem_told(const Descriptor& read_end) {
 }  // namespace
 
 Spawned spawn(const Command& command, const Limits& limits) {
-  Pipe result = make_pipe();
-  Pipe output = make_pipe();
-  Pipe problem = make_pipe(true);
+  Pipe result = lifted_pipe();
+  Pipe output = lifted_pipe();
+  Pipe problem = lifted_pipe(true);
   Plan plan{pointers(command.argv),
             pointers(command.environment),
             command.confinement,
             limits,
-            open_lifted(command.argv.at(0).c_str(), O_PATH),
+            open_lifted(command.argv.at(0).c_str(), to_run),
             open_lifted("/dev/null", O_RDONLY),
             output.write.get(),
             result.write.get(),

@@ -1,9 +1,9 @@
 #include "grader/judge/survivors.h"
 
 #include "cli/error.h"
+#include "grader/judge/kinship.h"
 #include "grader/judge/process_list.h"
 
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -37,9 +37,8 @@ bool reap(std::size_t& peak) {
 }  // namespace
 
 void adopt_orphans() {
-  if (::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0) != 0) {
+  if (!adopts_orphans())
     throw Error("cannot become the reaper of orphans: {}", std::strerror(errno));
-  }
 }
 
 std::size_t end_orphans() {

@@ -1,17 +1,24 @@
 #pragma once
 
+#if defined(__linux__)
 #include <linux/filter.h>
+#endif
 
 #include <cstddef>
 #include <vector>
 
 namespace carlo::grader {
 
+#if !defined(__linux__)
+/// The kernel's name for an instruction of a filter, where there are none.
+struct sock_filter {};
+#endif
+
 /// A seccomp filter: the system calls that no exercise needs fail with EPERM. These are sockets,
 /// looking into, signalling or slowing other processes, mounts, namespaces, keys, shared memory
 /// that outlives its process, rights and owners of files, emptying a file that is not opened for
 /// writing, disk that is taken without writing, kernel facilities with a history of holes, leaving
-/// the session.
+/// the session. Linux's alone: elsewhere it is empty, and install() is false.
 class SyscallFilter {
  public:
   /// `own_process_only`: signals and limits reach the filtered process alone, named to limit_to()

@@ -1,5 +1,6 @@
 #include "grader/replay/rerun.h"
 
+#include "cli/descriptor.h"
 #include "cli/error.h"
 #include "cli/program.h"
 #include "grader/judge/crash.h"
@@ -50,12 +51,10 @@ std::vector<std::string> command(const std::string& worker, const Asked& asked, 
 
 Rerun rerun(const std::vector<std::string>& command) {
   ask_sanitizers();
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw Error("no pipe: {}", std::strerror(errno));
-  const pid_t pid = start_program(command, {.error = ends[1]});
-  ::close(ends[1]);
-  const std::string said = pass_on(ends[0]);
-  ::close(ends[0]);
+  Pipe pipe = make_pipe();
+  const pid_t pid = start_program(command, {.error = pipe.write.get()});
+  pipe.write.close();
+  const std::string said = pass_on(pipe.read.get());
   const int status = wait_for(pid);
 
   Rerun result;
