@@ -20,17 +20,17 @@ class Splats {
   /// From any thread. The terms' sum must stay below 2^63.
   void add(std::size_t pixel, const std::array<std::int64_t, 3>& units) {
     for (std::size_t c = 0; c < 3; ++c) {
-      std::atomic_ref(sums_[pixel][c]).fetch_add(units[c], std::memory_order_relaxed);
+      sums_[pixel][c].fetch_add(units[c], std::memory_order_relaxed);
     }
   }
 
   /// Not while one adds.
   double sum(std::size_t pixel, std::size_t channel) const {
-    return static_cast<double>(sums_[pixel][channel]) * unit_;
+    return static_cast<double>(sums_[pixel][channel].load(std::memory_order_relaxed)) * unit_;
   }
 
  private:
-  std::vector<std::array<std::int64_t, 3>> sums_;
+  std::vector<std::array<std::atomic<std::int64_t>, 3>> sums_;
   double unit_;
 };
 
