@@ -44,6 +44,17 @@ add_library(carlo::build ALIAS carlo_build)
 target_compile_features(carlo_build INTERFACE cxx_std_20)
 # No -ffast-math, and no silent contraction to FMA: the same source gives the same bits.
 target_compile_options(carlo_build INTERFACE -ffp-contract=off -fno-math-errno)
+# LLVM's standard library has std::jthread, which labs use, from version 20 on; before that, as an experiment.
+include(CheckCXXSourceCompiles)
+check_cxx_source_compiles("#include <version>
+#if defined(_LIBCPP_VERSION) && !defined(__cpp_lib_jthread)
+#error
+#endif
+int main() {}" carlo_has_jthread)
+if(NOT carlo_has_jthread)
+  target_compile_options(carlo_build INTERFACE -fexperimental-library)
+  target_link_options(carlo_build INTERFACE -fexperimental-library)
+endif()
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   # The oldest machine we run on has SSE4.2; faster kernels are chosen at run time.
   target_compile_options(carlo_build INTERFACE -march=x86-64-v2)

@@ -17,7 +17,7 @@ carlo_find(nlohmann_json nlohmann-json3-dev)
 carlo_find(pugixml libpugixml-dev)
 carlo_find(TBB libtbb-dev)
 carlo_find(hwy libhwy-dev)
-carlo_find(Boost libboost-math-dev)
+carlo_find(Boost libboost-math-dev CONFIG)
 carlo_find(ZLIB zlib1g-dev)
 carlo_find(Catch2 "libcatch2-dev (from bookworm-backports)" 3)
 
