@@ -10,7 +10,7 @@ renderer=$2 source=$3
 shift 3
 . "$source/tests/renderer/expect_error.sh"
 cd "$scratch"
-short=(plain twice_at_once killed node_down rounds full_disk read_only refused)
+short=(plain twice_at_once killed requeued node_down rounds full_disk read_only refused)
 [ $# != 0 ] || set -- "${short[@]}"
 scene=$source/common/scenes/cornell_phong.xml
 
