@@ -134,9 +134,9 @@ Emission emit_from_light(const Light& light, Rng& rng);
 Emission emit_photon(const World& world, Rng& rng);
 
 /// Lab 9.4. Follows a photon until it leaves the world or is absorbed, and stores it at every Phong
-/// surface that it meets, as it arrives: the flux that it still carries, and what it has met
-/// before. Directions, mirrors and glass are those of lab 08; but flux is not radiance. At most
-/// lab08::longest_path segments.
+/// surface that it meets, the first included, as it arrives: the flux that it still carries, and
+/// all that it has met before. Directions, mirrors and glass are those of lab 08; but flux is not
+/// radiance. At most lab08::longest_path segments.
 void trace_photon(const World& world, const Emission& emission, Rng& rng,
                   const std::function<void(const Photon&)>& store);
 
@@ -154,8 +154,8 @@ Rgb radiance_nearest(const PhotonMap& map, const Surface& surface, const Brdf& f
 
 /// Lab 9.5. The radiance that arrives along a ray, all of it that is reflected from a map of all
 /// photons: mirrors and glass are followed as in Lab 8.7 to the first Phong surface, and there it
-/// is what that emits and radiance_within(). The environment where none is met. At most
-/// lab08::longest_path segments, here and below.
+/// is what that emits and radiance_within(). What mirrors and glass emit themselves is added on the
+/// way. The environment where none is met. At most lab08::longest_path segments, here and below.
 Rgb photon_radiance(const World& world, const Ray& ray, const PhotonMap& all, float radius,
                     Rng& rng);
 

@@ -39,7 +39,7 @@ struct Surface {
 struct LightPoint {
   Vec3 p;
   Vec3 n;        ///< unit normal on the side that emits
-  Rgb radiance;  ///< emitted on that side, the same in all directions
+  Rgb radiance;  ///< emitted on that side: in all directions and at all points of a light the same
   Vec3 p_error;  ///< bound on the rounding error of each coordinate of p
 };
 

@@ -26,7 +26,8 @@ Emission emit_from_light(const Light& light, Rng& rng) {
 }
 
 Emission emit_photon(const World& world, Rng& rng) {
-  // 1. luminance() (given/lamps.h) of each light's power, and their sum.
+  // 1. luminance() (given/lamps.h) of each light's power, and their sum. A light's radiance is the
+  //    same at all of its points: any light.sample() tells it.
   // 2. One number chooses the light, whose share of that sum is its chance.
   // 3. What is chosen with a chance is divided by it.
   carlo::not_implemented("Lab 9.4", "Summary");

@@ -13,7 +13,7 @@ namespace lab09 {
 
 Record make_record(Vec3 p, Vec3 n, int strata, const LookAround& look, Rng& rng) {
   // 1. A direction for each stratum of [0, 1)^2: Lab 7.4 makes it of a point there, in the frame
-  //    of n (Lab 7.1). Draw u.x and u.y in two statements.
+  //    of n (Lab 7.1). Draw u.x and u.y in two statements. In floats i + u may round up to i + 1.
   // 2. E: the mean of what arrives, over a density that has the cosine in it already.
   // 3. The harmonic mean: one over the mean of one over the distances, all of them.
   carlo::not_implemented("Lab 9.7", "Summary");
