@@ -30,9 +30,40 @@ namespace {
 
 struct Arguments {
   LabOptions options;
-  std::string page, json;
+  std::string page, json, step;
   bool no_page = false, no_predict = false, predict = false;
 };
+
+/// What of a lab runs.
+struct Selection {
+  std::vector<Experiment> experiments;
+  std::vector<std::string> what_you_should_see;
+  int before = 0;  ///< of the lab's experiments
+};
+
+/// All of it, or a step alone.
+Selection selected(const LabApp& lab, const std::string& name) {
+  if (lab.steps.empty()) return {lab.experiments, lab.what_you_should_see};
+  Selection selection;
+  for (const Step& step : lab.steps) {
+    if (name.empty() || name == step.name) {
+      selection.experiments.insert(selection.experiments.end(), step.experiments.begin(),
+                                   step.experiments.end());
+      selection.what_you_should_see.push_back(step.seen);
+    } else if (selection.experiments.empty()) {
+      selection.before += static_cast<int>(step.experiments.size());
+    }
+  }
+  return selection;
+}
+
+void add_step_option(CommandLine& app, const LabApp& lab, std::string& step) {
+  if (lab.steps.empty()) return;
+  std::vector<std::string> names;
+  for (const Step& one : lab.steps)
+    names.push_back(one.name);
+  app.option("--step", step, "one step alone, " + lab.step_names).one_of(names);
+}
 
 void ask(Predictions& predictions, bool again) {
   predictions.ask(
@@ -58,12 +89,12 @@ bool of_student() {
 std::optional<Predictions> predictions_of(const LabApp& lab, const Arguments& arguments) {
   const bool student = of_student();
   const bool somebody = ::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1;
-  if (arguments.predict && (!student || !somebody || !lab.part.empty())) {
+  if (arguments.predict && (!student || !somebody || !arguments.step.empty())) {
     throw Error("--predict asks you at a terminal, about the whole lab on your own code");
   }
   if (!student || arguments.no_predict) return std::nullopt;
   std::optional<Predictions> predictions(std::in_place, std::getenv("CARLO_COURSE"), lab.number);
-  if (somebody && lab.part.empty()) ask(*predictions, arguments.predict);
+  if (somebody && arguments.step.empty()) ask(*predictions, arguments.predict);
   return predictions;
 }
 
@@ -92,11 +123,11 @@ std::string command_line(int number, int argc, char** argv) {
   return command;
 }
 
-void run_experiments(const LabApp& lab, const std::optional<Predictions>& predictions,
+void run_experiments(const Selection& lab, const std::optional<Predictions>& predictions,
                      Notebook& notebook) {
   for (std::size_t i = 0; i < lab.experiments.size(); ++i) {
     notebook.set_experiment(static_cast<int>(i), static_cast<int>(lab.experiments.size()),
-                            lab.experiments_before);
+                            lab.before);
     lab.experiments[i](notebook);
   }
   notebook.finish();
@@ -137,7 +168,7 @@ void run(const LabApp& lab, const Arguments& arguments, const std::string& comma
   if (of_student()) notebook.tell_stalls();
   tell_crashes();
   const auto start = std::chrono::steady_clock::now();
-  run_experiments(lab, predictions, notebook);
+  run_experiments(selected(lab, arguments.step), predictions, notebook);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
 
   note.reset();  // from here on files are written
@@ -180,14 +211,15 @@ int run_lab(const LabApp& lab, int argc, char** argv) {
     const Argument no_predict =
         app.flag("--no-predict", arguments.no_predict, "ask for no predictions, and show none");
     app.flag("--predict", arguments.predict, "ask for all predictions again").excludes(no_predict);
+    add_step_option(app, lab, arguments.step);
     if (lab.add_options) lab.add_options(app);
     if (const auto code = app.parse(argc, argv)) return *code;
     if (arguments.options.quick && !n.given()) arguments.options.n = lab.quick_n;
     if (lab.instead) {
       if (const auto code = lab.instead(arguments.options)) return *code;
     }
-    if (!page.given() && !lab.part.empty()) {
-      arguments.page = fmt::format("out/lab{:02}_{}.html", lab.number, lab.part);
+    if (!page.given() && !arguments.step.empty()) {
+      arguments.page = fmt::format("out/lab{:02}_{}.html", lab.number, arguments.step);
     }
     run(lab, arguments, command_line(lab.number, argc, argv));
     return 0;

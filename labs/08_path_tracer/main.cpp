@@ -1,4 +1,3 @@
-#include "cli/arguments.h"
 #include "experiments.h"
 #include "report/lab_app.h"
 
@@ -7,14 +6,7 @@
 
 namespace {
 
-/// One step: its name, its experiments, and what its pictures should show.
-struct Step {
-  std::string name;
-  std::vector<carlo::Experiment> experiments;
-  std::string seen;
-};
-
-std::vector<Step> steps() {
+std::vector<carlo::Step> steps() {
   return {
       {"a",
        {lab08::camera_experiment},
@@ -62,32 +54,13 @@ std::vector<Step> steps() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  carlo::LabApp lab{
+  const carlo::LabApp lab{
       .number = 8,
       .title = "Lab 08: a path tracer",
       .subtitle = "From camera rays to caustics in eight steps, each beside its closed form.",
       .n = 1 << 20,
       .quick_n = 1 << 18,  // 64 samples a pixel: a slope of fewer points says nothing
-      .experiments = {},
-      .what_you_should_see = {}};
-  std::string only;
-  lab.add_options = [&](carlo::CommandLine& app) {
-    app.option("--step", only, "one step alone, a to h, or the lecture's Recap")
-        .one_of({"a", "b", "c", "d", "e", "f", "g", "h", "recap"});
-  };
-  lab.instead = [&](const carlo::LabOptions&) -> std::optional<int> {
-    for (bool passed = false; const Step& step : steps()) {
-      if (only.empty() || only == step.name) {
-        passed = true;
-        for (const carlo::Experiment& experiment : step.experiments)
-          lab.experiments.push_back(experiment);
-        lab.what_you_should_see.push_back(step.seen);
-      } else if (!passed) {
-        lab.experiments_before += static_cast<int>(step.experiments.size());
-      }
-    }
-    lab.part = only;
-    return std::nullopt;
-  };
+      .steps = steps(),
+      .step_names = "a to h, or the lecture's Recap"};
   return carlo::run_lab(lab, argc, argv);
 }

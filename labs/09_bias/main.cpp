@@ -7,14 +7,7 @@
 
 namespace {
 
-/// One step: its name, its experiments, and what its pictures should show.
-struct Step {
-  std::string name;
-  std::vector<carlo::Experiment> experiments;
-  std::string seen;
-};
-
-std::vector<Step> steps() {
+std::vector<carlo::Step> steps() {
   return {
       {"a",
        {lab09::error_experiment},
@@ -71,31 +64,14 @@ int main(int argc, char** argv) {
                         "their noise apart.",
                     .n = 1 << 20,
                     .quick_n = 1 << 18,
-                    .experiments = {},
-                    .what_you_should_see = {}};
-  std::string only;
-  lab.add_options = [&](carlo::CommandLine& app) {
-    app.option("--step", only, "one step alone, a to g, or all methods side by side")
-        .one_of({"a", "b", "c", "d", "e", "f", "g", "practice"});
+                    .steps = steps(),
+                    .step_names = "a to g, or all methods side by side"};
+  lab.add_options = [](carlo::CommandLine& app) {
     app.option("--seconds", lab09::practice_options.seconds,
                "of one thread, for each image of --step practice (1; .25 in a quick run)")
         .range(0.01, 3600.0);
     app.option("--scene", lab09::practice_options.scene, "the scene of --step practice (all)")
         .one_of(lab09::practice_scenes);
-  };
-  lab.instead = [&](const carlo::LabOptions&) -> std::optional<int> {
-    for (bool passed = false; const Step& step : steps()) {
-      if (only.empty() || only == step.name) {
-        passed = true;
-        for (const carlo::Experiment& experiment : step.experiments)
-          lab.experiments.push_back(experiment);
-        lab.what_you_should_see.push_back(step.seen);
-      } else if (!passed) {
-        lab.experiments_before += static_cast<int>(step.experiments.size());
-      }
-    }
-    lab.part = only;
-    return std::nullopt;
   };
   return carlo::run_lab(lab, argc, argv);
 }
