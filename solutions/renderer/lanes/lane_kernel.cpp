@@ -28,7 +28,11 @@ template <class F>
 HWY_ATTR void with_needs(const LaneJob& job, const F& f) {
   const LaneScene& s = job.scene;
   const bool lamps = job.choices.lamp_paths > 0, close = s.close(), lean = !s.full();
-#if HWY_TARGET == HWY_SSSE3
+#if defined(CARLO_LAMBERT_ONLY)
+  // A program to compare with, which has one kernel: diffuse surfaces, no spheres.
+  (void)s, (void)lamps, (void)close, (void)lean;
+  f(Features<false, false>());
+#elif HWY_TARGET == HWY_SSSE3
   // Machines of before 2013 pay for what their scene does not need, so that nobody waits for six
   // more kernels.
   (void)close, (void)lean;
