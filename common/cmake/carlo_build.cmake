@@ -118,3 +118,17 @@ function(carlo_library name)
   endif()
   add_library(carlo::${name} ALIAS ${target})
 endfunction()
+
+# carlo_embed(TARGET a.css b.js ...): the target's pages have these files, as they were when it was built;
+# a.css is std::string_view carlo::web::a_css(), to be declared where it is used.
+function(carlo_embed target)
+  set(output "${CMAKE_CURRENT_BINARY_DIR}/${target}_web_files.cpp")
+  list(JOIN ARGN "," files)
+  add_custom_command(
+    OUTPUT "${output}"
+    COMMAND ${CMAKE_COMMAND} "-DOUTPUT=${output}" "-DFILES=${files}"
+            -P "${PROJECT_SOURCE_DIR}/common/cmake/embed.cmake"
+    DEPENDS ${ARGN} "${PROJECT_SOURCE_DIR}/common/cmake/embed.cmake"
+    COMMENT "Embedding the files of ${target}'s pages" VERBATIM)
+  target_sources(${target} PRIVATE "${output}")
+endfunction()

@@ -213,6 +213,10 @@ function(add_lab folder name)
     carlo_lab_part(${lab}_experiments ${folder} SOURCES ${experiments}
                    DEPENDS ${uses} ${ARG_EXPERIMENTS} carlo::cli carlo::course carlo::stats
                            carlo::report nlohmann_json::nlohmann_json)
+    file(GLOB web_files CONFIGURE_DEPENDS "${here}/*.css")
+    if(web_files)
+      carlo_embed(${lab}_experiments ${web_files})
+    endif()
     foreach(code IN LISTS implementations)
       string(REPLACE "_code" "" program "${code}")
       carlo_lab_program(${program} ${lab}_experiments ${code})

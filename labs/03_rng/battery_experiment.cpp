@@ -11,6 +11,10 @@
 
 // The table generator x test: at what sample size each test first rejects each generator.
 
+namespace carlo::web {
+std::string_view heat_css();
+}
+
 namespace lab03 {
 namespace {
 
@@ -108,30 +112,13 @@ std::string cell_html(const Finding& finding) {
       60 * strength, tails, finding.log2_n, lower < upper ? "too even" : "too uneven");
 }
 
-constexpr const char* heat_style = R"(<style>
-.heat th, .heat td { padding: 0.3rem 0.5rem; text-align: center; }
-.heat thead th { white-space: normal; }
-.heat thead th { min-width: 5.2rem; vertical-align: bottom; }
-.heat tbody th { position: sticky; left: 0; background: var(--paper); text-align: left;
-                 white-space: nowrap; z-index: 1; }
-.heat small { display: block; color: var(--ink); font-size: 0.74rem; line-height: 1.2; }
-.heat .fail { background: var(--panel);
-              background: color-mix(in srgb, var(--series-2) var(--strength), var(--paper)); }
-.heat .pass, .heat .none { color: var(--soft); }
-.heat .pass small { color: var(--soft); }
-.heat .none { font-size: 0.74rem; }
-</style>)";
-
 std::string heat_map(const std::vector<RandomnessTest>& tests, const std::vector<Row>& rows) {
-  std::string html(heat_style);
+  std::string html = fmt::format("<style>{}</style>", carlo::web::heat_css());
   html +=
       "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Table of generators and "
       "tests\"><table class=\"heat\"><caption><span>Numbers until the first rejection at p &lt; "
-      "1e-10, "
-      "or "
-      "the p-value at the largest sample. Point at a cell for both "
-      "tails.</span></caption><thead><tr>"
-      "<th scope=\"col\"></th>";
+      "1e-10, or the p-value at the largest sample. Point at a cell for both "
+      "tails.</span></caption><thead><tr><th scope=\"col\"></th>";
   for (const RandomnessTest& test : tests) {
     html += fmt::format("<th scope=\"col\" title=\"{}\">{}</th>", carlo::html_escaped(test.about),
                         carlo::html_escaped(test.name));
@@ -230,8 +217,7 @@ void battery_experiment(Notebook& notebook) {
   notebook.say(
       "Each test looks at the first 2^10, 2^11, ... numbers of a stream, as long as it knows the "
       "distribution of its result there. A generator is rejected when a perfect one would come out "
-      "so "
-      "far off, to either side, once in 10^10 tries.");
+      "so far off, to either side, once in 10^10 tries.");
   if (rows.empty() || tests.empty()) return;
   notebook.table("battery", short_table(tests, rows), legend(tests), heat_map(tests, rows));
   notebook.data("battery_tails", tails_table(tests, rows), "Both tails of every test");

@@ -1,7 +1,6 @@
 #include "grader/page/grade_page.h"
 
 #include "grader/page/exercise.h"
-#include "grader/page/style.h"
 #include "grader/page/text.h"
 #include "json/json_fields.h"
 #include "report/page.h"
@@ -9,6 +8,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+
+namespace carlo::web {
+std::string_view grade_css();
+}
 
 namespace carlo::grader {
 namespace {
@@ -62,7 +65,7 @@ std::string in_all(const std::vector<LabPage>& labs) {
 
 std::string grade_page(const std::vector<LabPage>& labs, const PageWords& words) {
   Page page(cleaned(words.title), words.subtitle.empty() ? in_all(labs) : cleaned(words.subtitle));
-  page.raw_html(page_style());
+  page.style(web::grade_css());
   for (const LabPage& lab : labs) {
     const LabResult& result = lab.result;
     if (labs.size() > 1) {
