@@ -48,7 +48,7 @@ std::string legend(const Chart& chart) {
     html += fmt::format(
         "<label title=\"Show or hide\"><input type=\"checkbox\" class=\"sr-only\" checked>"
         "<i class=\"c{}\" aria-hidden=\"true\">{}</i>{}{}</label>",
-        i % colours + 1, sign_of_series(i), html_escaped(series.name),
+        i % colours + 1, sign_of_series(i), html_typeset(series.name),
         slope.empty() ? "" : fmt::format("<small> slope {}</small>", slope));
   }
   return html + "</div>\n";
@@ -106,15 +106,15 @@ std::string drawing(const Chart& chart) {
 }  // namespace
 
 std::string caption_html(std::string_view title, std::string_view note) {
-  return fmt::format("<figcaption>{}{}</figcaption>\n", html_escaped(title),
-                     note.empty() ? "" : fmt::format("<span>{}</span>", html_escaped(note)));
+  return fmt::format("<figcaption>{}{}</figcaption>\n", html_typeset(title),
+                     note.empty() ? "" : fmt::format("<span>{}</span>", html_typeset(note)));
 }
 
 std::string legend_html(std::span<const Key> keys) {
   std::string html = "<div class=\"legend\">";
   for (const Key& key : keys)
     html += fmt::format("<span><i class=\"{}\">{}</i>{}</span>", key.style, key.sign,
-                        html_escaped(key.words));
+                        html_typeset(key.words));
   return html + "</div>\n";
 }
 

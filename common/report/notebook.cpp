@@ -48,7 +48,7 @@ void Notebook::table(const std::string& key, const Table& table, std::string_vie
 }
 
 void Notebook::data(const std::string& key, const Table& table, std::string_view caption) {
-  page_.raw_html(fmt::format("<details><summary>{}</summary>", html_escaped(caption)));
+  page_.raw_html(fmt::format("<details><summary>{}</summary>", html_typeset(caption)));
   page_.table(table);
   page_.raw_html("</details>");
   (*results_)[key] = table.json();

@@ -43,11 +43,11 @@ void Page::section(std::string_view title) {
 }
 
 void Page::prose(std::string_view paragraph) {
-  body_ += fmt::format("<p>{}</p>\n", html_escaped(paragraph));
+  body_ += fmt::format("<p>{}</p>\n", html_typeset(paragraph));
 }
 
 void Page::note(std::string_view paragraph) {
-  body_ += fmt::format("<p class=\"note\">{}</p>\n", html_escaped(paragraph));
+  body_ += fmt::format("<p class=\"note\">{}</p>\n", html_typeset(paragraph));
 }
 
 void Page::table(const Table& table, std::string_view caption) {

@@ -15,7 +15,7 @@ std::string slider_html(std::string_view label, const std::vector<std::string>& 
       html_escaped(label), words.size() - 1, start);
   for (std::size_t i = 0; i < words.size(); ++i) {
     html += fmt::format("<output data-first=\"{0}\" data-last=\"{0}\"{1}>{2}</output>", i,
-                        i == start ? "" : " style=\"display: none\"", html_escaped(words[i]));
+                        i == start ? "" : " style=\"display: none\"", html_typeset(words[i]));
   }
   return fmt::format("{}\n{}</div>\n", html, content);
 }

@@ -192,12 +192,12 @@ std::string Table::html(std::string_view caption) const {
       "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Table\"><table{}>\n",
       wide ? " class=\"wide\"" : "");
   if (!caption.empty()) {
-    html += fmt::format("<caption><span>{}</span></caption>\n", html_escaped(caption));
+    html += fmt::format("<caption><span>{}</span></caption>\n", html_typeset(caption));
   }
   const auto add = [&](std::string_view tag, std::size_t c, const std::string& title,
                        const std::string& text) {
     html += fmt::format("<{0}{1}{2}>{3}</{0}>", tag, numeric(c) ? " class=\"number\"" : "", title,
-                        html_escaped(text));
+                        html_typeset(text));
   };
   html += "<thead><tr>";
   for (std::size_t c = 0; c < titles_.size(); ++c)
