@@ -62,10 +62,8 @@ void floats(Notebook& notebook) {
                    carlo::seconds_cell(seconds_a_float(method, 1 << 22))});
   notebook.say(
       "A float holds 24 binary digits. A word of 32 is rounded when it becomes one, and the "
-      "largest "
-      "words are rounded up to 2^32: one draw in 33 million is then exactly 1, which a logarithm, "
-      "a "
-      "table or a stratum does not expect.");
+      "largest words are rounded up to 2^32: one draw in 33 million is then exactly 1, which a "
+      "logarithm, a table or a stratum does not expect.");
   notebook.table("floats", table, "Floats in [0, 1)");
 }
 
@@ -130,10 +128,8 @@ void integers(Notebook& notebook) {
   }
   notebook.say(
       "Whole numbers from a range of 6, of 10^9 - 1 and of 3 · 2^30. A third of the values lies in "
-      "the "
-      "low third, and a third are multiples of 3, so both shares should be 33.3 %. Division "
-      "spreads the "
-      "surplus where modulo heaps it up; neither makes it go away.");
+      "the low third, and a third are multiples of 3, so both shares should be 33.3 %. Division "
+      "spreads the surplus where modulo heaps it up; neither makes it go away.");
   notebook.table("integers", table, "Who is favoured");
 }
 

@@ -98,10 +98,9 @@ void estimates_experiment(Notebook& notebook) {
   add(fatal, "randu", "RANDU, wave along its planes", randu_wave, 1);
   notebook.say(
       "First an eighth of a ball in the cube: its volume does not care much about planes. Then a "
-      "wave "
-      "whose crests are just as far apart as the generator's planes: every point sees the same "
-      "phase, "
-      "and more of them do not help. Streams start from random seeds; the error is over these.");
+      "wave whose crests are just as far apart as the generator's planes: every point sees the "
+      "same phase, and more of them do not help. Streams start from random seeds; the error is "
+      "over these.");
   show(notebook, "ball", "An eighth of a ball", harmless, true);
   show(notebook, "wave", "A wave along the planes", fatal, false);
 }

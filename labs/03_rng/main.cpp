@@ -19,20 +19,17 @@ int main(int argc, char** argv) {
           "has "
           "some 2000 planes: you have to come as close as a small corner of the cube to see them.",
           "No single test is enough. Equal frequencies and no correlation of neighbours catch "
-          "almost "
-          "nothing; the lowest bits, birthday spacings and matrix ranks catch what is linear; "
-          "lagged "
-          "Fibonacci falls to anything that looks across its lags. PCG32, xoshiro128++, Philox and "
-          "splitmix64 pass everything here; mt19937 fails only linear complexity.",
+          "almost nothing; the lowest bits, birthday spacings and matrix ranks catch what is "
+          "linear; lagged Fibonacci falls to anything that looks across its lags. PCG32, "
+          "xoshiro128++, Philox and splitmix64 pass everything here; mt19937 fails only linear "
+          "complexity.",
           "For most integrands a weak generator is good enough, and that is what makes it "
-          "dangerous: "
-          "with a wave along its planes the error of an LCG stays where it is however large N "
-          "grows.",
+          "dangerous: with a wave along its planes the error of an LCG stays where it is however "
+          "large N grows.",
           "A float made by dividing all 32 bits reaches 1; a remainder or a division favours some "
           "integers as soon as the range is not small against 2^32.",
           "A good generator costs about a nanosecond a number, no more than a bad one; a tenth of "
-          "that "
-          "where eight lanes run side by side."}};
+          "that where eight lanes run side by side."}};
   lab.add_options = [&stream](carlo::CommandLine& app) {
     app.option("--stream", stream,
                "write this generator's raw 32-bit words to standard output and do nothing else, "

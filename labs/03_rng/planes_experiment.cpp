@@ -105,10 +105,8 @@ void spectral_table(Notebook& notebook) {
   }
   notebook.say(
       "The spectral test measures without drawing: 1/ν_d is the greatest distance between "
-      "neighbouring "
-      "hyperplanes that hold all d-tuples. A perfect lattice of 2^32 points would have ν₂ near 70 "
-      "000, "
-      "ν₃ near 1800 and ν₄ near 300.");
+      "neighbouring hyperplanes that hold all d-tuples. A perfect lattice of 2^32 points would "
+      "have ν₂ near 70 000, ν₃ near 1800 and ν₄ near 300.");
   notebook.table("spectral", table, "The spectral test, exact in integers");
 }
 
@@ -150,10 +148,8 @@ void planes_experiment(Notebook& notebook) {
   });
   notebook.say(
       "Three numbers in a row make a point. Those of a linear congruential generator lie on "
-      "parallel "
-      "planes (Marsaglia, \"Random numbers fall mainly in the planes\", 1968); the page has a cube "
-      "that "
-      "you can turn.");
+      "parallel planes (Marsaglia, \"Random numbers fall mainly in the planes\", 1968); the page "
+      "has a cube that you can turn.");
   const carlo::Turntable cube{"Triples of numbers as points of a cube", "Points in a cube.",
                               "Look along the planes", cube_wires(), clouds};
   notebook.raw_html(turntable_html(cube));

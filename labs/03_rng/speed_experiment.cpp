@@ -91,8 +91,7 @@ void speed_experiment(Notebook& notebook) {
   notebook.say(
       "Arrays of 4096 words, filled over and over; the best of five rounds. The standard library's "
       "generators stand for comparison, std::random_device asks the system or the processor for "
-      "true "
-      "randomness. Seeding counts too: std::mt19937 fills 624 words before the first number.");
+      "true randomness. Seeding counts too: std::mt19937 fills 624 words before the first number.");
   notebook.table("speed", table, "Time a 32-bit number, one thread");
 }
 

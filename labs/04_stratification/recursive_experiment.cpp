@@ -74,8 +74,7 @@ void recursive_experiment(Notebook& notebook) {
     notebook.say(
         "The strata that recursive stratification ends up with, drawn over what it integrates: the "
         "edge of the quarter disc, and a narrow peak. A box that is flat is left alone early; "
-        "where "
-        "the integrand varies, boxes are small.");
+        "where the integrand varies, boxes are small.");
     notebook.raw_html(html);
   });
   if (!done) return;

@@ -13,8 +13,7 @@ int main(int argc, char** argv) {
                       lab06::weights_experiment, lab06::plates_experiment},
       .what_you_should_see = {
           "The variance of f/p falls to 0 as p approaches f, on either side of it, and the "
-          "measured "
-          "values lie on the closed form wherever that is finite.",
+          "measured values lie on the closed form wherever that is finite.",
           "Any p that covers f gives the right mean. A better p shifts the line of the error down "
           "and leaves its slope at -1/2; one that is 0 where f is not ends on a bias.",
           "A p that is too thin in the tails breaks the slope. Its runs look calm and are too low "
@@ -22,8 +21,7 @@ int main(int argc, char** argv) {
           "exact value being known. A tenth of a uniform density mends it.",
           "Rejection samples need no integral of g when lost darts count as zeros.",
           "Of the lamp's and the fog's density, and of the plates' two techniques, each fails "
-          "where "
-          "the other is good. With weights the combination stays close to the better one "
+          "where the other is good. With weights the combination stays close to the better one "
           "everywhere, at the price of halving its samples."}};
   return carlo::run_lab(lab, argc, argv);
 }

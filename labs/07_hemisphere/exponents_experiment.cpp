@@ -68,9 +68,8 @@ void exponents_experiment(Notebook& notebook) {
     notebook.say(
         "The irradiance under an open sky, from lobes that stand upright: n = 0 is the uniform "
         "density, n = 1 the cosine-weighted one, proportional to the integrand, with no variance "
-        "at "
-        "all. Larger n thin out the horizon. There cos/p grows like cos^(1-n); its square has an "
-        "infinite mean from n = 3 on. A measured deviation is then no more than the largest "
+        "at all. Larger n thin out the horizon. There cos/p grows like cos^(1-n); its square has "
+        "an infinite mean from n = 3 on. A measured deviation is then no more than the largest "
         "contribution so far, and the estimates fall short without showing it.");
     notebook.table("exponents", table, "One direction's contribution, relative to the irradiance");
     notebook.charts(

@@ -96,10 +96,9 @@ void frames_experiment(Notebook& notebook) {
     cost.add_row({"helper", carlo::seconds_cell(seconds_a_frame(by_fixed_helper))});
     notebook.say(
         "A frame must hold for every normal. Yours near n = -z, where closed formulas break; "
-        "beside "
-        "it axes from a cross product with one helper vector, (1, 2, 3)/|(1, 2, 3)|, for every "
-        "normal, near that helper. The closer the normal is to it, the shorter the product and the "
-        "fewer of its digits are right.");
+        "beside it axes from a cross product with one helper vector, (1, 2, 3)/|(1, 2, 3)|, for "
+        "every normal, near that helper. The closer the normal is to it, the shorter the product "
+        "and the fewer of its digits are right.");
     notebook.table("frames", table, "Largest error of a length or a right angle, in float");
     notebook.table("frames_cost", cost, "What a frame costs");
     notebook.charts({chart});

@@ -64,11 +64,9 @@ void mirror_experiment(Notebook& notebook) {
     }
     notebook.say(
         "The lobe surrounds the mirror direction and knows nothing of the surface. At grazing "
-        "angles "
-        "a good part of it points into the floor. Those directions are drawn, count, and "
-        "contribute "
-        "nothing: the light is absorbed. Drawing again until one is above would brighten every "
-        "edge.");
+        "angles a good part of it points into the floor. Those directions are drawn, count, and "
+        "contribute nothing: the light is absorbed. Drawing again until one is above would "
+        "brighten every edge.");
     notebook.table("below", table, "The part of the lobe below the horizon");
     notebook.charts({chart});
   });

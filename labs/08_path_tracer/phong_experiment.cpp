@@ -153,9 +153,8 @@ void phong_experiment(Notebook& notebook) {
     notebook.say(
         "Balls of rising exponent n under a sky of radiance 1: what they show is k_d + k_s a(n, "
         "angle), and a has a closed form. It falls towards the rim, to the cosine for large n: "
-        "part "
-        "of the lobe lies below the horizon there. Uniform directions seldom meet a narrow lobe; "
-        "sample()'s directions are made for it.");
+        "part of the lobe lies below the horizon there. Uniform directions seldom meet a narrow "
+        "lobe; sample()'s directions are made for it.");
     carlo::Table table = results_table();
     std::vector<std::string> pictures;
     for (const GlossyBall& ball : balls) {

@@ -267,12 +267,11 @@ TEST_CASE("Lab 6.2: efficiency is one over variance times time", "[lab06][ex2]")
         .at(0, 0);
   };
   const auto suspects = [](double variance, double seconds) {
-    return Suspects{{1 / (std::sqrt(variance) * seconds), by_deviation},
-                    {1 / variance, no_time},
-                    {variance * seconds,
-                     {"efficiency-upside-down",
-                      "more variance or more time is "
-                      "less efficient, not more."}}};
+    return Suspects{
+        {1 / (std::sqrt(variance) * seconds), by_deviation},
+        {1 / variance, no_time},
+        {variance * seconds,
+         {"efficiency-upside-down", "more variance or more time is less efficient, not more."}}};
   };
   judge(equals("of variance 1/4 in 2 s", efficiency(0.25, 2), 2, 1e-15, suspects(0.25, 2)));
   judge(equals("of variance 9 in 10 ns", efficiency(9, 1e-8), 1e8 / 9, 1e-6, suspects(9, 1e-8)));

@@ -60,8 +60,7 @@ const Diagnosis density_zero{
     "the lobe's outermost edge out of the lobe. Its weight is 0."};
 const Diagnosis float_sum{"sum-in-float",
                           "the sum is a float: once it is large, every summand is rounded to the "
-                          "spacing of floats there. "
-                          "Keep the sum in double."};
+                          "spacing of floats there. Keep the sum in double."};
 const Diagnosis only_the_lobe{
     "only-the-lobe-fails",
     "the other techniques are right under the same light, the lobe is not: is wo brought into the "

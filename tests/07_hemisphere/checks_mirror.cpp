@@ -13,8 +13,7 @@ namespace {
 const Diagnosis about_wo{
     "lobe-about-wo", "the lobe surrounds wo itself: light would be sent back where it came from."};
 const Diagnosis about_normal{"lobe-about-the-normal",
-                             "the lobe surrounds the normal, not the mirror "
-                             "direction."};
+                             "the lobe surrounds the normal, not the mirror direction."};
 const Diagnosis below_surface{"mirror-direction-below",
                               "the mirror direction points into the surface: both wo and it point "
                               "away."};

@@ -75,8 +75,7 @@ TEST_CASE("a scene far from the origin is moved there with all that it has", "[s
   const std::string there = "<translate x=\"1e6\" y=\"-2e6\" z=\"3e6\"/>";
   const auto text = [](const std::string& move) {
     return "<scene version=\"0.6.0\"><shape type=\"sphere\"><point name=\"center\" x=\".125\" "
-           "y=\"0\" "
-           "z=\"0\"/><transform name=\"toWorld\">" +
+           "y=\"0\" z=\"0\"/><transform name=\"toWorld\">" +
            move + "</transform></shape><shape type=\"rectangle\"><transform name=\"toWorld\">" +
            "<translate x=\".25\"/>" + move +
            "</transform></shape><emitter type=\"point\"><transform name=\"toWorld\"><translate "

@@ -188,11 +188,10 @@ void bench_scenes(Context& context) {
   context.begin("Scenes: integrators and samplers");
   context.page().prose(
       "The same scenes by the lecture's recursive tracer, lab 08's iterative one, and the "
-      "reference "
-      "renderer's scalar and vector kernels. Efficiency 1 / (MSE x s) is what a method gives for "
-      "its time: twice as much is the same error in half the time. The runs of all rows take "
-      "turns; ratios are within this run. Errors are against reference images, whose own noise is "
-      "taken off. Root mean square errors of independent samples fall with slope -0.5.");
+      "reference renderer's scalar and vector kernels. Efficiency 1 / (MSE x s) is what a method "
+      "gives for its time: twice as much is the same error in half the time. The runs of all rows "
+      "take turns; ratios are within this run. Errors are against reference images, whose own "
+      "noise is taken off. Root mean square errors of independent samples fall with slope -0.5.");
   const auto count = static_cast<double>(p.scenes.size());
   for (std::size_t i = 0; i < p.scenes.size(); ++i) {
     Scene scene = carlo::load_scene(context.options().scenes / (p.scenes[i] + ".xml"));

@@ -64,10 +64,9 @@ constexpr const char* uniformity_note =
     "these tests leave out.";
 constexpr const char* mistakes_note =
     "Named: the expected diagnosis is among the two that a report shows; alone: no other one "
-    "stands "
-    "beside it. The margin is the orders of magnitude by which p lay below the level in the run "
-    "where that was least; \"exact\" where "
-    "every run failed a comparison that no chance enters.";
+    "stands beside it. The margin is the orders of magnitude by which p lay below the level in the "
+    "run where that was least; \"exact\" where every run failed a comparison that no chance "
+    "enters.";
 constexpr const char* power_note =
     "A comparison sees an effect with power .999 from the size that its theory and its number of "
     "values give. Beside it stands the weakest mistake that it caught at least once, its mean "

@@ -107,8 +107,7 @@ std::string foreign_symbols(const Symbols& exercise, const Symbols& ours, const 
     if (!is_defined(letters) || !replaces(symbol, letters, ours, contract)) continue;
     return fmt::format(
         "it defines {}, which the library or the system defines too: choose another name, or put "
-        "it "
-        "into the namespace {}",
+        "it into the namespace {}",
         readable(symbol), lab);
   }
   return "";

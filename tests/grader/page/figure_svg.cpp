@@ -180,16 +180,14 @@ std::string draw(const GridFigure& g) {
   const double bottom = 4 + height * number(rows);
   std::string out = fmt::format(
       "<svg class=\"plot\" viewBox=\"0 0 360 {:.0f}\" role=\"img\" aria-label=\"{} columns and {} "
-      "rows of cells. "
-      "Those furthest off are in the table below.\">\n",
+      "rows of cells. Those furthest off are in the table below.\">\n",
       bottom + 24, g.columns, rows);
   for (std::size_t i = 0; i < g.measured.size(); ++i) {
     const std::size_t column = i % g.columns, row = i / g.columns;
     const double z = deviation(g, i);
     out += fmt::format(
         "<rect {} x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"><title>column {}, "
-        "row "
-        "{}: {}, expected {}, z = {:+.1f}</title></rect>\n",
+        "row {}: {}, expected {}, z = {:+.1f}</title></rect>\n",
         fill(z), left + width * number(column), 4 + height * number(row), width, height, column + 1,
         row + 1, number_text(g.measured[i]), number_text(g.expected[i]), z);
   }
