@@ -1,13 +1,10 @@
 #include "grader/grade/intake.h"
 
-#include "cli/atomic_file.h"
 #include "cli/error.h"
 #include "cli/scratch_folder.h"
 #include "grader/grade/archive.h"
-#include "grader/grade/handed_in.h"
+#include "grader/grade/packed.h"
 
-#include <archive.h>
-#include <archive_entry.h>
 #include <catch2/catch_test_macros.hpp>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,9 +13,7 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -26,49 +21,6 @@ using namespace carlo;
 using namespace carlo::grader;
 
 namespace {
-
-std::vector<CourseLab> demo_labs() {
-  CourseLab first{{}, "01_integration", {"integration.cpp"}};
-  first.lab.number = 1;
-  CourseLab eighth{{}, "08_path_tracer", {"steps/a_camera.cpp", "steps/b_direct.cpp"}};
-  eighth.lab.number = 8;
-  return {first, eighth};
-}
-
-void put(const fs::path& file, const std::string& text) {
-  fs::create_directories(file.parent_path());
-  write_file(file, text);
-}
-
-struct Entry {
-  std::string path, text;
-  bool link = false;
-};
-
-/// A zip in memory, with names as they are given.
-std::string zip(const std::vector<Entry>& entries) {
-  std::string bytes(std::size_t{8} << 20, '\0');
-  std::size_t used = 0;
-  archive* writer = archive_write_new();
-  archive_write_set_format_zip(writer);
-  archive_write_set_bytes_in_last_block(writer, 1);
-  archive_write_open_memory(writer, bytes.data(), bytes.size(), &used);
-  for (const Entry& each : entries) {
-    archive_entry* entry = archive_entry_new();
-    archive_entry_set_pathname(entry, each.path.c_str());
-    archive_entry_set_filetype(entry, each.link ? AE_IFLNK : AE_IFREG);
-    archive_entry_set_perm(entry, 0644);
-    archive_entry_set_size(entry, each.link ? 0 : static_cast<la_int64_t>(each.text.size()));
-    if (each.link) archive_entry_set_symlink(entry, each.text.c_str());
-    archive_write_header(writer, entry);
-    if (!each.link) archive_write_data(writer, each.text.data(), each.text.size());
-    archive_entry_free(entry);
-  }
-  archive_write_close(writer);
-  archive_write_free(writer);
-  bytes.resize(used);
-  return bytes;
-}
 
 bool has(const std::vector<std::string>& list, const std::string& part) {
   for (const std::string& text : list) {
@@ -79,13 +31,6 @@ bool has(const std::vector<std::string>& list, const std::string& part) {
 
 Intake take(const fs::path& path) {
   return take_in({"name", path, ""}, demo_labs());
-}
-
-std::vector<std::string> names(const fs::path& path, bool one = false) {
-  std::vector<std::string> list;
-  for (const Source& source : find_submissions({path}, demo_labs(), one).sources)
-    list.push_back(source.name);
-  return list;
 }
 
 }  // namespace
@@ -235,43 +180,6 @@ TEST_CASE("an archive that unpacks to too much, or to too many files, is an erro
   CHECK_THROWS_AS(visit({.total_bytes = 3999}), Error);
 }
 
-TEST_CASE("one submission or many is seen from what stands at the top", "[intake]") {
-  const ScratchFolder folder;
-  const fs::path& root = folder.path();
-  put(root / "class/alice/integration.cpp", "a");
-  put(root / "class/bob.zip", zip({{"integration.cpp", "b"}}));
-  put(root / "class/carol/hw.zip", zip({{"integration.cpp", "c"}}));
-  put(root / "class/notes.txt", "");
-  CHECK(names(root / "class") == std::vector<std::string>{"alice", "bob", "carol"});
-  CHECK(names(root / "class/alice") == std::vector<std::string>{"alice"});
-  CHECK(names(root / "class/bob.zip") == std::vector<std::string>{"bob"});
-  CHECK(names(root / "class", true) == std::vector<std::string>{"class"});
-  CHECK_THROWS_AS(names(root / "class/notes.txt"), Error);
-  CHECK_THROWS_AS(names(root / "nowhere"), Error);
-
-  put(root / "wrapped.zip", zip({{"hw/labs/01_integration/integration.cpp", "x"}}));
-  CHECK(names(root / "wrapped.zip") == std::vector<std::string>{"wrapped"});
-  put(root / "export.zip", zip({{"all/dora/integration.cpp", "d"}, {"all/emil.zip", "PK"}}));
-  CHECK(names(root / "export.zip") == std::vector<std::string>{"dora", "emil"});
-  const Source dora = find_submissions({root / "export.zip"}, demo_labs(), false).sources[0];
-  CHECK(take_in(dora, demo_labs()).labs.at(1).files.at("integration.cpp") == "d");
-}
-
-TEST_CASE("what one packed into a class's archive is no matter of the others", "[intake]") {
-  const ScratchFolder folder;
-  std::vector<Entry> entries{{"alice/integration.cpp", "a"}};
-  for (int i = 0; i < 20'001; ++i)
-    entries.push_back({"bob/" + std::to_string(i), ""});
-  entries.push_back({"carol/integration.cpp", "c"});
-  put(folder.path() / "export.zip", zip(entries));
-  const std::vector<Source> found =
-      find_submissions({folder.path() / "export.zip"}, demo_labs(), false).sources;
-  REQUIRE(found.size() == 3);
-  CHECK(take_in(found[0], demo_labs()).labs.at(1).files.at("integration.cpp") == "a");
-  CHECK(take_in(found[1], demo_labs()).labs.at(1).files.empty());
-  CHECK(take_in(found[2], demo_labs()).labs.at(1).files.at("integration.cpp") == "c");
-}
-
 TEST_CASE("an archive of many is listed and a part of it read without unpacking the others",
           "[intake]") {
   const ScratchFolder folder;
@@ -297,42 +205,6 @@ TEST_CASE("a thousand copies of a file, or different ones, are as one or two", "
   for (int i = 0; i < 1000; ++i)
     put(folder.path() / std::to_string(i) / "integration.cpp", std::to_string(i));
   CHECK(take(folder.path()).labs.at(1).problems.size() == 1);
-}
-
-TEST_CASE("names of submissions are harmless, and no two are the same", "[intake]") {
-  std::vector<std::string> taken{"secret"};
-  CHECK(folder_name("Alice Smith_12", taken) == "Alice_Smith_12");
-  CHECK(folder_name("Alice/Smith_12", taken) == "Alice_Smith_12-2");
-  CHECK(folder_name("..", taken) == "unnamed");
-  CHECK(folder_name("=HYPERLINK(\"x\"),\n", taken) == "_HYPERLINK__x____");
-  CHECK(folder_name("J\xC3\xB6rg", taken) == "J\xC3\xB6rg");
-  CHECK(folder_name("J\xC3", taken) == "J_");
-  // U+202E, right-to-left override, byte by byte: a linter takes the escape for the character.
-  const std::string reversed{'a', '\xE2', '\x80', '\xAE', 'b'};
-  CHECK(folder_name(reversed, taken) == "a___b");
-  CHECK(folder_name("\xEF\xBC\x9D"
-                    "cmd",
-                    taken) == "___cmd");  // a wide equals sign
-  CHECK(folder_name("secret", taken) == "secret-2");
-  CHECK(folder_name(std::string(300, 'a'), taken).size() == 100);
-}
-
-TEST_CASE("a name is whose own it is, and others are told of", "[intake]") {
-  const ScratchFolder folder;
-  for (const char* name : {"a b", "a-b", "a_b", "alice"})
-    put(folder.path() / name / "integration.cpp", name);
-  put(folder.path() / "alice.tar.gz", "spoilt");
-  put(folder.path() / "alice.zip", "spoilt");
-  std::map<std::string, std::pair<std::string, bool>> names;
-  for (const Source& source : find_submissions({folder.path()}, demo_labs(), false).sources)
-    names[source.handed_in()] = {source.name, source.renamed};
-  const auto of = [](const std::string& name, bool renamed) { return std::pair(name, renamed); };
-  CHECK(names.at("a_b") == of("a_b", false));
-  CHECK(names.at("a-b") == of("a-b", false));
-  CHECK(names.at("a b") == of("a_b-2", true));
-  CHECK(names.at("alice") == of("alice", false));
-  CHECK(names.at("alice.tar.gz") == of("alice-2", true));
-  CHECK(names.at("alice.zip") == of("alice-3", true));
 }
 
 TEST_CASE("the digest changes with what is judged, and with nothing else", "[intake]") {
@@ -364,7 +236,7 @@ TEST_CASE("links that lead in a circle are no folders", "[intake]") {
   put(folder.path() / "alice/integration.cpp", "one");
   for (const char* place : {"loop", "alice/loop"})
     fs::create_symlink("loop", folder.path() / place);
-  CHECK(names(folder.path()) == std::vector<std::string>{"alice"});
+  CHECK(submission_names(folder.path()) == std::vector<std::string>{"alice"});
   const Intake intake = take(folder.path() / "alice");
   CHECK(intake.labs.at(1).files.at("integration.cpp") == "one");
   CHECK(has(intake.ignored, "a link"));
@@ -380,12 +252,12 @@ TEST_CASE("what stands beside submissions is told of, and a class is no submissi
   CHECK(found.left_out == std::vector<std::string>{fs::canonical(folder.path()) / "bob.tar.xz"});
   for (const char* name : {"labs", "steps", "01_integration"}) {
     put(folder.path() / name / "integration.cpp", "two");
-    CHECK_THROWS_AS(names(folder.path()), Error);
-    CHECK(names(folder.path(), true).size() == 1);
+    CHECK_THROWS_AS(submission_names(folder.path()), Error);
+    CHECK(submission_names(folder.path(), true).size() == 1);
     fs::remove_all(folder.path() / name);
   }
   put(folder.path() / "integration.cpp", "two");
-  CHECK_THROWS_AS(names(folder.path()), Error);
+  CHECK_THROWS_AS(submission_names(folder.path()), Error);
 }
 
 // As root nothing is unreadable: in a process of somebody else's.
