@@ -76,6 +76,9 @@ expect "a figure whose command was changed" 'was made by another command'
 sed -i 's/"format": "percent"/"format": "furlongs"/' "$tree"/slides/figures/*.json
 expect "a number in a unit that nobody knows" 'format must be one of percent, ns'
 
+sed -i 's/"yscale": "log"/"yscale": "cubic"/' "$tree"/slides/figures/*.json
+expect "an axis of an unknown kind" 'yscale must be one of log, linear'
+
 figure=$(first 'figure:[a-z0-9-]+' slides --include='0*.md')
 sed -i "s/(${figure#*:})/(figure:00-none)/" "$tree/${figure%%:*}"
 expect "a figure that is not defined" 'no figure "00-none"'
@@ -116,7 +119,7 @@ assert(Math.abs(bottom - top - (right - left)) < 1.5, "the axes are no square");
 const bars = plotSvg(runs, { kind: "bars", digits: 2 }, "", [{ name: "", points: [["a", 1], ["b", 4], ["c", NaN]] }]);
 const [a, b, c] = places(bars, /<rect[^>]* width="([^"]*)"/g);
 assert(Math.abs(b - 4 * a) < 0.5 && c === 0, "bars are as long as their values");
-assert.throws(() => plotSvg(runs, { kind: "lines", yscale: "cubic" }, "", []), /expected one of linear, log, got 'cubic'/);
+assert.throws(() => plotSvg(runs, { kind: "lines", yunit: "miles" }, "", []), /no axis counts in 'miles'/);
 END
 
 # Programs that fail, and programs that no longer have what figures take from them.

@@ -20,6 +20,10 @@ std::string tile(std::string_view title, std::string_view note, std::string_view
   return fmt::format("<figure>\n{}{}</figure>\n", caption_html(title, note), drawing);
 }
 
+std::string tile(std::string_view title, std::string_view note, const Plot& plot) {
+  return tile(title, note, plot.svg(fmt::format("{}: {}", title, note)));
+}
+
 std::string histogram_tile(std::string_view title, std::string_view note, Stretch across,
                            double top, std::span<const double> bars,
                            const std::function<double(double)>& density) {
@@ -32,7 +36,7 @@ std::string histogram_tile(std::string_view title, std::string_view note, Stretc
     plot.bar("c1", from, from + width, bars[i]);
   }
   plot.line("c2", graph(density, across));
-  return tile(title, note, plot.svg(fmt::format("{}: {}", title, note)));
+  return tile(title, note, plot);
 }
 
 std::string image_tile(std::string_view title, std::string_view note, const Image& image,

@@ -21,6 +21,8 @@ constexpr Size tile_size{280, 180};
 /// One tile: a drawing (trusted) under its title and one line.
 std::string tile(std::string_view title, std::string_view note, std::string_view drawing);
 
+std::string tile(std::string_view title, std::string_view note, const Plot& plot);
+
 /// One tile: bars of equal width, heights as densities, under the density's line; shown up to
 /// `top`.
 std::string histogram_tile(std::string_view title, std::string_view note, Stretch across,

@@ -15,10 +15,6 @@ carlo::Plot square() {
   return {{0, 1}, {0, 1}, {300, 300}};
 }
 
-std::string tile(std::string_view title, std::string_view note, const carlo::Plot& plot) {
-  return carlo::tile(title, note, plot.svg(fmt::format("{}: {}", title, note)));
-}
-
 std::string cell_lines(const carlo::Plot& plot, int lines) {
   std::string path;
   for (int i = 1; i < lines; ++i) {
@@ -65,7 +61,7 @@ std::string point_picture(std::string_view title, std::string_view note,
   }
   plot.add(fmt::format("<path class=\"line c2\" d=\"{}\"/>\n", marks));
   plot.dots("c1", places, 7);
-  return tile(title, note, plot);
+  return carlo::tile(title, note, plot);
 }
 
 std::string strata_picture(std::string_view title, std::string_view note,
@@ -92,7 +88,7 @@ std::string strata_picture(std::string_view title, std::string_view note,
   }
   plot.add("</g>\n");
   draw(plot, background);
-  return tile(title, note, plot);
+  return carlo::tile(title, note, plot);
 }
 
 }  // namespace lab04

@@ -23,10 +23,6 @@ void draw_darts(carlo::Plot& plot, std::span<const Point> darts,
   plot.dots("c1", kept, 2.8);
 }
 
-std::string tile(std::string_view title, std::string_view note, const carlo::Plot& plot) {
-  return carlo::tile(title, note, plot.svg(fmt::format("{}: {}", title, note)));
-}
-
 }  // namespace
 
 std::string darts_picture(std::string_view title, std::string_view note, const View& view,
@@ -37,7 +33,7 @@ std::string darts_picture(std::string_view title, std::string_view note, const V
   carlo::Plot plot(axis, across, axis, carlo::round_stretch(axis, ends), carlo::tile_size);
   draw_darts(plot, darts, [&](Point dart) { return dart.y < f(dart.x); });
   plot.line("c2", carlo::graph(f, across));
-  return tile(title, note, plot);
+  return carlo::tile(title, note, plot);
 }
 
 std::string disc_picture(std::string_view title, std::string_view note,
@@ -46,7 +42,7 @@ std::string disc_picture(std::string_view title, std::string_view note,
   draw_darts(plot, points, [](Point p) { return p.x * p.x + p.y * p.y <= 1; });
   plot.add(fmt::format("<circle class=\"axis\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>\n",
                        plot.x(0), plot.y(0), plot.x(1) - plot.x(0)));
-  return tile(title, note, plot);
+  return carlo::tile(title, note, plot);
 }
 
 std::string image_picture(std::string_view title, std::string_view note,
@@ -71,7 +67,7 @@ std::string image_picture(std::string_view title, std::string_view note,
   for (const Point& p : points)
     places.push_back({p.x, p.y});
   plot.dots("c6", places, 2.2);
-  return tile(title, note, plot);
+  return carlo::tile(title, note, plot);
 }
 
 }  // namespace lab05

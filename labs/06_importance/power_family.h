@@ -24,10 +24,4 @@ inline double power_tail_index(double n) {
   return n > 4 ? (n + 1) / (n - 4) : std::numeric_limits<double>::infinity();
 }
 
-/// The slope of the error against N: -1/2 where the variance is finite, else -(1 - 1/a).
-inline double power_slope(double n) {
-  const double a = power_tail_index(n);
-  return a > 2 ? -0.5 : -(1 - 1 / a);
-}
-
 }  // namespace lab06

@@ -9,6 +9,9 @@ import { programOf, spoken } from "./runs.mjs";
 
 export const plots = ["loglog", "lines", "points", "bars"];
 const kinds = [...plots, "image", "picture", "drawing", "functions"];
+const scales = ["log", "linear"];
+const units = ["number", "count", "seconds", "degrees"];
+const axes = { xscale: scales, yscale: scales, xunit: units, yunit: units };
 const digits = 4; // of every point that is kept,
 const numberDigits = 6; // and of every number: texts round it once more
 
@@ -57,6 +60,10 @@ function checkFigure(root, figure, problems) {
     return wrong(`kind must be one of ${kinds.join(", ")}, got '${figure.kind}'`);
   if (plots.includes(figure.kind) && !figure.series) {
     for (const key of ["table", "x", "y"]) if (!figure[key]) wrong(`needs "${key}"`);
+  }
+  for (const [key, known] of Object.entries(axes)) {
+    if (figure[key] && !known.includes(figure[key]))
+      wrong(`${key} must be one of ${known.join(", ")}, got '${figure[key]}'`);
   }
   if (figure.kind === "picture" && !figure.alt) wrong('needs "alt": how the picture\'s description starts');
   if (figure.kind === "functions" && !(figure.functions?.length && figure.x?.length === 2)) {

@@ -22,19 +22,15 @@ namespace {
 using namespace carlo;
 
 struct AxisOfFigure {
-  std::string label, scale, unit;
+  std::string label, unit;
+  bool log = false;
   std::vector<double> range;  ///< first and last; empty: as the values need
 };
 
 struct SeriesOfFigure {
   std::string name;
   std::vector<double> x, y;
-};
-
-/// A line of slope `slope` in a plot with two logarithmic axes, from a point to x = `to`.
-struct Guide {
-  double slope = 0, x = 1, y = 1, to = 10;
-  std::string label;
+  bool guide = false;  ///< a dashed line, nothing measured
 };
 
 /// One bar, with its value in words behind it.
@@ -51,14 +47,13 @@ struct Figure {
   bool square = false;
   AxisOfFigure x, y;
   std::vector<SeriesOfFigure> series;
-  std::vector<Guide> guides;
   std::vector<Row> rows;
 };
 
 void fields(JsonFields& json, AxisOfFigure& axis) {
   json("label", axis.label);
-  json("scale", axis.scale);
   json("unit", axis.unit);
+  json("log", axis.log);
   json("range", axis.range);
 }
 
@@ -66,14 +61,7 @@ void fields(JsonFields& json, SeriesOfFigure& series) {
   json("name", series.name);
   json("x", series.x);
   json("y", series.y);
-}
-
-void fields(JsonFields& json, Guide& guide) {
-  json("slope", guide.slope);
-  json("x", guide.x);
-  json("y", guide.y);
-  json("to", guide.to);
-  json("label", guide.label);
+  json("guide", series.guide);
 }
 
 void fields(JsonFields& json, Row& row) {
@@ -92,28 +80,17 @@ void fields(JsonFields& json, Figure& figure) {
   json("x", figure.x);
   json("y", figure.y);
   json("series", figure.series);
-  json("guides", figure.guides);
   json("rows", figure.rows);
 }
 
-template <class T>
-T named(const std::map<std::string, T>& values, const std::string& name) {
-  const auto found = values.find(name);
-  if (found != values.end()) return found->second;
-  std::string all;
-  for (const auto& [known, value] : values)
-    all += (all.empty() ? "" : ", ") + known;
-  throw Error("expected one of {}, got '{}'", all, name);
-}
-
 Axis axis_of(const AxisOfFigure& axis) {
-  return {axis.label,
-          named<Unit>({{"number", Unit::number},
-                       {"count", Unit::count},
-                       {"seconds", Unit::seconds},
-                       {"degrees", Unit::degrees}},
-                      axis.unit),
-          named<Scale>({{"linear", Scale::linear}, {"log", Scale::log}}, axis.scale)};
+  static const std::map<std::string, Unit> units = {{"number", Unit::number},
+                                                    {"count", Unit::count},
+                                                    {"seconds", Unit::seconds},
+                                                    {"degrees", Unit::degrees}};
+  const auto unit = units.find(axis.unit);
+  if (unit == units.end()) throw Error("no axis counts in '{}'", axis.unit);
+  return {axis.label, unit->second, axis.log ? Scale::log : Scale::linear};
 }
 
 std::string colour(std::size_t series) {
@@ -152,21 +129,14 @@ Stretch stretch_of(const Figure& figure, const AxisOfFigure& axis,
   return round_stretch(axis_of(axis), all);
 }
 
-void draw_guide(Plot& plot, const Guide& guide) {
-  const Point to{guide.to, guide.y * std::pow(guide.to / guide.x, guide.slope)};
-  plot.line("dashed", std::vector<Point>{{guide.x, guide.y}, to});
-  plot.add(fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", plot.x(to.x) + 4,
-                       plot.y(to.y) + 3, html_escaped(guide.label)));
-}
-
 void draw_series(Plot& plot, const Figure& figure, std::size_t index, bool crowded) {
   const SeriesOfFigure& series = figure.series[index];
   std::vector<Point> points;
   for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i)
     points.push_back({series.x[i], series.y[i]});
   if (figure.kind == "points") return plot.dots(colour(index), points, crowded ? 2.6 : 4.2);
-  plot.line(colour(index), points);
-  if (figure.kind == "functions") return;
+  plot.line(colour(index) + (series.guide ? " dashed" : ""), points);
+  if (figure.kind == "functions" || series.guide) return;
   for (const Point& point : points)
     plot.mark(colour(index), index, point, "");
 }
@@ -184,8 +154,6 @@ std::string plot_svg(const Figure& figure) {
         (wide.x(across.last) - wide.x(across.first)) - (wide.y(up.first) - wide.y(up.last));
   }
   Plot plot(x, across, y, up, size);
-  for (const Guide& guide : figure.guides)
-    draw_guide(plot, guide);
   std::size_t points = 0;
   for (const SeriesOfFigure& series : figure.series)
     points += series.x.size();

@@ -11,7 +11,7 @@ const sizeOf = ({ narrow, height }) =>
 
 const axisOf = (figure, which) => ({
   label: figure[`${which}label`] ?? "",
-  scale: scaleOf(figure, which),
+  log: scaleOf(figure, which) === "log",
   unit: figure[`${which}unit`] ?? "number",
   range: figure[`${which}range`] ?? [],
 });
@@ -26,7 +26,7 @@ function labelOf(figure, { name, slope }) {
 /** figure: the definition; series: [{name, points, slope}]; the SVG. */
 export function plotSvg(runs, figure, description, series) {
   const bars = figure.kind === "bars";
-  const shown = bars ? [] : series.map((one) => seriesOf(figure, one));
+  const shown = bars ? [] : [...series.map((one) => seriesOf(figure, one)), ...guidesOf(figure)];
   return runs.answer(
     plotProgram,
     JSON.stringify({
@@ -37,13 +37,6 @@ export function plotSvg(runs, figure, description, series) {
       x: axisOf(figure, "x"),
       y: axisOf(figure, "y"),
       series: shown,
-      guides: (figure.guides ?? []).map(({ slope, at: [x, y], to, label }) => ({
-        slope,
-        x,
-        y,
-        to: to ?? 10 * x,
-        label: label ?? "",
-      })),
       rows: bars ? rowsOf(figure, series) : [],
     }),
   );
@@ -53,8 +46,17 @@ function seriesOf(figure, one) {
   const isShown = (value, which) =>
     Number.isFinite(value) && (value > 0 || scaleOf(figure, which) !== "log");
   const points = one.points.filter(([x, y]) => isShown(x, "x") && isShown(y, "y"));
-  return { name: labelOf(figure, one), x: points.map(([x]) => x), y: points.map(([, y]) => y) };
+  return { name: labelOf(figure, one), x: points.map(([x]) => x), y: points.map(([, y]) => y), guide: false };
 }
+
+/** Straight lines of a given slope through a point, in a log-log plot. */
+const guidesOf = ({ guides = [] }) =>
+  guides.map(({ slope, at: [x, y], to = 10 * x, label = "" }) => ({
+    name: label,
+    x: [x, to],
+    y: [y, y * (to / x) ** slope],
+    guide: true,
+  }));
 
 /** A bar for each row, a colour for each series. */
 function rowsOf(figure, series) {

@@ -114,9 +114,7 @@ class LampWalk : Steps<Needs> {
 
  private:
   using Base = Steps<Needs>;
-  using Base::counts_;
-  using Base::job_;
-  using Base::s_;
+  using Base::counts_, Base::job_, Base::s_;
 
   /// By how much denser the techniques from the camera are on which this vertex comes before the
   /// one that the path came from: `factor` times the density of that way back by the vertex's

@@ -92,9 +92,7 @@ class Walk : Steps<Needs> {
 
  private:
   using Base = Steps<Needs>;
-  using Base::counts_;
-  using Base::job_;
-  using Base::s_;
+  using Base::counts_, Base::job_, Base::s_;
 
   /// How much denser than this path's technique's that of paths from lamps is, on which it would
   /// have this vertex as its last but one: `factor` times the density of the way back by the
