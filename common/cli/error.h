@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -17,6 +18,14 @@ class Error : public std::runtime_error {
   template <class... Args>
   explicit Error(fmt::format_string<Args...> format, Args&&... args)
       : std::runtime_error(fmt::format(format, std::forward<Args>(args)...)) {}
+};
+
+/// At a place in a file: what() is "FILE:LINE:COLUMN: error: message", as compilers have it.
+class PlacedError : public Error {
+ public:
+  PlacedError(const std::string& file, std::size_t line, std::size_t column,
+              const std::string& message)
+      : Error("{}:{}:{}: error: {}", file, line, column, message) {}
 };
 
 }  // namespace carlo

@@ -117,7 +117,7 @@ void fail_at(Position at, const std::string& message) {
   const std::size_t newline = text.rfind('\n');
   const std::string_view last = newline == std::string_view::npos ? text : text.substr(newline + 1);
   const auto column = 1 + std::count_if(last.begin(), last.end(), starts_character);
-  throw Error("{}:{}:{}: error: {}", at.source->path.string(), line, column, message);
+  throw PlacedError(at.source->path.string(), line, column, message);
 }
 
 std::unique_ptr<XmlSource> read_xml_source(const fs::path& path, Position asked_at) {

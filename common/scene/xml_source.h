@@ -46,7 +46,7 @@ struct XmlElement {
   void allow_only(const std::vector<std::string_view>& names) const;
 };
 
-/// Throws Error "FILE:LINE:COLUMN: error: message"; line and column count from 1, a column is a
+/// Throws PlacedError "FILE:LINE:COLUMN: error: message"; line and column count from 1, a column is a
 /// character (UTF-8).
 [[noreturn]] void fail_at(Position at, const std::string& message);
 
