@@ -22,33 +22,18 @@ bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Text from `at` on, one character at a time; behind its end there are zeros.
-class Reader {
- public:
-  Reader(std::string_view text, std::size_t at) : text_(text), at_(at) {}
+/// Behind the text's end there are zeros.
+char at_place(std::string_view text, std::size_t at) {
+  return at < text.size() ? text[at] : '\0';
+}
 
-  std::size_t place() const { return at_; }
-  char next(std::size_t ahead = 0) const {
-    return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
-  }
-  void skip(std::size_t count) { at_ += count; }
-  template <class Kind>
-  void skip_all(Kind kind) {
-    while (kind(next()))
-      ++at_;
-  }
-  /// A number's digits, and those behind a point.
-  void skip_number() {
-    skip_all(is_digit);
-    if (next() != '.' || !is_digit(next(1))) return;
-    skip(1);
-    skip_all(is_digit);
-  }
-
- private:
-  std::string_view text_;
-  std::size_t at_;
-};
+/// Where the number at `at` ends: digits, and those behind a point.
+std::size_t number_end(std::string_view text, std::size_t at) {
+  while (is_digit(at_place(text, at)) ||
+         (at_place(text, at) == '.' && is_digit(at_place(text, at + 1))))
+    ++at;
+  return at;
+}
 
 std::string raised(std::string_view exponent) {
   std::string text = html_escaped(exponent);
@@ -56,7 +41,7 @@ std::string raised(std::string_view exponent) {
   return "<sup>" + text + "</sup>";
 }
 
-/// The formula at `at` as HTML, and where it ends; nothing when no formula begins there.
+/// The formula at a place as HTML, and where it ends; 0 when none begins there.
 struct Formula {
   std::string html;
   std::size_t end = 0;
@@ -65,46 +50,42 @@ struct Formula {
 /// What follows a '^': "7", "n", "2.5", "-1/4", "(1/d)".
 Formula power(std::string_view text, std::size_t at) {
   const std::size_t close = text.find(')', at);
-  if (text.substr(at, 1) == "(" && close != std::string_view::npos) {
+  if (at_place(text, at) == '(' && close != std::string_view::npos) {
     return {raised(text.substr(at + 1, close - at - 1)), close + 1};
   }
-  Reader reader(text, at);
-  const bool negative = reader.next() == '-';
-  if (negative) reader.skip(1);
-  if (!is_word(reader.next())) return {};
-  is_digit(reader.next()) ? reader.skip_number() : reader.skip_all(is_word);
-  if (negative && reader.next() == '/' && is_digit(reader.next(1))) {
-    reader.skip(1);
-    reader.skip_number();
+  const std::size_t start = at_place(text, at) == '-' ? at + 1 : at;
+  std::size_t end = number_end(text, start);
+  if (end == start) {
+    while (is_word(at_place(text, end)))
+      ++end;
   }
-  return {raised(text.substr(at, reader.place() - at)), reader.place()};
+  if (end == start) return {};
+  // Only behind a sign: 1/2^3/4 is anything.
+  const bool fraction =
+      start > at && at_place(text, end) == '/' && is_digit(at_place(text, end + 1));
+  if (fraction) end = number_end(text, end + 1);
+  return {raised(text.substr(at, end - at)), end};
 }
 
 /// "1e-10", "2.5e6".
 Formula scientific(std::string_view text, std::size_t at) {
-  Reader reader(text, at);
-  reader.skip_number();
-  const std::string factor(text.substr(at, reader.place() - at));
-  if (reader.next() != 'e') return {};
-  const std::size_t exponent = reader.place() + 1;
-  reader.skip(reader.next(1) == '-' || reader.next(1) == '+' ? 2 : 1);
-  const std::size_t digits = reader.place();
-  reader.skip_all(is_digit);
-  if (reader.place() == digits || is_word(reader.next())) return {};
-  const bool plus = text[exponent] == '+';
-  return {(factor == "1" ? "" : factor + "·") + "10" +
-              raised(text.substr(exponent + plus, reader.place() - exponent - plus)),
-          reader.place()};
+  const std::size_t e = number_end(text, at);
+  if (at_place(text, e) != 'e') return {};
+  const bool sign = at_place(text, e + 1) == '-';
+  const std::size_t end = number_end(text, e + 1 + sign);
+  if (end == e + 1 + sign || is_word(at_place(text, end))) return {};
+  const std::string factor(text.substr(at, e - at));
+  return {(factor == "1" ? "" : factor + "·") + "10" + raised(text.substr(e + 1, end - e - 1)),
+          end};
 }
 
 Formula formula(std::string_view text, std::size_t at) {
   const char c = text[at], before = at == 0 ? ' ' : text[at - 1];
-  const Reader behind(text, at + 1);
   if (c == '^' && before != ' ') return power(text, at + 1);
   if (is_digit(c) && !is_word(before) && before != '.') return scientific(text, at);
-  const bool number = is_digit(behind.next()) || (behind.next() == '.' && is_digit(behind.next(1)));
-  if (c == '-' && number && (before == ' ' || before == '(')) return {"−", at + 1};
-  return {};
+  const bool minus =
+      c == '-' && (before == ' ' || before == '(') && number_end(text, at + 1) > at + 1;
+  return minus ? Formula{"−", at + 1} : Formula{};
 }
 
 }  // namespace

@@ -64,14 +64,15 @@ TEST_CASE("Formulas in a page's words are set as formulas, and everything is esc
         "falls as N<sup>−2/d</sup>, x<sup>7</sup> and x<sup>−1/4</sup>.");
   CHECK(html_typeset("2^10, ... of 2^32; cos^n, x^2.5") ==
         "2<sup>10</sup>, ... of 2<sup>32</sup>; cos<sup>n</sup>, x<sup>2.5</sup>");
-  CHECK(html_typeset("p < 1e-10, 2.5e+06 and 1e7") ==
-        "p &lt; 10<sup>−10</sup>, 2.5·10<sup>06</sup> and 10<sup>7</sup>");
+  CHECK(html_typeset("p < 1e-10, 2.5e6 and 1e7") ==
+        "p &lt; 10<sup>−10</sup>, 2.5·10<sup>6</sup> and 10<sup>7</sup>");
   CHECK(html_typeset("-0.5 to (-.25)") == "−0.5 to (−.25)");
   for (const char* plain :
        {"", "^", "a ^ b", "x^", "x^-", "1e", "1ex", "0x1e5", "lab-1", "e-5", "a - b", "1-2"})
     CHECK(html_typeset(plain) == plain);
   CHECK(html_typeset("x^(<b>)^'") == "x<sup>&lt;b&gt;</sup>^&#39;");
   CHECK(html_typeset("x^(1") == "x^(1");
+  CHECK(html_typeset("x^-1/n") == "x<sup>−1</sup>/n");
 }
 
 TEST_CASE("Numbers are written for people", "[report]") {
