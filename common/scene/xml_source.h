@@ -46,8 +46,8 @@ struct XmlElement {
   void allow_only(const std::vector<std::string_view>& names) const;
 };
 
-/// Throws PlacedError "FILE:LINE:COLUMN: error: message"; line and column count from 1, a column is a
-/// character (UTF-8).
+/// Throws PlacedError "FILE:LINE:COLUMN: error: message"; line and column count from 1, a column is
+/// a character (UTF-8).
 [[noreturn]] void fail_at(Position at, const std::string& message);
 
 template <class... Args>
