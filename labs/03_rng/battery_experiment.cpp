@@ -1,5 +1,7 @@
 #include "battery.h"
 #include "experiments.h"
+#include "report/format.h"
+#include "report/html.h"
 #include "report/page.h"
 
 #include <fmt/core.h>
@@ -102,8 +104,8 @@ std::string cell_html(const Finding& finding) {
                                         statistic, lower, upper);
   if (!finding.rejected) {
     return fmt::format(
-        "<td class=\"pass\" title=\"{}\">p = {:.2g}<small>at 2<sup>{}</sup></small></td>", tails,
-        two_sided(finding.result), finding.log2_n);
+        "<td class=\"pass\" title=\"{}\">p = {}<small>at 2<sup>{}</sup></small></td>", tails,
+        carlo::html_typeset(carlo::number_text(two_sided(finding.result), 2)), finding.log2_n);
   }
   const double strength = std::clamp((26.0 - finding.log2_n) / 16, 0.25, 1.0);
   return fmt::format(
@@ -117,7 +119,7 @@ std::string heat_map(const std::vector<RandomnessTest>& tests, const std::vector
   html +=
       "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Table of generators and "
       "tests\"><table class=\"heat\"><caption><span>Numbers until the first rejection at p &lt; "
-      "1e-10, or the p-value at the largest sample. Point at a cell for both "
+      "10<sup>−10</sup>, or the p-value at the largest sample. Point at a cell for both "
       "tails.</span></caption><thead><tr><th scope=\"col\"></th>";
   for (const RandomnessTest& test : tests) {
     html += fmt::format("<th scope=\"col\" title=\"{}\">{}</th>", carlo::html_escaped(test.about),
