@@ -75,8 +75,8 @@ class LampWalk : Steps<Needs> {
     const Rivals rivals = rivals_at(paths, spots, vertex.hits.t);
     this->arrive(paths, spots, vertex);
     M specular = hn::FirstN(d_, 0);
-    Reflections next{};
-    V rival_there{};
+    Reflections next = zeros<Reflections>();
+    V rival_there = zeros<V>();
     if (Needs::full && s_.any_specular) {
       specular = this->reflect_some(paths, spots, vertex.u_lobe.x, next);
       // Power is not compressed.
@@ -301,7 +301,7 @@ HWY_ATTR void run_lamps(const LampJob& job, carlo::Splats& splats, carlo::Counts
   const LampWalk<Needs> walk(job, splats, counts);
   constexpr std::size_t most = Needs::full ? batch : 1;
   const std::size_t registers = Needs::full && !job.whole.scene.sdfs.empty() ? most : 1;
-  std::array<Paths, most> paths{};
+  auto paths = zeros<std::array<Paths, most>>();
   Ties ties(job.count);
   for (Paths& some : paths)
     some.alive = hn::FirstN(d_, 0), some.number = set_word(ties.no_path());

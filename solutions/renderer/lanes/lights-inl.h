@@ -33,16 +33,17 @@ struct LightPoints {
   V area;  ///< one over the density per area, the light's choice included
   U plane;
   // For Features::full alone:
-  M seen{};  ///< nothing is drawn of a sphere where rounding hides which side of it one is on
-  M by_direction{};  ///< the density is one of directions:
-  V solid_angle{};   ///< one over it
-  M point{};         ///< n is none, and Le is intensity
-  M beyond{};        ///< n is none: of the image around, where p is beyond all surfaces
-  V3 error{};        ///< of p, where the scene has meshes
+  M seen =
+      zeros<M>();  ///< nothing is drawn of a sphere where rounding hides which side of it one is on
+  M by_direction = zeros<M>();  ///< the density is one of directions:
+  V solid_angle = zeros<V>();   ///< one over it
+  M point = zeros<M>();         ///< n is none, and Le is intensity
+  M beyond = zeros<M>();        ///< n is none: of the image around, where p is beyond all surfaces
+  V3 error = zeros<V3>();       ///< of p, where the scene has meshes
   /// LaneScene::emission, or of a point 1 / (4 pi), or 0: no path starts on the image around. For
   /// Features::lamps alone.
-  V emission{};
-  U surface{};
+  V emission = zeros<V>();
+  U surface = zeros<U>();
 };
 
 HWY_INLINE V3 across(V3 corner, V2 u, V3 edge_u, V3 edge_v) {

@@ -63,8 +63,8 @@ class Walk : Steps<Needs> {
     this->arrive(paths, spots, vertex);
     const Rivals rivals = rivals_at(paths, spots, vertex.hits.t);
     M specular = hn::FirstN(d_, 0);
-    Reflections next{};
-    V rival_there{};
+    Reflections next = zeros<Reflections>();
+    V rival_there = zeros<V>();
     if (Needs::full && s_.any_specular) {
       specular = this->reflect_some(paths, spots, vertex.u_lobe.x, next);
       next.weight = paths.beta * next.weight;

@@ -259,7 +259,7 @@ class Steps {
 
   HWY_INLINE Surfaces surface_at(V3 d, const Spots& spots) const {
     const Numbers& material = spots.material;
-    Surfaces surface{};
+    Surfaces surface = zeros<Surfaces>();
     surface.p = each(spots.p);
     surface.n = each(spots.n);
     surface.kd = each(material(s_.kd_r, s_.kd_g, s_.kd_b));

@@ -33,8 +33,8 @@ HWY_ATTR void run(const LaneJob& job, std::span<std::array<double, 3>> means,
   // One register of paths, where there are sdfs a batch; of one alone, the compiler knows.
   constexpr std::size_t most = Needs::full ? batch : 1;
   const std::size_t registers = Needs::full && !job.scene.sdfs.empty() ? most : 1;
-  std::array<Paths, most> paths{};
-  std::array<M, most> before{};
+  auto paths = zeros<std::array<Paths, most>>();
+  auto before = zeros<std::array<M, most>>();
   for (Paths& some : paths)
     some.alive = hn::FirstN(d_, 0);
   std::uint32_t waited_for = starts.allow(Sums::most);

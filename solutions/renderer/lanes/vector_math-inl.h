@@ -33,6 +33,15 @@ constexpr DU du_;
 constexpr DI di_;
 constexpr std::size_t lanes = hn::MaxLanes(d_);
 
+/// With all bits 0. T{} is not: Highway's vectors of ARM have constructors, which leave them as
+/// they are.
+template <class T>
+HWY_INLINE T zeros() {
+  T all;
+  std::memset(static_cast<void*>(&all), 0, sizeof all);
+  return all;
+}
+
 HWY_INLINE V set(float x) {
   return hn::Set(d_, x);
 }
