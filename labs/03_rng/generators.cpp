@@ -111,7 +111,7 @@ const std::vector<Generator>& generators() {
   return all;
 }
 
-const Generator& find_generator(const std::string& key) {
+const Generator& find_generator(std::string_view key) {
   std::string keys;
   for (const Generator& generator : generators()) {
     if (generator.key == key) return generator;

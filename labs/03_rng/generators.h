@@ -7,6 +7,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace lab03 {
@@ -74,6 +75,6 @@ struct Generator {
 const std::vector<Generator>& generators();
 
 /// The one of that key. Throws carlo::Error listing all keys.
-const Generator& find_generator(const std::string& key);
+const Generator& find_generator(std::string_view key);
 
 }  // namespace lab03
