@@ -3,14 +3,17 @@
 # The README's commands on other machines than this one, as root, on a clean clone of HEAD. A MACHINE is
 #
 #   bookworm, trixie  a bare Debian 12 or 13 (the default: both), or any other release by its name
+#   aarch64           a Debian 13 that compiles for 64-bit ARM, whose programs QEMU runs (needs
+#                     qemu-user-static here): all fast tests, of lab 1 those that are not
+#   libcxx            a Debian 13 with clang and LLVM's standard library, as macOS has it: all fast tests
 #
 # made once by debootstrap and kept in FOLDER (build/machines) with the packages that set-up has installed
 # and with what was built: a run that was stopped goes on there, the next one builds what has changed.
 #
 #   --fresh      packages and builds from nothing (the base system is kept)
-#   --step STEP  only these, by default all: setup (./carlo setup), render
+#   --step STEP  only these, by default all: setup (./carlo setup, or what stands for it there), render
 #                (./carlo render), test (./carlo test --solutions); or shell: a shell in the tree there
-#   ARGUMENT     for ctest, such as -R common
+#   ARGUMENT     for ctest, such as -R common; in place of -L fast
 #
 # Each step says when it began, the last lines what passed and how long it took; what a step wrote is in
 # FOLDER/MACHINE.STEP.log. Exit code 0: all passed.
@@ -42,29 +45,44 @@ needs_root_and debootstrap unshare pivot_root git
 mkdir -p "$store"
 store=$(readlink -f "$store")
 
+# What differs between machines: Debian's release, the preset, set-up, which tests.
+suite_of() { case $1 in aarch64 | libcxx) printf trixie ;; *) printf '%s' "$1" ;; esac; }
+preset_of() { case $1 in aarch64 | libcxx) printf '%s' "$1" ;; *) printf release ;; esac; }
+setup_of() { case $1 in aarch64 | libcxx) printf 'tests/machines/%s.sh' "$1" ;; *) printf './carlo setup' ;; esac; }
+tests_of() { case $1 in aarch64 | libcxx) printf -- '-L fast' ;; esac; }
+
 summary='' failed=0
 # step MACHINE NAME COMMAND...: runs it there, and keeps what it wrote.
 step() {
   local machine=$1 name=$2 log=$store/$1.$2.log begun=$SECONDS word=passed
   shift 2
   printf '\n=== %s: %s, %s\n' "$machine" "$*" "$(date +%H:%M:%S)"
-  inside "$store/$machine" "$@" 2>&1 | tee "$log" || word=FAILED failed=1
+  CARLO_PRESET=$(preset_of "$machine") inside "$store/$machine" "$@" 2>&1 | tee "$log" || word=FAILED failed=1
   summary+=$(printf '%-10s %-7s %s in %d s' "$machine" "$name" "$word" "$((SECONDS - begun))")$'\n'
   [ "$word" = passed ]
+}
+
+# tests MACHINE ARGUMENT...
+tests() {
+  local machine=$1 arguments=("${@:2}")
+  [ ${#arguments[@]} != 0 ] || read -ra arguments <<<"$(tests_of "$machine")"
+  step "$machine" test ./carlo test --solutions ${arguments[@]+"${arguments[@]}"}
 }
 
 for machine in "${machines[@]}"; do
   exec 8>"$store/$machine.lock"
   flock -n 8 || fail "another run is at work in $store/$machine"
-  base_system "$machine" "$store/$machine" "$fresh"
+  base_system "$(suite_of "$machine")" "$store/$machine" "$fresh"
   clean_clone "$root" "$store/$machine/carlo"
   for name in "${steps[@]}"; do
     case $name in
       # Without what set-up installs nothing else can work; a render that fails says nothing about the tests.
-      setup) step "$machine" setup ./carlo setup || break ;;
+      setup)
+        read -ra command <<<"$(setup_of "$machine")"
+        step "$machine" setup "${command[@]}" || break ;;
       render) step "$machine" render ./carlo render --size 64x64 --spp 16 -o /tmp/render || true ;;
-      test) step "$machine" test ./carlo test --solutions ${ctest[@]+"${ctest[@]}"} || true ;;
-      shell) inside "$store/$machine" bash || true ;;
+      test) tests "$machine" ${ctest[@]+"${ctest[@]}"} || true ;;
+      shell) CARLO_PRESET=$(preset_of "$machine") inside "$store/$machine" bash || true ;;
     esac
   done
 done

@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# aarch64.sh: set-up for 64-bit ARM, inside a Debian of its own (chroot.sh aarch64), as root: this machine's compiler for
+# ARM, the libraries that ./carlo setup would install as ARM's, and programs of ARM run by QEMU, in which
+# the machine outside must have been told (binfmt).
+set -euo pipefail
+root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
+. "$root/common/course/packages.sh"
+export DEBIAN_FRONTEND=noninteractive
+
+dpkg --add-architecture arm64
+apt-get -qq update
+native=(g++-aarch64-linux-gnu) foreign=(libc6-dev:arm64)
+read -ra packages <<<"$(packages_for build)libcatch2-dev"
+for package in "${packages[@]}"; do
+  case $package in
+    *-dev)
+      # What is the same for all machines has no other name for one.
+      [ "$(apt-cache show "$package" | awk '/^Architecture:/ {print $2; exit}')" = all ] || package+=:arm64
+      foreign+=("$package") ;;
+    *) native+=("$package") ;;
+  esac
+done
+apt-get -qq -y --no-install-recommends install "${native[@]}" "${foreign[@]}" >/dev/null
+printf 'int main() {}\n' | aarch64-linux-gnu-g++ -x c++ -o /tmp/runs - && /tmp/runs ||
+  { printf 'aarch64.sh: programs of ARM do not run here: install qemu-user-static outside, which registers it with binfmt_misc\n' >&2 && exit 1; }
