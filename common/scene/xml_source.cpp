@@ -113,10 +113,11 @@ void XmlElement::allow_only(const std::vector<std::string_view>& names) const {
 void fail_at(Position at, const std::string& message) {
   const std::string_view text =
       std::string_view(at.source->text).substr(0, std::min(at.offset, at.source->text.size()));
-  const auto line = 1 + std::count(text.begin(), text.end(), '\n');
+  const auto line = static_cast<std::size_t>(1 + std::count(text.begin(), text.end(), '\n'));
   const std::size_t newline = text.rfind('\n');
   const std::string_view last = newline == std::string_view::npos ? text : text.substr(newline + 1);
-  const auto column = 1 + std::count_if(last.begin(), last.end(), starts_character);
+  const auto column =
+      static_cast<std::size_t>(1 + std::count_if(last.begin(), last.end(), starts_character));
   throw PlacedError(at.source->path.string(), line, column, message);
 }
 
