@@ -12,10 +12,11 @@
 namespace carlo {
 namespace {
 
-/// A function of the library, which finds its own standard library before ours.
+/// A function of the library. Both standard libraries share what throws and catches: the one that
+/// the program links first.
 template <class Function>
 Function* there(const char* name) {
-  void* const library = ::dlopen(CARLO_EXR_LIBRARY, RTLD_NOW | RTLD_LOCAL | RTLD_DEEPBIND);
+  void* const library = ::dlopen(CARLO_EXR_LIBRARY, RTLD_NOW | RTLD_LOCAL);
   void* const function = library == nullptr ? nullptr : ::dlsym(library, name);
   if (function == nullptr) throw Error("no OpenEXR: {}", ::dlerror());
   return reinterpret_cast<Function*>(function);
