@@ -18,7 +18,9 @@
 #   classes      a class of 200 on this machine, and ten times on a cluster whose tasks and nodes die: the same
 #                class.csv (hours; as root; needs Slurm)
 #   slurm        renders on a cluster of virtual nodes: tasks killed at random moments, a time limit (as root)
-#   machines     the README's commands in a bare Debian 12 and 13 (as root; needs debootstrap, and 10 GB)
+#   machines     the README's commands in a bare Debian 12 and 13; fast tests for ARM under QEMU and with
+#                LLVM's standard library (as root; needs debootstrap and qemu-user-static; hours the first
+#                time, and 20 GB)
 set -uo pipefail
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/..")
 cd "$root" || exit 1
@@ -70,7 +72,7 @@ slurm() {
 }
 
 machines() {
-  "$root/tests/machines/chroot.sh" bookworm trixie
+  "$root/tests/machines/chroot.sh" bookworm trixie aarch64 libcxx
 }
 
 case ${1:-} in

@@ -4,7 +4,7 @@
 #
 #   bookworm, trixie  a bare Debian 12 or 13 (the default: both), or any other release by its name
 #   aarch64           a Debian 13 that compiles for 64-bit ARM, whose programs QEMU runs (needs
-#                     qemu-user-static here): all fast tests, of lab 1 those that are not
+#                     qemu-user-static here): all fast tests
 #   libcxx            a Debian 13 with clang and LLVM's standard library, as macOS has it: all fast tests
 #
 # made once by debootstrap and kept in FOLDER (build/machines) with the packages that set-up has installed
