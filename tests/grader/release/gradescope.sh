@@ -42,6 +42,7 @@ file=${file:-$root/out/gradescope_lab$lab.zip}
 [ -z "$secret_file" ] || [ -s "$secret_file" ] || fail "$secret_file: no such file, or it is empty"
 [ -d "$root/tests/grader/grade" ] || fail "this tree cannot grade classes: tests/grader/grade is missing"
 committed_tree "$root" "$dirty"
+need_for "$root" "$file"
 
 umask 077
 scratch=$(mktemp -d)

@@ -45,6 +45,7 @@ last=$(lab_number "$root" "$last" "starter needs the last lab that students get,
 file=${file:-$root/out/carlo_labs_1_to_$last.tar.gz}
 check_output "$file"
 committed_tree "$root" "$dirty"
+need_for "$root" "$file"
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT

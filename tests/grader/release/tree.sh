@@ -96,6 +96,19 @@ lab_number() {
 # plain_rights FOLDER: one set of rights, whoever makes the archive.
 plain_rights() { chmod -R u=rwX,go=rX "$1"; }
 
+# need_for ROOT FILE: installs what packs such a file, once all that was typed is known to be right.
+need_for() {
+  case $2 in
+    *.zip)
+      (
+        . "$1/common/course/packages.sh"
+        # shellcheck disable=SC2034 # of set-up where no package manager is known
+        verb=archive build=$1/build
+        need_programs zip:zip
+      ) || exit 1 ;;
+  esac
+}
+
 # pack FOLDER FILE SECONDS: FOLDER's content as an archive whose bytes depend on nothing but that
 # content and SECONDS, the time that all files get: sorted, owner 0.
 pack() {
