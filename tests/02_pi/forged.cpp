@@ -23,8 +23,6 @@
 #include "02_pi/reference.h"
 #include "grader/attacks/forge.h"
 
-#include <unistd.h>
-
 #include <cmath>
 #include <string>
 
@@ -48,10 +46,11 @@ void forge_parallel(std::int64_t /*n*/) {}
 
 /// A count that is right and slow, with times that are as they should be, and fit the program's.
 void forge_count(std::uint64_t key, std::int64_t n) {
-  std::int64_t wasted = 0;
+  // Volatile: GCC 14 knows that no count is negative, and leaves out loops of which nobody asks
+  // more.
+  volatile std::int64_t wasted = 0;
   for (std::uint64_t i = 0; i < 4; ++i)
-    wasted += lab02_tests::plain_loop(key + i, n);
-  if (wasted < 0) ::_exit(1);  // never, but no compiler knows
+    wasted = wasted + lab02_tests::plain_loop(key + i, n);
   if (!asked("Lab 2.5 speed")) return;
   carlo::grader::Rows rows{4, {}};
   for (std::int64_t i = 0; i < 8; ++i) {
