@@ -4,11 +4,22 @@
 #include <fmt/core.h>
 #include <pugixml.hpp>
 
+#include <cstddef>
 #include <map>
-#include <sstream>
+#include <string>
+#include <utility>
 
 namespace carlo::grader {
 namespace {
+
+/// What pugixml writes. It can write streams, too, but those of the standard library that it was
+/// built with.
+struct Text : pugi::xml_writer {
+  std::string all;
+  void write(const void* data, std::size_t size) override {
+    all.append(static_cast<const char*>(data), size);
+  }
+};
 
 double seconds_of(const LabGrade& lab) {
   return lab.compile_seconds + lab.judge_seconds;
@@ -127,9 +138,9 @@ std::string junit_xml(const Record& record) {
     for (const ExerciseResult& exercise : lab.result.exercises)
       add_case(suite, lab, exercise);
   }
-  std::ostringstream out;
-  document.save(out, " ");
-  return out.str();
+  Text text;
+  document.save(text, " ");
+  return std::move(text.all);
 }
 
 }  // namespace carlo::grader
