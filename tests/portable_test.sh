@@ -4,6 +4,8 @@
 # (each of which its own sample must show); its verbs run where the tools are those of POSIX and refuse
 # what BSD's refuse; set-up says the right commands for each package manager, of which there are stand-ins.
 set -euo pipefail
+# Of whoever runs the tests; the trees here have their own.
+unset CARLO_PRESET
 source=$1
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
