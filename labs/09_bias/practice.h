@@ -3,6 +3,7 @@
 #include "experiments.h"
 #include "image/image.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -46,8 +47,11 @@ std::vector<PracticeMethod> practice_methods(const PracticeScene& scene);
 struct ImageParts : ErrorParts {
   double bias_error = 0;  ///< the standard error of bias2, if each pixel has noise of its own
 
-  /// bias^2 where it can be told from 0.
-  double bias_seen() const { return bias2 > 2 * bias_error ? bias2 : 0; }
+  bool bias_is_seen() const { return bias2 > 2 * bias_error; }
+  /// bias^2, or what it may be at most where it cannot be told from 0.
+  double bias_at_most() const {
+    return bias_is_seen() ? bias2 : std::max(bias2, 0.0) + 2 * bias_error;
+  }
 };
 
 /// From several images of a scene. What the reference's own noise adds to bias^2 is taken off.
@@ -76,15 +80,18 @@ struct PracticeCurve {
   /// The slope of its square error against time, but no steeper than that of noise, -1: a steeper
   /// one does not go on.
   double slope() const;
-  /// Its square error after t seconds, by its trend.
+  /// Its square error after t seconds, by its trend; at most so much where bias_is_bounded().
   double foretold(double t) const;
+  /// It has a bias for good, but these runs are too short to tell it from 0.
+  bool bias_is_bounded() const { return trend == Trend::biased && !longest().parts.bias_is_seen(); }
 };
 
 /// Runs of 1/16, 1/4 and all of `seconds`, each repeated with other random numbers.
 PracticeCurve measure_practice(Notebook& notebook, const PracticeScene& scene,
                                const PracticeMethod& method, double seconds);
 
-/// After how many seconds the unbiased method overtakes the other for good; infinity: never.
+/// After how many seconds the unbiased method overtakes the other for good; infinity: never. Not
+/// before then, where the other's bias_is_bounded().
 double overtaking(const PracticeCurve& unbiased, const PracticeCurve& other);
 
 }  // namespace lab09

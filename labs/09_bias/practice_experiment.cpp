@@ -19,28 +19,38 @@ carlo::Cell practice_number(double x) {
   return carlo::Cell(carlo::number_text(x, 3), x);
 }
 
-std::string time_in_words(double seconds) {
+std::string time_in_words(double seconds, bool at_least) {
   if (seconds == 0) return "from the start";
   if (!std::isfinite(seconds)) return "never";
   if (seconds > 1e4 * hour) return "after a year and more";
-  if (seconds > 2 * hour) return fmt::format("after {} h", carlo::number_text(seconds / hour, 3));
-  return "after " + carlo::duration_text(seconds);
+  return (at_least ? "not before " : "after ") + (seconds > 2 * hour
+                                                      ? carlo::number_text(seconds / hour, 3) + " h"
+                                                      : carlo::duration_text(seconds));
 }
 
-void add_practice_rows(carlo::Table& table, const std::string& scene,
-                       const std::vector<PracticeCurve>& curves) {
-  const PracticeCurve& paths = curves.front();
+void add_measured(carlo::Table& table, const std::string& scene,
+                  const std::vector<PracticeCurve>& curves) {
+  const PracticeRun& paths = curves.front().longest();
   for (const PracticeCurve& curve : curves) {
     const PracticeRun& run = curve.longest();
-    const double overtaken = overtaking(paths, curve);
-    table.add_row({scene, curve.name, run.passes, carlo::seconds_cell(run.seconds),
-                   carlo::interval_cell(run.parts.bias2, 2 * run.parts.bias_error),
-                   practice_number(run.parts.variance), practice_number(run.rel_mse()),
-                   practice_number(run.rel_mse() * run.seconds /
-                                   (paths.longest().rel_mse() * paths.longest().seconds)),
-                   practice_number(curve.foretold(hour)),
+    table.add_row(
+        {scene, curve.name, run.passes, carlo::seconds_cell(run.seconds),
+         carlo::interval_cell(run.parts.bias2, 2 * run.parts.bias_error),
+         practice_number(run.parts.variance), practice_number(run.rel_mse()),
+         practice_number(run.rel_mse() * run.seconds / (paths.rel_mse() * paths.seconds))});
+  }
+}
+
+void add_foretold(carlo::Table& table, const std::string& scene,
+                  const std::vector<PracticeCurve>& curves) {
+  const PracticeCurve& paths = curves.front();
+  for (const PracticeCurve& curve : curves) {
+    const double overtaken = overtaking(paths, curve), after_hour = curve.foretold(hour);
+    const bool bounded = curve.bias_is_bounded();
+    const std::string error = carlo::number_text(after_hour, 3);
+    table.add_row({scene, curve.name, carlo::Cell(bounded ? "at most " + error : error, after_hour),
                    &curve == &paths ? carlo::empty_cell()
-                                    : carlo::Cell(time_in_words(overtaken), overtaken)});
+                                    : carlo::Cell(time_in_words(overtaken, bounded), overtaken)});
   }
 }
 
@@ -113,10 +123,11 @@ void practice_experiment(Notebook& notebook) {
       "mean of (error/reference)², dark pixels counted as .1; it is the sum of bias² and noise², "
       "which several images with other random numbers tell apart.",
       carlo::duration_text(seconds)));
-  carlo::Table table({"scene", "method", "passes", "time", "bias²", "noise²", "relMSE",
-                      "over path tracing's", "at one hour", "path tracing overtakes"},
-                     {"scene", "method", "passes", "seconds", "bias2", "variance", "rel_mse",
-                      "ratio", "hour", "overtaken"});
+  carlo::Table table(
+      {"scene", "method", "passes", "time", "bias²", "noise²", "relMSE", "over path tracing's"},
+      {"scene", "method", "passes", "seconds", "bias2", "variance", "rel_mse", "ratio"});
+  carlo::Table foretold({"scene", "method", "relMSE after an hour", "path tracing overtakes"},
+                        {"scene", "method", "hour", "overtaken"});
   carlo::Table ahead({"scene", "ahead after " + carlo::duration_text(seconds), "after an hour"},
                      {"scene", "soon", "late"});
   std::vector<carlo::Chart> charts;
@@ -127,11 +138,13 @@ void practice_experiment(Notebook& notebook) {
     if (curves.empty()) return;
     notebook.raw_html(practice_pictures(scene, curves));
     charts.push_back(practice_chart(scene.name, curves));
-    add_practice_rows(table, scene.name, curves);
+    add_measured(table, scene.name, curves);
+    add_foretold(foretold, scene.name, curves);
     ahead.add_row({scene.name, ahead_at(curves, seconds), ahead_at(curves, hour)});
   }
   notebook.charts(charts);
   notebook.table("practice", table, "Bias, noise and time of all methods");
+  notebook.table("practice_foretold", foretold, "What the curves foretell");
   notebook.table("practice_ahead", ahead, "Who is ahead: measured, and foretold for an hour");
 }
 

@@ -142,7 +142,7 @@ double PracticeCurve::foretold(double t) const {
     case Trend::unbiased:
       return last.parts.variance * last.seconds / t;
     case Trend::biased:
-      return last.parts.bias_seen() + last.parts.variance * last.seconds / t;
+      return last.parts.bias_at_most() + last.parts.variance * last.seconds / t;
     case Trend::consistent:
       return last.rel_mse() * std::pow(t / last.seconds, slope());
   }
@@ -168,7 +168,7 @@ double overtaking(const PracticeCurve& unbiased, const PracticeCurve& other) {
   const double a = unbiased.longest().parts.variance * unbiased.longest().seconds;
   const PracticeRun& last = other.longest();
   if (other.trend != Trend::consistent) {
-    const double bias2 = other.trend == Trend::biased ? last.parts.bias_seen() : 0;
+    const double bias2 = other.trend == Trend::biased ? last.parts.bias_at_most() : 0;
     return overtakes_after(a, last.parts.variance * last.seconds, bias2);
   }
   // a/t = p t^slope
