@@ -55,15 +55,15 @@ std::vector<std::string> command(const SlurmFolder& folder, const SlurmPlan& pla
 /// whose lock does not know ours.
 std::string submit_tasks(const SlurmFolder& folder, const SlurmPlan& plan,
                          const std::vector<int>& shards) {
-  const std::string id = slurm::submit({.name = plan.jobs,
-                                        .folder = folder.output_of_tasks(),
-                                        .command = command(folder, plan, "--slurm-task"),
-                                        .processors = plan.threads,
-                                        .time = plan.time,
-                                        .partition = plan.partition,
-                                        .numbers = slurm::array_numbers(shards),
-                                        .signal = time_is_up,
-                                        .start = plan.start});
+  std::string id = slurm::submit({.name = plan.jobs,
+                                  .folder = folder.output_of_tasks(),
+                                  .command = command(folder, plan, "--slurm-task"),
+                                  .processors = plan.threads,
+                                  .time = plan.time,
+                                  .partition = plan.partition,
+                                  .numbers = slurm::array_numbers(shards),
+                                  .signal = time_is_up,
+                                  .start = plan.start});
   for (const std::string& other : slurm::jobs_named(plan.jobs).ids) {
     if (std::stoul(other) >= std::stoul(id)) continue;
     slurm::cancel(id);
@@ -150,7 +150,7 @@ class Waiting {
   std::optional<std::string> run() {
     const InterruptGuard guard;
     while (true) {
-      if (const auto report = folder_.done()) return report;
+      if (auto report = folder_.done()) return report;
       if (interrupt_noted()) return {};
       if (!jobs_there() && !folder_.done() &&
           advance_on_slurm(folder_, false) == SlurmStep::stuck) {
@@ -185,7 +185,8 @@ class Waiting {
   }
 
   void pause() {
-    for (double slept = 0; slept < pause_ && !interrupt_noted(); slept += .1)
+    const auto until = Clock::now() + std::chrono::duration_cast<Clock::duration>(Seconds(pause_));
+    while (Clock::now() < until && !interrupt_noted())
       std::this_thread::sleep_for(Seconds(.1));
     pause_ = std::min(1.3 * pause_, longest_pause);
   }

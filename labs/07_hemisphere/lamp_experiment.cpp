@@ -22,7 +22,8 @@ constexpr std::size_t sun_column = 20, sun_row = 7;
 std::vector<double> sky() {
   std::vector<double> luminances;
   for (std::size_t k = 0; k < width * height; ++k) {
-    const double up = std::cos(carlo::pi * (static_cast<double>(k / width) + 0.5) / height);
+    const std::size_t row = k / width;
+    const double up = std::cos(carlo::pi * (static_cast<double>(row) + 0.5) / height);
     luminances.push_back(up > 0 ? 0.2 + 0.6 * (1 - up) * (1 - up) : 0.03);
   }
   luminances[sun_row * width + sun_column] = 400;

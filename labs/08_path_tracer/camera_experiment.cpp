@@ -1,3 +1,4 @@
+#include "experiments.h"
 #include "images/images.h"
 #include "numeric/robust.h"
 #include "report/tiles.h"

@@ -1,3 +1,4 @@
+#include "experiments.h"
 #include "images/views.h"
 #include "numeric/robust.h"
 #include "report/format.h"

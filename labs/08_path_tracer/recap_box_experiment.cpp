@@ -1,3 +1,4 @@
+#include "experiments.h"
 #include "images/views.h"
 #include "recap.h"
 #include "report/format.h"

@@ -1,3 +1,4 @@
+#include "experiments.h"
 #include "images/views.h"
 #include "report/stopwatch.h"
 #include "report/tiles.h"

@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <iterator>
 #include <map>
@@ -181,10 +182,11 @@ std::string bars_svg(const Figure& figure) {
     if (axis.can_show(row.value)) values.push_back(row.value);
   }
   if (values.empty()) throw Error("no bar has a value that can be shown");
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  const double first = axis.scale == Scale::log ? std::log(*least / 2) : *least;
+  const auto ends = std::minmax_element(values.begin(), values.end());
+  const double least = *ends.first, most = *ends.second;
+  const double first = axis.scale == Scale::log ? std::log(least / 2) : least;
   const auto place = [&](double value) {
-    const double last = axis.scale == Scale::log ? std::log(*most) : *most;
+    const double last = axis.scale == Scale::log ? std::log(most) : most;
     const double at = axis.scale == Scale::log ? std::log(value) : value;
     return left + (at - first) / (last - first) * (figure.width - words - left);
   };

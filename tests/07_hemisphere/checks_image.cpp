@@ -130,9 +130,10 @@ Landed land(const SkyImage& image, const Rows& rows) {
     landed.counts[t.index] += 1;
     landed.across.push_back(t.across);
     landed.angles.push_back(t.down);
+    const std::size_t row = t.index / image.width;
     const double rows_high = static_cast<double>(image.height),
-                 top = std::cos(pi * static_cast<double>(t.index / image.width) / rows_high),
-                 bottom = std::cos(pi * static_cast<double>(t.index / image.width + 1) / rows_high);
+                 top = std::cos(pi * static_cast<double>(row) / rows_high),
+                 bottom = std::cos(pi * static_cast<double>(row + 1) / rows_high);
     landed.down.push_back((top - std::cos(pi * p.y)) / (top - bottom));
   }
   return landed;

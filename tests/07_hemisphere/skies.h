@@ -147,8 +147,9 @@ inline std::vector<Vec3> density_places(const SkyImage& image) {
   for (const std::size_t j : density_rows(image)) {
     for (std::size_t i = 0; i < image.width; ++i) {
       for (int k = 0; k < 9; ++k) {
-        const double x = static_cast<double>(i) + 0.02 + 0.48 * (k % 3);
-        const double y = static_cast<double>(j) + 0.02 + 0.48 * (k / 3);
+        const int across = k % 3, down = k / 3;
+        const double x = static_cast<double>(i) + 0.02 + 0.48 * across;
+        const double y = static_cast<double>(j) + 0.02 + 0.48 * down;
         places.emplace_back(
             seen_in({x / static_cast<double>(image.width), y / static_cast<double>(image.height)}));
       }
