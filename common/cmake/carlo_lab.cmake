@@ -144,7 +144,9 @@ function(carlo_lab_patched_worker lab folder name kind patch others)
   carlo_lab_program(${worker} ${lab}_probes ${worker}_code)
   target_link_libraries(${worker} PRIVATE ${others})
   if(CARLO_MOLD)
-    target_link_options(${worker} PRIVATE -fuse-ld=mold)
+    # mold 1.10 begins the region that is read-only after relocation with .tbss, be it of one byte
+    # in the page before the first one that is mapped: such a program, one of some 500, cannot start.
+    target_link_options(${worker} PRIVATE -fuse-ld=mold -Wl,-z,norelro)
   endif()
   add_dependencies(${lab}_${kind}s ${worker})
 endfunction()
