@@ -14,7 +14,10 @@ namespace {
 const Diagnosis specular_not_counted{"specular-not-counted",
                                      "specular does not grow at mirrors or at glass."};
 const Diagnosis counts_all{"phong-counts-mirrors", "phong counts mirrors and glass, too."};
-const Diagnosis flag_not_count{"specular-is-a-flag", "specular is a count, not whether."};
+const Diagnosis flag_not_count{
+    "specular-is-a-flag",
+    "specular counts all mirrors and glass on the way: it does not say whether there was one, and "
+    "does not begin anew at a Phong surface."};
 const Diagnosis mirror_bright{"mirror-reflects-all",
                               "the mirror's reflectance is missing in the flux."};
 const Diagnosis stored_on_mirror{"stored-on-mirrors",

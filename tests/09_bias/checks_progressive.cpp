@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -16,6 +17,9 @@ using namespace carlo::grader;
 
 namespace {
 
+const Diagnosis radius_late{"radius-one-pass-late",
+                            "each pass has the radius of the one before it: the first has "
+                            "first_radius, the second a smaller one already."};
 const Diagnosis radius_shrinks_as_square{
     "square-not-rooted", "the radius shrinks by the factor that belongs to its square."};
 const Diagnosis radius_grows{"radius-grows", "the factor is upside down: the radius grows."};
@@ -219,6 +223,7 @@ std::vector<Diagnosis> of_radii(const ProgressiveAnswer& answer) {
     return radius_of(answer.run, static_cast<std::int64_t>(pass));
   };
   if (all([&](double) { return first; })) return {radius_stays};
+  if (all([&](double pass) { return chain(std::max(pass - 1, 1.0)); })) return {radius_late};
   if (all([&](double pass) { return chain(pass) * root(pass); }) ||
       all([&](double pass) { return chain(pass) * std::sqrt(alpha); }))
     return {shrunk_first};
@@ -303,19 +308,26 @@ void judge_progressive_mean(std::int64_t passes) {
   judge(holds("calls of estimate()" + of + " passes", count_is_right,
               fmt::format("{:g}", answer.asked), fmt::format("{}", passes), found));
   double wrong_pass = 0, wrong_radius = 0;
+  std::string wrong_radii = "0";
   for (std::size_t i = 0; i < answer.pass.size(); ++i) {
     const auto pass = static_cast<std::int64_t>(i + 1);
     wrong_pass += answer.pass[i] == static_cast<double>(pass) ? 0 : 1;
-    wrong_radius += near_to(answer.radius[i], radius_of(answer.run, pass), 1e-8) ? 0 : 1;
+    const double radius = radius_of(answer.run, pass);
+    if (near_to(answer.radius[i], radius, 1e-8)) continue;
+    if (wrong_radius++ == 0) {
+      wrong_radii =
+          fmt::format("; of pass {} it is {:.9g}, not {:.9g}", pass, answer.radius[i], radius);
+    }
   }
+  if (wrong_radius > 0) wrong_radii = fmt::format("{:g}", wrong_radius) + wrong_radii;
   // Calls that are too few or too many have other passes and radii, and another mean.
   const auto unless_miscounted = [&](const std::vector<Diagnosis>& diagnoses) {
     return found.empty() ? diagnoses : found;
   };
   judge(holds("passes with a wrong number" + of, wrong_pass == 0, fmt::format("{:g}", wrong_pass),
               "0", unless_miscounted(of_pass_numbers(answer.pass))));
-  judge(holds("passes with a wrong radius" + of, wrong_radius == 0,
-              fmt::format("{:g}", wrong_radius), "0", unless_miscounted(of_radii(answer))));
+  judge(holds("passes with a wrong radius" + of, wrong_radius == 0, wrong_radii, "0",
+              unless_miscounted(of_radii(answer))));
   const std::vector<MeanSlip> slips = mean_slips(answer);
   const glm::dvec3 expected = slips[1].mean / static_cast<double>(passes);
   std::vector<Diagnosis> told;
