@@ -8,6 +8,8 @@ source=$1
 shift
 cmake_arguments=("$@")
 
+command -v git >/dev/null || { printf 'skipped: archives are made from what git holds, and git is not installed\n' && exit 77; }
+
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
