@@ -88,53 +88,72 @@ twice_at_once() {
     complain "three submissions at once: $(submitted twice '') arrays, $(submitted twice _merge) merges"
 }
 
+# held NAME COUNT: waits until the image's tasks, COUNT of them, stand still (SIGSTOP), each with a checkpoint: what
+# happens then does not happen after their end, however fast the processor is and busy.
+held() {
+  local tries task index
+  local -A stopped=()
+  for ((tries = 0; tries < 6000 && ${#stopped[@]} < $2; ++tries)); do
+    for task in $(tasks "$1"); do
+      index=$(tr '\0' '\n' <"/proc/$task/environ" 2>/dev/null | sed -n 's/^SLURM_ARRAY_TASK_ID=//p')
+      [ -n "$index" ] && [ -e "$1.slurm/$index.part" ] && kill -STOP "$task" && stopped[$task]=1
+    done
+    sleep .01
+  done 2>/dev/null
+  ((${#stopped[@]} == $2)) || complain "$1: ${#stopped[@]} of $2 tasks could be held"
+}
+go_on() { tasks "$1" | xargs --no-run-if-empty kill -CONT 2>/dev/null || true; }
+
 # A third of the tasks, without a word, and the submitting process.
 killed() {
   local pid
-  of 2048 --checkpoint .1
-  whole whole2048
+  of 8192 --checkpoint .1
+  whole whole8192
   "${render[@]}" -o killed --slurm --tasks 6 2>killed.stderr &
   pid=$!
-  until_there checkpoints killed
+  held killed 6
   kill -KILL $pid
-  tasks killed | shuf -n 2 | xargs --no-run-if-empty kill -KILL
+  tasks killed | shuf -n 2 | xargs kill -KILL
   wait $pid 2>/dev/null || true
+  go_on killed
   "${render[@]}" -o killed --slurm 2>killed.stderr &
   awaited $! killed
-  same whole2048 killed
+  same whole8192 killed
 }
 
 # By Slurm, and by itself when its time is up.
-all_four() { [ "$(checkpoints again | wc -l)" != 4 ] || printf 'yes'; }
 requeued() {
   local pid id
-  of 2048 --checkpoint .1
-  whole whole2048
+  of 8192 --checkpoint .1
+  whole whole8192
   "${render[@]}" -o again --slurm --tasks 4 2>again.stderr &
   pid=$!
-  until_there all_four
+  held again 4
   id=$(squeue --noheader --states RUNNING --format %F | head -1)
-  scontrol requeue "${id}_1" || true
-  scancel --batch --signal USR1 "${id}_2" "${id}_3" || true
+  scontrol requeue "${id}_1"
+  scancel --batch --signal USR1 "${id}_2" "${id}_3"
+  sleep .5
+  go_on again
   awaited $pid again
-  same whole2048 again
+  same whole8192 again
   grep -q 'time is up; queued again' again.slurm/tasks/*.txt || complain 'no task was queued again'
   [ "$(submitted again '')" = 1 ] || complain "requeued tasks were submitted again: $(tail -n 3 again.slurm/*/*.txt)"
 }
 
 node_down() {
   local pid
-  of 2048 --checkpoint .1
-  whole whole2048
+  of 8192 --checkpoint .1
+  whole whole8192
   "${render[@]}" -o down --slurm --tasks 6 2>down.stderr &
   pid=$!
-  until_there checkpoints down
+  held down 6
   "$CARLO_CLUSTER" crash node2
   scontrol update NodeName=node2 State=DOWN Reason=power
   sleep .5
   "$CARLO_CLUSTER" up node2
+  go_on down
   awaited $pid down
-  same whole2048 down
+  same whole8192 down
 }
 
 # With a target error, in rounds.
