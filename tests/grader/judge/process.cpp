@@ -95,7 +95,8 @@ std::optional<Outcome::End> broken_together(const Family& family, const Command&
   return {};
 }
 
-/// Seconds since a child was started; without those for which it was kept waiting by others.
+/// Seconds since a child was started; without those for which it was kept waiting by others, or by
+/// the disk from which its pages come.
 class Charge {
  public:
   double taken() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
@@ -113,6 +114,9 @@ class Charge {
 
   /// Looks at all its processes.
   void look(const Family& family) {
+    // As it is found, so it was since the last look.
+    if (blocked(family)) blocked_ += taken() - last_look_;
+    last_look_ = taken();
     worked_ = (processor_seconds(family) + reaped() - reaped_) / processors_;
     const ThreadTimes times = longest_times(family);
     ran_ = std::max(ran_, times.ran);
@@ -121,13 +125,17 @@ class Charge {
     waited_ = std::max(waited_, std::min(longest, taken() - frozen_ - worked_));
   }
 
-  double waited() const { return waited_ + frozen_; }
+  /// A program can make itself wait for a disk, and so gains as much as two deadlines.
+  double waited(std::chrono::duration<double> deadline) const {
+    return waited_ + frozen_ + std::min(blocked_, 2 * deadline.count());
+  }
+  double ran() const { return ran_; }
   Pressure pressure() const { return {taken(), held_up() + frozen_, worked_}; }
 
   /// Whether its time was over at the last beat, and whether that is its own doing. Of the time
   /// since then nobody knows yet whether all stood still.
   std::optional<Outcome::End> over(std::chrono::duration<double> deadline) const {
-    const bool enough = last_beat_ - waited() >= deadline.count();
+    const bool enough = last_beat_ - waited(deadline) >= deadline.count();
     // Many processes that take from one another run little each, and together as long as any may.
     const bool ran = ran_ >= deadline.count() || worked_ >= deadline.count();
     const bool proven = ran || !pressure().is_high();
@@ -157,6 +165,7 @@ class Charge {
   double waited_ = 0, worked_ = 0;
   double ran_ = 0;  ///< of the thread that ran longest
   double frozen_ = 0, last_beat_ = 0, last_wait_ = 0;
+  double blocked_ = 0, last_look_ = 0;
 };
 
 /// Follows the child to its end or to the first limit that it breaks.
@@ -213,7 +222,8 @@ Outcome run_limited(const Command& command, const Limits& limits) {
   ::kill(-child.pid, SIGKILL);
   outcome.peak_bytes = end_orphans();
   charge.look({});
-  outcome.waited = charge.waited();
+  outcome.waited = charge.waited(limits.deadline);
+  outcome.ran = charge.ran();
   outcome.pressure = charge.pressure();
   outcome.result = result.take();
   outcome.output = output.take();

@@ -14,7 +14,7 @@ namespace carlo::grader {
 struct Limits {
   /// From start to the last byte, without the time for which it was ready to run but others had the
   /// processors; with it at most `patience` times as long. What its own processes take from one
-  /// another counts.
+  /// another counts. Of the time for which it waits for a disk, up to two deadlines do not count.
   std::chrono::milliseconds deadline{10'000};
   std::chrono::seconds cpu{0};  ///< processor time; 0: a second over the deadline
   std::size_t memory_bytes = std::size_t{2} << 30;     ///< of each process, and of all together
@@ -67,8 +67,10 @@ struct Outcome {
                                ///< not started
   std::size_t lost_lines = 0;  ///< that it printed beyond `output`, or began to
   double seconds = 0;          ///< wall clock
-  /// Of these: ready to run, but others had the processors; and all of us stood still. Not charged.
+  /// Of these: ready to run, but others had the processors; a disk was awaited; and all of us stood
+  /// still. Not charged.
   double waited = 0;
+  double ran = 0;              ///< of these the thread that ran longest had a processor
   Pressure pressure;           ///< what the machine was like meanwhile
   std::size_t peak_bytes = 0;  ///< resident memory of the largest process, as far as it was reaped
 

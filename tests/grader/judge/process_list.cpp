@@ -31,8 +31,8 @@ std::string proc_file(pid_t id, const char* name) {
 }
 
 /// From /proc/PID/stat. The name in the second field may hold anything, so the fields are counted
-/// from its last parenthesis: the parent's id is the 4th, the ticks of processor time are the 14th
-/// to 17th, the number of threads is the 20th, the resident pages are the 24th.
+/// from its last parenthesis: the state is the 3rd, the parent's id the 4th, the ticks of processor
+/// time are the 14th to 17th, the number of threads is the 20th, the resident pages are the 24th.
 ProcessEntry entry_of(pid_t id) {
   ProcessEntry entry{id};
   const std::string line = proc_file(id, "stat");
@@ -42,6 +42,7 @@ ProcessEntry entry_of(pid_t id) {
   for (int number = 3; number <= 24 && at < line.size(); ++number) {
     long value = 0;
     std::from_chars(line.data() + at, line.data() + line.size(), value);
+    if (number == 3) entry.state = line[at];
     if (number == 4) entry.parent = static_cast<pid_t>(value);
     if (number >= 14 && number <= 17) {
       entry.seconds += static_cast<double>(value) / static_cast<double>(::sysconf(_SC_CLK_TCK));

@@ -10,6 +10,7 @@ namespace carlo::grader {
 /// A process as the system lists it.
 struct ProcessEntry {
   pid_t id = 0, parent = 0;
+  char state = '?';  ///< R, S, D, ... (proc(5)), of its first thread
   std::size_t resident_bytes = 0;
   double seconds = 0;  ///< of processor time, and of the children that it has waited for
   std::size_t threads = 0;

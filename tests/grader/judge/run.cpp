@@ -93,6 +93,12 @@ ProbeFailure crashed(const Outcome& outcome) {
   return printing(std::move(failure), outcome);
 }
 
+/// What kept it from coming to its end.
+std::string guess(const Outcome& outcome) {
+  if (outcome.ran >= .3 * (outcome.seconds - outcome.waited)) return ": a loop that does not end?";
+  return ", in which it hardly ran: it waits for what does not come?";
+}
+
 /// Throws unless the worker ended as it should.
 void check_end(const Outcome& outcome, const Limits& limits) {
   using End = Outcome::End;
@@ -106,8 +112,8 @@ void check_end(const Outcome& outcome, const Limits& limits) {
       throw crashed(outcome);
     case End::deadline:
       fail(Status::timeout,
-           fmt::format("it was not done after {:.3g} seconds: a loop that does not end?",
-                       static_cast<double>(limits.deadline.count()) / 1000));
+           fmt::format("it was not done after {:.3g} seconds{}",
+                       std::chrono::duration<double>(limits.deadline).count(), guess(outcome)));
       break;
     case End::flooded_output:
       fail(

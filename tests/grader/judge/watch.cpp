@@ -74,6 +74,14 @@ ThreadTimes longest_times(const Family& family) {
   return longest;
 }
 
+bool blocked(const Family& family) {
+  const auto any = [&](char state) {
+    return std::any_of(family.begin(), family.end(),
+                       [&](const ProcessEntry& entry) { return entry.state == state; });
+  };
+  return any('D') && !any('R');
+}
+
 ThreadTimes own_times() {
   return times_in("/proc/thread-self/schedstat");
 }

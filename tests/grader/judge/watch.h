@@ -32,6 +32,9 @@ struct ThreadTimes {
 };
 ThreadTimes longest_times(const Family& family);
 
+/// Whether none of them runs or could, and one waits for a disk, or for memory that others have.
+bool blocked(const Family& family);
+
 /// Those of the thread that calls.
 ThreadTimes own_times();
 

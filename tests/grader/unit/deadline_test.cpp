@@ -61,6 +61,16 @@ TEST_CASE("a deadline leaves out the time for which others had the processors", 
   CHECK(ended);
 }
 
+TEST_CASE("a deadline leaves out the time for which a disk is awaited, twice its length at most",
+          "[worker]") {
+  Limits limits;
+  const Worker worker(FIXTURE_WORKER, Level::limits);
+  limits.deadline = std::chrono::milliseconds(1200);
+  CHECK(run_probe(worker, "two seconds of disk", {}, {}, limits).seconds > 1.9);
+  limits.deadline = std::chrono::milliseconds(300);
+  CHECK(fails(worker, "two seconds of disk", limits));
+}
+
 TEST_CASE("seeds follow from the run, the test and the probe's place in it", "[run]") {
   const auto seeds = [](std::uint64_t seed, const std::string& test) {
     Run run(Worker(FIXTURE_WORKER, Level::limits), seed, {});
