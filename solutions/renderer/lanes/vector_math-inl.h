@@ -63,10 +63,12 @@ HWY_INLINE M select_mask(M m, M yes, M no) {
 
 /// Bit i: lane i's.
 HWY_INLINE std::uint32_t bits(M mask) {
-  static_assert(lanes <= 32);
-  std::array<std::uint8_t, 8> bytes{};
+  // Read as wide as it is written: a load that takes two stores together waits for both.
+  static_assert(lanes <= 16);
+  using Word = std::conditional_t<(lanes > 8), std::uint16_t, std::uint8_t>;
+  std::array<std::uint8_t, 8> bytes;
   hn::StoreMaskBits(d_, mask, bytes.data());
-  std::uint32_t word;
+  Word word;
   std::memcpy(&word, bytes.data(), sizeof word);
   return word;
 }
