@@ -313,8 +313,7 @@ HWY_ATTR void run_lamps(const LampJob& job, carlo::Splats& splats, carlo::Counts
       const auto free = static_cast<std::uint32_t>(lanes - hn::CountTrue(d_, paths[w].alive));
       if (next < end && 4 * free >= lanes) {
         const auto taken = static_cast<std::uint32_t>(std::min<std::uint64_t>(free, end - next));
-        const U before = hn::Sub(hn::Shl(set_word(1), hn::Iota(du_, 0)), set_word(1));
-        const U place = hn::PopulationCount(hn::And(set_word(~bits(paths[w].alive)), before));
+        const U place = ranks(~bits(paths[w].alive));
         const M starts =
             hn::AndNot(paths[w].alive, hn::RebindMask(d_, hn::Gt(set_word(taken), place)));
         // Paths of different 2^32 have keys of their own.

@@ -71,8 +71,7 @@ class Starts {
     if (waiting_ < lanes && allowed_ > 0) prepare();
     if (waiting_ == 0) return;
     // The place in the queue: how many lanes before this one are free.
-    const U before = hn::Sub(hn::Shl(set_word(1), hn::Iota(du_, 0)), set_word(1));
-    const U place = hn::PopulationCount(hn::And(set_word(~alive), before));
+    const U place = ranks(~alive);
     const M starts = hn::AndNot(paths.alive, hn::RebindMask(d_, hn::Gt(set_word(waiting_), place)));
     take<Needs>(paths, starts, hn::And(place, set_word(lanes - 1)));
     const auto started = static_cast<std::uint32_t>(hn::CountTrue(d_, starts));
@@ -117,12 +116,18 @@ class Starts {
     paths.alive = hn::Or(paths.alive, starts);
   }
 
-  /// The queue's rest moves to its front, and a register of samples joins it. Behind the tile's
-  /// last sample the register holds nothing that counts as waiting.
+  /// The queue's rest moves to its front, and registers of samples join it: several, as no
+  /// processor foresees when.
   HWY_INLINE void prepare() {
     move(dx_, d_), move(dy_, d_), move(dz_, d_);
     move(key_, du_), move(index_, du_), move(number_of_, du_);
     first_ = 0;
+    for (std::size_t i = 0; i < at_a_time && allowed_ > 0; ++i)
+      join();
+  }
+
+  /// Behind the tile's last sample the register holds nothing that counts as waiting.
+  HWY_INLINE void join() {
     const auto made = static_cast<std::uint32_t>(std::min<std::uint32_t>(lanes, allowed_));
     const std::uint32_t samples = job_.tile.samples;
     if (sample_ == samples) next_pixel();
@@ -173,9 +178,10 @@ class Starts {
     hn::StoreU(hn::LoadU(tag, queue.data() + first_), tag, queue.data());
   }
 
+  static constexpr std::size_t at_a_time = 4;
   /// The queue: `waiting_` from `first_` on. Lookups read a register from anywhere in it.
   template <class T>
-  using Queue = std::array<T, 3 * lanes>;
+  using Queue = std::array<T, (at_a_time + 2) * lanes>;
   static constexpr std::size_t alignment = lanes * sizeof(float);
   alignas(alignment) Queue<float> dx_{}, dy_{}, dz_{};
   alignas(alignment) Queue<std::uint32_t> key_{}, index_{}, number_of_{};

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -45,21 +44,18 @@ class Sums {
                            hn::And(hn::Ge(L.z, set(0)),
                                    hn::Le(max_element(L), set(std::numeric_limits<float>::max()))));
     counts.bad += hn::CountTrue(d_, hn::AndNot(good, ended));
-    alignas(64) std::array<float, lanes> r, g, b;
-    alignas(64) std::array<std::uint32_t, lanes> number;
-    hn::Store(hn::IfThenElseZero(good, L.x), d_, r.data());
-    hn::Store(hn::IfThenElseZero(good, L.y), d_, g.data());
-    hn::Store(hn::IfThenElseZero(good, L.z), d_, b.data());
-    hn::Store(paths.number, du_, number.data());
-    for (std::uint32_t left = bits(ended); left != 0; left &= left - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      float* const kept = kept_.get() + std::size_t{3} * number[lane];
-      kept[0] = r[lane], kept[1] = g[lane], kept[2] = b[lane];
-    }
+    const ToFront front(ended);
+    hn::StoreU(front(hn::IfThenElseZero(good, L.x)), d_, r_.data() + queued_);
+    hn::StoreU(front(hn::IfThenElseZero(good, L.y)), d_, g_.data() + queued_);
+    hn::StoreU(front(hn::IfThenElseZero(good, L.z)), d_, b_.data() + queued_);
+    hn::StoreU(front(paths.number), du_, number_.data() + queued_);
+    queued_ += hn::CountTrue(d_, ended);
+    if (queued_ > queue_length) put_in_place();
   }
 
   /// Adds the first `count` samples that were kept to those before.
   void add(std::uint32_t count) {
+    put_in_place();
     const float* next = kept_.get();
     while (count > 0) {
       const std::uint32_t here = std::min(count, samples_ - sample_);
@@ -80,6 +76,14 @@ class Sums {
   }
 
  private:
+  void put_in_place() {
+    for (std::size_t i = 0; i < queued_; ++i) {
+      float* const kept = kept_.get() + std::size_t{3} * number_[i];
+      kept[0] = r_[i], kept[1] = g_[i], kept[2] = b_[i];
+    }
+    queued_ = 0;
+  }
+
   /// Adds so many samples to a pixel; what follows them. Sums of each fourth sample do not wait for
   /// each other.
   const float* add_to_pixel(std::uint32_t count, const float* next) {
@@ -101,6 +105,12 @@ class Sums {
       one();
     return next;
   }
+
+  /// Paths that have ended wait here for others: how many end at a time no processor foresees.
+  static constexpr std::size_t queue_length = 128;
+  std::array<float, queue_length + 2 * lanes> r_, g_, b_;
+  std::array<std::uint32_t, queue_length + 2 * lanes> number_;
+  std::size_t queued_ = 0;
 
   std::uint32_t samples_;
   std::vector<std::array<double, 3>> sums_;

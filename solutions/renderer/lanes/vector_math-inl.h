@@ -13,6 +13,7 @@
 #include <hwy/highway.h>
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -72,6 +73,65 @@ HWY_INLINE std::uint32_t bits(M mask) {
   std::memcpy(&word, bytes.data(), sizeof word);
   return word;
 }
+
+/// Of each byte, how many of its bits are below each of them, in nibbles.
+constexpr std::array<std::uint32_t, 256> bits_below = [] {
+  std::array<std::uint32_t, 256> below{};
+  for (std::uint32_t byte = 0; byte < below.size(); ++byte) {
+    for (std::uint32_t i = 0; i < 8; ++i)
+      below[byte] |= static_cast<std::uint32_t>(std::popcount(byte & ((1U << i) - 1))) << (4 * i);
+  }
+  return below;
+}();
+
+/// How many of the lanes before each one are in the mask of these bits.
+HWY_INLINE U ranks(std::uint32_t mask) {
+  const U lane = hn::Iota(du_, 0);
+  U below = set_word(bits_below[mask & 255]), first = set_word(0);
+  if constexpr (lanes > 8) {
+    const auto high = hn::Gt(lane, set_word(7));
+    below = hn::IfThenElse(high, set_word(bits_below[mask >> 8 & 255]), below);
+    first =
+        hn::IfThenElseZero(high, set_word(static_cast<std::uint32_t>(std::popcount(mask & 255))));
+  }
+  const U shift = hn::ShiftLeft<2>(hn::And(lane, set_word(7)));
+  return hn::Add(hn::And(hn::Shr(below, shift), set_word(15)), first);
+}
+
+/// Of each byte, where its bits are, in nibbles.
+constexpr std::array<std::uint32_t, 256> set_bits = [] {
+  std::array<std::uint32_t, 256> places{};
+  for (std::uint32_t byte = 0; byte < places.size(); ++byte) {
+    std::uint32_t shift = 0;
+    for (std::uint32_t i = 0; i < 8; ++i) {
+      if ((byte >> i & 1) == 0) continue;
+      places[byte] |= i << shift;
+      shift += 4;
+    }
+  }
+  return places;
+}();
+
+/// Takes the lanes of a mask to the front, in their order; what follows them is undefined.
+class ToFront {
+ public:
+  HWY_INLINE explicit ToFront(M mask) : mask_(mask) {
+    if constexpr (lanes <= 8) {
+      const U shift = hn::ShiftLeft<2>(hn::Iota(du_, 0));
+      from_ = hn::And(hn::Shr(set_word(set_bits[bits(mask)]), shift), set_word(lanes - 1));
+    }
+  }
+  // Highway's copies its table to the stack each time, where there is no instruction for it.
+  HWY_INLINE V operator()(V v) const {
+    if constexpr (lanes > 8) return hn::Compress(v, mask_);
+    return hn::TableLookupLanes(v, hn::IndicesFromVec(d_, from_));
+  }
+  HWY_INLINE U operator()(U u) const { return hn::BitCast(du_, (*this)(hn::BitCast(d_, u))); }
+
+ private:
+  M mask_;
+  U from_ = hn::Zero(du_);
+};
 
 struct V3 {
   V x, y, z;
