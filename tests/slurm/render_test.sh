@@ -222,14 +222,18 @@ refused() {
 
 # --- nightly -------------------------------------------------------------------------------------
 
-# killing NAME PID: until PID ends, kills a task of the image now and then: one in three, about.
+# killing NAME PID: until PID ends, kills one in three of the image's tasks, at a random moment of its first second.
 killing() {
   local task
+  local -A seen=()
   while kill -0 "$2" 2>/dev/null; do
-    sleep ".$((RANDOM % 10))"
     for task in $(tasks "$1"); do
-      [ $((RANDOM % 12)) != 0 ] || ! kill -KILL "$task" 2>/dev/null || printf '%s\n' "$task" >>"$1.killed"
+      [ -z "${seen[$task]:-}" ] || continue
+      seen[$task]=1
+      [ $((RANDOM % 3)) != 0 ] ||
+        (sleep ".$((RANDOM % 10))" && kill -KILL "$task" 2>/dev/null && printf '%s\n' "$task" >>"$1.killed") &
     done
+    sleep .05
   done
 }
 
@@ -239,7 +243,7 @@ third_killed() {
   for name in cornell_phong caustics mesh; do
     file=$source/common/scenes/$name.xml
     [ $name != mesh ] || file=$source/tests/common/scenes/meshes.xml
-    render=("$renderer" "$file" --quiet --size 64x64 --spp 2048 --checkpoint .2)
+    render=("$renderer" "$file" --quiet --size 64x64 --spp 16384 --checkpoint .2)
     : >"$name.killed"
     "${render[@]}" -o "whole_$name"
     "${render[@]}" -o "$name" --slurm --tasks 12 2>"$name.stderr" &
