@@ -53,8 +53,9 @@ void way_table(Notebook& notebook) {
     notebook.attempt([&] {
       carlo::Rng rng = notebook.rng();
       const Estimate e = summarize(way.draw(n, rng));
+      const std::int64_t draws = n / 8;
       const double seconds =
-          best_seconds([&] { return way.draw(n / 8, rng).back(); }) / static_cast<double>(n / 8);
+          best_seconds([&] { return way.draw(draws, rng).back(); }) / static_cast<double>(draws);
       table.add_row({way.name, n, e.value, e.standard_error, e.variance, way.variance,
                      carlo::seconds_cell(seconds), efficiency(e.variance, seconds)});
     });

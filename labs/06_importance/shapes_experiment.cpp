@@ -55,9 +55,10 @@ void member_table(Notebook& notebook) {
     const Density p = power_density(member.n);
     carlo::Rng rng = notebook.rng();
     const Estimate e = summarize(contributions(power_f, p, n, rng));
+    const std::int64_t draws = n / 8;
     const double seconds =
-        best_seconds([&] { return contributions(power_f, p, n / 8, rng).back(); }) /
-        static_cast<double>(n / 8);
+        best_seconds([&] { return contributions(power_f, p, draws, rng).back(); }) /
+        static_cast<double>(draws);
     const double worth = efficiency(e.variance, seconds);
     // What rounding leaves of a variance of 0 would make a number without a meaning.
     const bool exact = e.variance < 1e-20;
