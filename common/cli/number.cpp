@@ -2,7 +2,6 @@
 
 #include <clocale>
 #include <cmath>
-#include <cstdlib>
 #include <string>
 
 #if __has_include(<xlocale.h>)

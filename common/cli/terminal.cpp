@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdlib>
 
 namespace carlo {
@@ -46,18 +45,6 @@ bool stdout_has_colour() {
 std::string coloured(Colour colour, std::string_view text) {
   if (!stdout_has_colour()) return std::string(text);
   return fmt::format("\x1b[{}m{}\x1b[0m", ansi_code(colour), text);
-}
-
-std::string without_colours(std::string_view text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '\x1b') {
-      out += text[i];
-    } else {
-      i = std::min(text.find('m', i), text.size());
-    }
-  }
-  return out;
 }
 
 }  // namespace carlo

@@ -15,7 +15,4 @@ enum class Colour { red, green, yellow, blue, bold, dim };
 /// `text` in the colour where stdout shows colours, `text` as it is elsewhere.
 std::string coloured(Colour colour, std::string_view text);
 
-/// What coloured() gives elsewhere.
-std::string without_colours(std::string_view text);
-
 }  // namespace carlo

@@ -2,7 +2,6 @@
 
 #include "cli/arguments.h"
 #include "cli/atomic_file.h"
-#include "cli/error.h"
 #include "cli/main_guard.h"
 #include "cli/wrap.h"
 #include "course/compiler_messages.h"

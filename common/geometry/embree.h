@@ -13,6 +13,11 @@
 
 namespace carlo {
 
+struct Mesh;
+
+/// The mesh as Embree's; not committed. Throws Error if memory is short.
+RTCGeometry embree_triangles(RTCDevice device, const Mesh& mesh);
+
 inline void embree_intersect(RTCScene scene, RTCRayHit* query) {
 #if CARLO_EMBREE == 4
   rtcIntersect1(scene, query);

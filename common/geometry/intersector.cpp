@@ -3,9 +3,9 @@
 #include "cli/error.h"
 #include "geometry/analytic.h"
 #include "geometry/embree.h"
+#include "geometry/mesh_tracer.h"
 #include "geometry/planes.h"
 #include "geometry/sphere_tracer.h"
-#include "geometry/triangles.h"
 #include "numeric/robust.h"
 #include "scene/match.h"
 

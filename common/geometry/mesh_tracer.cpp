@@ -2,7 +2,6 @@
 
 #include "cli/error.h"
 #include "geometry/embree.h"
-#include "geometry/triangles.h"
 #include "numeric/robust.h"
 
 #include <algorithm>

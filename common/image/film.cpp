@@ -76,29 +76,24 @@ double Film::variance(int x, int y, std::size_t channel) const {
   return std::fmax(0.0, mean_square - m * m) / (n - 1);
 }
 
-Image Film::mean() const {
+template <class Value>
+Image Film::image_of(const Value& value) const {
   Image image(width_, height_);
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_; ++x) {
-      for (int c = 0; c < 3; ++c) {
-        image.at(x, y)[c] = static_cast<float>(mean(x, y, static_cast<std::size_t>(c)));
-      }
+      for (int c = 0; c < 3; ++c)
+        image.at(x, y)[c] = static_cast<float>(value(x, y, static_cast<std::size_t>(c)));
     }
   }
   return image;
 }
 
+Image Film::mean() const {
+  return image_of([this](int x, int y, std::size_t c) { return mean(x, y, c); });
+}
+
 Image Film::standard_error() const {
-  Image image(width_, height_);
-  for (int y = 0; y < height_; ++y) {
-    for (int x = 0; x < width_; ++x) {
-      for (int c = 0; c < 3; ++c) {
-        image.at(x, y)[c] =
-            static_cast<float>(std::sqrt(variance(x, y, static_cast<std::size_t>(c))));
-      }
-    }
-  }
-  return image;
+  return image_of([this](int x, int y, std::size_t c) { return std::sqrt(variance(x, y, c)); });
 }
 
 std::uint64_t Film::samples() const {

@@ -71,6 +71,9 @@ class Film {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
            static_cast<std::size_t>(x);
   }
+  /// The image of value(x, y, channel).
+  template <class Value>
+  Image image_of(const Value& value) const;
 
   int width_, height_;
   std::uint32_t block_;

@@ -1,8 +1,8 @@
 #include "render/adaptive.h"
 
 #include "cli/error.h"
+#include "cli/wall_clock.h"
 #include "numeric/compensated.h"
-#include "render/adaptive_levels.h"
 #include "render/adaptive_state.h"
 #include "render/interrupt.h"
 #include "render/lamp_pass.h"
@@ -11,9 +11,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <chrono>
 #include <mutex>
-#include <numbers>
 #include <vector>
 
 namespace carlo {
@@ -117,16 +115,14 @@ class AdaptiveJob {
 
   /// Lets the caller keep what is there, now and then.
   void save() {
-    if (!options_.checkpoint || elapsed() - last_save_ < options_.checkpoint_seconds) return;
+    if (!options_.checkpoint || clock_.seconds() - last_save_ < options_.checkpoint_seconds) return;
     options_.checkpoint(result());
-    last_save_ = elapsed();
+    last_save_ = clock_.seconds();
   }
 
-  double elapsed() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
   bool stopped() const {
-    return interrupt_noted() || (goal_.seconds && state_.level > 0 && elapsed() >= *goal_.seconds);
+    return interrupt_noted() ||
+           (goal_.seconds && state_.level > 0 && clock_.seconds() >= *goal_.seconds);
   }
 
   bool ours(std::uint32_t number) const {
@@ -253,7 +249,7 @@ class AdaptiveJob {
     const std::lock_guard lock(mutex_);
     counts_ += counts;
     const double done = static_cast<double>(counts_.paths);
-    options_.progress(goal_.seconds ? elapsed() / *goal_.seconds
+    options_.progress(goal_.seconds ? clock_.seconds() / *goal_.seconds
                                     : done / std::fmax(state_.expected_paths, done));
   }
 
@@ -374,7 +370,7 @@ class AdaptiveJob {
   const AdaptiveGoal& goal_;
   const AdaptiveOptions& options_;
   Levels levels_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  WallClock clock_;
   double last_save_ = 0;
   std::mutex mutex_;  ///< guards counts_ and the calls of options_.progress
   Counts counts_;

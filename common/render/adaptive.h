@@ -48,7 +48,7 @@ struct AdaptiveOptions {
   /// Called with what is there when this many seconds have gone by, while nothing else runs.
   std::function<void(const AdaptiveResult&)> checkpoint = {};
   double checkpoint_seconds = 60;
-  /// Of the next round this share of the jobs alone, and no decision (adaptive_rounds.h). Paths
+  /// Of the next round this share of the jobs alone, and no decision (adaptive_state.h). Paths
   /// from lamps are traced whole by each share, and counted by the first.
   std::optional<Shard> share = {};
   /// The next round alone, and what it decides.

@@ -1,10 +1,14 @@
 #pragma once
 
+#include "cli/error.h"
 #include "image/film.h"
 #include "render/half_sums.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace carlo {
@@ -63,5 +67,44 @@ AdaptiveEstimate adaptive_estimate(const HalfPixel& a, const HalfPixel& b, std::
 /// The mean over the pixels of the probability that a normal error is within `target`, relative to
 /// the pixel's luminance, or to `floor` where it is darker.
 double expected_within(const AdaptiveState& state, double target, double floor);
+
+/// The samples of a half after a number of rounds: n, 3/2 n, 2 n, 3 n, 4 n ... The samples of each
+/// round are aligned runs of a power of two, which Sobol' points fill evenly.
+class Levels {
+ public:
+  explicit Levels(std::uint32_t spp) {
+    if (spp < 32) {
+      throw Error("--target-error needs at least 32 samples a pixel, got --spp {}", spp);
+    }
+    first_ = std::min(32u, std::bit_floor(spp / 2));
+    while (end(count_) <= spp / 2)
+      ++count_;
+  }
+  int count() const { return count_; }
+  std::uint32_t end(int level) const {
+    const std::uint32_t octave = first_ << (level / 2);
+    return level % 2 == 0 ? octave : octave + octave / 2;
+  }
+  std::uint32_t begin(int level) const { return level == 0 ? 0 : end(level - 1); }
+
+ private:
+  std::uint32_t first_ = 0;
+  int count_ = 0;
+};
+
+// A round of an adaptive render that several share. Each goes on from the same state with a share
+// of the round's jobs (AdaptiveOptions::share); what they add is put together, and the decisions
+// behind the round are those of one that did all of it, bit for bit: a pixel's half gets its
+// samples of a round in one job.
+
+/// What a state has that `base`, from which it went on, has not; empty pixels elsewhere.
+AdaptiveState round_part(const AdaptiveState& state, const AdaptiveState& base);
+
+/// Puts a round's part into the state that it went on from. Throws Error if it went on from
+/// another.
+void add_round_part(AdaptiveState& base, const AdaptiveState& part);
+
+/// Whether no pixel wants another sample, or none may have one: `spp` is the limit.
+bool all_rounds_done(const AdaptiveState& state, std::uint32_t spp);
 
 }  // namespace carlo

@@ -2,6 +2,7 @@
 
 #include "cli/error.h"
 #include "cli/progress.h"
+#include "cli/wall_clock.h"
 #include "render/interrupt.h"
 #include "render/lamp_pass.h"
 
@@ -11,9 +12,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
-#include <chrono>
 #include <mutex>
 #include <vector>
 
@@ -92,24 +91,21 @@ class Job {
 
   /// Fills in what follows from the rest.
   void settle() {
-    result_.seconds = earlier_seconds_ + elapsed();
+    result_.seconds = earlier_seconds_ + clock_.seconds();
     result_.counts.lamp_ties = result_.lamp_ties.value() / static_cast<double>(tiles());
   }
 
   /// Lets the caller keep what is there, now and then.
   void save() {
-    if (!options_.checkpoint || elapsed() - last_save_ < options_.checkpoint_seconds) return;
+    if (!options_.checkpoint || clock_.seconds() - last_save_ < options_.checkpoint_seconds) return;
     options_.checkpoint(result_);
-    last_save_ = elapsed();
-  }
-
-  double elapsed() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    last_save_ = clock_.seconds();
   }
 
   /// With a time limit every pixel still gets two blocks, or there would be no error estimate.
   bool stopped(std::uint32_t pass) const {
-    return interrupt_noted() || (options_.seconds && pass >= 2 && elapsed() >= *options_.seconds);
+    return interrupt_noted() ||
+           (options_.seconds && pass >= 2 && clock_.seconds() >= *options_.seconds);
   }
 
   void run_tile(int number, std::uint32_t pass, const LampPass& lamps) {
@@ -145,7 +141,7 @@ class Job {
     result_.lamp_ties.add(lamp_ties);
     ++blocks_done_;
     progress_.update(options_.seconds
-                         ? elapsed() / *options_.seconds
+                         ? clock_.seconds() / *options_.seconds
                          : static_cast<double>(blocks_done_) / static_cast<double>(share_.count()));
   }
 
@@ -156,7 +152,7 @@ class Job {
   int columns_, rows_;
   BlockRange share_;
   double earlier_seconds_, last_save_ = 0;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  WallClock clock_;
   std::mutex mutex_;  ///< guards the two below
   std::uint64_t blocks_done_ = 0;
   Progress progress_;
@@ -174,13 +170,12 @@ RenderResult run_uniform(tbb::task_arena& arena, const Integrator& integrator, i
 
 RenderResult run_adaptive(tbb::task_arena& arena, const Integrator& integrator, int width,
                           int height, const RenderOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+  const WallClock clock;
   const double earlier_seconds = options.earlier ? options.earlier->seconds : 0;
   const auto as_render = [&](const AdaptiveResult& r) {
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
     return RenderResult{.film = r.film,
                         .counts = r.counts,
-                        .seconds = earlier_seconds + time.count(),
+                        .seconds = earlier_seconds + clock.seconds(),
                         .adaptive = r.summary,
                         .adaptive_state = r.state};
   };

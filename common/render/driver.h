@@ -16,9 +16,9 @@ namespace carlo {
 struct RenderResult;
 
 struct RenderOptions {
-  std::uint32_t spp = 64;         ///< samples a pixel, unless `seconds` is set
-  std::optional<double> seconds;  ///< stop after this time, with whole blocks in every pixel
-  int threads = 0;                ///< 0: one for each core
+  std::uint32_t spp = 64;              ///< samples a pixel, unless `seconds` is set
+  std::optional<double> seconds = {};  ///< stop after this time, with whole blocks in every pixel
+  int threads = 0;                     ///< 0: one for each core
   bool progress = true;
   /// Samples each pixel until its relative error is this (adaptive.h); spp and seconds are limits.
   std::optional<double> target_error = {};

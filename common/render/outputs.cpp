@@ -3,8 +3,7 @@
 #include "cli/atomic_file.h"
 #include "cli/error.h"
 #include "image/png.h"
-#include "render/error_map.h"
-#include "render/samples_map.h"
+#include "render/pixel_maps.h"
 
 #include <fmt/core.h>
 

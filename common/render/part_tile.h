@@ -3,7 +3,6 @@
 #include "image/film.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 

@@ -138,7 +138,6 @@ int render_shard(const Scene& scene, const Integrator& integrator, const ShardRe
   };
   const RenderResult result = carlo::render(integrator, scene.width, scene.height,
                                             {.spp = render.spp,
-                                             .seconds = {},
                                              .threads = render.threads,
                                              .progress = !render.quiet,
                                              .earlier = start ? &*start : nullptr,

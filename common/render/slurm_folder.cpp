@@ -4,7 +4,7 @@
 #include "cli/error.h"
 #include "cli/number.h"
 #include "json/json_fields.h"
-#include "render/adaptive_levels.h"
+#include "render/adaptive_state.h"
 #include "render/driver.h"
 #include "render/outputs.h"
 #include "render/part.h"

@@ -3,7 +3,7 @@
 #include "cli/error.h"
 #include "cli/number.h"
 #include "image/exr.h"
-#include "render/adaptive_rounds.h"
+#include "render/adaptive_state.h"
 #include "render/merge.h"
 #include "render/outputs.h"
 #include "render/part.h"
@@ -14,7 +14,6 @@
 #include <fmt/core.h>
 
 #include <cstdint>
-#include <system_error>
 #include <vector>
 
 namespace carlo {

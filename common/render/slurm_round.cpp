@@ -3,7 +3,7 @@
 #include "cli/error.h"
 #include "cli/program.h"
 #include "image/exr.h"
-#include "render/adaptive_rounds.h"
+#include "render/adaptive_state.h"
 #include "render/interrupt.h"
 #include "render/resume.h"
 
@@ -49,7 +49,6 @@ RenderResult result_of(const Round& round) {
 RenderOptions options_of(const SlurmPlan& plan, const ShardRender& render,
                          const RenderResult& start) {
   return {.spp = render.spp,
-          .seconds = {},
           .threads = plan.threads,
           .progress = false,
           .target_error = plan.target_error,

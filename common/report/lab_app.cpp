@@ -5,6 +5,7 @@
 #include "cli/error.h"
 #include "cli/main_guard.h"
 #include "cli/terminal.h"
+#include "cli/wall_clock.h"
 #include "cli/wrap.h"
 #include "report/crash_note.h"
 #include "report/machine.h"
@@ -16,7 +17,6 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -167,9 +167,9 @@ void run(const LabApp& lab, const Arguments& arguments, const std::string& comma
   Notebook notebook(fmt::format("lab {:02}", lab.number), arguments.options, page);
   if (of_student()) notebook.tell_stalls();
   tell_crashes();
-  const auto start = std::chrono::steady_clock::now();
+  const WallClock clock;
   run_experiments(selected(lab, arguments.step), predictions, notebook);
-  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  const double seconds = clock.seconds();
 
   note.reset();  // from here on files are written
 
@@ -181,9 +181,9 @@ void run(const LabApp& lab, const Arguments& arguments, const std::string& comma
     fmt::print("{}\n", wrapped(coloured(Colour::yellow, left_out_text(notebook.left_out()))));
   }
   if (!arguments.json.empty()) {
-    write_file(arguments.json, results(lab, notebook, spent.count()).dump(2) + "\n");
+    write_file(arguments.json, results(lab, notebook, seconds).dump(2) + "\n");
   }
-  fmt::print("{:.1f} s in all.\n", spent.count());
+  fmt::print("{:.1f} s in all.\n", seconds);
   if (!arguments.no_page) {
     page.write(arguments.page);
     fmt::print("The page with the plots: {}\n",

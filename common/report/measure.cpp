@@ -1,23 +1,18 @@
 #include "report/measure.h"
 
+#include "cli/wall_clock.h"
 #include "report/format.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <limits>
 
 namespace carlo {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 /// Estimates between two looks at the clock, which itself takes some 30 ns. The time of one is the
 /// median over the batches: other programs' interruptions do not count.
 constexpr int batch = 4;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 double root_mean_square(const std::vector<double>& errors) {
   double sum = 0;
@@ -62,13 +57,13 @@ Measurement repeat(std::int64_t points, int repetitions, Summary summary,
   std::vector<double> times;
   Measurement result{points};
   while (static_cast<int>(errors.size()) < repetitions) {
-    const auto start = Clock::now();
+    const WallClock clock;
     for (int i = 0; i < batch; ++i) {
       const Trial t = trial();
       result.estimate = t.estimate;
       errors.push_back(std::fabs(t.estimate - t.exact));
     }
-    times.push_back(seconds_since(start) / batch);
+    times.push_back(clock.seconds() / batch);
   }
   result.seconds = median(std::move(times));
   result.error = summary == Summary::median ? median(std::move(errors)) : root_mean_square(errors);
@@ -78,16 +73,26 @@ Measurement repeat(std::int64_t points, int repetitions, Summary summary,
 Measurement time_rule(std::int64_t points, double exact, const std::function<double()>& rule) {
   Measurement result{points};
   std::vector<double> times;
-  const auto begin = Clock::now();
+  const WallClock all;
   do {
-    const auto start = Clock::now();
+    const WallClock clock;
     for (int i = 0; i < batch; ++i)
       result.estimate = rule();
-    times.push_back(seconds_since(start) / batch);
-  } while (seconds_since(begin) < 2e-3);
+    times.push_back(clock.seconds() / batch);
+  } while (all.seconds() < 2e-3);
   result.seconds = median(std::move(times));
   result.error = std::fabs(result.estimate - exact);
   return result;
+}
+
+double best_seconds(const std::function<double()>& work) {
+  double best = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < 3; ++round) {
+    const WallClock clock;
+    [[maybe_unused]] volatile double sink = work();
+    best = std::min(best, clock.seconds());
+  }
+  return best;
 }
 
 std::vector<std::int64_t> ladder(std::int64_t first, std::int64_t last) {

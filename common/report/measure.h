@@ -1,6 +1,5 @@
 #pragma once
 
-#include "random/rng.h"
 #include "report/page.h"
 #include "report/table.h"
 #include "stats/fit.h"
@@ -36,6 +35,22 @@ Measurement repeat(std::int64_t points, int repetitions, Summary summary,
 
 /// Times a rule, which it repeats until two milliseconds have gone by.
 Measurement time_rule(std::int64_t points, double exact, const std::function<double()>& rule);
+
+/// The seconds of the best of three rounds of work. What it returns is kept from being optimised
+/// away.
+double best_seconds(const std::function<double()>& work);
+
+/// The same of one draw(), from `count` in each round.
+template <class Draw>
+double seconds_a_draw(std::int64_t count, const Draw& draw) {
+  const double seconds = best_seconds([&] {
+    double sum = 0;
+    for (std::int64_t i = 0; i < count; ++i)
+      sum += static_cast<double>(draw());
+    return sum;
+  });
+  return seconds / static_cast<double>(count);
+}
 
 /// first, first 4, first 16, ... up to `last`.
 std::vector<std::int64_t> ladder(std::int64_t first, std::int64_t last);

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 
@@ -90,6 +91,14 @@ std::string without_trailing_spaces(std::string line) {
 
 Cell::Cell(double number) : text(number_text(number)), value(number) {}
 Cell::Cell(std::int64_t count) : text(count_text(count)), value(static_cast<double>(count)) {}
+
+Cell number_cell(double value, int digits) {
+  return {number_text(value, digits), value};
+}
+
+Cell percent_cell(double share, int digits) {
+  return {number_text(100 * share, digits) + " %", share};
+}
 
 Cell seconds_cell(double seconds) {
   return {duration_text(seconds), seconds};

@@ -25,6 +25,10 @@ struct Cell {
   std::optional<double> value;
 };
 
+/// A number to so many significant digits.
+Cell number_cell(double value, int digits = 3);
+/// A share, shown in per cent.
+Cell percent_cell(double share, int digits = 3);
 /// A duration in seconds, shown with the unit that suits it.
 Cell seconds_cell(double seconds);
 /// A measured value with the half width of its interval; the value alone goes to machines.

@@ -5,7 +5,6 @@
 #include "scene/transforms.h"
 
 #include <filesystem>
-#include <utility>
 
 namespace carlo {
 namespace {

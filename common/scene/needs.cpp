@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace carlo {

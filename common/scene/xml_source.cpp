@@ -7,7 +7,6 @@
 #include <pugixml.hpp>
 
 #include <algorithm>
-#include <cstring>
 #include <system_error>
 
 namespace carlo {

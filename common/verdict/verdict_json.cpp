@@ -4,7 +4,6 @@
 #include "verdict/figure_json.h"
 #include "verdict/printed.h"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 

@@ -1,10 +1,10 @@
+#include "cli/wall_clock.h"
 #include "experiments.h"
 #include "integrands.h"
 
 #include <fmt/core.h>
 
 #include <array>
-#include <chrono>
 #include <cmath>
 
 // Badly behaved integrands: what happens to the slopes, and what the error bars are worth.
@@ -37,31 +37,28 @@ std::vector<Hard> hard_integrands() {
   };
 }
 
-Curve monte_carlo_curve(Notebook& notebook, const Hard& hard,
-                        const std::vector<std::int64_t>& rungs) {
+/// estimate(g, n, rng): by n evaluations of the integrand g.
+template <class Estimate>
+Curve hard_curve(Notebook& notebook, const Hard& hard, const std::vector<std::int64_t>& rungs,
+                 const Estimate& estimate) {
   Curve curve{hard.name, {}};
   carlo::Rng rng = notebook.rng();
   for (const std::int64_t n : rungs) {
     const auto trial = [&] {
       const Integrand g = hard.make(rng);
-      return Trial{integrate(g.f, g.a, g.b, n, rng) / g.integral, 1};
+      return Trial{estimate(g, n, rng) / g.integral, 1};
     };
     curve.runs.push_back(repeat(n, notebook.repetitions(128), Summary::median, trial));
   }
   return curve;
 }
 
-Curve midpoint_curve(Notebook& notebook, const Hard& hard, const std::vector<std::int64_t>& rungs) {
-  Curve curve{hard.name, {}};
-  carlo::Rng rng = notebook.rng();
-  for (const std::int64_t n : rungs) {
-    const auto trial = [&] {
-      const Integrand g = hard.make(rng);
-      return Trial{midpoint(g.f, g.a, g.b, n) / g.integral, 1};
-    };
-    curve.runs.push_back(repeat(n, notebook.repetitions(128), Summary::median, trial));
-  }
-  return curve;
+double by_dice(const Integrand& g, std::int64_t n, carlo::Rng& rng) {
+  return integrate(g.f, g.a, g.b, n, rng);
+}
+
+double by_midpoints(const Integrand& g, std::int64_t n, carlo::Rng&) {
+  return midpoint(g.f, g.a, g.b, n);
 }
 
 /// How many of `repetitions` intervals mean -+ 1.96 standard errors hold the integral.
@@ -72,7 +69,7 @@ struct Coverage {
 
 Coverage coverage(const Hard& hard, std::int64_t n, int repetitions, carlo::Rng& rng) {
   int held = 0;
-  const auto start = std::chrono::steady_clock::now();
+  const carlo::WallClock clock;
   // slide: coverage
   for (int i = 0; i < repetitions; ++i) {
     const Integrand g = hard.make(rng);
@@ -83,8 +80,7 @@ Coverage coverage(const Hard& hard, std::int64_t n, int repetitions, carlo::Rng&
     if (error <= 1.96 * values.standard_error()) ++held;
   }
   // end slide
-  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-  return {static_cast<double>(held) / repetitions, spent.count() / repetitions};
+  return {static_cast<double>(held) / repetitions, clock.seconds() / repetitions};
 }
 
 carlo::Table coverage_table(Notebook& notebook, const std::vector<Hard>& all) {
@@ -136,13 +132,13 @@ void hard_integrands_experiment(Notebook& notebook) {
   notebook.attempt([&] {
     for (const Hard& hard : all) {
       advance();
-      dice.push_back(monte_carlo_curve(notebook, hard, rungs));
+      dice.push_back(hard_curve(notebook, hard, rungs, by_dice));
     }
   });
   notebook.attempt([&] {
     for (const Hard& hard : all) {
       advance();
-      rules.push_back(midpoint_curve(notebook, hard, rungs));
+      rules.push_back(hard_curve(notebook, hard, rungs, by_midpoints));
     }
   });
   notebook.say(

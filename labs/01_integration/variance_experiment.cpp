@@ -1,9 +1,9 @@
+#include "cli/wall_clock.h"
 #include "experiments.h"
 #include "integration.h"
 #include "report/page.h"
 #include "report/table.h"
 
-#include <chrono>
 #include <cmath>
 #include <functional>
 
@@ -12,8 +12,6 @@
 
 namespace lab01 {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// E[x^2] - E[x]^2 from running sums of type T, times N/(N-1).
 template <class T>
@@ -66,12 +64,12 @@ std::vector<double> numbers_with_mean(double mean, std::size_t count, carlo::Rng
 void float_counter(Notebook& notebook) {
   carlo::Table table({"ones added", "float says", "time"}, {"ones", "float_sum", "seconds"});
   for (const std::int64_t n : {1'000'000, 10'000'000, 30'000'000}) {
-    const auto start = Clock::now();
+    const carlo::WallClock clock;
     float sum = 0;
     for (std::int64_t i = 0; i < n; ++i)
       sum += 1.0f;
-    const std::chrono::duration<double> spent = Clock::now() - start;
-    table.add_row({n, static_cast<std::int64_t>(sum), carlo::seconds_cell(spent.count())});
+    const double spent = clock.seconds();
+    table.add_row({n, static_cast<std::int64_t>(sum), carlo::seconds_cell(spent)});
   }
   notebook.say(
       "Counting in float stops at 2^24: there the next float is 2 away, and adding 1 rounds back. "
@@ -107,9 +105,9 @@ void variance_experiment(Notebook& notebook) {
     const double exact = reference_variance(numbers);
     std::vector<carlo::Cell> row = {mean, exact};
     for (Method& m : methods) {
-      const auto start = Clock::now();
+      const carlo::WallClock clock;
       const double variance = m.variance(numbers);
-      m.seconds += std::chrono::duration<double>(Clock::now() - start).count();
+      m.seconds += clock.seconds();
       m.errors.push_back({mean, std::fabs(variance / exact - 1)});
       row.emplace_back(variance);
     }

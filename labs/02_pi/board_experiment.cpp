@@ -144,8 +144,7 @@ carlo::Table steps_table(const std::vector<Step>& steps) {
         s.interval ? fmt::format("{} … {}", carlo::number_text(s.interval->lower, 5),
                                  carlo::number_text(s.interval->upper, 5))
                    : "";
-    table.add_row({s.darts.thrown, s.darts.hits,
-                   carlo::Cell(carlo::number_text(s.estimate.value, 6), s.estimate.value),
+    table.add_row({s.darts.thrown, s.darts.hits, carlo::number_cell(s.estimate.value, 6),
                    s.estimate.standard_error, interval, s.estimate.value - std::numbers::pi});
   }
   return table;

@@ -1,11 +1,10 @@
+#include "cli/wall_clock.h"
 #include "experiments.h"
 #include "pi.h"
 #include "report/format.h"
 
 #include <fmt/core.h>
 
-#include <chrono>
-#include <cmath>
 #include <functional>
 #include <numbers>
 
@@ -14,8 +13,6 @@
 
 namespace lab02 {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// Something that hits with probability p.
 struct Target {
@@ -64,13 +61,13 @@ struct Outcome {
 Outcome run(const Target& target, std::int64_t n, int runs, carlo::Rng rng) {
   Outcome outcome;
   const double truth = 4 * target.p;
-  const auto start = Clock::now();
+  const carlo::WallClock clock;
   for (int i = 0; i < runs; ++i) {
     const Darts darts = target.shoot(n, rng);
     outcome.normal.add(normal_interval(darts), truth);
     outcome.score.add(pi_interval(darts, z95), truth);
   }
-  outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  outcome.seconds = clock.seconds();
   return outcome;
 }
 

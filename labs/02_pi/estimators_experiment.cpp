@@ -1,8 +1,5 @@
 #include "experiments.h"
 #include "pi.h"
-#include "report/format.h"
-
-#include <fmt/core.h>
 
 #include <cmath>
 #include <functional>
@@ -98,14 +95,11 @@ carlo::Table summary_table(const std::vector<Result>& results, double runs) {
   for (const Result& r : results) {
     const double errors = runs * static_cast<double>(r.curve.runs.size());
     const double efficiency = 1 / (r.variance() * r.seconds());
-    table.add_row(
-        {r.method.name,
-         r.theory ? carlo::Cell(carlo::number_text(*r.theory), *r.theory) : carlo::empty_cell(),
-         carlo::interval_cell(r.variance(), variance_half_width(r.variance(), errors)),
-         carlo::seconds_cell(r.seconds()),
-         carlo::Cell(carlo::number_text(efficiency, 3), efficiency),
-         carlo::slope_cell(r.curve.against_points()),
-         carlo::slope_cell(r.curve.against_seconds())});
+    table.add_row({r.method.name, r.theory ? carlo::Cell(*r.theory) : carlo::empty_cell(),
+                   carlo::interval_cell(r.variance(), variance_half_width(r.variance(), errors)),
+                   carlo::seconds_cell(r.seconds()), carlo::number_cell(efficiency),
+                   carlo::slope_cell(r.curve.against_points()),
+                   carlo::slope_cell(r.curve.against_seconds())});
   }
   return table;
 }

@@ -1,3 +1,4 @@
+#include "cli/wall_clock.h"
 #include "experiments.h"
 #include "pi.h"
 #include "report/format.h"
@@ -5,7 +6,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
 #include <random>
 
@@ -14,12 +14,7 @@
 namespace lab02 {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Thrower = std::function<std::int64_t(std::int64_t n)>;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// The loop that one writes first, with the library's generator.
 std::int64_t plain_loop(std::mt19937& generator, std::int64_t n) {
@@ -45,9 +40,9 @@ struct Way {
 void time_all(std::vector<Way>& ways, std::int64_t n, int rounds) {
   for (int round = 0; round < rounds; ++round) {
     for (Way& way : ways) {
-      const auto start = Clock::now();
+      const carlo::WallClock clock;
       way.hits = way.throws(n);
-      way.seconds = std::min(way.seconds, seconds_since(start));
+      way.seconds = std::min(way.seconds, clock.seconds());
     }
   }
 }
@@ -114,7 +109,7 @@ void float_counter(Notebook& notebook) {
   const std::uint64_t key = notebook.rng().next_u64();
   Counters counters;
   std::int64_t thrown = 0;
-  const auto start = Clock::now();
+  const carlo::WallClock clock;
   for (const std::int64_t n : {1'000'000, 5'000'000, 10'000'000, 20'000'000, 22'000'000, 25'000'000,
                                30'000'000, 40'000'000, 50'000'000}) {
     counters.count(key, thrown, n);
@@ -123,7 +118,7 @@ void float_counter(Notebook& notebook) {
     const double by_float = 4 * static_cast<double>(counters.in_float) / count;
     const double by_whole = 4 * static_cast<double>(counters.whole) / count;
     table.add_row({n, static_cast<std::int64_t>(counters.in_float), by_float, by_whole,
-                   by_float - 3.14159265358979, carlo::seconds_cell(seconds_since(start))});
+                   by_float - 3.14159265358979, carlo::seconds_cell(clock.seconds())});
     chart.series[0].points.push_back({count, by_float});
     chart.series[1].points.push_back({count, by_whole});
   }

@@ -1,12 +1,11 @@
+#include "cli/wall_clock.h"
 #include "experiments.h"
 #include "pi.h"
-#include "report/format.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <numbers>
 #include <thread>
 
@@ -14,8 +13,6 @@
 
 namespace lab02 {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 struct Run {
   int threads = 1;
@@ -33,10 +30,9 @@ std::vector<int> thread_counts() {
 Run time_threads(int threads, std::int64_t n, std::uint64_t seed, int repetitions) {
   Run run{threads, {}};
   for (int i = 0; i < repetitions; ++i) {
-    const auto start = Clock::now();
+    const carlo::WallClock clock;
     run.sums = sum_in_parallel(sum_circle, n, seed, threads);
-    const std::chrono::duration<double> spent = Clock::now() - start;
-    run.seconds = std::min(run.seconds, spent.count());
+    run.seconds = std::min(run.seconds, clock.seconds());
   }
   return run;
 }

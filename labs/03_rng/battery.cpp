@@ -6,7 +6,6 @@
 #include <boost/math/distributions/poisson.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace lab03 {
 

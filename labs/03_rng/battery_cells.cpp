@@ -1,7 +1,6 @@
 #include "battery.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 // Tests that count cells: equidistribution, serial tests, gaps, runs; and the correlation.

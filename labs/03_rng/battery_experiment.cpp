@@ -1,4 +1,5 @@
 #include "battery.h"
+#include "cli/wall_clock.h"
 #include "experiments.h"
 #include "report/format.h"
 #include "report/html.h"
@@ -8,8 +9,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
-#include <cmath>
 
 // The table generator x test: at what sample size each test first rejects each generator.
 
@@ -197,13 +196,13 @@ std::vector<Row> judge_all(Notebook& notebook, const std::vector<RandomnessTest>
   for (const Generator& generator : generators()) {
     notebook.progress(step++, static_cast<double>(generators().size()));
     notebook.attempt([&] {
-      const auto start = std::chrono::steady_clock::now();
+      const carlo::WallClock clock;
       generator.make(notebook.options().seed)(words);
       const Judge judge(generator, words);
       Row row{&generator, {}, 0};
       for (const RandomnessTest& test : tests)
         row.findings.push_back(judge.find(test));
-      row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      row.seconds = clock.seconds();
       rows.push_back(std::move(row));
     });
   }

@@ -1,11 +1,10 @@
+#include "cli/wall_clock.h"
 #include "experiments.h"
 #include "random/rng.h"
 #include "rng.h"
 
 #include <fmt/core.h>
 
-#include <chrono>
-#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -14,12 +13,6 @@
 
 namespace lab03 {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 struct FloatMethod {
   std::string name;
@@ -38,12 +31,12 @@ std::int64_t words_that_reach_one(const FloatMethod& method) {
 double seconds_a_float(const FloatMethod& method, std::int64_t n) {
   volatile float sink = 0;
   float sum = 0;
-  const auto start = Clock::now();
+  const carlo::WallClock clock;
   for (std::int64_t i = 0; i < n; ++i)
     sum += method.convert(static_cast<std::uint32_t>(i) * 2654435769u);
   sink = sum;
   (void)sink;
-  return seconds_since(start) / static_cast<double>(n);
+  return clock.seconds() / static_cast<double>(n);
 }
 
 void floats(Notebook& notebook) {
@@ -79,7 +72,7 @@ struct Shares {
 
 Shares shares(const IntegerMethod& method, std::uint64_t values, std::int64_t n, carlo::Rng rng) {
   std::int64_t low = 0, multiples = 0, beyond = 0;
-  const auto start = Clock::now();
+  const carlo::WallClock clock;
   for (std::int64_t i = 0; i < n; ++i) {
     const std::int64_t x = method.draw(values, rng);
     if (3 * static_cast<std::uint64_t>(x) < values) ++low;
@@ -88,7 +81,7 @@ Shares shares(const IntegerMethod& method, std::uint64_t values, std::int64_t n,
   }
   const auto count = static_cast<double>(n);
   return {static_cast<double>(low) / count, static_cast<double>(multiples) / count,
-          static_cast<double>(beyond) / count, seconds_since(start) / count};
+          static_cast<double>(beyond) / count, clock.seconds() / count};
 }
 
 void integers(Notebook& notebook) {

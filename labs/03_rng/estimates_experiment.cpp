@@ -2,8 +2,6 @@
 #include "generators.h"
 #include "spectral.h"
 
-#include <fmt/core.h>
-
 #include <array>
 #include <cmath>
 #include <numbers>

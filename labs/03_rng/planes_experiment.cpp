@@ -1,13 +1,11 @@
+#include "cli/wall_clock.h"
 #include "experiments.h"
 #include "generators.h"
 #include "report/turntable.h"
 #include "spectral.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 
 // The planes: drawn, and measured by the spectral test.
@@ -87,7 +85,7 @@ void spectral_table(Notebook& notebook) {
   carlo::Table table({"generator", "ν₂ (yours)", "ν₂²", "ν₃", "planes, at most", "ν₄", "time"},
                      {"generator", "nu_2", "nu_2_squared", "nu_3", "planes_3d", "nu_4", "seconds"});
   for (const Constants& g : known) {
-    const auto start = std::chrono::steady_clock::now();
+    const carlo::WallClock clock;
     carlo::Cell length = carlo::empty_cell(), squared = carlo::empty_cell();
     notebook.attempt([&] {
       const std::uint64_t yours = spectral_2d(g.a, g.lattice);
@@ -99,9 +97,9 @@ void spectral_table(Notebook& notebook) {
     const carlo::Cell four =
         quick ? carlo::empty_cell()
               : carlo::Cell(std::round(shortest_dual_vector(g.a, g.lattice, 4).length()));
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    const double spent = clock.seconds();
     table.add_row({g.name, length, squared, carlo::Cell(three.length()), three.planes(g.b != 0),
-                   four, carlo::seconds_cell(spent.count())});
+                   four, carlo::seconds_cell(spent)});
   }
   notebook.say(
       "The spectral test measures without drawing: 1/ν_d is the greatest distance between "

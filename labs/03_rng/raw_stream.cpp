@@ -9,7 +9,6 @@
 #include <bit>
 #include <cerrno>
 #include <csignal>
-#include <cstring>
 #include <vector>
 
 namespace lab03 {

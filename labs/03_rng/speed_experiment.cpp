@@ -1,12 +1,9 @@
+#include "cli/wall_clock.h"
 #include "experiments.h"
 #include "fast_fill.h"
 #include "generators.h"
-#include "random/rng.h"
-
-#include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <random>
 
@@ -14,8 +11,6 @@
 
 namespace lab03 {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t block = 4096;
 
@@ -26,12 +21,12 @@ double seconds_a_number(F& fill, double round_seconds) {
   double best = 1;
   volatile std::uint32_t sink = 0;
   for (int round = 0; round < 5; ++round) {
-    const auto start = Clock::now();
+    const carlo::WallClock clock;
     double spent = 0, filled = 0;
     do {
       fill(words);
       filled += static_cast<double>(block);
-      spent = std::chrono::duration<double>(Clock::now() - start).count();
+      spent = clock.seconds();
     } while (spent < round_seconds);
     best = std::min(best, spent / filled);
     sink = words.back();

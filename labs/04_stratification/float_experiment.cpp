@@ -3,8 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 // Strata in float. The naive forms are the subject of the experiment, not an example.
 

@@ -62,8 +62,8 @@ void pi_table(Notebook& notebook, const Curve& plain, const Curve& strata) {
     const Measurement &a = plain.runs[i], &b = strata.runs[i];
     const double ratio = a.error / b.error;
     const double worth = ratio * ratio * static_cast<double>(a.points);
-    table.add_row({a.points, carlo::Cell(carlo::number_text(a.estimate, 6), a.estimate), a.error,
-                   carlo::Cell(carlo::number_text(b.estimate, 6), b.estimate), b.error,
+    table.add_row({a.points, carlo::number_cell(a.estimate, 6), a.error,
+                   carlo::number_cell(b.estimate, 6), b.error,
                    carlo::Cell(carlo::count_text(rounded(worth)), worth)});
   }
   notebook.table("pi", table, "π by N darts: anywhere, and one in each of N cells");

@@ -105,13 +105,7 @@ carlo::Cell darts_cell(const Way& way, double darts, std::int64_t n) {
 }
 
 double seconds_of(const Way& way, carlo::Rng rng) {
-  constexpr std::int64_t count = 100'000;
-  return seconds_a_draw(count, [&] {
-    double sum = 0;
-    for (std::int64_t i = 0; i < count; ++i)
-      sum += way.draw(rng).value.x;
-    return sum;
-  });
+  return seconds_a_draw(100'000, [&] { return way.draw(rng).value.x; });
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 namespace lab05 {
 
-using carlo::Notebook;
+using carlo::Notebook, carlo::seconds_a_draw;
 
 // One experiment each: it runs the exercises it needs, and writes what it finds.
 

@@ -1,9 +1,6 @@
 #include "goodness.h"
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace lab05 {
@@ -33,18 +30,6 @@ double integral_over_cell(const std::function<double(double)>& pdf, double a, do
     sum += 8 * pdf(centre) + 5 * (pdf(centre - offset) + pdf(centre + offset));
   }
   return sum * h / 18;
-}
-
-double seconds_a_draw(std::int64_t count, const std::function<double()>& round) {
-  using Clock = std::chrono::steady_clock;
-  double best = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 3; ++i) {
-    const auto start = Clock::now();
-    volatile double sink = round();
-    (void)sink;
-    best = std::min(best, std::chrono::duration<double>(Clock::now() - start).count());
-  }
-  return best / static_cast<double>(count);
 }
 
 }  // namespace lab05

@@ -19,8 +19,4 @@ Goodness goodness(std::span<const std::int64_t> counts, std::span<const double> 
 /// The integral of a density over [a, b) by Gauss's rule in eight pieces, never at the ends.
 double integral_over_cell(const std::function<double(double)>& pdf, double a, double b);
 
-/// Seconds that one call of `draw` takes, from `count` calls; the best of three rounds. The sum of
-/// what it returns is kept, so that no compiler leaves the calls out.
-double seconds_a_draw(std::int64_t count, const std::function<double()>& round);
-
 }  // namespace lab05

@@ -79,13 +79,7 @@ void image_experiment(Notebook& notebook) {
       points.push_back(draw(table, rng));
     const std::int64_t n = 4 * notebook.options().n;
     const Goodness g = fit(table, n, notebook.rng());
-    constexpr std::int64_t count = 100'000;
-    const double seconds = seconds_a_draw(count, [&] {
-      double sum = 0;
-      for (std::int64_t i = 0; i < count; ++i)
-        sum += draw(table, rng).x;
-      return sum;
-    });
+    const double seconds = seconds_a_draw(100'000, [&] { return draw(table, rng).x; });
     notebook.say(
         "A sky of 64 x 32 cells with a low sun over black ground and a pond. Points follow the "
         "light: where the picture is black, none falls. A sphere's rows shrink towards its poles: "

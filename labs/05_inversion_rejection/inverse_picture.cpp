@@ -1,5 +1,4 @@
 #include "pictures.h"
-#include "report/chart.h"
 #include "report/slider.h"
 #include "report/tiles.h"
 

@@ -65,13 +65,9 @@ struct Cost {
 Cost rejection_cost(const Target& t, std::int64_t count, carlo::Rng rng) {
   std::int64_t darts = 0;
   const double seconds = seconds_a_draw(count, [&] {
-    double sum = 0;
-    for (std::int64_t i = 0; i < count; ++i) {
-      const auto drawn = sample_by_rejection(t.f, t.a, t.b, t.bound, rng);
-      sum += drawn.value;
-      darts += drawn.darts;
-    }
-    return sum;
+    const auto drawn = sample_by_rejection(t.f, t.a, t.b, t.bound, rng);
+    darts += drawn.darts;
+    return drawn.value;
   });
   constexpr double rounds = 3;
   return {static_cast<double>(darts) / (rounds * static_cast<double>(count)), seconds};
@@ -81,14 +77,8 @@ std::optional<double> inversion_seconds(Notebook& notebook, const Target& t, std
   std::optional<double> seconds;
   if (!t.inverse) return seconds;
   carlo::Rng rng = notebook.rng();
-  notebook.attempt([&] {
-    seconds = seconds_a_draw(count, [&] {
-      double sum = 0;
-      for (std::int64_t i = 0; i < count; ++i)
-        sum += t.inverse(rng.uniform());
-      return sum;
-    });
-  });
+  notebook.attempt(
+      [&] { seconds = seconds_a_draw(count, [&] { return t.inverse(rng.uniform()); }); });
   return seconds;
 }
 

@@ -1,21 +1,17 @@
 #include "alias.h"
+#include "cli/wall_clock.h"
 #include "experiments.h"
 #include "goodness.h"
 #include "inversion_rejection.h"
-#include "report/format.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 
 // Discrete numbers from ten to ten million weights.
 
 namespace lab05 {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// Uneven weights without a pattern.
 std::vector<double> weights_of(std::int64_t bins, carlo::Rng rng) {
@@ -33,16 +29,6 @@ double float_end(std::int64_t bins) {
   for (std::int64_t i = 0; i < bins; ++i)
     sum += share;
   return static_cast<double>(sum);
-}
-
-template <class Draw>
-double seconds_a_number(carlo::Rng rng, std::int64_t count, const Draw& draw) {
-  return seconds_a_draw(count, [&] {
-    std::size_t sum = 0;
-    for (std::int64_t i = 0; i < count; ++i)
-      sum += draw(rng.uniform());
-    return static_cast<double>(sum);
-  });
 }
 
 /// How well drawn numbers fit their weights, over 64 groups of neighbours.
@@ -84,16 +70,20 @@ void tables_experiment(Notebook& notebook) {
     notebook.progress(step++, static_cast<double>(sizes.size()));
     const bool done = notebook.attempt([&] {
       const std::vector<double> weights = weights_of(bins, notebook.rng());
-      const auto start = Clock::now();
+      const carlo::WallClock clock;
       const Discrete discrete(weights);
-      const std::chrono::duration<double> built = Clock::now() - start;
+      const double built = clock.seconds();
       const Alias other(weights);
       const auto by_cdf = [&](double u) { return discrete.sample(u).index; };
       const auto by_alias = [&](double u) { return other.sample(u); };
-      const double cdf_seconds = seconds_a_number(notebook.rng(), count, by_cdf);
-      const double alias_seconds = seconds_a_number(notebook.rng(), count, by_alias);
+      const auto seconds_a_number = [&](const auto& draw) {
+        carlo::Rng rng = notebook.rng();
+        return seconds_a_draw(count, [&] { return draw(rng.uniform()); });
+      };
+      const double cdf_seconds = seconds_a_number(by_cdf);
+      const double alias_seconds = seconds_a_number(by_alias);
       const std::int64_t n = notebook.options().n;
-      table.add_row({bins, carlo::seconds_cell(built.count()), carlo::seconds_cell(cdf_seconds),
+      table.add_row({bins, carlo::seconds_cell(built), carlo::seconds_cell(cdf_seconds),
                      fit(weights, n, notebook.rng(), by_cdf).p, carlo::seconds_cell(alias_seconds),
                      fit(weights, n, notebook.rng(), by_alias).p,
                      carlo::Cell(fmt::format("{:.8f}", float_end(bins)), float_end(bins))});

@@ -2,8 +2,6 @@
 #include "importance.h"
 #include "power_family.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <vector>
 

@@ -10,7 +10,7 @@ namespace lab06 {
 
 using carlo::Curve, carlo::Measurement, carlo::Notebook, carlo::Summary, carlo::Trial;
 using carlo::error_charts, carlo::ladder, carlo::measurement_table, carlo::repeat,
-    carlo::slope_cell;
+    carlo::best_seconds, carlo::slope_cell;
 
 /// More repetitions where they are cheap, so that slopes are not lost in noise.
 inline int repetitions(const Notebook& notebook, std::int64_t n) {

@@ -1,6 +1,5 @@
 #include "plates.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace lab06 {

@@ -3,8 +3,6 @@
 #include "importance.h"
 
 #include <array>
-#include <cstddef>
-#include <vector>
 
 namespace lab06 {
 

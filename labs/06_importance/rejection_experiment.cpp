@@ -1,8 +1,6 @@
 #include "experiments.h"
 #include "importance.h"
 #include "power_family.h"
-#include "report/format.h"
-#include "timing.h"
 
 #include <algorithm>
 #include <functional>
@@ -55,7 +53,9 @@ void way_table(Notebook& notebook) {
     notebook.attempt([&] {
       carlo::Rng rng = notebook.rng();
       const Estimate e = summarize(way.draw(n, rng));
-      const double seconds = seconds_a_sample(n / 8, [&] { return way.draw(n / 8, rng).back(); });
+      const std::int64_t draws = n / 8;
+      const double seconds =
+          best_seconds([&] { return way.draw(draws, rng).back(); }) / static_cast<double>(draws);
       table.add_row({way.name, n, e.value, e.standard_error, e.variance, way.variance,
                      carlo::seconds_cell(seconds), efficiency(e.variance, seconds)});
     });

@@ -2,10 +2,8 @@
 #include "importance.h"
 #include "pictures.h"
 #include "power_family.h"
-#include "report/format.h"
 #include "report/slider.h"
 #include "report/tiles.h"
-#include "timing.h"
 
 #include <fmt/core.h>
 
@@ -57,8 +55,10 @@ void member_table(Notebook& notebook) {
     const Density p = power_density(member.n);
     carlo::Rng rng = notebook.rng();
     const Estimate e = summarize(contributions(power_f, p, n, rng));
+    const std::int64_t draws = n / 8;
     const double seconds =
-        seconds_a_sample(n / 8, [&] { return contributions(power_f, p, n / 8, rng).back(); });
+        best_seconds([&] { return contributions(power_f, p, draws, rng).back(); }) /
+        static_cast<double>(draws);
     const double worth = efficiency(e.variance, seconds);
     // What rounding leaves of a variance of 0 would make a number without a meaning.
     const bool exact = e.variance < 1e-20;

@@ -2,7 +2,6 @@
 #include "importance.h"
 #include "pictures.h"
 #include "power_family.h"
-#include "report/format.h"
 #include "report/tiles.h"
 
 #include <fmt/core.h>

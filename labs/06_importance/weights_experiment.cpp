@@ -1,6 +1,5 @@
 #include "experiments.h"
 #include "importance.h"
-#include "report/format.h"
 
 #include <fmt/core.h>
 

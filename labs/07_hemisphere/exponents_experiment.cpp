@@ -2,8 +2,6 @@
 #include "numeric/robust.h"
 #include "report/stopwatch.h"
 
-#include <fmt/core.h>
-
 #include <cmath>
 
 // An open sky by lobes around the normal: n = 0 is uniform, n = 1 cosine-weighted, and beyond?

@@ -3,10 +3,8 @@
 #include "hemisphere.h"
 #include "stats/goodness.h"
 
-#include <cstdint>
 #include <functional>
 #include <span>
-#include <vector>
 
 namespace lab07 {
 

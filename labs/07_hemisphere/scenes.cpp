@@ -2,7 +2,6 @@
 
 #include "numeric/robust.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace lab07 {

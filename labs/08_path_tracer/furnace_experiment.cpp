@@ -1,9 +1,9 @@
 #include "experiments.h"
 #include "images/images.h"
 #include "numeric/robust.h"
-#include "report/format.h"
 #include "report/stopwatch.h"
 #include "report/tiles.h"
+#include "stats/running_mean.h"
 
 #include <fmt/core.h>
 
@@ -35,20 +35,12 @@ carlo::Scene furnace(float rho, int size) {
   return scene;
 }
 
-/// A mean that grows, with its error bar as everybody computes it.
-struct Running {
-  double n = 0, mean = 0, squares = 0;
+using carlo::RunningMean;
 
-  void add(double x) {
-    n += 1;
-    const double d = x - mean;
-    mean += d / n;
-    squares += d * (x - mean);
-  }
-  double deviation() const { return std::sqrt(squares / (n - 1)); }
-  double error() const { return deviation() / std::sqrt(n); }
-  bool covers(double exact) const { return std::abs(mean - exact) <= 1.96 * error(); }
-};
+/// Whether the error bar, as everybody computes it, holds the exact value.
+bool covers(const RunningMean& run, double exact) {
+  return std::abs(run.mean() - exact) <= 1.96 * run.error();
+}
 
 double red(const World& world, Rule rule, Rng& rng) {
   const Ray ray{{0, 0, 1}, {0.6f, 0, -0.8f}};
@@ -70,17 +62,17 @@ Coverage coverage(Notebook& notebook, const World& world, const FurnaceMethod& m
     std::vector<double> errors;
     double square = 0, missed = 0;
     const carlo::Stopwatch watch;
-    Running run;
+    RunningMean run;
     for (int i = 0; i < runs; ++i) {
       run = {};
       for (std::int64_t k = 0; k < n; ++k)
         run.add(red(world, method.rule, rng));
-      square += (run.mean - exact) * (run.mean - exact) / runs;
-      missed += run.covers(exact) ? 0 : 1.0 / runs;
+      square += (run.mean() - exact) * (run.mean() - exact) / runs;
+      missed += covers(run, exact) ? 0 : 1.0 / runs;
       errors.push_back(run.error());
     }
     std::nth_element(errors.begin(), errors.begin() + runs / 2, errors.end());
-    result.curve.runs.push_back({n, run.mean, std::sqrt(square), watch.seconds() / runs});
+    result.curve.runs.push_back({n, run.mean(), std::sqrt(square), watch.seconds() / runs});
     result.reported.push_back(errors[static_cast<std::size_t>(runs) / 2]);
     result.missed.push_back(missed);
   }
@@ -96,16 +88,16 @@ carlo::Chart running_chart(Notebook& notebook, const World& world, const Furnace
                      {"radiance", carlo::Unit::number, carlo::Scale::linear},
                      {{"mean", {}}, {"mean + 1.96 se", {}}, {"mean - 1.96 se", {}}, {"exact", {}}}};
   Rng rng = notebook.rng();
-  Running run;
+  RunningMean run;
   double next = 64;
-  while (run.n < static_cast<double>(notebook.options().n)) {
+  while (run.count() < static_cast<double>(notebook.options().n)) {
     run.add(red(world, method.rule, rng));
-    if (run.n < next) continue;
+    if (run.count() < next) continue;
     next *= 1.25;
-    chart.series[0].points.push_back({run.n, run.mean});
-    chart.series[1].points.push_back({run.n, run.mean + 1.96 * run.error()});
-    chart.series[2].points.push_back({run.n, run.mean - 1.96 * run.error()});
-    chart.series[3].points.push_back({run.n, exact});
+    chart.series[0].points.push_back({run.count(), run.mean()});
+    chart.series[1].points.push_back({run.count(), run.mean() + 1.96 * run.error()});
+    chart.series[2].points.push_back({run.count(), run.mean() - 1.96 * run.error()});
+    chart.series[3].points.push_back({run.count(), exact});
   }
   return chart;
 }
@@ -128,12 +120,12 @@ carlo::Table albedos_table(Notebook& notebook) {
     for (const FurnaceMethod& method : furnace_methods()) {
       notebook.attempt([&] {
         Rng rng = notebook.rng();
-        Running run;
+        RunningMean run;
         for (std::int64_t i = 0; i < notebook.options().n; ++i)
           run.add(red(world, method.rule, rng));
         const double theory = deviation(lecture, rho);
         table.add_row({rho, method.name, 1 / (1 - rho),
-                       carlo::interval_cell(run.mean, 1.96 * run.error()), run.deviation(),
+                       carlo::interval_cell(run.mean(), 1.96 * run.error()), run.deviation(),
                        std::isinf(theory) ? carlo::Cell("infinite") : carlo::Cell(theory)});
       });
       lecture = false;
@@ -169,8 +161,7 @@ void say_coverage(Notebook& notebook, const std::vector<Coverage>& all) {
   for (const Coverage& c : all) {
     for (std::size_t i = 0; i < c.curve.runs.size(); ++i) {
       table.add_row({c.curve.name, c.curve.runs[i].points, c.curve.runs[i].error, c.reported[i],
-                     carlo::Cell(fmt::format("{} %", carlo::number_text(100 * c.missed[i], 3)),
-                                 c.missed[i])});
+                     carlo::percent_cell(c.missed[i])});
     }
     curves.push_back(c.curve);
   }

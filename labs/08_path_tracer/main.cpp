@@ -1,7 +1,6 @@
 #include "experiments.h"
 #include "report/lab_app.h"
 
-#include <string>
 #include <vector>
 
 namespace {

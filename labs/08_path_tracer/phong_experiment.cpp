@@ -3,6 +3,7 @@
 #include "images/images.h"
 #include "numeric/robust.h"
 #include "report/tiles.h"
+#include "stats/running_mean.h"
 
 #include <fmt/core.h>
 
@@ -121,18 +122,16 @@ carlo::Table albedo_table(Notebook& notebook) {
       const Vec3 wo(std::sin(angle), 0, std::cos(angle));
       const carlo::Phong phong{Rgb(0), Rgb(1), static_cast<float>(n)};
       Rng rng = notebook.rng();
-      double sum = 0, squares = 0;
+      carlo::RunningMean weights;
       for (int i = 0; i < count; ++i) {
         const float u_lobe = rng.uniform_float();
         const float u = rng.uniform_float();
         const float v = rng.uniform_float();
         const auto next = sample(phong, {0, 0, 1}, wo, u_lobe, {u, v});
-        const double weight = next ? static_cast<double>(next->weight.r) : 0;
-        sum += weight;
-        squares += weight * weight;
+        weights.add(next ? static_cast<double>(next->weight.r) : 0);
       }
-      const double mean = sum / count, exact = specular_albedo(n, std::cos(angle));
-      const double error = std::sqrt(std::max(squares / count - mean * mean, 0.0) / count);
+      const double mean = weights.mean(), error = weights.error();
+      const double exact = specular_albedo(n, std::cos(angle));
       table.add_row({n, carlo::Cell(fmt::format("{}°", degrees), degrees), exact,
                      carlo::interval_cell(mean, std::max(1.96 * error, 1e-7)),
                      error > 1e-7 ? carlo::Cell((mean - exact) / error) : carlo::empty_cell()});

@@ -1,7 +1,6 @@
 #include "experiments.h"
 #include "images/views.h"
 #include "recap.h"
-#include "report/format.h"
 #include "report/tiles.h"
 
 #include <fmt/core.h>
@@ -70,9 +69,8 @@ void how_many_calls(Notebook& notebook, const View& view, double mean,
       {"method", "allowed", "mean", "ratio", "calls", "cut"});
   const auto add = [&](const std::string& name, RecapForm form, int most_calls) {
     const Taken taken = take(view, form, most_calls, notebook.rng().next_u64());
-    table.add_row({name, most_calls, taken.mean,
-                   carlo::Cell(carlo::number_text(taken.mean / mean, 3), taken.mean / mean),
-                   carlo::Cell(carlo::number_text(taken.calls, 3), taken.calls),
+    table.add_row({name, most_calls, taken.mean, carlo::number_cell(taken.mean / mean),
+                   carlo::number_cell(taken.calls),
                    carlo::Cell(fmt::format("{:.3g} %", 100 * taken.cut), taken.cut)});
     if (most_calls == 16) return;
     pictures.push_back(carlo::image_tile(

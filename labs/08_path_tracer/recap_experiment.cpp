@@ -4,6 +4,7 @@
 #include "recap_room.h"
 #include "report/format.h"
 #include "report/stopwatch.h"
+#include "stats/running_mean.h"
 
 #include <fmt/core.h>
 
@@ -46,7 +47,8 @@ std::vector<NamedForm> forms() {
 
 /// What many paths brought.
 struct Tally {
-  double sum = 0, squares = 0, calls = 0, cut = 0, seconds = 0;
+  carlo::RunningMean radiance;
+  double calls = 0, cut = 0, seconds = 0;
 };
 
 Tally many_paths(const NamedRoom& in, RecapForm form, std::int64_t n, Rng rng) {
@@ -55,9 +57,7 @@ Tally many_paths(const NamedRoom& in, RecapForm form, std::int64_t n, Rng rng) {
   const carlo::Stopwatch watch;
   for (std::int64_t i = 0; i < n; ++i) {
     const RecapPath path = form(world, in.room.lamp(), RecapRoom::ray(), most_calls, rng);
-    const auto x = static_cast<double>(path.radiance.r);
-    tally.sum += x;
-    tally.squares += x * x;
+    tally.radiance.add(static_cast<double>(path.radiance.r));
     tally.calls += path.calls;
     tally.cut += path.cut ? 1 : 0;
   }
@@ -65,15 +65,13 @@ Tally many_paths(const NamedRoom& in, RecapForm form, std::int64_t n, Rng rng) {
   return tally;
 }
 
-void add_row(carlo::Table& table, const NamedRoom& in, const NamedForm& form, const Tally& tally,
-             std::int64_t paths) {
-  const auto n = static_cast<double>(paths);
-  const double exact = in.room.exact(), theory = (in.room.*form.mean)(), mean = tally.sum / n;
-  const double error = std::sqrt((tally.squares / n - mean * mean) / n);
+void add_row(carlo::Table& table, const NamedRoom& in, const NamedForm& form, const Tally& tally) {
+  const double exact = in.room.exact(), theory = (in.room.*form.mean)();
+  const double n = tally.radiance.count(), mean = tally.radiance.mean();
+  const double error = tally.radiance.error();
   table.add_row({in.name, form.name, exact, carlo::interval_cell(mean, 1.96 * error),
                  std::isinf(theory) ? carlo::Cell("none") : carlo::Cell(theory),
-                 carlo::Cell(carlo::number_text(mean / exact, 3), mean / exact), error,
-                 carlo::Cell(carlo::number_text(tally.calls / n, 3), tally.calls / n),
+                 carlo::number_cell(mean / exact), error, carlo::number_cell(tally.calls / n),
                  carlo::Cell(fmt::format("{:.3g} %", 100 * tally.cut / n), tally.cut / n),
                  carlo::seconds_cell(tally.seconds)});
 }
@@ -108,9 +106,8 @@ void recap_experiment(Notebook& notebook) {
   double done = 0;
   for (const NamedRoom& in : rooms()) {
     for (const NamedForm& form : forms()) {
-      notebook.attempt([&] {
-        add_row(table, in, form, many_paths(in, form.form, paths, notebook.rng()), paths);
-      });
+      notebook.attempt(
+          [&] { add_row(table, in, form, many_paths(in, form.form, paths, notebook.rng())); });
       notebook.progress(++done, 9);
     }
   }

@@ -1,12 +1,10 @@
 #include "experiments.h"
 #include "images/images.h"
-#include "report/format.h"
 #include "report/tiles.h"
 
 #include <fmt/core.h>
 
 #include <array>
-#include <cmath>
 
 // Step b: one scene at scales from 1e-4 to 1e6. How far off the surface does a shadow ray start?
 
@@ -106,10 +104,6 @@ Shadows shadows(float scale, int size, Lit lit) {
   return result;
 }
 
-carlo::Cell percent(double share) {
-  return {fmt::format("{} %", carlo::number_text(100 * share, 3)), share};
-}
-
 }  // namespace
 
 void scales_experiment(Notebook& notebook) {
@@ -129,12 +123,13 @@ void scales_experiment(Notebook& notebook) {
     const Shadows given = shadows(scale, size, lit_as_given);
     const auto add = [&](std::vector<std::string>& row, const std::string& how, const Shadows& s) {
       row.push_back(carlo::image_tile(fmt::format("scale {:g}", scale),
-                                      how + ": " + percent(s.wrong).text + " wrong", s.image, 1));
+                                      how + ": " + carlo::percent_cell(s.wrong).text + " wrong",
+                                      s.image, 1));
     };
     add(fixed_row, "offset .001", fixed);
     add(given_row, "as given", given);
     table.add_row({carlo::Cell(fmt::format("{:g}", scale), static_cast<double>(scale)),
-                   percent(fixed.wrong), percent(given.wrong)});
+                   carlo::percent_cell(fixed.wrong), carlo::percent_cell(given.wrong)});
   }
   notebook.raw_html(carlo::tiles(fixed_row));
   notebook.raw_html(carlo::tiles(given_row));

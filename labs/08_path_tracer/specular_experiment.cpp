@@ -1,8 +1,8 @@
 #include "experiments.h"
 #include "images/views.h"
 #include "numeric/robust.h"
-#include "report/format.h"
 #include "report/tiles.h"
+#include "stats/running_mean.h"
 
 #include <fmt/core.h>
 
@@ -48,19 +48,15 @@ carlo::Table closed_forms(Notebook& notebook) {
     const World world(known.scene);
     Rng rng = notebook.rng();
     const std::int64_t n = notebook.options().n / 4;
-    const auto count = static_cast<double>(n);
-    double sum = 0, squares = 0;
+    carlo::RunningMean brought;
     for (std::int64_t i = 0; i < n; ++i) {
       // Rays that meet the ball all over.
       const Vec3 target(0.4f * rng.uniform_float(), 0, 0);
       const Ray ray{{0, 0, 1.5f}, glm::normalize(target - Vec3(0, 0, 1.5f))};
-      const auto L = static_cast<double>(trace_specular(world, ray, true, rng).g);
-      sum += L;
-      squares += L * L;
+      brought.add(static_cast<double>(trace_specular(world, ray, true, rng).g));
     }
-    const double mean = sum / count, variance = std::max(squares / count - mean * mean, 0.0);
     table.add_row({known.name, known.exact,
-                   carlo::interval_cell(mean, std::max(1.96 * std::sqrt(variance / count), 1e-6))});
+                   carlo::interval_cell(brought.mean(), std::max(1.96 * brought.error(), 1e-6))});
   }
   return table;
 }

@@ -2,12 +2,11 @@
 #include "hemisphere.h"
 #include "images/images.h"
 #include "numeric/robust.h"
-#include "report/format.h"
 #include "report/tiles.h"
+#include "stats/running_mean.h"
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
 
 // Step e: a floor, seen from above, under a small bright ball and a dim sky. Its irradiance has a
@@ -88,24 +87,15 @@ void add_point(Notebook& notebook, carlo::Table& table, const std::string& name,
   const Vec3 p(0);
   const Exact e = exact(place, p);
   const auto row = [&](const std::string& method, const carlo::Cell& value, double mean) {
-    table.add_row(
-        {name, method, e.all(), value,
-         carlo::Cell(fmt::format("{} %", carlo::number_text(100 * (mean / e.all() - 1), 3)),
-                     mean / e.all() - 1)});
+    table.add_row({name, method, e.all(), value, carlo::percent_cell(mean / e.all() - 1)});
   };
   for (const SplitMethod& method : split_methods()) {
     notebook.attempt([&] {
       Rng rng = notebook.rng();
-      double sum = 0, squares = 0;
-      const auto n = static_cast<double>(notebook.options().n);
-      for (std::int64_t i = 0; i < notebook.options().n; ++i) {
-        const auto x = static_cast<double>(estimate(method.split, place, p, rng).r);
-        sum += x;
-        squares += x * x;
-      }
-      const double mean = sum / n;
-      row(method.name,
-          carlo::interval_cell(mean, 1.96 * std::sqrt((squares / n - mean * mean) / n)), mean);
+      carlo::RunningMean all;
+      for (std::int64_t i = 0; i < notebook.options().n; ++i)
+        all.add(static_cast<double>(estimate(method.split, place, p, rng).r));
+      row(method.name, carlo::interval_cell(all.mean(), 1.96 * all.error()), all.mean());
     });
   }
   // A direction that is uniform in a set of solid angle W brings its integral over W on average.
@@ -141,12 +131,9 @@ void shrinking_ball(Notebook& notebook) {
     const Cone given = place.cone(Vec3(0));
     Cone naive = given;
     naive.one_minus_cos = 1 - std::sqrt(1 - radius * radius);
-    const auto cell = [&](const Cone& cone) {
-      const double ratio = ball_mean(notebook, place, cone) / truth;
-      return carlo::Cell(carlo::number_text(ratio, 4), ratio);
-    };
+    const auto ratio = [&](const Cone& cone) { return ball_mean(notebook, place, cone) / truth; };
     table.add_row({carlo::Cell(fmt::format("{:g}", radius), static_cast<double>(radius)),
-                   cell(naive), cell(given)});
+                   ratio(naive), ratio(given)});
   }
   notebook.table("shrinking", table,
                  "A ball that shrinks at constant power: what the floor under it shows, over what "

@@ -3,12 +3,10 @@
 #include "report/format.h"
 #include "report/stopwatch.h"
 #include "report/tiles.h"
-#include "signed_root.h"
+#include "shown_error.h"
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "experiments.h"
 #include "numeric/robust.h"
 #include "report/format.h"
-#include "signed_root.h"
+#include "shown_error.h"
 
 #include <fmt/core.h>
 
@@ -80,18 +80,6 @@ std::vector<ErrorParts> errors_below(Notebook& notebook, std::int64_t emitted,
   return parts;
 }
 
-double size_of(const ErrorParts& parts) {
-  return std::sqrt(std::max(parts.bias2 + parts.variance, 0.0));
-}
-
-carlo::Cell percent(double part) {
-  return {fmt::format("{} %", carlo::number_text(100 * part, 3)), part};
-}
-
-carlo::Cell bias_cell(double bias2) {
-  return percent_of_root(bias2, 3);
-}
-
 constexpr std::int64_t emitted_below = 1 << 13;
 
 carlo::Chart against_radius(Notebook& notebook) {
@@ -117,13 +105,12 @@ carlo::Chart against_radius(Notebook& notebook) {
     const double bias = std::sqrt(theory.bias2), noise = std::sqrt(theory.variance);
     chart.series[0].points.push_back({radii[i], bias});
     chart.series[1].points.push_back({radii[i], noise});
-    chart.series[2].points.push_back({radii[i], size_of(theory)});
-    chart.series[3].points.push_back({radii[i], size_of(measured[i])});
-    table.add_row({carlo::Cell(carlo::number_text(radii[i], 2), radii[i]),
-                   carlo::Cell(carlo::number_text(cone_share(radii[i]) * emitted_below, 3),
-                               cone_share(radii[i]) * emitted_below),
-                   percent(bias), bias_cell(measured[i].bias2), percent(noise),
-                   percent(std::sqrt(measured[i].variance))});
+    chart.series[2].points.push_back({radii[i], total_error(theory)});
+    chart.series[3].points.push_back({radii[i], total_error(measured[i])});
+    table.add_row(
+        {carlo::number_cell(radii[i], 2), carlo::number_cell(cone_share(radii[i]) * emitted_below),
+         carlo::percent_cell(bias), percent_of_root(measured[i].bias2, 3),
+         carlo::percent_cell(noise), carlo::percent_cell(std::sqrt(measured[i].variance))});
   }
   notebook.table(
       "density_radius", table,
@@ -160,9 +147,10 @@ carlo::Chart against_count(Notebook& notebook) {
     const double doubtful = 4 * parts[i].variance / notebook.repetitions(below_maps);
     if (parts[i].bias2 > doubtful) chart.series[0].points.push_back({k, bias});
     chart.series[1].points.push_back({k, std::sqrt(parts[i].variance)});
-    chart.series[2].points.push_back({k, size_of(parts[i])});
-    table.add_row({counts[i], bias_cell(parts[i].bias2), percent(std::sqrt(parts[i].variance)),
-                   bias_cell(parts[i + counts.size()].bias2)});
+    chart.series[2].points.push_back({k, total_error(parts[i])});
+    table.add_row({counts[i], percent_of_root(parts[i].bias2, 3),
+                   carlo::percent_cell(std::sqrt(parts[i].variance)),
+                   percent_of_root(parts[i + counts.size()].bias2, 3)});
   }
   notebook.table("density_nearest", table,
                  fmt::format("The same by the k nearest photons; {}", minus_is_noise));

@@ -1,4 +1,3 @@
-#include "clamped.h"
 #include "experiments.h"
 #include "report/format.h"
 
@@ -8,13 +7,48 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <utility>
 
 // Step a: the simplest removal of noise, and what it costs. Samples above c count as c. Everything
 // has a closed form, and stands beside what split_error() finds.
 
 namespace lab09 {
 namespace {
+
+/// An estimate with a fat tail: 1/distance^2 from a point over the middle of a disc of radius 1 to
+/// points of the disc that are uniform by area. With u uniform, distance^2 = u + height2.
+struct Glow {
+  double height2;
+
+  double sample(double u) const { return 1 / (u + height2); }
+  double largest() const { return 1 / height2; }
+  /// The integral of sample(u) over [0, 1).
+  double exact() const { return std::log1p(1 / height2); }
+
+  /// Both parts of the square error of the mean of n samples that are clamped to c: samples are
+  /// above c for u below `cut`.
+  ErrorParts parts(double c, double n) const {
+    const double cut = std::clamp(1 / c - height2, 0.0, 1.0);
+    const double mean = c * cut + std::log((1 + height2) / (cut + height2));
+    const double squares = c * c * cut + 1 / (cut + height2) - 1 / (1 + height2);
+    const double bias = mean - exact();
+    return {bias * bias, (squares - mean * mean) / n};
+  }
+
+  /// The c with the least square error for n samples.
+  double best_clamp(double n) const {
+    // Ternary search on log c, where the error has one valley.
+    double low = 0, high = std::log(largest());
+    const auto error = [&](double x) {
+      const ErrorParts p = parts(std::exp(x), n);
+      return p.bias2 + p.variance;
+    };
+    for (int i = 0; i < 100; ++i) {
+      const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+      (error(a) < error(b) ? high : low) = error(a) < error(b) ? b : a;
+    }
+    return std::exp((low + high) / 2);
+  }
+};
 
 constexpr Glow glow{1.0 / 1024};
 
@@ -37,10 +71,6 @@ int estimates_for(const Notebook& notebook, int samples) {
 }
 
 constexpr int sample_counts[] = {16, 256, 4096};
-
-carlo::Cell squared(double x) {
-  return carlo::Cell(carlo::number_text(x, 3), x);
-}
 
 double square_error(const ErrorParts& parts) {
   return parts.bias2 + parts.variance;
@@ -69,10 +99,12 @@ double against_clamp(Notebook& notebook, int samples, carlo::Table& table,
     variance.points.push_back({c, exact.variance / unit});
     both.points.push_back({c, square_error(exact) / unit});
     seen.points.push_back({c, square_error(measured) / unit});
-    table.add_row({samples, carlo::Cell(carlo::number_text(c), c), squared(exact.bias2 / unit),
-                   squared(measured.bias2 / unit), squared(exact.variance / unit),
-                   squared(measured.variance / unit), squared(square_error(exact) / unit),
-                   squared(square_error(measured) / unit)});
+    table.add_row({samples, c, carlo::number_cell(exact.bias2 / unit),
+                   carlo::number_cell(measured.bias2 / unit),
+                   carlo::number_cell(exact.variance / unit),
+                   carlo::number_cell(measured.variance / unit),
+                   carlo::number_cell(square_error(exact) / unit),
+                   carlo::number_cell(square_error(measured) / unit)});
   }
   charts.push_back({fmt::format("{} samples", samples),
                     "by closed form, and their sum as measured",
@@ -99,18 +131,15 @@ void clamps(Notebook& notebook) {
   carlo::Table best(
       {"samples", "best c", "of those tried", "relative error", "of it bias", "not clamped"},
       {"samples", "best", "measured", "error", "bias", "unclamped"});
-  const auto percent = [](double x) {
-    return carlo::Cell(fmt::format("{} %", carlo::number_text(100 * x, 3)), x);
-  };
   for (std::size_t i = 0; i < std::size(sample_counts); ++i) {
     const int samples = sample_counts[i];
     const double c = glow.best_clamp(samples);
     const ErrorParts parts = glow.parts(c, samples);
-    best.add_row({samples, carlo::Cell(carlo::number_text(c, 3), c),
-                  carlo::Cell(carlo::number_text(least[i], 3), least[i]),
-                  percent(std::sqrt(square_error(parts)) / glow.exact()),
-                  percent(std::sqrt(parts.bias2) / glow.exact()),
-                  percent(std::sqrt(glow.parts(glow.largest(), samples).variance) / glow.exact())});
+    best.add_row({samples, carlo::number_cell(c), carlo::number_cell(least[i]),
+                  carlo::percent_cell(std::sqrt(square_error(parts)) / glow.exact()),
+                  carlo::percent_cell(std::sqrt(parts.bias2) / glow.exact()),
+                  carlo::percent_cell(std::sqrt(glow.parts(glow.largest(), samples).variance) /
+                                      glow.exact())});
   }
   notebook.table(
       "best_clamps", best,
@@ -180,7 +209,7 @@ void slopes_and_crossing(Notebook& notebook) {
     const auto slope = [&](const std::vector<double>& errors, std::size_t from, std::size_t count) {
       const double s = fitted_slope(std::span(run.samples).subspan(from, count),
                                     std::span(errors).subspan(from, count));
-      return carlo::Cell(carlo::number_text(s, 3), s);
+      return carlo::number_cell(s);
     };
     slopes.add_row({clamping.name, slope(run.measured, 0, 5), slope(run.measured, 4, 7),
                     slope(run.exact, 0, 5), slope(run.exact, 4, 7)});
@@ -197,11 +226,11 @@ void slopes_and_crossing(Notebook& notebook) {
   const ErrorParts at_16 = split_error(estimates, glow.exact());
   const double measured = crossing(runs[0], runs[1]);
   carlo::Table table({"overtakes after", "samples"}, {"from", "samples"});
-  const auto samples_cell = [](double n) { return carlo::Cell(carlo::number_text(n, 3), n); };
-  table.add_row({"by closed form", samples_cell(overtakes_after(a, one.variance, one.bias2))});
+  table.add_row(
+      {"by closed form", carlo::number_cell(overtakes_after(a, one.variance, one.bias2))});
   table.add_row({"foretold from estimates by 16 samples",
-                 samples_cell(overtakes_after(a, 16 * at_16.variance, at_16.bias2))});
-  table.add_row({"where the measured errors cross", samples_cell(measured)});
+                 carlo::number_cell(overtakes_after(a, 16 * at_16.variance, at_16.bias2))});
+  table.add_row({"where the measured errors cross", carlo::number_cell(measured)});
   notebook.table("clamp_overtaken", table,
                  "When samples that are not clamped overtake those that were clamped for 16");
 }

@@ -2,12 +2,11 @@
 #include "report/format.h"
 #include "report/stopwatch.h"
 #include "report/tiles.h"
-#include "signed_root.h"
+#include "shown_error.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 
 // Step c: soft shadows by few paths, filtered. A shadow is an edge that no feature knows of.
 
@@ -27,7 +26,7 @@ struct FilterRun {
   double seconds = 0;  ///< of all processors together, paths and filter
   carlo::Image shown;
 
-  double error() const { return std::sqrt(std::max(parts.bias2 + parts.variance, 0.0)); }
+  double error() const { return total_error(parts); }
 };
 
 carlo::Image color_of(const FeatureImage& noisy) {

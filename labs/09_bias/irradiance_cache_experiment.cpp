@@ -1,10 +1,11 @@
 #include "experiments.h"
 #include "images/views.h"
 #include "indirect.h"
+#include "photon_run.h"
 #include "report/format.h"
 #include "report/stopwatch.h"
 #include "report/tiles.h"
-#include "signed_root.h"
+#include "shown_error.h"
 
 #include <fmt/core.h>
 #include <tbb/parallel_for.h>
@@ -81,27 +82,8 @@ struct CacheRun {
   ErrorParts parts;  ///< relative to the square of the reference's mean
   double records = 0, seconds = 0;
 
-  double error() const { return std::sqrt(std::max(parts.bias2 + parts.variance, 0.0)); }
+  double error() const { return total_error(parts); }
 };
-
-/// The mean over pixels and channels. What the reference's own noise adds to bias^2 is taken off.
-ErrorParts image_parts(const std::vector<CachedImage>& images, const lab08::Reference& reference) {
-  const double mean = lab08::mean_value(reference.image), unit = mean * mean;
-  const auto count = 3 * static_cast<double>(reference.image.pixels.size());
-  ErrorParts sum{-reference.variance / unit, 0};
-  std::vector<double> values(images.size());
-  for (std::size_t i = 0; i < reference.image.pixels.size(); ++i) {
-    for (int c = 0; c < 3; ++c) {
-      for (std::size_t k = 0; k < images.size(); ++k)
-        values[k] = static_cast<double>(images[k].radiance.pixels[i][c]);
-      const ErrorParts parts =
-          split_error(values, static_cast<double>(reference.image.pixels[i][c]));
-      sum.bias2 += parts.bias2 / (count * unit);
-      sum.variance += parts.variance / (count * unit);
-    }
-  }
-  return sum;
-}
 
 CacheRun cache_run(Notebook& notebook, const CachedView& seen, const lab08::Reference& reference,
                    const CacheSetting& setting) {
@@ -115,23 +97,21 @@ CacheRun cache_run(Notebook& notebook, const CachedView& seen, const lab08::Refe
   });
   CacheRun run;
   run.seconds = watch.seconds() / repetitions;
-  run.parts = image_parts(images, reference);
-  for (const CachedImage& image : images)
+  std::vector<carlo::Image> radiances;
+  for (const CachedImage& image : images) {
     run.records += static_cast<double>(image.records) / repetitions;
+    radiances.push_back(image.radiance);
+  }
+  run.parts = image_error(radiances, reference);
   run.shown = std::move(images.front());
   return run;
 }
 
-carlo::Cell percent_cell(double part) {
-  return {fmt::format("{} %", carlo::number_text(100 * part, 2)), part};
-}
-
 void add_cache_row(carlo::Table& table, const CacheSetting& setting, const CacheRun& run) {
-  table.add_row({carlo::Cell(carlo::number_text(setting.most), setting.most),
-                 setting.strata * setting.strata,
+  table.add_row({setting.most, setting.strata * setting.strata,
                  carlo::Cell(fmt::format("{:.0f}", run.records), run.records),
                  percent_of_root(run.parts.bias2, 2), percent_of_root(run.parts.variance, 2),
-                 percent_cell(run.error()), carlo::seconds_cell(run.seconds)});
+                 carlo::percent_cell(run.error(), 2), carlo::seconds_cell(run.seconds)});
 }
 
 constexpr double limits[] = {0.1, 0.2, 0.4, 0.8};
@@ -216,7 +196,8 @@ void irradiance_cache_experiment(Notebook& notebook) {
                                minus_is_noise));
     carlo::Table by_paths({"paths a pixel", "error", "time"}, {"paths", "error", "seconds"});
     for (const Measurement& run : traced.curve.runs)
-      by_paths.add_row({run.points, percent_cell(run.error), carlo::seconds_cell(run.seconds)});
+      by_paths.add_row(
+          {run.points, carlo::percent_cell(run.error, 2), carlo::seconds_cell(run.seconds)});
     notebook.data("indirect_paths", by_paths, "The same light by paths");
     curves.push_back(traced.curve);
     std::vector<carlo::Chart> charts =

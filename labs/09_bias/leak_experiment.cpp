@@ -112,10 +112,6 @@ double below_board(float height, const LeakSetting& setting, Rng rng) {
   return leaked;
 }
 
-carlo::Cell leaked_cell(double part) {
-  return {fmt::format("{} %", carlo::number_text(100 * part, 2)), part};
-}
-
 void thin_wall(Notebook& notebook) {
   const auto world = chamber(1);
   carlo::Table table({"most", "nearest", "records", "leaked"});
@@ -130,9 +126,9 @@ void thin_wall(Notebook& notebook) {
       leaked += image.leaked / runs;
       records += image.records / runs;
     }
-    table.add_row({carlo::Cell(carlo::number_text(setting.most), setting.most),
-                   carlo::Cell(carlo::number_text(setting.nearest), setting.nearest),
-                   carlo::Cell(fmt::format("{:.0f}", records), records), leaked_cell(leaked)});
+    table.add_row({setting.most, setting.nearest,
+                   carlo::Cell(fmt::format("{:.0f}", records), records),
+                   carlo::percent_cell(leaked, 2)});
     if (!shown) return;
     pictures.push_back(
         carlo::image_tile(fmt::format("most = {}, nearest {}", carlo::number_text(setting.most),
@@ -161,10 +157,8 @@ void thin_board(Notebook& notebook) {
       LeakSetting setting;
       setting.farthest = 1;
       setting.asks_in_front = asks;
-      table.add_row({carlo::Cell(carlo::number_text(static_cast<double>(height), 2),
-                                 static_cast<double>(height)),
-                     asks ? "yes" : "no",
-                     leaked_cell(below_board(height, setting, notebook.rng()))});
+      table.add_row({carlo::number_cell(static_cast<double>(height), 2), asks ? "yes" : "no",
+                     carlo::percent_cell(below_board(height, setting, notebook.rng()), 2)});
     }
   }
   notebook.say(

@@ -9,12 +9,6 @@
 namespace lab09 {
 namespace {
 
-Ray film_ray(const PracticeScene& s, int x, int y, Vec2 jitter) {
-  const carlo::Scene& scene = s.world.scene();
-  return scene.camera.ray({(static_cast<float>(x) + jitter.x) / static_cast<float>(scene.width),
-                           (static_cast<float>(y) + jitter.y) / static_cast<float>(scene.height)});
-}
-
 /// Adds what the camera sees along one ray; `share`: one over the number of rays.
 void add_features(const World& world, const Ray& ray, float share, FeaturePixel& pixel) {
   const auto met = world.intersect(ray);
@@ -34,7 +28,7 @@ FeaturePixel noisy_pixel(const PracticeScene& s, int x, int y, std::uint64_t see
     lab08::Sampled<carlo::IndependentSampler> numbers(
         {seed, number, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(samples)});
     const Vec2 jitter = numbers.next_2d();
-    const Ray ray = film_ray(s, x, y, jitter);
+    const Ray ray = s.ray(x, y, jitter);
     const glm::dvec3 L = lab08::path_radiance(s.world, ray, 0, numbers);
     sum += L;
     squares += L * L;

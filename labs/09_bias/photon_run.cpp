@@ -4,12 +4,26 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <utility>
 #include <variant>
 #include <vector>
 
 namespace lab09 {
+
+static void trace_photons(const World& world, std::int64_t emitted, Kept kept, Rng& rng,
+                          std::vector<Photon>& stored) {
+  for (std::int64_t n = 0; n < emitted; ++n) {
+    trace_photon(world, emit_photon(world, rng), rng, [&](const Photon& photon) {
+      if (kept == Kept::all || photon.caustic()) stored.push_back(photon);
+    });
+  }
+}
+
+PhotonMap photon_map(const World& world, std::int64_t emitted, Kept kept, Rng& rng) {
+  std::vector<Photon> photons;
+  trace_photons(world, emitted, kept, rng, photons);
+  return {std::move(photons), 1 / static_cast<float>(emitted)};
+}
 
 PhotonMap photon_map(const World& world, std::int64_t emitted, Kept kept, std::uint64_t seed) {
   constexpr std::int64_t block = 4096;  // photons of one stream of random numbers
@@ -18,15 +32,11 @@ PhotonMap photon_map(const World& world, std::int64_t emitted, Kept kept, std::u
   tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t i) {
     Rng rng(seed, i);
     const std::int64_t count = std::min(block, emitted - static_cast<std::int64_t>(i) * block);
-    for (std::int64_t n = 0; n < count; ++n) {
-      trace_photon(world, emit_photon(world, rng), rng, [&](const Photon& photon) {
-        if (kept == Kept::all || photon.caustic()) stored[i].push_back(photon);
-      });
-    }
+    trace_photons(world, count, kept, rng, stored[i]);
   });
   std::vector<Photon> all;
   for (const std::vector<Photon>& some : stored)
-    std::copy(some.begin(), some.end(), std::back_inserter(all));
+    all.insert(all.end(), some.begin(), some.end());
   return {std::move(all), 1 / static_cast<float>(emitted)};
 }
 

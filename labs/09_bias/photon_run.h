@@ -5,7 +5,6 @@
 #include "images/views.h"
 
 #include <cstdint>
-#include <functional>
 #include <span>
 
 namespace lab09 {
@@ -16,7 +15,9 @@ namespace lab09 {
 /// Which photons a map is to hold.
 enum class Kept { all, caustics };
 
-/// The map of the photons of so many emitted, the same for any number of cores.
+/// The map of the photons of so many emitted, on one core.
+PhotonMap photon_map(const World& world, std::int64_t emitted, Kept kept, Rng& rng);
+/// The same on all cores, alike for any number of them.
 PhotonMap photon_map(const World& world, std::int64_t emitted, Kept kept, std::uint64_t seed);
 
 /// A ball of glass on a floor under a small round lamp.

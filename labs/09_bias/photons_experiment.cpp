@@ -3,6 +3,7 @@
 #include "report/format.h"
 #include "report/stopwatch.h"
 #include "report/tiles.h"
+#include "stats/running_mean.h"
 
 #include <fmt/core.h>
 
@@ -162,9 +163,6 @@ void discs(Notebook& notebook, const World& world) {
   constexpr double radii[] = {0.03, 0.1, 0.3, 1};
   constexpr int runs = 64;
   const std::int64_t most = notebook.options().n / runs;
-  const auto percent = [](double x) {
-    return carlo::Cell(fmt::format("{} %", carlo::number_text(100 * x, 2)), x);
-  };
   for (const std::int64_t photons : {most / 16, most}) {
     std::array<std::vector<double>, std::size(radii)> estimates;
     for (int run = 0; run < runs; ++run) {
@@ -183,11 +181,11 @@ void discs(Notebook& notebook, const World& world) {
       const double measured =
           std::accumulate(estimates[i].begin(), estimates[i].end(), 0.0) / runs - 1;
       table.add_row(
-          {radii[i], photons, percent(bias),
+          {radii[i], photons, carlo::percent_cell(bias, 2),
            carlo::Cell(fmt::format("{} %", carlo::interval_text(100 * measured,
                                                                 196 * noise / std::sqrt(runs))),
                        measured),
-           percent(noise)});
+           carlo::percent_cell(noise, 2)});
     }
   }
   notebook.table("photon_discs", table,
@@ -217,20 +215,18 @@ void power(Notebook& notebook) {
     Rgb power(0);
     for (const Light& light : world.lights())
       power += carlo::pi_f * light.area() * light.sample({0.5f, 0.5f}).radiance;
-    double sum = 0, squares = 0, of_one = 0;
+    double of_one = 0;
+    carlo::RunningMean stored;
     const carlo::Stopwatch watch;
     for (std::int64_t i = 0; i < photons; ++i) {
       of_one = 0;
       trace_photon(world, emit_photon(world, rng), rng, [&](const Photon& photon) {
         of_one += static_cast<double>(photon.flux.g / power.g);
       });
-      sum += of_one;
-      squares += of_one * of_one;
+      stored.add(of_one);
     }
-    const double seconds = watch.seconds(), mean = sum / count;
-    const double half_width =
-        1.96 * std::sqrt(std::max(squares / count - mean * mean, 0.0) / count);
-    table.add_row({name, photons, carlo::interval_cell(mean, std::max(half_width, 1e-7)), exact,
+    const double seconds = watch.seconds(), half_width = std::max(1.96 * stored.error(), 1e-7);
+    table.add_row({name, photons, carlo::interval_cell(stored.mean(), half_width), exact,
                    carlo::seconds_cell(seconds),
                    carlo::Cell(carlo::count_text(static_cast<std::int64_t>(count / seconds)),
                                count / seconds)});

@@ -4,7 +4,7 @@
 #include "report/format.h"
 #include "report/stopwatch.h"
 #include "report/tiles.h"
-#include "signed_root.h"
+#include "shown_error.h"
 
 #include <fmt/core.h>
 
@@ -64,10 +64,6 @@ double contrast(const carlo::Image& image, double from, double to) {
   return std::sqrt(squares / pixels);
 }
 
-carlo::Cell contrast_cell(double x) {
-  return {fmt::format("{} %", carlo::number_text(100 * x, 2)), x};
-}
-
 void show_spokes(Notebook& notebook) {
   constexpr int size = 128;
   carlo::Camera camera;
@@ -89,8 +85,9 @@ void show_spokes(Notebook& notebook) {
                      {"filter", "too_fine", "fine", "coarse"});
   std::vector<std::string> row;
   for (const auto& [name, image] : images) {
-    table.add_row({name, contrast_cell(contrast(image, 1, 1.4)),
-                   contrast_cell(contrast(image, 2.5, 3.5)), contrast_cell(contrast(image, 5, 6))});
+    table.add_row({name, carlo::percent_cell(contrast(image, 1, 1.4), 2),
+                   carlo::percent_cell(contrast(image, 2.5, 3.5), 2),
+                   carlo::percent_cell(contrast(image, 5, 6), 2)});
     row.push_back(carlo::image_tile(
         name,
         &image == &images[0].second ? "one ray a pixel" : fmt::format("{} rays a pixel", samples),
@@ -144,7 +141,7 @@ struct EdgeRun {
   ErrorParts parts;
   double seconds = 0;  ///< of one pixel
 
-  double error() const { return std::sqrt(std::max(parts.bias2 + parts.variance, 0.0)); }
+  double error() const { return total_error(parts); }
 };
 
 EdgeRun edge_run(Notebook& notebook, const PixelFilter& filter, const PixelWay& way, int samples) {
@@ -162,11 +159,6 @@ EdgeRun edge_run(Notebook& notebook, const PixelFilter& filter, const PixelWay& 
   return {split_error(estimates, share_beyond_edge(filter)), seconds};
 }
 
-carlo::Cell part_cell(double square) {
-  const double root = signed_root(square);
-  return {carlo::number_text(root, 2), root};
-}
-
 void measure_edge(Notebook& notebook) {
   carlo::Table table({"filter", "offsets", "rays", "bias", "noise", "error", "time"},
                      {"filter", "offsets", "rays", "bias", "noise", "error", "seconds"});
@@ -180,9 +172,10 @@ void measure_edge(Notebook& notebook) {
           {}};
       for (int samples = 1; samples <= 256; samples *= samples < 4 ? 2 : 4) {
         const EdgeRun run = edge_run(notebook, filter, way, samples);
-        table.add_row(
-            {name, way.name, samples, part_cell(run.parts.bias2), part_cell(run.parts.variance),
-             part_cell(run.parts.bias2 + run.parts.variance), carlo::seconds_cell(run.seconds)});
+        table.add_row({name, way.name, samples, carlo::number_cell(signed_root(run.parts.bias2), 2),
+                       carlo::number_cell(signed_root(run.parts.variance), 2),
+                       carlo::number_cell(signed_root(run.parts.bias2 + run.parts.variance), 2),
+                       carlo::seconds_cell(run.seconds)});
         curve.runs.push_back({samples, 0, run.error(), run.seconds});
       }
       curves.push_back(curve);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,6 +18,9 @@ struct PracticeScene {
   /// As large as its reference, but halved until no side is above `most` pixels. Throws
   /// carlo::Error where a file cannot be read.
   PracticeScene(const std::string& scene_name, int most);
+
+  /// The camera's ray through a point of pixel (x, y): jitter in [0, 1)^2.
+  Ray ray(int x, int y, Vec2 jitter) const;
 
   std::string name;
   carlo::Image reference;

@@ -15,10 +15,6 @@ namespace {
 
 constexpr double hour = 3600;
 
-carlo::Cell practice_number(double x) {
-  return carlo::Cell(carlo::number_text(x, 3), x);
-}
-
 std::string time_in_words(double seconds, bool at_least) {
   if (seconds == 0) return "from the start";
   if (!std::isfinite(seconds)) return "never";
@@ -36,8 +32,8 @@ void add_measured(carlo::Table& table, const std::string& scene,
     table.add_row(
         {scene, curve.name, run.passes, carlo::seconds_cell(run.seconds),
          carlo::interval_cell(run.parts.bias2, 2 * run.parts.bias_error),
-         practice_number(run.parts.variance), practice_number(run.rel_mse()),
-         practice_number(run.rel_mse() * run.seconds / (paths.rel_mse() * paths.seconds))});
+         carlo::number_cell(run.parts.variance), carlo::number_cell(run.rel_mse()),
+         carlo::number_cell(run.rel_mse() * run.seconds / (paths.rel_mse() * paths.seconds))});
   }
 }
 

@@ -87,6 +87,12 @@ PracticeScene::PracticeScene(const std::string& scene_name, int most)
       reference_error(practice_reference(name, true, most)),
       world(practice_scene(name, reference)) {}
 
+Ray PracticeScene::ray(int x, int y, Vec2 jitter) const {
+  const carlo::Scene& scene = world.scene();
+  return scene.camera.ray({(static_cast<float>(x) + jitter.x) / static_cast<float>(scene.width),
+                           (static_cast<float>(y) + jitter.y) / static_cast<float>(scene.height)});
+}
+
 ImageParts practice_parts(const PracticeScene& scene, const std::vector<carlo::Image>& images) {
   const auto count = 3 * static_cast<double>(scene.reference.pixels.size());
   const auto n = static_cast<double>(images.size());

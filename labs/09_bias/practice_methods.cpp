@@ -1,8 +1,9 @@
 #include "given/sampled.h"
+#include "indirect.h"
 #include "noisy_image.h"
+#include "photon_run.h"
 #include "practice.h"
 
-#include <cmath>
 #include <utility>
 
 namespace lab09 {
@@ -16,32 +17,35 @@ constexpr double radius_alpha = 2.0 / 3;
 constexpr double cache_error = 0.25, nearest_reach = 0.05, farthest_reach = 1;
 constexpr int cache_strata = 8;
 
-const carlo::Scene& scene_of(const PracticeScene& s) {
-  return s.world.scene();
-}
-
-Ray film_ray(const PracticeScene& s, int x, int y, Vec2 jitter) {
-  const carlo::Scene& scene = scene_of(s);
-  return scene.camera.ray({(static_cast<float>(x) + jitter.x) / static_cast<float>(scene.width),
-                           (static_cast<float>(y) + jitter.y) / static_cast<float>(scene.height)});
-}
-
-Ray film_ray(const PracticeScene& s, int x, int y, Rng& rng) {
-  const float across = rng.uniform_float();
-  const float down = rng.uniform_float();
-  return film_ray(s, x, y, {across, down});
-}
-
-using PixelValue = std::function<Rgb(int x, int y, Rng& rng)>;
-
-/// An image of one ray a pixel.
-carlo::Image one_ray_each(const PracticeScene& s, Rng rng, const PixelValue& value) {
+/// The image whose pixels are value(x, y).
+template <class Value>
+carlo::Image image_of(const PracticeScene& s, const Value& value) {
   carlo::Image image(s.reference.width, s.reference.height);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x)
-      image.at(x, y) = value(x, y, rng);
+      image.at(x, y) = value(x, y);
   }
   return image;
+}
+
+/// An image of one ray a pixel; radiance(ray, rng) is what arrives along it.
+template <class RayRadiance>
+carlo::Image one_ray_each(const PracticeScene& s, Rng rng, const RayRadiance& radiance) {
+  return image_of(s, [&](int x, int y) {
+    const float across = rng.uniform_float();
+    const float down = rng.uniform_float();
+    return radiance(s.ray(x, y, {across, down}), rng);
+  });
+}
+
+/// Passes with random numbers of their own; pass(rng) makes the image of one.
+template <class Pass>
+PracticeMethod by_passes(std::string name, Trend trend, const Pass& pass) {
+  return {std::move(name), trend, [pass](int passes, std::uint64_t seed) {
+            return mean_of_passes(passes, [&](int number) {
+              return pass(Rng(seed, static_cast<std::uint64_t>(number)));
+            });
+          }};
 }
 
 /// Sample `index` of `samples` of lab 08's path tracer.
@@ -51,14 +55,14 @@ Rgb path_sample(const PracticeScene& s, int x, int y, std::uint64_t seed, int in
                                    static_cast<std::uint32_t>(index),
                                    static_cast<std::uint32_t>(samples)});
   const Vec2 jitter = numbers.next_2d();
-  return lab08::path_radiance(s.world, film_ray(s, x, y, jitter), 0, numbers);
+  return lab08::path_radiance(s.world, s.ray(x, y, jitter), 0, numbers);
 }
 
 template <class Sampler>
 PracticeMethod path_tracing(const PracticeScene& s, std::string name, Trend trend) {
   return {std::move(name), trend, [&s](int passes, std::uint64_t seed) {
             return mean_of_passes(passes, [&](int pass) {
-              return one_ray_each(s, Rng(seed), [&](int x, int y, Rng&) {
+              return image_of(s, [&](int x, int y) {
                 return path_sample<Sampler>(s, x, y, seed, pass, passes);
               });
             });
@@ -66,43 +70,24 @@ PracticeMethod path_tracing(const PracticeScene& s, std::string name, Trend tren
 }
 
 PracticeMethod paths_by_area(const PracticeScene& s) {
-  return {"paths, lights by area (8.7)", Trend::unbiased, [&s](int passes, std::uint64_t seed) {
-            return mean_of_passes(passes, [&](int pass) {
-              return one_ray_each(s, Rng(seed, static_cast<std::uint64_t>(pass)),
-                                  [&](int x, int y, Rng& own) {
-                                    const Ray ray = film_ray(s, x, y, own);
-                                    return lab08::trace_specular(s.world, ray, true, own);
-                                  });
-            });
-          }};
-}
-
-/// A map of all photons, or of caustic ones alone; so many are emitted.
-PhotonMap photon_map(const PracticeScene& s, bool caustics, int emitted, Rng& rng) {
-  std::vector<Photon> photons;
-  for (int i = 0; i < emitted; ++i) {
-    trace_photon(s.world, emit_photon(s.world, rng), rng, [&](const Photon& photon) {
-      if (!caustics || photon.caustic()) photons.push_back(photon);
+  return by_passes("paths, lights by area (8.7)", Trend::unbiased, [&s](Rng rng) {
+    return one_ray_each(s, rng, [&](const Ray& ray, Rng& own) {
+      return lab08::trace_specular(s.world, ray, true, own);
     });
-  }
-  return {std::move(photons), 1.0f / static_cast<float>(emitted)};
+  });
 }
 
 /// A pass has photons of its own.
-carlo::Image photon_pass(const PracticeScene& s, std::uint64_t seed, int pass, float radius) {
-  Rng rng(seed, static_cast<std::uint64_t>(pass));
-  const PhotonMap map = photon_map(s, false, photons_a_pass, rng);
-  return one_ray_each(s, rng, [&](int x, int y, Rng& own) {
-    const Ray ray = film_ray(s, x, y, own);
+carlo::Image photon_pass(const PracticeScene& s, Rng rng, float radius) {
+  const PhotonMap map = photon_map(s.world, photons_a_pass, Kept::all, rng);
+  return one_ray_each(s, rng, [&](const Ray& ray, Rng& own) {
     return photon_radiance(s.world, ray, map, radius, own);
   });
 }
 
 PracticeMethod photons(const PracticeScene& s) {
-  return {"photon map, one radius", Trend::biased, [&s](int passes, std::uint64_t seed) {
-            return mean_of_passes(
-                passes, [&](int pass) { return photon_pass(s, seed, pass, photon_radius); });
-          }};
+  return by_passes("photon map, one radius", Trend::biased,
+                   [&s](const Rng& rng) { return photon_pass(s, rng, photon_radius); });
 }
 
 PracticeMethod progressive(const PracticeScene& s) {
@@ -115,22 +100,19 @@ PracticeMethod progressive(const PracticeScene& s) {
                   static_cast<float>(next_radius(static_cast<double>(radius), pass, radius_alpha));
             }
             return mean_of_passes(passes, [&](int pass) {
-              return photon_pass(s, seed, pass, radii[static_cast<std::size_t>(pass)]);
+              return photon_pass(s, Rng(seed, static_cast<std::uint64_t>(pass)),
+                                 radii[static_cast<std::size_t>(pass)]);
             });
           }};
 }
 
 PracticeMethod caustics(const PracticeScene& s) {
-  return {"paths and caustic photons", Trend::biased, [&s](int passes, std::uint64_t seed) {
-            return mean_of_passes(passes, [&](int pass) {
-              Rng rng(seed, static_cast<std::uint64_t>(pass));
-              const PhotonMap map = photon_map(s, true, caustic_photons_a_pass, rng);
-              return one_ray_each(s, rng, [&](int x, int y, Rng& own) {
-                const Ray ray = film_ray(s, x, y, own);
-                return caustic_radiance(s.world, ray, map, caustic_radius, own);
-              });
-            });
-          }};
+  return by_passes("paths and caustic photons", Trend::biased, [&s](Rng rng) {
+    const PhotonMap map = photon_map(s.world, caustic_photons_a_pass, Kept::caustics, rng);
+    return one_ray_each(s, rng, [&](const Ray& ray, Rng& own) {
+      return caustic_radiance(s.world, ray, map, caustic_radius, own);
+    });
+  });
 }
 
 /// The first Phong surface along a ray, behind mirrors and glass.
@@ -160,13 +142,6 @@ FirstPhong first_phong(const World& world, Ray ray, Rng& rng) {
   return first;
 }
 
-/// Light that has been reflected before it arrives, or has come through mirrors or glass.
-Arrival indirect_arrival(const World& world, const Ray& ray, Rng& rng) {
-  const auto met = world.intersect(ray);
-  const double distance = met ? static_cast<double>(glm::length(met->p - ray.o)) : INFINITY;
-  return {lab08::trace_specular(world, ray, false, rng), distance};
-}
-
 /// Direct light by points of the lights, indirect light from the cache; surfaces are diffuse.
 Rgb cached_radiance(const World& world, const Ray& ray, Cache& cache, Rng& rng) {
   const FirstPhong first = first_phong(world, ray, rng);
@@ -185,16 +160,12 @@ Rgb cached_radiance(const World& world, const Ray& ray, Cache& cache, Rng& rng) 
 }
 
 PracticeMethod irradiance_cache(const PracticeScene& s) {
-  return {"irradiance cache", Trend::biased, [&s](int passes, std::uint64_t seed) {
-            return mean_of_passes(passes, [&](int pass) {
-              Cache cache(cache_error, nearest_reach, farthest_reach);
-              return one_ray_each(s, Rng(seed, static_cast<std::uint64_t>(pass)),
-                                  [&](int x, int y, Rng& own) {
-                                    const Ray ray = film_ray(s, x, y, own);
-                                    return cached_radiance(s.world, ray, cache, own);
-                                  });
-            });
-          }};
+  return by_passes("irradiance cache", Trend::biased, [&s](const Rng& rng) {
+    Cache cache(cache_error, nearest_reach, farthest_reach);
+    return one_ray_each(s, rng, [&](const Ray& ray, Rng& own) {
+      return cached_radiance(s.world, ray, cache, own);
+    });
+  });
 }
 
 PracticeMethod filtered(const PracticeScene& s) {

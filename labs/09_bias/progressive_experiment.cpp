@@ -1,9 +1,10 @@
 #include "experiments.h"
 #include "given/sampled.h"
 #include "mirrored_lamp.h"
+#include "photon_run.h"
 #include "report/format.h"
 #include "sampling/samplers.h"
-#include "signed_root.h"
+#include "shown_error.h"
 
 #include <fmt/core.h>
 #include <tbb/parallel_for.h>
@@ -12,7 +13,6 @@
 #include <cmath>
 #include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 // Step f: three points of a floor that a lamp lights by way of a mirror alone, in closed form: how
@@ -28,13 +28,7 @@ constexpr std::int64_t photons_a_map = 512;
 
 /// The photons that come to the floor straight from the mirror.
 PhotonMap pass_map(const World& world, Rng& rng) {
-  std::vector<Photon> photons;
-  for (std::int64_t i = 0; i < photons_a_map; ++i) {
-    trace_photon(world, emit_photon(world, rng), rng, [&](const Photon& photon) {
-      if (photon.caustic()) photons.push_back(photon);
-    });
-  }
-  return {std::move(photons), 1 / static_cast<float>(photons_a_map)};
+  return photon_map(world, photons_a_map, Kept::caustics, rng);
 }
 
 /// The three points by a map, a channel each.
@@ -149,7 +143,7 @@ void slopes(Notebook& notebook) {
         {method.name,
          carlo::Cell(carlo::count_text(static_cast<std::int64_t>(all.n.back())), all.n.back()),
          percent_of_root(all.parts.back().bias2, 3), percent_of_root(all.parts.back().variance, 3),
-         carlo::Cell(carlo::number_text(slope, 2), slope), method.expected});
+         carlo::number_cell(slope, 2), method.expected});
     notebook.progress(static_cast<double>(chart.series.size()),
                       static_cast<double>(methods.size()));
   }

@@ -14,7 +14,6 @@
 #include <iostream>
 #include <iterator>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 

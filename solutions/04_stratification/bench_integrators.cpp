@@ -1,6 +1,7 @@
 #include "cli/arguments.h"
 #include "cli/atomic_file.h"
 #include "cli/main_guard.h"
+#include "cli/wall_clock.h"
 #include "gsl_methods.h"
 #include "point_sets.h"
 #include "report/format.h"
@@ -10,7 +11,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -93,10 +93,9 @@ Spread measure(const Method& method, const Integrand& g, std::int64_t n, int rep
   spread.evaluations = evaluated;
   std::vector<double> errors, seconds;
   for (int i = 0; i < repetitions; ++i) {
-    const auto start = std::chrono::steady_clock::now();
+    const carlo::WallClock clock;
     const double value = method.average(g, n);
-    seconds.push_back(
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    seconds.push_back(clock.seconds());
     errors.push_back(std::fabs(value - g.average));
     spread.root_mean_square += errors.back() * errors.back() / repetitions;
   }

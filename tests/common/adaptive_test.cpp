@@ -3,7 +3,7 @@
 #include "random/rng.h"
 #include "render/driver.h"
 #include "render/half_sums.h"
-#include "render/samples_map.h"
+#include "render/pixel_maps.h"
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -36,9 +36,8 @@ class Spikes final : public common_test::NoiseIntegrator {
 
 RenderResult run(const Spikes& spikes, double target, std::uint32_t spp = 1u << 16,
                  int threads = 1) {
-  return render(
-      spikes, Spikes::width, Spikes::height,
-      {.spp = spp, .seconds = {}, .threads = threads, .progress = false, .target_error = target});
+  return render(spikes, Spikes::width, Spikes::height,
+                {.spp = spp, .threads = threads, .progress = false, .target_error = target});
 }
 
 TEST_CASE("Adaptive sampling biases neither the image nor its standard errors") {

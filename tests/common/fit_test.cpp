@@ -2,6 +2,7 @@
 
 #include "cli/error.h"
 #include "random/rng.h"
+#include "stats/running_mean.h"
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -104,4 +105,18 @@ TEST_CASE("A fit refuses what has no logarithm or no slope", "[fit]") {
   CHECK_THROWS_AS(fit_power_law(one_two_three, one_two_three, std::array{1.0}), carlo::Error);
   CHECK_THROWS_AS(fit_power_law(std::array{7.1, 7.1, 7.1}, one_two_three), carlo::Error);
   CHECK_THROWS_AS(fit_power_law(one_two_three, one_two_three, {}, 1.0), carlo::Error);
+}
+
+TEST_CASE("A running mean has the mean and the spread of its numbers, however far from 0 they lie",
+          "[fit]") {
+  for (const double offset : {0.0, 1e9}) {
+    carlo::RunningMean mean;
+    for (int i = 1; i <= 9; ++i)
+      mean.add(offset + i);
+    // Of 1 to n: mean (n + 1)/2, variance n (n + 1)/12.
+    CHECK(mean.count() == 9);
+    CHECK(mean.mean() == offset + 5);
+    CHECK(std::abs(mean.deviation() - std::sqrt(7.5)) < 1e-12);
+    CHECK(std::abs(mean.error() - std::sqrt(7.5 / 9)) < 1e-12);
+  }
 }

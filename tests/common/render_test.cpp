@@ -31,7 +31,7 @@ class Noise final : public common_test::NoiseIntegrator {
 };
 
 RenderResult run(const Noise& noise, std::uint32_t spp, int threads) {
-  return render(noise, 37, 21, {.spp = spp, .seconds = {}, .threads = threads, .progress = false});
+  return render(noise, 37, 21, {.spp = spp, .threads = threads, .progress = false});
 }
 
 TEST_CASE("The image has the same bits for 1, 2 and 7 threads") {

@@ -260,3 +260,11 @@ TEST_CASE("A page makes its folder, and says so when it cannot", "[report]") {
   CHECK_THROWS_AS(page.write(folder / "deep" / "page.html" / "other.html"), carlo::Error);
   std::filesystem::remove_all(folder);
 }
+
+TEST_CASE("Cells of numbers and shares show few digits and keep all", "[report]") {
+  CHECK(carlo::number_cell(1.23456).text == "1.23");
+  CHECK(carlo::number_cell(1.23456, 5).text == "1.2346");
+  CHECK(carlo::number_cell(1.23456).value == 1.23456);
+  CHECK(carlo::percent_cell(0.0123456).text == "1.23 %");
+  CHECK(carlo::percent_cell(0.0123456).value == 0.0123456);
+}

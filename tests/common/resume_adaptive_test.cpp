@@ -1,7 +1,6 @@
 #include "cli/error.h"
 #include "noise_integrator.h"
 #include "random/rng.h"
-#include "render/adaptive_rounds.h"
 #include "render/adaptive_state.h"
 #include "render/driver.h"
 #include "render/resume.h"
@@ -62,12 +61,7 @@ constexpr double target = 0.02;
 constexpr std::uint32_t most = 2048;
 
 RenderOptions options(std::uint32_t spp, const RenderResult* earlier = nullptr) {
-  return {.spp = spp,
-          .seconds = {},
-          .threads = 2,
-          .progress = false,
-          .target_error = target,
-          .earlier = earlier};
+  return {.spp = spp, .threads = 2, .progress = false, .target_error = target, .earlier = earlier};
 }
 
 RenderResult run(const Flicker& flicker, std::uint32_t spp = most,

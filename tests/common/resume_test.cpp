@@ -37,7 +37,7 @@ class Noise final : public common_test::NoiseIntegrator {
 
 RenderResult run(const Noise& noise, std::uint32_t spp, const RenderResult* earlier = nullptr) {
   return render(noise, width, height,
-                {.spp = spp, .seconds = {}, .threads = 2, .progress = false, .earlier = earlier});
+                {.spp = spp, .threads = 2, .progress = false, .earlier = earlier});
 }
 
 Scene scene() {
@@ -137,7 +137,6 @@ TEST_CASE("A checkpoint is a render to go on from") {
   const Noise noise;
   const RenderResult whole = render(noise, width, height,
                                     {.spp = 64,
-                                     .seconds = {},
                                      .threads = 2,
                                      .progress = false,
                                      .checkpoint =

@@ -62,13 +62,9 @@ inline carlo::BlockGrid noise_grid(std::uint32_t spp) {
 inline carlo::RenderResult render_noise(const ShardNoise& noise, std::uint32_t spp, int threads = 2,
                                         std::optional<carlo::BlockRange> share = {},
                                         const carlo::RenderResult* earlier = nullptr) {
-  return carlo::render(noise, ShardNoise::width, ShardNoise::height,
-                       {.spp = spp,
-                        .seconds = {},
-                        .threads = threads,
-                        .progress = false,
-                        .earlier = earlier,
-                        .share = share});
+  return carlo::render(
+      noise, ShardNoise::width, ShardNoise::height,
+      {.spp = spp, .threads = threads, .progress = false, .earlier = earlier, .share = share});
 }
 
 /// The header of the noise's shard, of what is rendered of it.

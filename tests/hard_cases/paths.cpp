@@ -27,7 +27,7 @@ Scene furnace(float albedo) {
 carlo::RenderResult render(const Scene& scene, std::uint32_t spp, int threads) {
   const auto integrator = renderer::make_path_integrator(scene, {.seed = 29, .spp = spp});
   return carlo::render(*integrator, scene.width, scene.height,
-                       {.spp = spp, .seconds = {}, .threads = threads, .progress = false});
+                       {.spp = spp, .threads = threads, .progress = false});
 }
 
 HardCase depth_cap() {

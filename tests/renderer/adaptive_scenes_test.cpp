@@ -17,9 +17,8 @@ RenderResult render_adaptive(const Scene& scene, renderer::Kernel kernel, double
                              std::uint64_t seed, int threads) {
   const auto integrator = renderer::make_path_integrator(
       scene, {.seed = seed, .spp = adaptive_strata, .kernel = kernel});
-  return render(
-      *integrator, scene.width, scene.height,
-      {.spp = 4096, .seconds = {}, .threads = threads, .progress = false, .target_error = target});
+  return render(*integrator, scene.width, scene.height,
+                {.spp = 4096, .threads = threads, .progress = false, .target_error = target});
 }
 
 /// A closed cube that glows all around and reflects half: every pixel is 2, and the paths' lengths

@@ -115,8 +115,8 @@ class Comparison {
     for (const std::string& set : sets) {
       renderer::use_instruction_set(set);
       const auto integrator = renderer::make_path_integrator(scene, way.options);
-      const RenderResult result = render(*integrator, scene.width, scene.height,
-                                         {.spp = spp, .seconds = {}, .progress = false});
+      const RenderResult result =
+          render(*integrator, scene.width, scene.height, {.spp = spp, .progress = false});
       if (result.interrupted) throw Error("interrupted");
       const std::string digest = digest_of(result);
       if (!first) {

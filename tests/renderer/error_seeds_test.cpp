@@ -58,8 +58,7 @@ Render one_render(const Scene& scene, const Way& way, std::uint64_t seed, std::u
   const auto integrator =
       renderer::make_path_integrator(scene, {.seed = seed, .spp = spp, .technique = way.technique});
   const RenderResult result =
-      render(*integrator, side, side,
-             {.spp = spp, .seconds = {}, .progress = false, .target_error = way.target});
+      render(*integrator, side, side, {.spp = spp, .progress = false, .target_error = way.target});
   Render all;
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x)

@@ -43,8 +43,8 @@ std::vector<Way> ways(const Scene& scene) {
 MeanRadiance mean_of(const Scene& scene, const Way& way, std::uint32_t spp) {
   const auto integrator = renderer::make_path_integrator(
       scene, {.seed = 3, .spp = spp, .kernel = way.kernel, .technique = way.technique});
-  const RenderResult result = render(*integrator, scene.width, scene.height,
-                                     {.spp = spp, .seconds = {}, .threads = 0, .progress = false});
+  const RenderResult result =
+      render(*integrator, scene.width, scene.height, {.spp = spp, .threads = 0, .progress = false});
   CHECK(result.counts.bad == 0);
   return mean_radiance(result.film);
 }

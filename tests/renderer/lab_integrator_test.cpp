@@ -29,7 +29,7 @@ Scene small_box(SamplerKind sampler) {
 RenderResult render_lab(const Scene& scene, Method method, std::uint64_t seed, int threads = 0) {
   const auto integrator = lab08::make_lab_integrator(scene, {method, seed, spp});
   return render(*integrator, scene.width, scene.height,
-                {.spp = spp, .seconds = {}, .threads = threads, .progress = false});
+                {.spp = spp, .threads = threads, .progress = false});
 }
 
 /// |z| <= 4 for the image's mean in each channel: a false alarm in 6.3e-5 of the seeds a channel,

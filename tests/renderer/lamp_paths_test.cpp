@@ -41,12 +41,9 @@ RenderResult render_both(const Scene& scene, std::uint64_t seed, int threads,
                          std::optional<double> target = {}) {
   const auto integrator = renderer::make_path_integrator(
       scene, {.seed = seed, .technique = renderer::Technique::bidirectional});
-  return render(*integrator, scene.width, scene.height,
-                {.spp = target ? 2048u : 64u,
-                 .seconds = {},
-                 .threads = threads,
-                 .progress = false,
-                 .target_error = target});
+  return render(
+      *integrator, scene.width, scene.height,
+      {.spp = target ? 2048u : 64u, .threads = threads, .progress = false, .target_error = target});
 }
 
 /// Means over seeds and their standard errors, tile by tile, and of the whole image behind them.

@@ -28,7 +28,7 @@ inline RenderResult render_scene(const Scene& scene, std::uint32_t spp, std::uin
                                  int threads = 0) {
   const auto integrator = renderer::make_path_integrator(scene, {.seed = seed, .spp = spp});
   return render(*integrator, scene.width, scene.height,
-                {.spp = spp, .seconds = {}, .threads = threads, .progress = false});
+                {.spp = spp, .threads = threads, .progress = false});
 }
 
 }  // namespace scene_tools

@@ -2,7 +2,7 @@
 
 #include "cli/atomic_file.h"
 #include "cli/error.h"
-#include "cli/terminal.h"
+#include "cli/wall_clock.h"
 #include "verdict/verdict_json.h"
 
 #include <fmt/core.h>
@@ -14,12 +14,6 @@ namespace carlo {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point then) {
-  return std::chrono::duration<double>(Clock::now() - then).count();
-}
-
 }  // namespace
 
 WatchSession::WatchSession(WatchPlaces places, const Lab& lab)
@@ -60,7 +54,7 @@ void WatchSession::run() {
   panel_ = Panel::verdict;
   whole_ = false;
   code_ = OwnCode(places_.labs(), lab_);
-  began_ = Clock::now();
+  build_clock_ = {};
   start(Phase::building, {places_.in_turn().string(), places_.build.string(), "--keep",
                           places_.own.string(), program("worker"), "--", "ninja", "-C",
                           places_.build.string(), program("judge"), program("worker")});
@@ -101,7 +95,7 @@ bool WatchSession::child_spoke() {
 }
 
 void WatchSession::built() {
-  build_seconds_ = seconds_since(began_);
+  build_seconds_ = build_clock_.seconds();
   messages_ = compiler_messages(child_->output(), places_.root);
   compiles_ = child_->exit_code() == 0;
   trouble_.clear();
@@ -112,7 +106,7 @@ void WatchSession::built() {
     stop();
     return;
   }
-  built_at_ = Clock::now();
+  judge_clock_ = {};
   at_ = 0;
   judge_next();
 }
@@ -137,7 +131,7 @@ void WatchSession::judge_next() {
 }
 
 void WatchSession::judged() {
-  judge_seconds_ = seconds_since(built_at_);
+  judge_seconds_ = judge_clock_.seconds();
   has_run_ = true;
   std::error_code ec;
   if (!fs::exists(judged_file(), ec)) {

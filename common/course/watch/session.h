@@ -1,12 +1,12 @@
 #pragma once
 
+#include "cli/wall_clock.h"
 #include "course/compiler_messages.h"
 #include "course/hints.h"
 #include "course/status.h"
 #include "course/verdicts.h"
 #include "course/watch/child.h"
 
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -98,7 +98,7 @@ class WatchSession {
 
   std::unique_ptr<Child> child_;
   Phase phase_ = Phase::idle;
-  std::chrono::steady_clock::time_point began_, built_at_;
+  WallClock build_clock_, judge_clock_;
   double build_seconds_ = 0, judge_seconds_ = 0;
   bool has_run_ = false;
 

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <string>
-#include <variant>
 
 namespace lab08 {
 namespace {

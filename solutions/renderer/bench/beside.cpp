@@ -4,7 +4,6 @@
 #include "image/metrics.h"
 #include "render/render_app.h"
 #include "renderer/path_integrator.h"
-#include "report/format.h"
 #include "scene/load_scene.h"
 
 #include <fmt/core.h>
@@ -107,8 +106,8 @@ std::vector<carlo::Cell> beside_row(const std::string& scene, const Runs& runs,
   const Spread rel_mse = spread(runs.rel_mse), samples = spread(runs.our_samples);
   return {scene,
           seconds_spread_cell(spread(runs.seconds)),
-          {carlo::number_text(rel_mse.median, 3), rel_mse.median},
-          {carlo::number_text(samples.median, 3), samples.median},
+          carlo::number_cell(rel_mse.median),
+          carlo::number_cell(samples.median),
           seconds_spread_cell(spread(runs.our_seconds)),
           spread_cell(spread(runs.ratio)),
           {fmt::format("{:.4f}", agreement.mean_ratio), agreement.mean_ratio},

@@ -104,9 +104,8 @@ carlo::Cell seconds_spread_cell(const Spread& s) {
 Rendered render_timed(const carlo::Integrator& integrator, const carlo::Scene& scene,
                       std::uint32_t spp) {
   const carlo::Stopwatch stopwatch;
-  carlo::RenderResult result =
-      carlo::render(integrator, scene.width, scene.height,
-                    {.spp = spp, .seconds = {}, .threads = 1, .progress = false});
+  carlo::RenderResult result = carlo::render(integrator, scene.width, scene.height,
+                                             {.spp = spp, .threads = 1, .progress = false});
   return {std::move(result.film), stopwatch.seconds(), static_cast<double>(result.counts.paths)};
 }
 

@@ -7,9 +7,6 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <set>
-
 // Cycles beside us: seconds at equal error on scenes that are the same in both.
 
 namespace bench {

@@ -1,12 +1,10 @@
 #include "cli/atomic_file.h"
 #include "cli/error.h"
 #include "context.h"
-#include "report/format.h"
 #include "report/measure.h"
 
 #include <fmt/core.h>
 
-#include <cmath>
 #include <limits>
 #include <map>
 
@@ -89,10 +87,8 @@ void generators(Context& context) {
   for (const json& row : tables.at("speed")) {
     const double seconds = number(row.at("seconds")), ratio = seconds / standard;
     const std::string name = row.at("generator");
-    table.add_row({name,
-                   carlo::seconds_cell(seconds),
-                   {carlo::number_text(ratio, 3), ratio},
-                   judged_text(judged[name])});
+    table.add_row(
+        {name, carlo::seconds_cell(seconds), carlo::number_cell(ratio), judged_text(judged[name])});
   }
   context.table("generators", table,
                 "Lab 03's generators and the standard library's, one thread; the shortest of "

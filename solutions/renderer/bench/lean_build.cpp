@@ -3,7 +3,6 @@
 #include "context.h"
 #include "program.h"
 #include "render_cost.h"
-#include "report/format.h"
 
 #include <fmt/core.h>
 

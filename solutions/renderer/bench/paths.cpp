@@ -60,9 +60,8 @@ void add_render(carlo::Scene& scene, double paths, carlo::Rng& rng, int threads,
       scene, {.seed = seed,
               .spp = spp,
               .technique = lamps ? renderer::Technique::bidirectional : renderer::Technique::path});
-  const carlo::RenderResult result =
-      carlo::render(*integrator, width, height,
-                    {.spp = spp, .seconds = {}, .threads = threads, .progress = false});
+  const carlo::RenderResult result = carlo::render(
+      *integrator, width, height, {.spp = spp, .threads = threads, .progress = false});
   row.counts += result.counts;
   row.seconds += result.seconds;
 }

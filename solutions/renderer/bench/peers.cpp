@@ -2,7 +2,6 @@
 #include "cli/error.h"
 #include "context.h"
 #include "render/interrupt.h"
-#include "report/viewer.h"
 #include "scene/needs.h"
 
 #include <fmt/core.h>
@@ -11,7 +10,6 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 
 // Mitsuba 3, Cycles and LuxCore beside us: seconds at equal error, on each scene that one of them
 // can express exactly.

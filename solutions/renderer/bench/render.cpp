@@ -90,7 +90,7 @@ void render_once(carlo::Scene scene, const carlo::Image& reference, const Argume
               .choices = variant.choices});
   const carlo::RenderResult result =
       carlo::render(*integrator, scene.width, scene.height,
-                    {.spp = a.spp, .seconds = {}, .threads = a.threads, .progress = false});
+                    {.spp = a.spp, .threads = a.threads, .progress = false});
   const double busy = stopwatch.seconds();
   variant.seconds.push_back(a.threads == 1 ? busy : result.seconds);
   variant.rel_mse.push_back(carlo::compare(result.film.mean(), reference).rel_mse);

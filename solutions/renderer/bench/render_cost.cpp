@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include <bit>
-#include <string>
 
 namespace bench {
 namespace {
@@ -18,7 +17,7 @@ namespace {
 carlo::RenderResult render_once(const carlo::Integrator& integrator, const carlo::Scene& scene,
                                 std::uint32_t samples) {
   return carlo::render(integrator, scene.width, scene.height,
-                       {.spp = samples, .seconds = {}, .threads = 1, .progress = false});
+                       {.spp = samples, .threads = 1, .progress = false});
 }
 
 std::uint64_t hash_of(const carlo::Image& image) {

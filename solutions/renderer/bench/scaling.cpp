@@ -4,15 +4,12 @@
 #include "methods.h"
 #include "reference.h"
 #include "render/render_app.h"
-#include "report/format.h"
 #include "report/stopwatch.h"
 #include "scene/load_scene.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <thread>
 #include <utility>
 
@@ -109,7 +106,7 @@ void bench_threads(Context& context) {
       const carlo::Stopwatch stopwatch;
       const carlo::RenderResult result =
           carlo::render(*integrator, scene.width, scene.height,
-                        {.spp = samples, .seconds = {}, .threads = threads[i], .progress = false});
+                        {.spp = samples, .threads = threads[i], .progress = false});
       processor[i].push_back(stopwatch.seconds() / static_cast<double>(result.counts.paths));
       wall[i].push_back(result.seconds);
     }
@@ -122,11 +119,8 @@ void bench_threads(Context& context) {
     const Spread w = spread(wall[i]), p = spread(processor[i]);
     const double faster = spread(wall[0]).median / w.median;
     const double dearer = p.median / spread(processor[0]).median;
-    table.add_row({threads[i],
-                   seconds_spread_cell(w),
-                   {carlo::number_text(faster, 3), faster},
-                   seconds_spread_cell(p),
-                   {carlo::number_text(dearer, 3), dearer}});
+    table.add_row({threads[i], seconds_spread_cell(w), carlo::number_cell(faster),
+                   seconds_spread_cell(p), carlo::number_cell(dearer)});
   }
   context.table("threads", table,
                 fmt::format("{}; cornell_phong, 128 x 128 pixels, {} samples; medians of {} runs",
@@ -181,10 +175,8 @@ void bench_depth(Context& context) {
                      {"segments", "kernel", "seconds_a_path", "share"});
   for (const Case& c : cases) {
     const double share = c.mean / cases.back().mean;
-    table.add_row({c.name,
-                   c.kernel,
-                   seconds_spread_cell(spread(c.seconds_a_path)),
-                   {carlo::number_text(share, 4), share}});
+    table.add_row({c.name, c.kernel, seconds_spread_cell(spread(c.seconds_a_path)),
+                   carlo::number_cell(share, 4)});
   }
   context.table(
       "depth", table,

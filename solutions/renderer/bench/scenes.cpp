@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 // Error against samples and against seconds: integrators and samplers on scenes.
 
@@ -164,14 +163,10 @@ void report(Context& context, const std::string& scene, const std::vector<Measur
     }
     const Rung& last = m.rungs.back();
     const Spread e = efficiency(m, reference.noise);
-    table.add_row(
-        {m.way.label(),
-         carlo::seconds_cell(spread(last.seconds).median),
-         {carlo::number_text(lines.samples.points.back().y, 3), lines.samples.points.back().y},
-         {carlo::number_text(spread(last.rel_mse).median, 3), spread(last.rel_mse).median},
-         spread_cell(e),
-         {carlo::number_text(e.median / scalar, 3), e.median / scalar},
-         carlo::slope_cell(lines.samples.fit)});
+    table.add_row({m.way.label(), carlo::seconds_cell(spread(last.seconds).median),
+                   carlo::number_cell(lines.samples.points.back().y),
+                   carlo::number_cell(spread(last.rel_mse).median), spread_cell(e),
+                   carlo::number_cell(e.median / scalar), carlo::slope_cell(lines.samples.fit)});
   }
   context.page().charts({by_samples, by_seconds});
   context.table("scene_" + scene, table,
@@ -236,10 +231,8 @@ void bench_equal_time(Context& context) {
     const Rendered rendered = render_timed(*integrator, scene, samples);
     const carlo::Image mean = rendered.film.mean();
     const double rel_mse = carlo::compare(mean, reference.image).rel_mse;
-    table.add_row({way.label(),
-                   static_cast<std::int64_t>(samples),
-                   carlo::seconds_cell(rendered.seconds),
-                   {carlo::number_text(rel_mse, 3), rel_mse}});
+    table.add_row({way.label(), static_cast<std::int64_t>(samples),
+                   carlo::seconds_cell(rendered.seconds), carlo::number_cell(rel_mse)});
     viewer.images.push_back({way.label(), mean, rendered.film.standard_error()});
     context.progress(static_cast<double>(i + 1) / static_cast<double>(ways.size()));
   }

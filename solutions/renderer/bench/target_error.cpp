@@ -71,9 +71,9 @@ Run render(const Scene& scene, std::uint64_t seed, std::uint32_t spp,
   const auto integrator = renderer::make_path_integrator(
       scene, {.seed = seed, .spp = target ? carlo::adaptive_strata : spp});
   const carlo::Stopwatch stopwatch;
-  const carlo::RenderResult result = carlo::render(
-      *integrator, scene.width, scene.height,
-      {.spp = spp, .seconds = {}, .threads = 1, .progress = false, .target_error = target});
+  const carlo::RenderResult result =
+      carlo::render(*integrator, scene.width, scene.height,
+                    {.spp = spp, .threads = 1, .progress = false, .target_error = target});
   return {grey(result.film), stopwatch.seconds(),
           result.adaptive.value_or(carlo::AdaptiveSummary{})};
 }

@@ -1,5 +1,6 @@
 #include "cli/error.h"
 #include "cli/program.h"
+#include "cli/wall_clock.h"
 #include "context.h"
 #include "geometry/embree.h"
 #include "mesh.h"
@@ -16,11 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <chrono>
-#include <cstring>
 #include <fstream>
-#include <memory>
-#include <span>
 
 // What a mesh costs: memory beside Embree's own, the time to the first pixel, and the time a path.
 
@@ -62,15 +59,7 @@ double embree_bytes(const Scene& scene) {
   for (const carlo::Shape& shape : scene.shapes) {
     const auto* mesh = std::get_if<carlo::Mesh>(&shape.geometry);
     if (mesh == nullptr) continue;
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    const auto fill = [&](RTCBufferType type, RTCFormat format, const auto& values) {
-      void* buffer =
-          rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(values[0]), values.size());
-      if (buffer == nullptr) throw Error("Embree is out of memory");
-      std::memcpy(buffer, values.data(), sizeof(values[0]) * values.size());
-    };
-    fill(RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh->positions);
-    fill(RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh->triangles);
+    RTCGeometry geometry = carlo::embree_triangles(device, *mesh);
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(embree, geometry);
     rtcReleaseGeometry(geometry);
@@ -111,7 +100,7 @@ Spread spread_of(const std::vector<Costs>& runs, Member member) {
 }  // namespace
 
 void print_mesh_costs(const fs::path& path) {
-  const auto start = std::chrono::steady_clock::now();
+  const carlo::WallClock clock;
   const carlo::Stopwatch stopwatch;
   const double before = resident_bytes();
   const Scene scene = carlo::load_scene(path);
@@ -121,8 +110,7 @@ void print_mesh_costs(const fs::path& path) {
   std::array<std::array<double, 3>, 1> mean{};
   carlo::Counts counts;
   integrator->render(tile, mean, counts);
-  const double first =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double first = clock.seconds();
   const double processor = stopwatch.seconds();
   const double ours = resident_bytes() - before;
   const double peak = std::max(peak_bytes() - before, ours);
@@ -157,8 +145,7 @@ void bench_triangles(Context& context) {
     const double processor = spread_of(all, &Costs::first_pixel_processor).median;
     table.add_row({static_cast<std::int64_t>(sizes[i]), megabytes(ours),
                    megabytes(spread_of(all, &Costs::peak).median), megabytes(embree),
-                   embree < 1e6 ? carlo::empty_cell()
-                                : carlo::Cell(carlo::number_text(ours / embree, 3), ours / embree),
+                   embree < 1e6 ? carlo::empty_cell() : carlo::number_cell(ours / embree),
                    carlo::seconds_cell(spread_of(all, &Costs::first_pixel).median),
                    carlo::seconds_cell(processor), carlo::seconds_cell(seconds)});
     path.points.push_back({static_cast<double>(sizes[i]), seconds});

@@ -1,11 +1,10 @@
 #include "renderer/lanes/lane_integrator.h"
 
+#include "cli/wall_clock.h"
 #include "renderer/lanes/lane_kernel.h"
 #include "renderer/lanes/lane_pilot.h"
 
 #include <fmt/core.h>
-
-#include <chrono>
 
 namespace renderer {
 namespace {
@@ -16,10 +15,9 @@ class LaneIntegrator final : public carlo::Integrator {
                  std::optional<std::uint32_t> pilot_spp)
       : scene_(scene), lanes_(scene), seed_(seed), choices_(choices) {
     if (!pilot_spp) return;
-    const auto start = std::chrono::steady_clock::now();
+    const carlo::WallClock clock;
     choices_.lamp_paths = try_lamp_paths(scene, lanes_, seed, *pilot_spp) ? 1.0f : 0.0f;
-    seconds_spent_ =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    seconds_spent_ = clock.seconds();
   }
 
   std::string name() const override {

@@ -7,8 +7,6 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 using namespace carlo::grader;
 

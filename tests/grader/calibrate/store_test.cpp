@@ -1,7 +1,6 @@
 #include "grader/calibrate/store.h"
 
 #include "cli/atomic_file.h"
-#include "cli/error.h"
 #include "grader/calibrate/findings.h"
 #include "grader/calibrate/power.h"
 

@@ -1,7 +1,6 @@
 #include "grader/calibrate/tables.h"
 
 #include "grader/judge/compare.h"
-#include "report/format.h"
 #include "stats/distributions.h"
 
 #include <fmt/core.h>
@@ -87,8 +86,7 @@ Table rates_table(const Findings& findings) {
                    rate_upper_bound(lab.false_failures, lab.gradings), count(tests),
                    Cell(fmt::format("{:.2e}", comparison_alpha()), comparison_alpha()),
                    Cell(fmt::format("{:.1e}", family), family), seconds_cell(lab.median_seconds),
-                   seconds_cell(lab.worst_seconds),
-                   Cell(number_text(lab.worst_megabytes, 3), lab.worst_megabytes)});
+                   seconds_cell(lab.worst_seconds), number_cell(lab.worst_megabytes)});
   }
   return table;
 }

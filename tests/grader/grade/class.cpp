@@ -1,6 +1,7 @@
 #include "grader/grade/class.h"
 
 #include "cli/error.h"
+#include "cli/wall_clock.h"
 #include "grader/grade/outputs.h"
 #include "grader/judge/guardian.h"
 
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -21,8 +21,6 @@ namespace carlo::grader {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
-
 enum ExitCode { graded = 0, there_already = 10, not_there = 11, failed = 1 };
 
 /// A file server's client may believe for a minute what it heard of a folder; whoever opens the
@@ -118,13 +116,13 @@ class Round {
  private:
   struct Job {
     std::size_t index;
-    Clock::time_point begun;
+    WallClock clock;
   };
 
   /// False when the machine has no process left for it; then one of ours must end first.
   bool begin(std::size_t index) {
     try {
-      running_[start(work_, course_, sources_[index], out_)] = {index, Clock::now()};
+      running_[start(work_, course_, sources_[index], out_)] = {index, {}};
       return true;
     } catch (const Error&) {
       if (running_.empty()) throw;
@@ -137,9 +135,9 @@ class Round {
     const pid_t ended = ::waitpid(-1, &status, 0);
     const auto job = running_.find(ended);
     if (job == running_.end()) return;
-    const auto [index, begun] = job->second;
+    const auto [index, clock] = job->second;
     running_.erase(job);
-    tell(index, status, std::chrono::duration<double>(Clock::now() - begun).count());
+    tell(index, status, clock.seconds());
   }
 
   Work work_;

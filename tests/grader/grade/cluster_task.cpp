@@ -2,7 +2,6 @@
 #include "grader/grade/class.h"
 #include "grader/grade/on_cluster.h"
 #include "grader/grade/summary.h"
-#include "grader/grade/toolchain.h"
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -12,7 +11,6 @@
 #include <charconv>
 #include <chrono>
 #include <cstdlib>
-#include <cstring>
 #include <system_error>
 #include <thread>
 

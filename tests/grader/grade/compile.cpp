@@ -1,11 +1,11 @@
 #include "grader/grade/compile.h"
 
 #include "cli/error.h"
+#include "cli/wall_clock.h"
 #include "grader/grade/compilation.h"
 #include "grader/grade/own_names.h"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 
 namespace carlo::grader {
@@ -175,7 +175,7 @@ void link_all(Trials& trials, const Objects& objects, const LabTools& tools, con
 
 Compiled compile(const std::map<std::string, std::string>& files, const LabTools& tools,
                  const Sandbox& sandbox, const Folders& folders, const fs::path& worker) {
-  const auto start = std::chrono::steady_clock::now();
+  const WallClock clock;
   const Compilation fresh(tools, sandbox, folders.theirs);
   Trials trials{fresh, fresh, fresh};
   Compiled result;
@@ -184,7 +184,7 @@ Compiled compile(const std::map<std::string, std::string>& files, const LabTools
     if (tools.stubs.size() > 1) settle_names(trials.ours, tools, folders.ours, *objects, result);
     link_all(trials, *objects, tools, folders.ours, worker, result);
   }
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.seconds = clock.seconds();
   result.peak_bytes =
       std::max({trials.first.peak_bytes(), trials.ours.peak_bytes(), trials.again.peak_bytes()});
   return result;

@@ -4,8 +4,6 @@
 #include "grader/grade/handed_in.h"
 #include "grader/grade/intake.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cctype>
 #include <set>

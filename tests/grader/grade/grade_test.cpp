@@ -1,4 +1,3 @@
-#include "cli/atomic_file.h"
 #include "cli/error.h"
 #include "grader/grade/outputs.h"
 #include "grader/grade/recipe.h"

@@ -15,7 +15,6 @@
 #include <limits>
 #include <string>
 #include <thread>
-#include <vector>
 
 namespace carlo::grader {
 namespace {

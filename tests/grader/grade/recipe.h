@@ -3,7 +3,6 @@
 #include "grader/grade/exercise_files.h"
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 

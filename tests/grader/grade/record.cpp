@@ -1,7 +1,7 @@
 #include "grader/grade/record.h"
 
 #include "cli/error.h"
-#include "cli/terminal.h"
+#include "cli/wrap.h"
 #include "verdict/verdict_text.h"
 
 #include <fmt/core.h>
@@ -41,7 +41,7 @@ std::optional<double> points_of(const ExerciseResult& exercise) {
 
 std::string text_of(const LabGrade& lab, const ExerciseResult& exercise) {
   if (lab.unjudged) return lab.note;
-  std::string text = without_colours(shortfall(exercise));
+  std::string text = without_escapes(shortfall(exercise));
   if (text.size() > most_text) text = text.substr(0, most_text) + " ...\n";
   return text;
 }

@@ -2,10 +2,12 @@
 
 #include "cli/atomic_file.h"
 #include "cli/error.h"
-#include "grader/grade/toolchain.h"
+#include "cli/program.h"
 
+#include <gnu/libc-version.h>
 #include <sys/random.h>
 #include <sys/stat.h>
+#include <sys/utsname.h>
 #include <unistd.h>
 
 #include <array>
@@ -41,6 +43,21 @@ std::string kept_secret(const fs::path& file) {
     fs::remove(own, ec);
   }
   return read_file(file);
+}
+
+std::string version_of(const std::string& program) {
+  const std::string text = carlo::output_of({"/usr/bin/env", "LC_ALL=C", program, "--version"});
+  return text.substr(0, text.find('\n'));
+}
+
+/// What a machine compiles and runs students' code with, in a line: compiler, linker, C library and
+/// kind of processor. Two machines of the same line come to the same marks. Throws Error where
+/// there is no such compiler.
+std::string toolchain_of(const std::string& compiler) {
+  struct utsname system {};
+  if (::uname(&system) != 0) throw Error("the system does not tell its kind of processor");
+  return fmt::format("{}; {}; glibc {}; {}", version_of(compiler), version_of("ld"),
+                     ::gnu_get_libc_version(), static_cast<const char*>(system.machine));
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include "cli/atomic_file.h"
 #include "cli/error.h"
 #include "cli/progress.h"
-#include "cli/terminal.h"
 #include "grader/grade/outputs.h"
 #include "verdict/printed.h"
 

@@ -3,10 +3,8 @@
 #include "verdict/figure.h"
 
 #include <functional>
-#include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace carlo::grader {
 

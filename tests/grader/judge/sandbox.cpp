@@ -16,7 +16,6 @@
 #include <cstring>
 #include <fstream>
 #include <string_view>
-#include <system_error>
 #include <thread>
 
 namespace carlo::grader {

@@ -16,11 +16,9 @@
 #endif
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <iterator>
 
 namespace carlo::grader {
 namespace {

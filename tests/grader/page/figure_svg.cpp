@@ -20,8 +20,9 @@ double number(std::size_t n) {
   return static_cast<double>(n);
 }
 
-Cell number_cell(double value, int digits = 6) {
-  return {number_text(value, digits), value};
+/// A value of a figure, to six digits.
+Cell value_cell(double value) {
+  return number_cell(value, 6);
 }
 
 std::string folded(const std::string& summary, const Table& table) {
@@ -82,8 +83,8 @@ std::string draw(const HistogramFigure& h) {
   for (std::size_t i = 0; i < h.measured.size(); ++i) {
     const double from = h.first + number(i) * width;
     std::vector<Cell> row{number_cell(from, 4), number_cell(from + width, 4),
-                          number_cell(h.measured[i])};
-    if (!h.expected.empty()) row.push_back(number_cell(h.expected[i]));
+                          value_cell(h.measured[i])};
+    if (!h.expected.empty()) row.push_back(value_cell(h.expected[i]));
     plot.bar(measured, from, from + width, h.measured[i],
              fmt::format("{} to {}: {}{}", row[0].text, row[1].text, row[2].text,
                          h.expected.empty() ? "" : ", expected " + row[3].text));
@@ -115,8 +116,8 @@ std::string draw(const PointsFigure& p) {
                          point.measured, point.expected});
     measured_line.push_back({point.x, point.measured});
     expected_line.push_back({point.x, point.expected});
-    table.add_row({number_cell(point.x), number_cell(point.measured),
-                   number_cell(point.half_width, 2), number_cell(point.expected)});
+    table.add_row({value_cell(point.x), value_cell(point.measured),
+                   number_cell(point.half_width, 2), value_cell(point.expected)});
   }
   Plot plot(x, round_stretch(x, xs), y, round_stretch(y, ys));
   if (p.joined) plot.line(measured, measured_line);
@@ -165,8 +166,8 @@ std::string worst_cells(const GridFigure& g) {
   Table table({"column", "row", "measured", "expected", "z"});
   for (std::size_t k = 0; k < std::min(order.size(), most_rows); ++k) {
     const std::size_t i = order[k];
-    table.add_row({number_cell(number(i % g.columns + 1)), number_cell(number(i / g.columns + 1)),
-                   number_cell(g.measured[i]), number_cell(g.expected[i]),
+    table.add_row({value_cell(number(i % g.columns + 1)), value_cell(number(i / g.columns + 1)),
+                   value_cell(g.measured[i]), value_cell(g.expected[i]),
                    Cell(fmt::format("{:+.1f}", deviation(g, i)), deviation(g, i))});
   }
   return folded("The cells that are furthest off", table);

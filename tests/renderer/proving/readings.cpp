@@ -39,8 +39,7 @@ std::unique_ptr<Integrator> make_kernel(const Scene& scene, std::size_t kernel, 
 
 Reading read_kernel(const Integrator& integrator, const Scene& scene, std::uint32_t spp) {
   const carlo::RenderResult result =
-      render(integrator, scene.width, scene.height,
-             {.spp = spp, .seconds = {}, .threads = 1, .progress = false});
+      render(integrator, scene.width, scene.height, {.spp = spp, .threads = 1, .progress = false});
   const carlo::MeanRadiance mean = mean_radiance(result.film);
   return {mean.value, mean.standard_error, result.counts.bad, result.counts.cut, result.seconds};
 }

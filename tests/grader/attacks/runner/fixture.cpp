@@ -4,7 +4,6 @@
 #include "cli/error.h"
 #include "cli/program.h"
 
-#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

@@ -1,13 +1,17 @@
 #pragma once
 
-#include "report/format.h"
+#include "bias.h"
 #include "report/table.h"
 
-#include <fmt/core.h>
-
+#include <algorithm>
 #include <cmath>
 
 namespace lab09 {
+
+/// The size of an error that has both parts.
+inline double total_error(const ErrorParts& parts) {
+  return std::sqrt(std::max(parts.bias2 + parts.variance, 0.0));
+}
 
 /// The root of a mean square, with the square's sign: an estimate of bias^2 is right on average,
 /// and so comes out below 0 where the bias is lost in noise. Such a bias is shown with a minus, not
@@ -18,8 +22,7 @@ inline double signed_root(double square) {
 
 /// The same in a table, in per cent.
 inline carlo::Cell percent_of_root(double square, int digits) {
-  const double part = signed_root(square);
-  return {fmt::format("{} %", carlo::number_text(100 * part, digits)), part};
+  return carlo::percent_cell(signed_root(square), digits);
 }
 
 /// What a table with such a bias says below it.
