@@ -306,7 +306,7 @@ RenderResult shared_round(const RenderResult& start, std::uint32_t shares) {
   RenderOptions decision = options(most, &all);
   decision.one_round = true;
   const Flicker idle;
-  const RenderResult result = render(idle, width, height, decision);
+  RenderResult result = render(idle, width, height, decision);
   CHECK(idle.calls == 0);  // nothing is left to render
   return result;
 }

@@ -97,7 +97,7 @@ Digests read(const std::string& path) {
   Digests digests;
   std::string scene, way, digest;
   while (file >> scene >> way >> digest)
-    digests[scene + " " + way] = digest;
+    digests[fmt::format("{} {}", scene, way)] = digest;
   return digests;
 }
 
