@@ -185,7 +185,11 @@ class LampWalk : Steps<Needs> {
   }
 
   HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, V2 u, const Rivals& rivals) const {
-    const auto [wi, cosine, bsdf] = this->draw(paths, surface, u);
+    const V3 wi = this->drawn(surface, u);
+    const V cosine = dot(surface.n, wi);
+    const Bsdfs bsdf = this->reflected(surface, wi, cosine);
+    const M above = hn::And(hn::Gt(cosine, set(0)), hn::Gt(bsdf.pdf, set(0)));
+    paths.alive = hn::And(paths.alive, above);
     const V weight = hn::Div(cosine, bsdf.pdf);
     paths.beta = paths.beta * (weight * bsdf.f);
     paths.rival = hn::Mul(rival(rivals, surface, cosine, bsdf.pdf), weight);

@@ -1,10 +1,11 @@
 #include "renderer/lanes/lane_integrator.h"
 
-#include "cli/wall_clock.h"
 #include "renderer/lanes/lane_kernel.h"
 #include "renderer/lanes/lane_pilot.h"
 
 #include <fmt/core.h>
+
+#include <chrono>
 
 namespace renderer {
 namespace {
@@ -15,9 +16,10 @@ class LaneIntegrator final : public carlo::Integrator {
                  std::optional<std::uint32_t> pilot_spp)
       : scene_(scene), lanes_(scene), seed_(seed), choices_(choices) {
     if (!pilot_spp) return;
-    const carlo::WallClock clock;
+    const auto start = std::chrono::steady_clock::now();
     choices_.lamp_paths = try_lamp_paths(scene, lanes_, seed, *pilot_spp) ? 1.0f : 0.0f;
-    seconds_spent_ = clock.seconds();
+    seconds_spent_ =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
   std::string name() const override {

@@ -22,6 +22,9 @@
 
 #include <hwy/highway.h>
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 
 HWY_BEFORE_NAMESPACE();
@@ -163,7 +166,11 @@ class Walk : Steps<Needs> {
   }
 
   HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, V2 u, const Rivals& rivals) const {
-    const auto [wi, cosine, bsdf] = this->draw(paths, surface, u);
+    const V3 wi = this->drawn(surface, u);
+    const V cosine = dot(surface.n, wi);
+    const Bsdfs bsdf = this->reflected(surface, wi, cosine);
+    const M above = hn::And(hn::Gt(cosine, set(0)), hn::Gt(bsdf.pdf, set(0)));
+    paths.alive = hn::And(paths.alive, above);
     const V weight = this->lobes() ? hn::Div(cosine, bsdf.pdf) : set(pi);
     paths.beta = paths.beta * (weight * bsdf.f);
     paths.pdf = s_.lights > 0 ? bsdf.pdf : set(-1);

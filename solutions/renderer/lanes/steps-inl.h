@@ -248,22 +248,9 @@ class Steps {
     return lobes() ? evaluate<Needs::phong>(surface, wi, cosine)
                    : evaluate<false>(surface, wi, cosine);
   }
-  /// The paths' next directions, and what light from there becomes.
-  struct Drawn {
-    V3 wi;
-    V cosine;
-    Bsdfs bsdf;
-  };
-  /// Paths end whose direction brings nothing.
-  template <class Paths>
-  HWY_INLINE Drawn draw(Paths& paths, const Surfaces& surface, V2 u) const {
-    const V3 wi =
-        lobes() ? sample_direction<Needs::phong>(surface, u) : sample_direction<false>(surface, u);
-    const V cosine = dot(surface.n, wi);
-    const Bsdfs bsdf = reflected(surface, wi, cosine);
-    const M above = hn::And(hn::Gt(cosine, set(0)), hn::Gt(bsdf.pdf, set(0)));
-    paths.alive = hn::And(paths.alive, above);
-    return {wi, cosine, bsdf};
+  HWY_INLINE V3 drawn(const Surfaces& surface, V2 u) const {
+    return lobes() ? sample_direction<Needs::phong>(surface, u)
+                   : sample_direction<false>(surface, u);
   }
   HWY_INLINE V way_back(const Surfaces& surface, V arrival, V cosine, V pdf) const {
     return lobes() ? pdf_back<Needs::phong>(surface, arrival, cosine, pdf)
