@@ -14,6 +14,7 @@ namespace carlo {
 namespace {
 
 namespace fs = std::filesystem;
+
 }  // namespace
 
 WatchSession::WatchSession(WatchPlaces places, const Lab& lab)

@@ -93,9 +93,10 @@ ProbeFailure crashed(const Outcome& outcome) {
   return printing(std::move(failure), outcome);
 }
 
-/// What kept it from coming to its end.
+/// What kept it from coming to its end. Of many threads in loops each runs little.
 std::string guess(const Outcome& outcome) {
-  if (outcome.ran >= .3 * (outcome.seconds - outcome.waited)) return ": a loop that does not end?";
+  const double ran = std::max(outcome.ran, outcome.pressure.worked);
+  if (ran >= .3 * (outcome.seconds - outcome.waited)) return ": a loop that does not end?";
   return ", in which it hardly ran: it waits for what does not come?";
 }
 
