@@ -60,7 +60,14 @@ Step step_of(const sdf::Combine& combine) {
 
 LaneSdf lane_sdf(const carlo::Sdf& shape) {
   const carlo::SphereTracer tracer(shape);
-  LaneSdf lanes{{}, shape.place, shape.flipped, tracer.box(), tracer.size(), tracer.reach()};
+  LaneSdf lanes{{},
+                shape.place,
+                shape.flipped,
+                tracer.box(),
+                bend_below_near(shape, tracer.size()),
+                bend_above_near(shape, tracer.size()),
+                tracer.size(),
+                tracer.reach()};
   for (const sdf::Step& step : shape.steps) {
     const auto* solid = std::get_if<sdf::Solid>(&step);
     lanes.steps.push_back(solid != nullptr ? step_of(*solid)

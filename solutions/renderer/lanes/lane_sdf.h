@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/lanes/sdf_bends.h"
 #include "scene/sdf.h"
 
 #include <array>
@@ -32,6 +33,7 @@ struct LaneSdf {
   carlo::Similarity place;
   bool flipped = false;
   carlo::sdf::Box box;         ///< holds the surface, in the sdf's coordinates
+  Bend below{}, above{};       ///< near the surface
   double size = 0, reach = 0;  ///< half of its diagonal, and how far it comes from the origin
 };
 

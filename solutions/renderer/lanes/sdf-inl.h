@@ -218,29 +218,44 @@ HWY_INLINE Jet form(const LaneSdf::Step& s, V3D q) {
   return {number(0), {number(0), number(0), number(0)}};
 }
 
-/// F at points of its own coordinates.
-template <bool slopes>
-HWY_NOINLINE Jet evaluate(const LaneSdf& sdf, const V3D& p) {
-  std::array<Jet, carlo::sdf::most_waiting> stack;
-  Jet* end = stack.data();
+/// F at points of its own coordinates. Several registers at a time: what one waits for, as for its
+/// square roots, the others fill.
+template <bool slopes, std::size_t ways>
+HWY_NOINLINE void evaluate(const LaneSdf& sdf, const std::array<V3D, ways>& p,
+                           std::array<Jet, ways>& jets) {
+  std::array<std::array<Jet, ways>, carlo::sdf::most_waiting> stack;
+  auto* end = stack.data();
   for (const LaneSdf::Step& s : sdf.steps) {
     if (s.part < LaneSdf::Part::unite) {
-      Jet jet = form<slopes>(s, turned(s.turn, p - numbers(s.origin)));
-      jet.value = hn::Mul(jet.value, number(s.scale));
-      // The gradient of scale F(turn p), where turn is a rotation over the scale.
-      if constexpr (slopes) jet.gradient = turned_back(s.turn, jet.gradient) * s.scale;
-      *end++ = jet;
+      for (std::size_t w = 0; w < ways; ++w) {
+        Jet jet = form<slopes>(s, turned(s.turn, p[w] - numbers(s.origin)));
+        jet.value = hn::Mul(jet.value, number(s.scale));
+        // The gradient of scale F(turn p), where turn is a rotation over the scale.
+        if constexpr (slopes) jet.gradient = turned_back(s.turn, jet.gradient) * s.scale;
+        (*end)[w] = jet;
+      }
+      ++end;
       continue;
     }
-    const Jet b = *--end, a = end[-1];
-    if (s.part == LaneSdf::Part::unite) {
-      end[-1] = minimum<slopes>(a, b, s.smoothing);
-    } else {
-      const bool both = s.part == LaneSdf::Part::intersect;
-      end[-1] = negated(minimum<slopes>(negated(a), both ? negated(b) : b, s.smoothing));
+    --end;
+    for (std::size_t w = 0; w < ways; ++w) {
+      Jet& a = end[-1][w];
+      const Jet& b = (*end)[w];
+      if (s.part == LaneSdf::Part::unite) {
+        a = minimum<slopes>(a, b, s.smoothing);
+      } else {
+        const bool both = s.part == LaneSdf::Part::intersect;
+        a = negated(minimum<slopes>(negated(a), both ? negated(b) : b, s.smoothing));
+      }
     }
   }
-  return stack[0];
+  jets = stack[0];
+}
+template <bool slopes>
+HWY_INLINE Jet evaluate(const LaneSdf& sdf, const V3D& p) {
+  std::array<Jet, 1> jet;
+  evaluate<slopes, 1>(sdf, {p}, jet);
+  return jet[0];
 }
 
 }  // namespace HWY_NAMESPACE

@@ -57,8 +57,7 @@ inline HWY_NOINLINE void meet_sdfs(const LaneScene& s, std::array<Vertex, batch>
     SdfRays rays;
     for (std::size_t w = 0; w < batch; ++w) {
       const Way& way = vertices[w].way;
-      rays_near(s.sdfs[k], way.o, way.d, vertices[w].hits.t, way.wanted,
-                static_cast<std::uint32_t>(w * lanes), rays);
+      rays_near(s.sdfs[k], way.o, way.d, vertices[w].hits.t, way.wanted, w * lanes, rays);
     }
     if (rays.count == 0) continue;
     trace(s.sdfs[k], rays);
@@ -81,20 +80,17 @@ inline HWY_NOINLINE void meet_sdfs(const LaneScene& s, std::array<Vertex, batch>
 /// Points and normals, in double until they are rounded once, of the lanes whose surface is an sdf.
 inline HWY_NOINLINE void place_on_sdfs(const LaneScene& s, const Vertex& vertex, const U& surface,
                                        V3& p, V3& n) {
-  const Rows origins(vertex.way.o), directions(vertex.way.d);
   SdfPoints points{};
   M any = hn::FirstN(d_, 0);
   for (std::size_t k = 0; k < s.sdfs.size(); ++k) {
     const M here = same(surface, set_word(s.first_sdf + static_cast<std::uint32_t>(k)));
-    std::uint32_t left = bits(here);
-    if (left == 0) continue;
+    if (hn::AllFalse(d_, here)) continue;
     any = hn::Or(any, here);
     SdfRays rays;
-    for (; left != 0; left &= left - 1) {
-      const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
-      rays.add(s.sdfs[k], lane, origins[lane], directions[lane], 0);
-      rays.s[rays.count - 1] = vertex.t[lane] / rays.t_per_s[rays.count - 1];
-    }
+    rays.add(vertex.way.o, vertex.way.d, set(0), here, 0);
+    rays.turn(s.sdfs[k]);
+    for (std::size_t i = 0; i < rays.count; ++i)
+      rays.s[i] = vertex.t[rays.lane[i]] / rays.t_per_s[i];
     points_of(s.sdfs[k], rays, points);
   }
   p = select(any,
@@ -129,8 +125,7 @@ inline HWY_NOINLINE void block_by_sdfs(const LaneScene& s, std::array<Vertex, ba
       const ToLight& way = vertices[w].to_light;
       const V3 to = way.to - way.o;
       const V distance = hn::Sqrt(dot(to, to));
-      rays_near(sdf, way.o, hn::Div(set(1), distance) * to, distance, way.clear,
-                static_cast<std::uint32_t>(w * lanes), rays);
+      rays_near(sdf, way.o, hn::Div(set(1), distance) * to, distance, way.clear, w * lanes, rays);
     }
     if (rays.count == 0) continue;
     trace(sdf, rays);

@@ -1,0 +1,279 @@
+// Steps along rays, up to where a signed distance function changes its sign. Included once for each
+// instruction set.
+
+#if defined(CARLO_MARCH_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef CARLO_MARCH_INL
+#undef CARLO_MARCH_INL
+#else
+#define CARLO_MARCH_INL
+#endif
+
+#include "geometry/sphere_tracer.h"
+#include "renderer/lanes/lane_sdf.h"
+#include "renderer/lanes/sdf-inl.h"
+#include "renderer/lanes/sdf_rays-inl.h"
+#include "renderer/lanes/vector_math-inl.h"
+
+#include <hwy/highway.h>
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace renderer {
+namespace HWY_NAMESPACE {
+
+/// As many floats as a register has doubles, for lengths of steps: what they lack in digits is
+/// taken off these.
+using DF = hn::Rebind<float, DD>;
+using VF = hn::Vec<DF>;
+using MF = hn::Mask<DF>;
+constexpr DF df_;
+HWY_INLINE VF few(float x) {
+  return hn::Set(df_, x);
+}
+HWY_INLINE VF few(VD x) {
+  return hn::DemoteTo(df_, x);
+}
+HWY_INLINE VD many(VF x) {
+  return hn::PromoteTo(dd_, x);
+}
+
+/// A register of rays o + s d on their ways. F counts as positive on the side of the surface that a
+/// ray is on.
+struct Marching {
+  VL ray;           ///< among SdfRays
+  MD going, fresh;  ///< fresh ones have not looked at F yet
+  V3D o, d;
+  VD s, end, f;
+  VD side;              ///< 1 outside, -1 inside
+  VD fine;              ///< resolution()
+  VD least, steps;      ///< the least step, the steps since it was doubled
+  VF slope;             ///< of F, a mean of the last steps'; -1: not known
+  VF low, high;         ///< bounds of F' at s
+  VF bend, reach;       ///< F'' >= -bend where F < reach, this side of the surface and beyond it,
+  VF back, back_reach;  ///< F'' <= back where F > -back_reach
+
+  /// Bounds of second derivatives, by the side that rays are on.
+  HWY_INLINE void take_bends(const LaneSdf& sdf) {
+    const MD outside = hn::Gt(side, number(0));
+    const auto of = [&](double below, double above) HWY_ATTR {
+      return few(hn::IfThenElse(outside, number(below), number(above)));
+    };
+    bend = of(sdf.below.most, sdf.above.most);
+    reach = of(sdf.below.reach, sdf.above.reach);
+    back = of(sdf.above.most, sdf.below.most);
+    back_reach = of(sdf.above.reach, sdf.below.reach);
+  }
+
+  /// No root is nearer than this: before it F >= f + low h - bend h^2 / 2 > 0. Below 0 where no
+  /// such bound holds.
+  HWY_INLINE VF free_way() const {
+    const VF f_here = few(f), known = hn::Max(hn::Sub(f_here, few(fine)), few(0));
+    const VF root = hn::Sqrt(hn::Add(hn::Mul(low, low), hn::Mul(hn::Add(bend, bend), known)));
+    // Of the two forms of the quadratic's root the one without a difference.
+    const MF rising = hn::Ge(low, few(0));
+    const VF way = hn::Div(hn::IfThenElse(rising, hn::Add(low, root), hn::Add(known, known)),
+                           hn::IfThenElse(rising, bend, hn::Sub(root, low)));
+    return hn::Min(hn::Mul(way, few(1 - 1e-5F)), hn::Sub(reach, f_here));
+  }
+
+  /// After this F has changed its sign, once: until then F' <= high + back h < 0. 0 where nothing
+  /// says so.
+  HWY_INLINE VF way_across() const {
+    const VF at_most = few(hn::Add(f, fine)), square = hn::Mul(high, high);
+    const VF rest = hn::Sub(square, hn::Mul(hn::Add(back, back), at_most));
+    const VF way =
+        hn::Div(hn::Mul(few(2 + 2e-4F), at_most), hn::Sub(hn::Sqrt(hn::Max(rest, few(0))), high));
+    const MF falls = hn::And(hn::Lt(high, few(0)), hn::Gt(rest, hn::Mul(few(0.01F), square)));
+    return hn::IfThenElseZero(hn::And(falls, hn::Lt(hn::Sub(way, at_most), back_reach)), way);
+  }
+
+  /// What a step from f here to `next` says of F' there.
+  HWY_INLINE void learn(VD way, VD next, MD stands) {
+    const VF h = few(way), per_h = hn::Div(few(1), h);
+    const VF rise = hn::Mul(few(hn::Sub(next, f)), per_h);
+    const VF sum = few(hn::Add(next, f)), error = hn::Add(hn::Mul(few(fine), per_h), few(1e-6F));
+    const auto changes = [h](VF of) HWY_ATTR { return hn::Mul(hn::Mul(few(0.5F), of), h); };
+    // On the way F is at most (f + next + h) / 2 and at least (f + next - h) / 2.
+    const VF below = hn::Sub(rise, hn::Add(changes(bend), error));
+    const VF above = hn::Add(rise, hn::Add(changes(back), error));
+    const MF near = hn::Lt(hn::Add(sum, h), hn::Add(reach, reach));
+    const MF near_back = hn::Gt(hn::Sub(sum, h), hn::Mul(few(-2), back_reach));
+    const VF new_low = hn::IfThenElse(near, hn::Max(below, few(-1)), few(-1));
+    const VF new_high = hn::IfThenElse(near_back, hn::Min(above, few(1)), few(1));
+    const VF mean = hn::Add(hn::Mul(few(0.3F), rise), hn::Mul(few(0.7F), slope));
+    const MF moved = hn::Gt(few(hn::IfThenElseZero(stands, number(1))), few(0));
+    low = hn::IfThenElse(moved, new_low, low);
+    high = hn::IfThenElse(moved, new_high, high);
+    slope = hn::IfThenElse(moved, hn::Min(mean, few(0.5F)), few(-1));
+  }
+};
+
+/// SphereTracer::first_root() in lanes, as far as to values of F of different signs, by steps that
+/// what is known of F's slope and of its changes makes longer. A lane whose ray has come to its end
+/// takes the next.
+class March {
+ public:
+  HWY_INLINE March(const LaneSdf& sdf, SdfRays& rays) : sdf_(sdf), rays_(rays) {}
+
+  /// The rays with such values; the number of them.
+  HWY_INLINE std::size_t run(SdfRays::Row<std::int64_t>& found) {
+    auto all = zeros<std::array<Marching, ways>>();
+    std::size_t count = 0;
+    for (;;) {
+      bool any = false;
+      for (Marching& m : all) {
+        if (next_ray_ < rays_.count && 4 * hn::CountTrue(dd_, m.going) <= 3 * doubles) refill(m);
+        any = any || !hn::AllFalse(dd_, m.going);
+      }
+      if (!any) {
+        if (next_ray_ < rays_.count) continue;
+        return count;
+      }
+      std::array<Stride, ways> strides;
+      std::array<V3D, ways> p;
+      for (std::size_t w = 0; w < ways; ++w) {
+        strides[w] = stride(all[w]);
+        p[w] = at(all[w].o, all[w].d, strides[w].to);
+      }
+      std::array<Jet, ways> f;
+      evaluate<false>(sdf_, p, f);
+      for (std::size_t w = 0; w < ways; ++w)
+        count += step(all[w], strides[w], f[w].value, found.data() + count);
+    }
+  }
+
+ private:
+  static constexpr std::size_t ways = 2;
+
+  struct Stride {
+    VD to;
+    MD certain;  ///< no root is passed unseen
+  };
+
+  /// Where to look at F next.
+  HWY_INLINE Stride stride(const Marching& m) const {
+    const VD across = many(m.way_across()), free = many(m.free_way());
+    const VD safe = hn::Max(m.f, m.least);
+    const VD relaxed = hn::Mul(safe, many(hn::Div(few(2), hn::Sub(few(1), m.slope))));
+    const MD crosses = hn::Gt(across, number(0));
+    const VD step = hn::IfThenElse(crosses, hn::Max(across, m.least), hn::Max(relaxed, free));
+    const VD to = hn::Min(hn::Add(m.s, step), m.end);
+    return {hn::IfThenElse(m.fresh, m.s, to), hn::Or(crosses, hn::Ge(free, relaxed))};
+  }
+
+  /// What F is there; how many rays cross the surface on the way.
+  HWY_INLINE std::size_t step(Marching& m, const Stride& stride, VD value, std::int64_t* found) {
+    const VD x = stride.to, way = hn::Sub(x, m.s), f = hn::Mul(value, m.side);
+    const MD walking = hn::AndNot(m.fresh, m.going);
+    // A step of more than is safe stands if the balls around both ends leave no gap, or none that
+    // counts: the last one before the surface crosses it.
+    const MD longer = hn::AndNot(stride.certain, hn::And(hn::Gt(many(m.slope), number(-1)),
+                                                         hn::Gt(way, hn::Add(m.least, m.least))));
+    const MD gap = hn::And(walking, hn::And(longer, hn::Gt(way, hn::Add(m.f, f))));
+    const MD stands = hn::AndNot(gap, walking);
+    const MD crossed = hn::And(stands, hn::Lt(f, number(0)));
+    std::size_t crossings = 0;
+    if (!hn::AllFalse(dd_, crossed)) crossings = keep(m, crossed, x, value, found);
+    const MD over = hn::AndNot(hn::Lt(x, m.end), stands);  // NaN ends, too
+    m.going = hn::AndNot(hn::Or(crossed, over), m.going);
+    m.learn(way, f, stands);
+    m.s = hn::IfThenElse(stands, x, m.s);
+    m.f = hn::IfThenElse(stands, f, m.f);
+    if (!hn::AllFalse(dd_, m.fresh)) start(m, value);
+    m.steps = hn::Add(m.steps, number(1));
+    const MD slow = hn::Ge(m.steps, number(carlo::SphereTracer::steps_to_doubling));
+    m.least = hn::IfThenElse(slow, hn::Add(m.least, m.least), m.least);
+    m.steps = hn::IfThenZeroElse(slow, m.steps);
+    return crossings;
+  }
+
+  /// Rays for the lanes that have none.
+  HWY_INLINE void refill(Marching& m) {
+    std::array<std::uint8_t, 8> bytes;
+    hn::StoreMaskBits(dd_, m.going, bytes.data());
+    const std::uint32_t free = ~std::uint32_t{bytes[0]} & ((1U << doubles) - 1);
+    const VL shift = hn::ShiftLeft<2>(hn::Iota(dl_, 0));
+    const VL rank =
+        hn::And(hn::Shr(hn::Set(dl_, static_cast<std::int64_t>(bits_below[free])), shift),
+                hn::Set(dl_, 15));
+    const auto left = static_cast<std::int64_t>(rays_.count - next_ray_);
+    const MD fresh = hn::AndNot(m.going, hn::RebindMask(dd_, hn::Gt(hn::Set(dl_, left), rank)));
+    const VL next = hn::Add(hn::Set(dl_, static_cast<std::int64_t>(next_ray_)), rank);
+    m.ray = hn::IfThenElse(hn::RebindMask(dl_, fresh), next, m.ray);
+    next_ray_ += hn::CountTrue(dd_, fresh);
+    m.o = rays_.origins(m.ray);
+    m.d = rays_.directions(m.ray);
+    m.end = rays_.of(rays_.end, m.ray);
+    m.fine = rays_.of(rays_.fine, m.ray);
+    const VD begin = rays_.of(rays_.begin, m.ray);
+    const VD least =
+        hn::Max(number(carlo::SphereTracer::least_step * sdf_.size), hn::Mul(number(4), m.fine));
+    m.s = hn::IfThenElse(fresh, begin, m.s);
+    m.least = hn::IfThenElse(fresh, least, m.least);
+    m.steps = hn::IfThenZeroElse(fresh, m.steps);
+    m.fresh = hn::And(fresh, hn::Lt(begin, m.end));
+    m.going = hn::Or(m.going, m.fresh);
+  }
+
+  /// The side of the surface on which fresh rays start, from F there: if they start on the surface,
+  /// the one that they go to; before the sdf's box, outside.
+  HWY_INLINE void start(Marching& m, VD value) {
+    const VD zero = number(0);
+    const MD before = hn::Gt(m.s, zero);
+    const MD on_surface = hn::And(m.fresh, hn::AndNot(before, hn::Le(hn::Abs(value), m.fine)));
+    const MD near = hn::And(m.fresh, hn::Lt(hn::Abs(value), number(near_surface * sdf_.size)));
+    MD outside = hn::Or(before, hn::Gt(value, zero));
+    VD along = zero, f = hn::Abs(value);
+    if (!hn::AllFalse(dd_, near)) {
+      along = dot(evaluate<true>(sdf_, at(m.o, m.d, m.s)).gradient, m.d);
+      outside = hn::Or(hn::And(on_surface, hn::Ge(along, zero)), hn::AndNot(on_surface, outside));
+      f = hn::IfThenElse(on_surface, m.fine, f);
+    }
+    const VD side = hn::IfThenElse(outside, number(1), number(-1));
+    m.side = hn::IfThenElse(m.fresh, side, m.side);
+    m.f = hn::IfThenElse(m.fresh, f, m.f);
+    m.take_bends(sdf_);
+    // Far from the surface slopes are not worth a gradient.
+    along = hn::Mul(along, m.side);
+    const auto bound = [&](double error, double none, VF known) HWY_ATTR {
+      const VD slope = hn::IfThenElse(near, hn::Add(along, number(error)), number(none));
+      return few(hn::IfThenElse(m.fresh, slope, many(known)));
+    };
+    m.low = bound(-1e-6, -1, m.low);
+    m.high = bound(1e-6, 1, m.high);
+    m.fresh = hn::FirstN(dd_, 0);
+  }
+
+  HWY_INLINE std::size_t keep(const Marching& m, MD crossed, VD x, VD f, std::int64_t* found) {
+    alignas(64) std::array<double, doubles> a, b, f_a, f_b;
+    alignas(64) std::array<std::int64_t, doubles> ray;
+    hn::Store(m.s, dd_, a.data()), hn::Store(x, dd_, b.data());
+    hn::Store(hn::Mul(m.f, m.side), dd_, f_a.data()), hn::Store(f, dd_, f_b.data());
+    hn::Store(m.ray, dl_, ray.data());
+    std::array<std::uint8_t, 8> which;
+    hn::StoreMaskBits(dd_, crossed, which.data());
+    std::size_t count = 0;
+    for (unsigned left = which[0]; left != 0; left &= left - 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(left));
+      const auto i = static_cast<std::size_t>(ray[k]);
+      rays_.a[i] = a[k], rays_.b[i] = b[k], rays_.f_a[i] = f_a[k], rays_.f_b[i] = f_b[k];
+      found[count++] = ray[k];
+    }
+    return count;
+  }
+
+  static constexpr double near_surface = 1e-3;  ///< in sizes of the sdf
+  const LaneSdf& sdf_;
+  SdfRays& rays_;
+  std::size_t next_ray_ = 0;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace renderer
+HWY_AFTER_NAMESPACE();
+
+#endif  // CARLO_MARCH_INL
