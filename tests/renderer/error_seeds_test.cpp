@@ -73,7 +73,7 @@ Render one_render(const Scene& scene, const Way& way, std::uint64_t seed, std::u
 struct Moments {
   double count = 0, value = 0, square = 0, reported = 0;
 
-  void add(const std::array<double, 2>& one, double weight) {
+  void add(const std::array<double, 2>& one, double weight) {  // -1 takes one out again
     count += weight, value += weight * one[0];
     square += weight * one[0] * one[0], reported += weight * one[1];
   }
@@ -82,15 +82,16 @@ struct Moments {
   double said() const { return reported / count; }
 };
 
-/// sqrt(E[se^2] / Var) of the pixels first ... end - 1, without the seed `without` if there is one.
-double quotient(const std::vector<Render>& renders, const std::vector<double>& weights,
-                std::size_t first, std::size_t end, std::size_t without) {
+using AllMoments = std::array<Moments, whole_image + 1>;
+
+/// sqrt(E[se^2] / Var) of the pixels first ... end - 1, without the render `without` if there is
+/// one.
+double quotient(const AllMoments& moments, const std::vector<double>& weights, std::size_t first,
+                std::size_t end, const Render* without = nullptr) {
   double said = 0, spread = 0;
   for (std::size_t i = first; i < end; ++i) {
-    Moments m;
-    for (std::size_t r = 0; r < renders.size(); ++r) {
-      if (r != without) m.add(renders[r][i], 1);
-    }
+    Moments m = moments[i];
+    if (without != nullptr) m.add((*without)[i], -1);
     said += weights[i] * m.said(), spread += weights[i] * m.spread();
   }
   return spread > 0 ? std::sqrt(said / spread) : 1;
@@ -102,17 +103,21 @@ struct Quotient {
 
 Quotient jackknife(const std::vector<Render>& renders, const std::vector<double>& weights,
                    std::size_t first, std::size_t end) {
-  const std::size_t n = renders.size();
-  std::vector<double> without(n);
+  AllMoments moments;
+  for (const Render& render : renders) {
+    for (std::size_t i = first; i < end; ++i)
+      moments[i].add(render[i], 1);
+  }
+  const auto count = static_cast<double>(renders.size());
+  std::vector<double> without;
   double mean = 0, squares = 0;
-  for (std::size_t r = 0; r < n; ++r) {
-    without[r] = quotient(renders, weights, first, end, r);
-    mean += without[r] / static_cast<double>(n);
+  for (const Render& render : renders) {
+    without.push_back(quotient(moments, weights, first, end, &render));
+    mean += without.back() / count;
   }
   for (const double q : without)
     squares += (q - mean) * (q - mean);
-  const double count = static_cast<double>(n);
-  return {quotient(renders, weights, first, end, n), std::sqrt(squares * (count - 1) / count)};
+  return {quotient(moments, weights, first, end), std::sqrt(squares * (count - 1) / count)};
 }
 
 /// One over the squared mean of each pixel, those far darker than the image apart.

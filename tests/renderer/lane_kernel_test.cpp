@@ -6,8 +6,6 @@
 // agreement_test.cpp, whose deviations of 8 (tiles) and 6 (images) standard errors are seen with
 // probability .999; both sides get 1024 samples a pixel.
 
-#include "renderer/lanes/lane_kernel.h"
-
 #include "lab_scenes.h"
 #include "lane_scenes.h"
 #include "renderer/lanes/lane_boxes.h"
@@ -116,28 +114,6 @@ TEST_CASE("The vector kernel takes a point for no mesh") {
 }
 
 // Other samplers and larger blocks: carlo_bits (bits.cpp).
-TEST_CASE("The vector kernel's images are the same on all instruction sets") {
-  for (const Scene& full : {boxes(), polished(), modelled(), triangulated(), skylit(),
-                            lab_scenes::load("cornell_phong")}) {
-    const Scene scene = small(full, SamplerKind::sobol);
-    const tiles::Estimate best = estimate(scene, renderer::Kernel::best, 1);
-    for (const std::string& name : renderer::lane_instruction_sets()) {
-      renderer::use_instruction_set(name);
-      const tiles::Estimate other = estimate(scene, renderer::Kernel::best, 1);
-      renderer::use_instruction_set("");
-      double worst = 0;
-      for (std::size_t c = 0; c < 3; ++c) {
-        for (std::size_t i = 0; i < best.tiles.size(); ++i)
-          worst = std::max(worst, std::abs(tiles::z(best.tiles[i][c], other.tiles[i][c])));
-      }
-      INFO(name << ": " << worst);
-      fmt::print("{:<20} tile |z| {:.3f}\n", name, worst);
-      CHECK(worst == 0);
-      CHECK(other.counts.bad == 0);
-    }
-  }
-}
-
 TEST_CASE("The vector kernel's image has the same bits for any number of threads") {
   const Scene scene = small(lab_scenes::load("cornell_phong"), SamplerKind::sobol);
   const Image one = render_scene(scene, 16, 1, 1).film.mean();
