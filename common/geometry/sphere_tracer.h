@@ -14,15 +14,16 @@ namespace carlo {
 /// not matter. A hit is a change of F's sign, narrowed to the precision of double: near the surface
 /// steps are at least 1e-6 of the sdf's size, and a ray that is inside for less than such a step
 /// may miss. After each 512 steps the least step doubles, so that a ray along the surface comes to
-/// its end too: none takes more than some 11000 steps, and only one that stayed within a least step
-/// of the surface for 512 steps looks less closely.
+/// its end too: none takes more than some 11000 steps, and only one of more than 512 looks less
+/// closely.
 class SphereTracer {
  public:
   explicit SphereTracer(const Sdf& sdf);
 
   /// The nearest t in (tnear, tfar) at which the ray o + t d, |d| = 1, meets the surface, from
   /// either side; a negative value if there is none. A ray that starts on the surface, within
-  /// double's precision, does not meet it at its start.
+  /// double's precision, does not meet it at its start, unless that is all it is inside for: less
+  /// than a least step.
   double intersect(Vec3 o, Vec3 d, float tnear, float tfar) const;
 
   struct Point {

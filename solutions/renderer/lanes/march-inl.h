@@ -151,29 +151,27 @@ class March {
 
   struct Stride {
     VD to;
-    MD certain;  ///< no root is passed unseen
+    MD certain;  ///< no root is passed unseen, but for two within a least step
   };
 
   /// Where to look at F next.
   HWY_INLINE Stride stride(const Marching& m) const {
     const VD across = many(m.way_across()), free = many(m.free_way());
-    const VD safe = hn::Max(m.f, m.least);
-    const VD relaxed = hn::Mul(safe, many(hn::Div(few(2), hn::Sub(few(1), m.slope))));
+    const VD relaxed = hn::Mul(m.f, many(hn::Div(few(2), hn::Sub(few(1), m.slope))));
     const MD crosses = hn::Gt(across, number(0));
-    const VD step = hn::IfThenElse(crosses, hn::Max(across, m.least), hn::Max(relaxed, free));
+    const VD sure = hn::Max(hn::IfThenElse(crosses, across, free), m.least);
+    const VD step = hn::IfThenElse(crosses, sure, hn::Max(relaxed, sure));
     const VD to = hn::Min(hn::Add(m.s, step), m.end);
-    return {hn::IfThenElse(m.fresh, m.s, to), hn::Or(crosses, hn::Ge(free, relaxed))};
+    return {hn::IfThenElse(m.fresh, m.s, to), hn::Ge(sure, step)};
   }
 
   /// What F is there; how many rays cross the surface on the way.
   HWY_INLINE std::size_t step(Marching& m, const Stride& stride, VD value, std::int64_t* found) {
     const VD x = stride.to, way = hn::Sub(x, m.s), f = hn::Mul(value, m.side);
     const MD walking = hn::AndNot(m.fresh, m.going);
-    // A step of more than is safe stands if the balls around both ends leave no gap, or none that
-    // counts: the last one before the surface crosses it.
-    const MD longer = hn::AndNot(stride.certain, hn::And(hn::Gt(many(m.slope), number(-1)),
-                                                         hn::Gt(way, hn::Add(m.least, m.least))));
-    const MD gap = hn::And(walking, hn::And(longer, hn::Gt(way, hn::Add(m.f, f))));
+    // A step of more than is safe stands if the balls around both ends leave no gap.
+    const MD daring = hn::AndNot(stride.certain, hn::Gt(many(m.slope), number(-1)));
+    const MD gap = hn::And(walking, hn::And(daring, hn::Gt(way, hn::Add(m.f, f))));
     const MD stands = hn::AndNot(gap, walking);
     const MD crossed = hn::And(stands, hn::Lt(f, number(0)));
     std::size_t crossings = 0;
