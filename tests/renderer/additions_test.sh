@@ -22,6 +22,7 @@ reasons='
 common/scene/digits.cpp|get_if<Parallelogram>|only parallelograms have planes that floats misplace; what is near to them is thing_of()
 common/scene/sdf.cpp|get_if<Solid>|the other kind of step follows by std::get, which throws
 solutions/renderer/lanes/lane_sdf.cpp|get_if<sdf::Solid>|the other kind of step follows by std::get, which throws
+solutions/renderer/lanes/sdf_bends.cpp|get_if<sdf::Solid>|the other kind of step follows by std::get, which throws
 common/scene/load_scene.cpp|lights.environment = |<emitter type="constant">
 common/scene/load_scene.cpp|lights.envmap = |<emitter type="envmap">
 common/scene/load_scene.cpp|lights.points.push_back|<emitter type="point">
