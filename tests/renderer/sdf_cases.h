@@ -272,7 +272,7 @@ inline Case random_forms(Rng& rng) {
     // A gyroid alone fills space.
     const bool gyroid = std::holds_alternative<Gyroid>(next.form);
     const std::array operations{Operation::intersect, Operation::subtract, Operation::unite};
-    c.sdf.steps.emplace_back(std::move(next));
+    c.sdf.steps.emplace_back(next);
     const double k = rng.uniform() < 0.4 ? 0 : std::abs(of_any_size(rng, -4, 0.5));
     c.sdf.steps.emplace_back(Combine{operations[rng.next_u32() % (gyroid ? 2 : 3)], k});
   }

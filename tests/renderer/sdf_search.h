@@ -143,7 +143,9 @@ struct Verdict {
 };
 
 inline bool crosses(const Ray& ray, double side, double s) {
-  for (double w = ray.fine; w < 2 * ray.least; w *= 2) {
+  const int widths = std::ilogb(2 * ray.least / ray.fine);
+  for (int i = 0; i <= widths; ++i) {
+    const double w = std::ldexp(ray.fine, i);
     if (side * ray.at(s - w) > 0 && side * ray.at(s + w) < 0) return true;
   }
   return false;

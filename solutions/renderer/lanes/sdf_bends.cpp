@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 #include <variant>
 #include <vector>
 
@@ -53,15 +52,15 @@ double bend(const carlo::Sdf& shape, Side root, double root_reach) {
   };
   std::vector<Asked> waiting{{root, root_reach, 0}};
   double most = 0;
-  for (const sdf::Step& step : shape.steps | std::views::reverse) {
+  for (auto step = shape.steps.rbegin(); step != shape.steps.rend(); ++step) {
     const Asked asked = waiting.back();
     waiting.pop_back();
-    if (const auto* solid = std::get_if<sdf::Solid>(&step)) {
+    if (const auto* solid = std::get_if<sdf::Solid>(&*step)) {
       const double scale = solid->place.scale;
       most = std::max(most, asked.more + bend_of(*solid, asked.side, asked.reach / scale) / scale);
       continue;
     }
-    const auto& combine = std::get<sdf::Combine>(step);
+    const auto& combine = std::get<sdf::Combine>(*step);
     // A minimum's slope falls where one part takes over from the other, over differences of the
     // smoothing k, by at most 2; there the parts are up to 5/4 k above it. A maximum's rises.
     const bool minimum = combine.operation == sdf::Operation::unite;
@@ -84,7 +83,8 @@ Bend longest_steps(const carlo::Sdf& shape, Side side, double size) {
   const double least = 0.01 / size;
   Bend best{least, 0};
   double longest = 0;
-  for (double reach = 8 * size; reach > 1e-6 * size; reach *= std::sqrt(0.5)) {
+  for (int halves = -6; halves < 40; ++halves) {  // reaches from 8 to 1e-6 sizes
+    const double reach = size * std::exp2(-0.5 * halves);
     const double most = std::max(bend(shape, side, reach), least);
     const double step = std::min({reach, size, 1 / most});
     if (!(step > longest)) continue;
