@@ -176,8 +176,11 @@ HWY_INLINE Jet gyroid(const LaneSdf::Step& s, V3D q) {
   return jet;
 }
 
-HWY_INLINE Jet negated(Jet a) {
-  return {hn::Neg(a.value), number(-1) * a.gradient};
+template <bool slopes>
+HWY_INLINE Jet negated(const Jet& a) {
+  Jet jet{hn::Neg(a.value), {}};
+  if constexpr (slopes) jet.gradient = number(-1) * a.gradient;
+  return jet;
 }
 
 /// carlo::sdf::Combine's minimum, smoothed by k.
@@ -245,7 +248,8 @@ HWY_NOINLINE void evaluate(const LaneSdf& sdf, const std::array<V3D, ways>& p,
         a = minimum<slopes>(a, b, s.smoothing);
       } else {
         const bool both = s.part == LaneSdf::Part::intersect;
-        a = negated(minimum<slopes>(negated(a), both ? negated(b) : b, s.smoothing));
+        const Jet inner = both ? negated<slopes>(b) : b;
+        a = negated<slopes>(minimum<slopes>(negated<slopes>(a), inner, s.smoothing));
       }
     }
   }
