@@ -69,7 +69,6 @@ namespace renderer {
 HWY_EXPORT(fuse_floats);
 HWY_EXPORT(fuse_doubles);
 HWY_EXPORT(elementary);
-}  // namespace renderer
 
 namespace {
 
@@ -165,12 +164,8 @@ TEST_CASE("The vector kernel rounds products and sums once on all instruction se
   const Fused<float> floats = hard_cases<float>();
   const Fused<double> doubles = hard_cases<double>();
   on_all_instruction_sets([&] {
-    check_fused<float>(floats, [](Fused<float>& f) {
-      HWY_DYNAMIC_DISPATCH(renderer::fuse_floats)(f);
-    });
-    check_fused<double>(doubles, [](Fused<double>& f) {
-      HWY_DYNAMIC_DISPATCH(renderer::fuse_doubles)(f);
-    });
+    check_fused<float>(floats, [](Fused<float>& f) { HWY_DYNAMIC_DISPATCH(fuse_floats)(f); });
+    check_fused<double>(doubles, [](Fused<double>& f) { HWY_DYNAMIC_DISPATCH(fuse_doubles)(f); });
   });
 }
 
@@ -188,7 +183,7 @@ TEST_CASE("The vector kernel's elementary functions are as exact as they say") {
     result->resize(count);
   std::vector<float> first;
   on_all_instruction_sets([&] {
-    HWY_DYNAMIC_DISPATCH(renderer::elementary)(e);
+    HWY_DYNAMIC_DISPATCH(elementary)(e);
     double log = 0, exp = 0, expm1 = 0, turns = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const auto x = static_cast<double>(e.x[i]);
@@ -212,4 +207,6 @@ TEST_CASE("The vector kernel's elementary functions are as exact as they say") {
     CHECK(all == first);
   });
 }
+
+}  // namespace renderer
 #endif

@@ -77,7 +77,6 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace renderer {
 HWY_EXPORT(trace_all);
-}  // namespace renderer
 
 namespace {
 
@@ -90,7 +89,7 @@ using Vec3d = glm::dvec3;
 std::vector<double> traced(const renderer::LaneSdf& sdf, std::vector<sdf_lanes::Ray> rays,
                            std::size_t gap = 0) {
   sdf_lanes::Rays all{std::move(rays), {}, gap};
-  HWY_DYNAMIC_DISPATCH(renderer::trace_all)(sdf, all);
+  HWY_DYNAMIC_DISPATCH(trace_all)(sdf, all);
   return all.s;
 }
 
@@ -409,4 +408,6 @@ TEST_CASE("Rays meet sdfs in lanes alike in any company and on all instruction s
   CHECK(differ_with_gaps == 0);
   CHECK(differ_alone == 0);
 }
+
+}  // namespace renderer
 #endif

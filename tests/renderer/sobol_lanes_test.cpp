@@ -56,7 +56,6 @@ HWY_AFTER_NAMESPACE();
 namespace renderer {
 HWY_EXPORT(second_coordinates);
 HWY_EXPORT(sobol_points);
-}  // namespace renderer
 
 namespace {
 
@@ -96,7 +95,7 @@ std::vector<carlo::Vec2> lane_points(std::uint32_t n, std::uint32_t word) {
   for (std::uint32_t i = 0; i < n; ++i)
     indices[i] = i;
   std::vector<float> x(n), y(n);
-  HWY_DYNAMIC_DISPATCH(renderer::sobol_points)
+  HWY_DYNAMIC_DISPATCH(sobol_points)
   (indices, std::vector<std::uint32_t>(n, word), x, y);
   std::vector<carlo::Vec2> points(n);
   for (std::size_t i = 0; i < n; ++i)
@@ -135,7 +134,7 @@ TEST_CASE("The second Sobol' coordinate in lanes is sobol_second()") {
   x[32] = 0;
   on_all_instruction_sets([&] {
     std::vector<std::uint32_t> y(x.size());
-    HWY_DYNAMIC_DISPATCH(renderer::second_coordinates)(x, y);
+    HWY_DYNAMIC_DISPATCH(second_coordinates)(x, y);
     for (std::size_t i = 0; i < x.size(); ++i)
       CHECK(y[i] == carlo::sobol_second(carlo::reverse_bits(x[i])));
   });
@@ -151,7 +150,7 @@ TEST_CASE("Sobol' points in lanes are shuffled as in sampling/sobol.h, and scram
   };
   on_all_instruction_sets([&] {
     std::vector<float> x(indices.size()), y(indices.size());
-    HWY_DYNAMIC_DISPATCH(renderer::sobol_points)(indices, random_words, x, y);
+    HWY_DYNAMIC_DISPATCH(sobol_points)(indices, random_words, x, y);
     for (std::size_t i = 0; i < indices.size(); ++i) {
       const std::uint32_t k = random_words[i], shift = k * 0xB5297A4D;
       const std::uint32_t first = carlo::nested_hash(carlo::reverse_bits(indices[i]), k);
@@ -218,4 +217,6 @@ TEST_CASE("The error of Sobol' points in lanes on a smooth integrand falls as 1 
   INFO(slope);
   CHECK(slope < -.95);
 }
+
+}  // namespace renderer
 #endif
