@@ -35,7 +35,12 @@ HWY_INLINE Vector neg_mul_add(Vector a, Vector b, Vector c) {
 }
 template <class Vector>
 HWY_INLINE Vector neg_mul_sub(Vector a, Vector b, Vector c) {
+#if HWY_ARCH_ARM
+  // There Highway negates the whole, with the other zero where terms cancel.
+  return hn::MulSub(hn::Neg(a), b, c);
+#else
   return hn::NegMulSub(a, b, c);
+#endif
 }
 
 #else
