@@ -4,8 +4,8 @@
 
 #include "lane_math.h"
 
+#include "instruction_sets.h"
 #include "random/rng.h"
-#include "renderer/lanes/lane_kernel.h"
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <string>
 #include <vector>
 
 // This file is compiled once for each instruction set.
@@ -75,16 +74,6 @@ namespace {
 using lane_math::Fused;
 
 constexpr std::size_t count = 1 << 14;
-
-template <class Check>
-void on_all_instruction_sets(const Check& check) {
-  for (const std::string& name : renderer::lane_instruction_sets()) {
-    renderer::use_instruction_set(name);
-    INFO(name);
-    check();
-    renderer::use_instruction_set("");
-  }
-}
 
 /// Of all signs, with few digits or all of them, and of sizes for which sums cancel or terms vanish
 /// beside others.
@@ -163,7 +152,7 @@ double error(float value, double right) {
 TEST_CASE("The vector kernel rounds products and sums once on all instruction sets") {
   const Fused<float> floats = hard_cases<float>();
   const Fused<double> doubles = hard_cases<double>();
-  on_all_instruction_sets([&] {
+  instruction_sets::on_all([&] {
     check_fused<float>(floats, [](Fused<float>& f) { HWY_DYNAMIC_DISPATCH(fuse_floats)(f); });
     check_fused<double>(doubles, [](Fused<double>& f) { HWY_DYNAMIC_DISPATCH(fuse_doubles)(f); });
   });
@@ -182,7 +171,7 @@ TEST_CASE("The vector kernel's elementary functions are as exact as they say") {
   for (auto* result : {&e.log, &e.exp, &e.minus_expm1, &e.turns})
     result->resize(count);
   std::vector<float> first;
-  on_all_instruction_sets([&] {
+  instruction_sets::on_all([&] {
     HWY_DYNAMIC_DISPATCH(elementary)(e);
     double log = 0, exp = 0, expm1 = 0, turns = 0;
     for (std::size_t i = 0; i < count; ++i) {

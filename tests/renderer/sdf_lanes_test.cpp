@@ -4,8 +4,8 @@
 #include "sdf_lanes.h"
 
 #include "geometry/sphere_tracer.h"
+#include "instruction_sets.h"
 #include "random/rng.h"
-#include "renderer/lanes/lane_kernel.h"
 #include "renderer/lanes/lane_sdf.h"
 #include "sdf_cases.h"
 #include "sdf_search.h"
@@ -91,16 +91,6 @@ std::vector<double> traced(const renderer::LaneSdf& sdf, std::vector<sdf_lanes::
   sdf_lanes::Rays all{std::move(rays), {}, gap};
   HWY_DYNAMIC_DISPATCH(trace_all)(sdf, all);
   return all.s;
-}
-
-template <class Check>
-void on_all_instruction_sets(const Check& check) {
-  for (const std::string& name : renderer::lane_instruction_sets()) {
-    renderer::use_instruction_set(name);
-    INFO(name);
-    check();
-  }
-  renderer::use_instruction_set("");
 }
 
 /// What F says of many rays' results.
@@ -392,7 +382,7 @@ TEST_CASE("Rays meet sdfs in lanes alike in any company and on all instruction s
     for (const std::size_t i : order)
       shuffled.push_back(rays[i]);
     const std::vector<double> first = traced(sdf, rays);
-    on_all_instruction_sets([&] {
+    instruction_sets::on_all([&] {
       const std::vector<double> again = traced(sdf, rays), in_order = traced(sdf, shuffled),
                                 with_gaps = traced(sdf, rays, 2);
       for (std::size_t i = 0; i < rays.size(); ++i) {

@@ -1,9 +1,9 @@
 // The vector kernel's sample points on all instruction sets of this machine: what they are made of
 // is that of sampling/sobol.h, bit for bit, and how they are spread, beside the scalar sampler's.
 
+#include "instruction_sets.h"
 #include "random/hash.h"
 #include "random/to_float.h"
-#include "renderer/lanes/lane_kernel.h"
 #include "sampling/samplers.h"
 #include "sampling/sobol.h"
 #include "walsh.h"
@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 // This file is compiled once for each instruction set.
@@ -79,16 +78,6 @@ std::vector<std::uint32_t> words(std::uint64_t seed, std::size_t count) {
   return result;
 }
 
-template <class Check>
-void on_all_instruction_sets(const Check& check) {
-  for (const std::string& name : renderer::lane_instruction_sets()) {
-    renderer::use_instruction_set(name);
-    INFO(name);
-    check();
-  }
-  renderer::use_instruction_set("");
-}
-
 /// The kernel's points 0 to n - 1 of one pair, n a multiple of 64.
 std::vector<carlo::Vec2> lane_points(std::uint32_t n, std::uint32_t word) {
   std::vector<std::uint32_t> indices(n);
@@ -132,7 +121,7 @@ TEST_CASE("The second Sobol' coordinate in lanes is sobol_second()") {
   for (std::size_t bit = 0; bit < 32; ++bit)
     x[bit] = std::uint32_t{1} << bit;
   x[32] = 0;
-  on_all_instruction_sets([&] {
+  instruction_sets::on_all([&] {
     std::vector<std::uint32_t> y(x.size());
     HWY_DYNAMIC_DISPATCH(second_coordinates)(x, y);
     for (std::size_t i = 0; i < x.size(); ++i)
@@ -148,7 +137,7 @@ TEST_CASE("Sobol' points in lanes are shuffled as in sampling/sobol.h, and scram
   const auto scrambled = [](std::uint32_t x, std::uint32_t which) {
     return x ^ (x >> 1 & which) ^ (x >> 2 & which << 11);
   };
-  on_all_instruction_sets([&] {
+  instruction_sets::on_all([&] {
     std::vector<float> x(indices.size()), y(indices.size());
     HWY_DYNAMIC_DISPATCH(sobol_points)(indices, random_words, x, y);
     for (std::size_t i = 0; i < indices.size(); ++i) {
