@@ -6,6 +6,7 @@
 #include "geometry/sphere_tracer.h"
 #include "numeric/robust.h"
 #include "random/rng.h"
+#include "sdf_places.h"
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -20,26 +21,10 @@ namespace {
 
 using namespace carlo;
 using namespace carlo::sdf;
+using sdf_places::random_direction, sdf_places::turned;
 using Vec3d = glm::dvec3;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
-
-Vec3d random_direction(Rng& rng) {
-  for (;;) {
-    Vec3d v;
-    for (int i = 0; i < 3; ++i)
-      v[i] = 2 * rng.uniform() - 1;
-    const double r = glm::length(v);
-    if (r > 0.1 && r < 1) return v / r;
-  }
-}
-
-Similarity turned(double angle, Vec3d origin = Vec3d(0), double scale = 1) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  const glm::dmat3 about_z({c, s, 0}, {-s, c, 0}, {0, 0, 1});
-  const glm::dmat3 about_x({1, 0, 0}, {0, c, s}, {0, -s, c});
-  return {about_z * about_x, origin, scale};
-}
 
 Sdf only(decltype(Solid::form) form, const Similarity& place = {}) {
   return {{Solid{form, place}}, {}, false};

@@ -5,13 +5,13 @@
 #include "geometry/sphere_tracer.h"
 #include "random/rng.h"
 #include "scene/sdf.h"
+#include "sdf_places.h"
 
 #include <catch2/catch_test_macros.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -20,18 +20,13 @@ namespace {
 using namespace carlo;
 using namespace carlo::sdf;
 using glm::dvec3;
+using sdf_places::random_direction;
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-dvec3 direction(Rng& rng) {
-  const double z = 2 * rng.uniform() - 1, phi = 2 * std::numbers::pi * rng.uniform();
-  const double r = std::sqrt(1 - z * z);
-  return {r * std::cos(phi), r * std::sin(phi), z};
-}
-
 Similarity random_place(Rng& rng, double move) {
-  const dvec3 x = direction(rng), y = glm::normalize(glm::cross(x, direction(rng)));
-  return {glm::dmat3(x, y, glm::cross(x, y)), move * direction(rng),
+  const dvec3 x = random_direction(rng), y = glm::normalize(glm::cross(x, random_direction(rng)));
+  return {glm::dmat3(x, y, glm::cross(x, y)), move * random_direction(rng),
           std::exp2(2 * rng.uniform() - 1)};
 }
 
@@ -48,7 +43,8 @@ Solid random_solid(Rng& rng) {
       return {RoundedBox{radius + between(0.1, 0.5) * dvec3(1, 0.5, 2), radius}, place};
     }
     case 3:
-      return {Capsule{0.5 * direction(rng), 0.5 * direction(rng), between(0.05, 0.3)}, place};
+      return {Capsule{0.5 * random_direction(rng), 0.5 * random_direction(rng), between(0.05, 0.3)},
+              place};
     default: {
       const double period = between(0.3, 1);
       return {Gyroid{period, period * between(0.02, 0.2)}, place};
@@ -85,7 +81,7 @@ TEST_CASE("Bounds of second derivatives hold along lines, on creases too") {
     for (int i = 0; i < 500; ++i) {
       // A second difference is a mean of F'' over a line's part of length 2 h.
       const double h = std::exp2(-2 - 10 * rng.uniform());
-      const dvec3 p = 1.2 * rng.uniform() * direction(rng), step = h * direction(rng);
+      const dvec3 p = 1.2 * rng.uniform() * random_direction(rng), step = h * random_direction(rng);
       const double f = distance(shape, p);
       const double second =
           (distance(shape, p + step) - 2 * f + distance(shape, p - step)) / (h * h);

@@ -6,6 +6,7 @@
 #include "random/rng.h"
 #include "scene/sdf.h"
 #include "sdf_lanes.h"
+#include "sdf_places.h"
 
 #include <algorithm>
 #include <array>
@@ -21,28 +22,12 @@ namespace sdf_cases {
 using namespace carlo::sdf;
 using carlo::Rng, carlo::Sdf, carlo::Similarity, carlo::Vec3;
 using Vec3d = glm::dvec3;
-
-inline Vec3d random_direction(Rng& rng) {
-  for (;;) {
-    Vec3d v;
-    for (int i = 0; i < 3; ++i)
-      v[i] = 2 * rng.uniform() - 1;
-    const double r = glm::length(v);
-    if (r > 0.1 && r < 1) return v / r;
-  }
-}
+using sdf_places::random_direction, sdf_places::turned;
 
 /// 10 to a power in [low, high), of random sign.
 inline double of_any_size(Rng& rng, double low, double high) {
   const double size = std::pow(10, low + (high - low) * rng.uniform());
   return rng.uniform() < 0.5 ? -size : size;
-}
-
-inline Similarity turned(double angle, Vec3d origin = Vec3d(0), double scale = 1) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  const glm::dmat3 about_z({c, s, 0}, {-s, c, 0}, {0, 0, 1});
-  const glm::dmat3 about_x({1, 0, 0}, {0, c, s}, {0, -s, c});
-  return {about_z * about_x, origin, scale};
 }
 
 struct Case {

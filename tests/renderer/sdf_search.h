@@ -118,13 +118,11 @@ inline std::vector<double> sides(const Ray& ray) {
 }
 
 /// The least step after so many steps as a ray takes up to s, if each is as long as is promised.
-inline double least_step_at(const Ray& ray, double s, bool only_near) {
+inline double least_step_at(const Ray& ray, double s) {
   double least = ray.least;
   int steps = 0;
   for (double x = 0; x < s;) {
-    const double f = std::abs(ray.at(x));
-    x += std::max(f, least);
-    if (only_near && f > least) continue;
+    x += std::max(std::abs(ray.at(x)), least);
     if (++steps % carlo::SphereTracer::steps_to_doubling == 0) least *= 2;
   }
   return least;
@@ -163,7 +161,7 @@ inline Verdict judge(const Ray& ray, double side, double s, int most_values) {
   if (!search.span || (s >= 0 && s <= search.span->begin + 2 * ray.fine)) return verdict;
   verdict.first = false;
   const double length = search.span->end - search.span->begin;
-  verdict.excused = length <= 1.01 * least_step_at(ray, search.span->begin, false);
+  verdict.excused = length <= 1.01 * least_step_at(ray, search.span->begin);
   return verdict;
 }
 

@@ -17,7 +17,6 @@
 #include <hwy/highway.h>
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 

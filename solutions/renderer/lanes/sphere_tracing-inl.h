@@ -24,12 +24,11 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// The first numbers of a list from `begin` on, or its last again where it has no more.
-template <class List>
-HWY_INLINE VL some_of(const List& list, std::size_t begin, std::size_t end) {
+/// The first numbers of a list of `end` from `begin` on, or its last again where it has no more.
+HWY_INLINE VL some_of(const SdfRays::Row<std::int64_t>& list, std::size_t begin, std::size_t end) {
   alignas(64) std::array<std::int64_t, doubles> numbers;
   for (std::size_t k = 0; k < doubles; ++k)
-    numbers[k] = list(std::min(begin + k, end - 1));
+    numbers[k] = list[std::min(begin + k, end - 1)];
   return hn::Load(dl_, numbers.data());
 }
 
@@ -38,13 +37,11 @@ struct Brackets {
   VD a, b, f_a, f_b;
 };
 
-/// The roots between, to F's resolution, by secants: the end that stays counts half from then on
-/// (the "Illinois" rule), so that both ends move; by halves when that takes long.
-/// Source: Dowell, Jarratt, "A modified regula falsi method for computing the root of an equation",
-/// 1971.
-HWY_INLINE VD narrowed(const LaneSdf& sdf, const V3D& o, const V3D& d, Brackets x) {
+/// The roots between, to F's resolution (`fine`), by secants: the end that stays counts half from
+/// then on (the "Illinois" rule), so that both ends move; by halves when that takes long. Source:
+/// Dowell, Jarratt, "A modified regula falsi method for computing the root of an equation", 1971.
+HWY_INLINE VD narrowed(const LaneSdf& sdf, const V3D& o, const V3D& d, VD fine, Brackets x) {
   MD wanted = hn::FirstN(dd_, doubles);
-  const VD fine = resolution(sdf, o);
   VD best = x.b;
   for (int i = 0; i < 100 && !hn::AllFalse(dd_, wanted); ++i) {
     const VD by_secant =
@@ -74,11 +71,13 @@ inline HWY_NOINLINE void trace(const LaneSdf& sdf, SdfRays& rays) {
   SdfRays::Row<std::int64_t> found;
   const std::size_t count = March(sdf, rays).run(found);
   for (std::size_t i = 0; i < count; i += doubles) {
-    const VL ray = some_of([&](std::size_t k) { return found[k]; }, i, count);
+    const VL ray = some_of(found, i, count);
     const Brackets bracket{rays.of(rays.a, ray), rays.of(rays.b, ray), rays.of(rays.f_a, ray),
                            rays.of(rays.f_b, ray)};
     alignas(64) std::array<double, doubles> s;
-    hn::Store(narrowed(sdf, rays.origins(ray), rays.directions(ray), bracket), dd_, s.data());
+    hn::Store(
+        narrowed(sdf, rays.origins(ray), rays.directions(ray), rays.of(rays.fine, ray), bracket),
+        dd_, s.data());
     for (std::size_t k = 0; k < doubles && i + k < count; ++k)
       rays.s[static_cast<std::size_t>(found[i + k])] = s[k];
   }
