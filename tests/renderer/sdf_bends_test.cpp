@@ -5,6 +5,7 @@
 #include "geometry/sphere_tracer.h"
 #include "random/rng.h"
 #include "scene/sdf.h"
+#include "sdf_cases.h"
 #include "sdf_places.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -133,15 +134,7 @@ TEST_CASE("Bounds of second derivatives scale with the sdf") {
   for (int n = 0; n < 200; ++n) {
     const Sdf shape = random_sdf(rng);
     for (const double scale : {1e-4, 1e6}) {
-      Sdf scaled = shape;
-      for (Step& step : scaled.steps) {
-        if (auto* solid = std::get_if<Solid>(&step)) {
-          solid->place.scale *= scale;
-          solid->place.origin *= scale;
-        } else {
-          std::get<Combine>(step).smoothing *= scale;
-        }
-      }
+      const Sdf scaled = sdf_cases::grown(shape, scale);
       const double size = SphereTracer(shape).size();
       if (!std::isfinite(size)) continue;  // nothing, or a gyroid that nothing cuts
       ++compared;

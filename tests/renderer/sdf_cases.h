@@ -15,6 +15,7 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace sdf_cases {
@@ -40,6 +41,20 @@ struct Case {
   };
   std::vector<Aim> aims{{Vec3d(0), 1.2}};
 };
+
+/// The same solid in coordinates in which it is so many times as large: its place takes it back.
+inline Sdf grown(Sdf shape, double factor) {
+  for (Step& step : shape.steps) {
+    if (auto* solid = std::get_if<Solid>(&step)) {
+      solid->place.scale *= factor;
+      solid->place.origin *= factor;
+    } else {
+      std::get<Combine>(step).smoothing *= factor;
+    }
+  }
+  shape.place.scale /= factor;
+  return shape;
+}
 
 inline std::vector<Case> forms() {
   const Similarity aside = turned(0.7, {0.2, -0.1, 0.3}, 0.8);
