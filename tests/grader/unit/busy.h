@@ -40,10 +40,10 @@ auto again_if_busy(const F& f) {
 
 /// Whether the probe is ended or fails.
 inline bool fails(const carlo::grader::Worker& worker, const std::string& probe,
-                  const carlo::grader::Limits& limits) {
+                  const carlo::grader::Limits& limits, const carlo::grader::Params& params = {}) {
   return again_if_busy([&] {
     try {
-      run_probe(worker, probe, {}, {}, limits);
+      run_probe(worker, probe, params, {}, limits);
       return false;
     } catch (const carlo::grader::ProbeFailure&) {
       return true;
