@@ -11,6 +11,7 @@
 
 #include <chrono>
 
+using namespace carlo;
 using namespace carlo::grader;
 using namespace grader_test;
 

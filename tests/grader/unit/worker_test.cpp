@@ -21,6 +21,7 @@
 #include <string>
 #include <thread>
 
+using namespace carlo;
 using namespace carlo::grader;
 using namespace grader_test;
 using Clock = std::chrono::steady_clock;
