@@ -1,0 +1,17 @@
+# carlo_be_patient(FOLDER): where programs are emulated (QEMU: ten times slower, and more) tests get
+# CARLO_PATIENCE times as long. Not those that a program lists when it is built (renderer:...). It takes
+# CMake 3.28 or later.
+function(carlo_be_patient folder)
+  get_property(tests DIRECTORY "${folder}" PROPERTY TESTS)
+  foreach(test IN LISTS tests)
+    get_test_property("${test}" DIRECTORY "${folder}" TIMEOUT seconds)
+    if(seconds)
+      math(EXPR seconds "${seconds} * ${CARLO_PATIENCE}")
+      set_tests_properties("${test}" DIRECTORY "${folder}" PROPERTIES TIMEOUT ${seconds})
+    endif()
+  endforeach()
+  get_property(parts DIRECTORY "${folder}" PROPERTY SUBDIRECTORIES)
+  foreach(part IN LISTS parts)
+    carlo_be_patient("${part}")
+  endforeach()
+endfunction()
