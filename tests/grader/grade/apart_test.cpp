@@ -5,14 +5,11 @@
 #include "cli/scratch_folder.h"
 #include "grader/judge/landlock.h"
 #include "grader/judge/process.h"
+#include "grader/unit/memory_limits.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
-#include <sys/mman.h>
-#include <sys/resource.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
@@ -56,28 +53,9 @@ TEST_CASE("a child that crashes or ends without an answer ends nothing else", "[
                   Error);
 }
 
-namespace {
-
-/// Whether the kernel refuses what goes beyond a limit of memory: QEMU's does not.
-bool memory_limits_hold() {
-  const pid_t child = ::fork();
-  if (child == 0) {
-    constexpr rlimit limit{std::size_t{1} << 30, std::size_t{1} << 30};
-    ::setrlimit(RLIMIT_AS, &limit);
-    void* const taken = ::mmap(nullptr, std::size_t{2} << 30, PROT_READ | PROT_WRITE,
-                               MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-    ::_exit(taken == MAP_FAILED ? 0 : 1);
-  }
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
-}
-
-}  // namespace
-
 TEST_CASE("a child may not take all memory", "[apart]") {
   if (address_sanitizer()) SKIP("the sanitizer takes more than any limit");
-  if (!memory_limits_hold()) SKIP("this system has no limits of memory");
+  if (!grader_test::memory_limits_hold()) SKIP("this system has no limits of memory");
   const ScratchFolder folder;
   CHECK_THROWS_AS(apart(folder.path(),
                         [] {
