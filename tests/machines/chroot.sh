@@ -74,6 +74,9 @@ for machine in "${machines[@]}"; do
   flock -n 8 || fail "another run is at work in $store/$machine"
   base_system "$(suite_of "$machine")" "$store/$machine" "$fresh"
   clean_clone "$root" "$store/$machine/carlo"
+  preset=$(preset_of "$machine")
+  # What was configured by an older preset.
+  [ ! -f "$store/$machine/carlo/build/$preset/build.ninja" ] || inside "$store/$machine" cmake --preset "$preset" >/dev/null
   for name in "${steps[@]}"; do
     case $name in
       # Without what set-up installs nothing else can work; a render that fails says nothing about the tests.
