@@ -285,6 +285,15 @@ expect 0 '^lab01$' lab 1
 [ ! -e "$tree/build/release/run/999999999" ] || failed "a killed run's folder stays"
 [ -e "$tree/build/release/run/$$" ] || failed "the folder of a run that lives was removed"
 
+# Who is to wait long is told.
+cat >"$tools/ninja" <<EOF
+#!$bash
+case " \$* " in *' -n '*) for step in {1..21}; do printf '[%d] c++\n' "\$step"; done ;; esac
+EOF
+expect 0 'building .a minute or more' lab 1
+stand_in "$tools/ninja" ''
+carlo lab 1 2>&1 | grep -q building && failed "a build of no steps is told as a long one"
+
 # Turns without flock.
 if [ -x "$tools/perl" ]; then
   turn() { PATH=$tools "$bash" "$tree/common/course/in_turn.sh" "$tree/build/release" "$@"; }

@@ -103,6 +103,18 @@ at_once() {
   mv "$scratch/stub.cpp" "$own"
 }
 
+# hint_at_once TREE: a hint waits for nobody's build.
+hint_at_once() {
+  local text
+  "$1/carlo" hint 1.1 >/dev/null 2>&1 || fail "no hint of 1.1"
+  "$1/common/course/in_turn.sh" "$1/build/release" bash -c 'touch "$1"; while [ -e "$1" ]; do sleep .1; done' - "$scratch/builds" &
+  until [ -e "$scratch/builds" ]; do sleep .1; done
+  text=$(timeout 60 "$1/carlo" hint 1.1 --all 2>&1) || fail "no hint while somebody builds: $text"
+  ! grep -q waiting <<<"$text" || fail "a hint waits: $text"
+  rm "$scratch/builds"
+  wait
+}
+
 for last in 1 4 9; do
   unpacked "$last"
   tree=$scratch/$last/carlo
@@ -140,6 +152,7 @@ cmp "$scratch/4.tar.gz" "$scratch/again.tar.gz" || fail "the same tree gives oth
 
 begun_nowhere "$scratch/1" 01_integration
 at_once "$scratch/1/carlo"
+hint_at_once "$scratch/1/carlo"
 begun_nowhere "$scratch/9" 09_bias
 # Not by a pipe: grep ends at the first line that fits, and ninja at its next write.
 commands=$(ninja -C "$scratch/9/carlo/build/release" -t commands lab09_worker)

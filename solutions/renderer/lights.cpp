@@ -154,7 +154,8 @@ Lights::Lights(const Scene& scene) : scene_(scene) {
     power.push_back(4 * carlo::pi * brightness(points[i].intensity));
   }
   if (envmap) envmap_.emplace(*envmap);
-  if (envmap && !scene.shapes.empty()) {
+  const bool envmap_is_sampled = envmap && !scene.shapes.empty();
+  if (envmap_is_sampled) {
     // What arrives in the sphere around the scene.
     const double radius = carlo::diameter(scene) / 2;
     far_ = static_cast<float>(4 * radius);
@@ -165,7 +166,7 @@ Lights::Lights(const Scene& scene) : scene_(scene) {
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     entries_[i].probability = power[i] / cdf_.back();
   }
-  if (far_ > 0) envmap_probability_ = entries_.back().probability;
+  if (envmap_is_sampled) envmap_probability_ = entries_.back().probability;
 }
 
 Lights::Entry Lights::shape_entry(std::uint32_t index) {
