@@ -1,10 +1,12 @@
 # carlo_be_patient(FOLDER): where programs are emulated (QEMU: ten times slower, and more) tests get
 # CARLO_PATIENCE times as long. Not those that a program lists when it is built (renderer:...). It takes
 # CMake 3.28 or later.
+cmake_minimum_required(VERSION 3.28)
+
 function(carlo_be_patient folder)
   get_property(tests DIRECTORY "${folder}" PROPERTY TESTS)
   foreach(test IN LISTS tests)
-    get_test_property("${test}" DIRECTORY "${folder}" TIMEOUT seconds)
+    get_test_property("${test}" TIMEOUT DIRECTORY "${folder}" seconds)
     if(seconds)
       math(EXPR seconds "${seconds} * ${CARLO_PATIENCE}")
       set_tests_properties("${test}" DIRECTORY "${folder}" PROPERTIES TIMEOUT ${seconds})
