@@ -13,7 +13,7 @@ fail() {
 
 # until_there FILE
 until_there() {
-  for _ in {1..600}; do [ ! -e "$1" ] || return 0; sleep .05; done
+  for _ in {1..6000}; do [ ! -e "$1" ] || return 0; sleep .05; done
   fail "$1 did not come"
 }
 

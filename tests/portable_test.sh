@@ -298,7 +298,7 @@ carlo lab 1 2>&1 | grep -q building && failed "a build of no steps is told as a 
 if [ -x "$tools/perl" ]; then
   turn() { PATH=$tools "$bash" "$tree/common/course/in_turn.sh" "$tree/build/release" "$@"; }
   CARLO_TURN_OF='the first' turn "$bash" -c 'touch "$1" && sleep .5 && rm "$1"' - "$scratch/held" &
-  for _ in {1..200}; do [ -e "$scratch/held" ] || sleep .02; done
+  for _ in {1..3000}; do [ -e "$scratch/held" ] || sleep .02; done
   turn "$bash" -c '[ ! -e "$1" ]' - "$scratch/held" 3>"$scratch/told" || failed "two at once without flock"
   grep -q 'waiting for the first' "$scratch/told" || failed "nobody was told of the first"
   wait

@@ -109,7 +109,7 @@ hint_at_once() {
   "$1/carlo" hint 1.1 >/dev/null 2>&1 || fail "no hint of 1.1"
   "$1/common/course/in_turn.sh" "$1/build/release" bash -c 'touch "$1"; while [ -e "$1" ]; do sleep .1; done' - "$scratch/builds" &
   until [ -e "$scratch/builds" ]; do sleep .1; done
-  text=$(timeout 60 "$1/carlo" hint 1.1 --all 2>&1) || fail "no hint while somebody builds: $text"
+  text=$(timeout 600 "$1/carlo" hint 1.1 --all 2>&1) || fail "no hint while somebody builds: $text"
   ! grep -q waiting <<<"$text" || fail "a hint waits: $text"
   rm "$scratch/builds"
   wait

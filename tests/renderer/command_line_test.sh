@@ -67,11 +67,12 @@ start_long() {
   (cd "$scratch" &&
     exec "$renderer" "$good" --quiet --size 32x32 --seed 9 --checkpoint .2 -o "$1" "${@:2}") &
   long=$!
-  for _ in $(seq 600); do
+  # However slow the machine is.
+  while kill -0 "$long" 2>/dev/null; do
     [ ! -s "$scratch/$1.json" ] || return 0
     sleep .1
   done
-  complain "no checkpoint of $1 within a minute"
+  complain "$1 ended without a checkpoint"
 }
 
 # What goes on, and what does not (the bits are tests/common/resume_test.cpp's).

@@ -49,7 +49,7 @@ for signal in KILL INT; do
   (exec "$renderer" "$box" --quiet --size 64x64 --spp 4096 --threads 1 --shard 2/3 --checkpoint .1 \
     -o killed$signal) &
   pid=$!
-  for _ in $(seq 600); do
+  for _ in $(seq 6000); do
     [ ! -s killed$signal.part ] || break
     sleep .05
   done

@@ -123,14 +123,14 @@ grep -q '^a_b-2,.*,"./a b"$' "$scratch/names/class.csv" || fail "the CSV does no
 # Killed as soon as some marks are there, and started again.
 "${grade[@]}" "$scratch/killed" >/dev/null 2>&1 &
 grader=$!
-for _ in $(seq 600); do
+for _ in $(seq 6000); do
   [ "$(find "$scratch/killed" -name record.json 2>/dev/null | wc -l)" -lt 4 ] || break
   sleep 0.1
 done
 kill -9 "$grader"
 wait "$grader" 2>/dev/null || true
 [ ! -e "$scratch/killed/class.csv" ] || fail "it was done before it could be killed"
-for _ in $(seq 100); do
+for _ in $(seq 1000); do
   pgrep -f "$scratch" >/dev/null || break
   sleep 0.1
 done

@@ -42,7 +42,7 @@ done
 [ "$(left | wc -l)" -ge 5 ] || { echo 'FAILED: the program never ran' && exit 1; }
 kill -9 "$grader"
 wait "$grader" 2>/dev/null || true
-for ((i = 0; i < 100; ++i)); do
+for ((i = 0; i < 1000; ++i)); do
   [ -n "$(pgrep -f "$scratch" || true)" ] || break
   sleep 0.1
 done
