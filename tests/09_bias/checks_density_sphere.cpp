@@ -23,6 +23,9 @@ const Diagnosis direct_twice{"direct-light-counted-twice",
 const Diagnosis direct_missing{"direct-light-missing",
                                "the light that comes straight from lamps is missing at Phong "
                                "surfaces: a map of caustics does not have it."};
+const Diagnosis first_direct_only{"direct-light-at-first-surface-only",
+                                  "lamps are sampled at the path's first Phong surface only: later "
+                                  "ones are lit, too."};
 const Diagnosis path_ends{"path-ends-at-phong",
                           "the path ends at the first Phong surface: light that came by other "
                           "Phong surfaces is in no map of caustics."};
@@ -137,7 +140,15 @@ bool told(const Verdict& verdict, const Diagnosis& diagnosis) {
                      [&](const Diagnosis& one) { return one.id == diagnosis.id; });
 }
 
-Suspects lamp_suspects(double glow) {
+/// Whether paths end at the first Phong surface: then what photons bring there is all, always.
+bool end_at_first(const std::vector<double>& by_photons_of_rays, double weight) {
+  return std::all_of(by_photons_of_rays.begin(), by_photons_of_rays.end(), [&](double value) {
+    return std::abs(value - weight * by_photons().mean) <= 1e-4;
+  });
+}
+
+/// `ends`: end_at_first().
+Suspects lamp_suspects(double glow, bool ends) {
   const double straight = lit * (1 - share_of_ball), by_mirror = lit * share_of_ball * mirror;
   const double all = glow + mean_of_path(by_lamp.mean);
   return {{all + mean_of_path(by_mirror), caustics_twice},
@@ -145,7 +156,7 @@ Suspects lamp_suspects(double glow) {
           {all + mean_of_path(straight + by_mirror), direct_twice},
           {glow + mean_of_path(straight + by_mirror) - straight, direct_twice},
           {glow, direct_missing},
-          {glow + straight, path_ends},
+          {glow + straight, ends ? path_ends : first_direct_only},
           {glow + straight / (1 - albedo * onwards), weight_twice}};
 }
 
@@ -175,7 +186,7 @@ TEST_CASE("Lab 9.5: no light by two roads, and none by neither", "[lab09][ex5]")
     const double weight = mirrored ? mirror : 1;
     Suspects of_lamp;
     if (seen.density_right) {
-      of_lamp = times(weight, lamp_suspects(glow));
+      of_lamp = times(weight, lamp_suspects(glow, end_at_first(seen.photons, weight)));
       of_lamp.push_back(
           {weight * lamp.mean, mirrored ? mirrored_emission_missing : camera_emission_missing});
     }
@@ -223,13 +234,6 @@ TEST_CASE("Lab 9.5: a map of all photons is all of the reflected light", "[lab09
 
 namespace {
 
-/// Whether paths end at the first Phong surface: then what photons bring there is all, always.
-bool paths_end() {
-  const SphereRays seen = sphere_rays(true, false, 200);
-  return std::all_of(seen.photons.begin(), seen.photons.end(),
-                     [](double value) { return std::abs(value - by_photons().mean) <= 1e-4; });
-}
-
 void judge_white_ball(bool caustic, bool in_glass) {
   constexpr std::size_t rays = 100;
   const std::string name = in_glass ? "a white ball in glass" : "a white ball";
@@ -249,7 +253,10 @@ void judge_white_ball(bool caustic, bool in_glass) {
     wrong += right ? 0 : 1;
   }
   std::vector<Diagnosis> found;
-  if (caustic && dark > 0) found = {paths_end() ? path_ends : sky_by_camera_only};
+  if (caustic && dark > 0) {
+    const SphereRays in_sphere = sphere_rays(true, false, 200);
+    found = {end_at_first(in_sphere.photons, 1) ? path_ends : sky_by_camera_only};
+  }
   if (!caustic && same_radiance(shown, DensityVec(sky))) found = {goes_on};
   judge(holds(fmt::format("the radiance of {} under a sky, {}", name,
                           caustic ? "by a map of caustics that has none"
