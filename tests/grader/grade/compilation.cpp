@@ -4,6 +4,7 @@
 #include "cli/descriptor.h"
 #include "cli/error.h"
 #include "grader/grade/blame.h"
+#include "grader/grade/precompiled_header.h"
 #include "verdict/printed.h"
 
 #include <fcntl.h>
@@ -134,6 +135,18 @@ bool is_of_the_object(const Outcome& outcome) {
 
 }  // namespace
 
+std::vector<std::string> compile_command(const LabTools& tools) {
+  std::vector<std::string> argv{tools.recipe.compiler};
+  argv.insert(argv.end(), tools.recipe.flags.begin(), tools.recipe.flags.end());
+  for (const fs::path& include : tools.recipe.includes)
+    argv.push_back("-I" + include.string());
+  argv.insert(argv.end(), {"-fno-lto", "-fdiagnostics-color=never"});
+  // What the program prints of itself (__FILE__, an assertion) tells no path of ours.
+  for (const fs::path& header : tools.headers)
+    argv.push_back("-ffile-prefix-map=" + header.string() + "/=");
+  return argv;
+}
+
 Compilation::Compilation(const LabTools& tools, const Sandbox& sandbox, const fs::path& folder)
     : tools_(tools), sandbox_(sandbox), folder_(folder), left_(lab_budget) {}
 
@@ -153,18 +166,12 @@ bool Compilation::compile(const std::string& name, const std::string& text, cons
   }
   write_file(source, text);
   fs::permissions(source, readable_by_all);
-  std::vector<std::string> argv{tools_.recipe.compiler};
-  argv.insert(argv.end(), tools_.recipe.flags.begin(), tools_.recipe.flags.end());
-  for (const fs::path& include : tools_.recipe.includes)
-    argv.push_back("-I" + include.string());
-  for (const char* flag : {"-fno-lto", "-fdiagnostics-color=never", "-o", "exercise.o", "-c"})
-    argv.emplace_back(flag);
-  // What the program prints of itself (__FILE__, an assertion) tells no path of ours.
-  argv.push_back("-ffile-prefix-map=" + work.path().string() + "/=");
-  for (const fs::path& header : tools_.headers)
-    argv.push_back("-ffile-prefix-map=" + header.string() + "/=");
-  argv.push_back(source.string());
-  const Outcome outcome = run(argv, {tools_.headers, work.path()});
+  const fs::path shared = common_header(tools_);
+  const bool ahead = !precompiled(shared).empty();
+  Outcome outcome = compile_in(work.path(), source, ahead ? shared : fs::path());
+  // What they have defined before they include it may matter: their own build has the last word.
+  if (ahead && outcome.end == Outcome::End::exited && outcome.code != 0)
+    outcome = compile_in(work.path(), source, {});
   std::string said = outcome.output;
   if (!cut_short(outcome).empty()) said += cut_short(outcome) + "\n";
   replace_all(said, work.path().string() + "/", "");
@@ -172,6 +179,20 @@ bool Compilation::compile(const std::string& name, const std::string& text, cons
     replace_all(said, header.string() + "/", "");
   add_harmless(messages, said);
   return outcome.succeeded() && take_elf(work.path() / "exercise.o", object, readable_by_all);
+}
+
+Outcome Compilation::compile_in(const fs::path& work, const fs::path& source,
+                                const fs::path& header) {
+  std::vector<std::string> argv = compile_command(tools_);
+  argv.push_back("-ffile-prefix-map=" + work.string() + "/=");
+  if (!header.empty()) {
+    argv.emplace_back("-include");
+    argv.push_back(header.filename());
+  }
+  for (const std::string& word :
+       {std::string("-o"), std::string("exercise.o"), std::string("-c"), source.string()})
+    argv.push_back(word);
+  return run(argv, {tools_.headers, work});
 }
 
 bool Compilation::keeps_apart(const std::string& name, const fs::path& object,

@@ -12,6 +12,9 @@
 
 namespace carlo::grader {
 
+/// The compiler and its flags, the course's headers, and nothing of a file.
+std::vector<std::string> compile_command(const LabTools& tools);
+
 /// One lab's compilation in the sandbox: everything that stays the same from file to file, and the
 /// time that is left for all of them.
 class Compilation {
@@ -52,6 +55,9 @@ class Compilation {
   /// nm's list of an object or archive. Without plugin: that of a link-time optimiser believes what
   /// an object says of itself in a section of its own, and looks no further.
   Outcome symbols_in(const std::filesystem::path& file);
+  /// The compiler on a file of the sandbox's folder; `header` is what it reads before it, or none.
+  Outcome compile_in(const std::filesystem::path& work, const std::filesystem::path& source,
+                     const std::filesystem::path& header);
   /// A compiler or linker, as long as the lab's time lasts.
   Outcome run(const std::vector<std::string>& argv, const View& view);
 

@@ -4,6 +4,7 @@
 #include "cli/error.h"
 #include "grader/grade/compile.h"
 #include "grader/grade/own_disk.h"
+#include "grader/grade/precompiled_header.h"
 #include "grader/grade/sha256.h"
 #include "verdict/printed.h"
 #include "verdict/verdict_json.h"
@@ -73,8 +74,9 @@ LabGrade judge_once(const Desk& desk, const CourseLab& lab, const fs::path& work
 
 LabGrade build_and_judge(const Desk& desk, const CourseLab& lab, const LabFiles& files) {
   const fs::path worker = desk.folders.ours / fmt::format("lab{}_worker", lab.number());
-  const Compiled compiled = compile(files.files, desk.course.clean.tools(lab.lab.number),
-                                    desk.sandbox, desk.folders, worker);
+  const LabTools& tools = desk.course.clean.tools(lab.lab.number);
+  precompile(tools);
+  const Compiled compiled = compile(files.files, tools, desk.sandbox, desk.folders, worker);
   LabGrade grade;
   if (compiled.linked) {
     grade = judge_once(desk, lab, worker);

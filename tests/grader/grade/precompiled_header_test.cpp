@@ -1,0 +1,93 @@
+// The header that all files of a lab share, compiled once: with the real compiler.
+
+#include "grader/grade/precompiled_header.h"
+
+#include "cli/atomic_file.h"
+#include "cli/scratch_folder.h"
+#include "grader/grade/compilation.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+#include <filesystem>
+#include <string>
+
+using namespace carlo;
+using namespace carlo::grader;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A lab of so many files that begin with shared.h.
+class SharedHeader {
+ public:
+  explicit SharedHeader(int files) {
+    fs::create_directory(header_folder());
+    fs::create_directory(folder_.path() / "theirs");
+    write_header(
+        "#pragma once\n#ifndef VALUE\n#define VALUE 1\n#endif\n"
+        "constexpr int shared_value = VALUE;\n");
+    tools.recipe.compiler = "/usr/bin/g++";
+    tools.recipe.flags = {"-std=c++20"};
+    tools.recipe.includes = tools.headers = {header_folder()};
+    tools.name_space = "lab01";
+    for (int i = 0; i < files; ++i)
+      tools.stubs[std::to_string(i) + ".cpp"] = "#include <cstddef>\n#include \"shared.h\"\n";
+  }
+
+  void write_header(const std::string& text) const {
+    write_file(header_folder() / "shared.h", text);
+  }
+  fs::path made() const { return precompiled(common_header(tools)); }
+
+  bool compiles(const std::string& text) const {
+    const Sandbox sandbox = Sandbox::at(Level::limits, {});
+    Compilation compilation(tools, sandbox, folder_.path() / "theirs");
+    std::string messages;
+    return compilation.make("x.cpp", text, folder_.path() / "x.o", messages);
+  }
+
+  LabTools tools;
+
+ private:
+  fs::path header_folder() const { return folder_.path() / "headers"; }
+
+  ScratchFolder folder_;
+};
+
+}  // namespace
+
+TEST_CASE("the header of a lab of many files is read once", "[compile]") {
+  if (!fs::exists("/usr/bin/g++")) SKIP("it is g++'s");
+  const SharedHeader lab(4);
+  REQUIRE(lab.made().empty());
+  precompile(lab.tools);
+  REQUIRE_FALSE(lab.made().empty());
+  CHECK(lab.compiles("#include \"shared.h\"\nstatic_assert(shared_value == 1);\n"));
+  CHECK_FALSE(lab.compiles("#include \"shared.h\"\nstatic_assert(shared_value == 2);\n"));
+  // What is defined before it still counts.
+  CHECK(
+      lab.compiles("#define VALUE 2\n#include \"shared.h\"\nstatic_assert(shared_value == 2);\n"));
+  // Nobody reads the text any more.
+  lab.write_header("#error this was read\n");
+  CHECK(lab.compiles("static_assert(shared_value == 1);\n"));
+}
+
+TEST_CASE("the header of a lab of few files is not made ahead", "[compile]") {
+  if (!fs::exists("/usr/bin/g++")) SKIP("it is g++'s");
+  const SharedHeader lab(1);
+  precompile(lab.tools);
+  CHECK(lab.made().empty());
+  CHECK(lab.compiles("#include \"shared.h\"\nstatic_assert(shared_value == 1);\n"));
+}
+
+TEST_CASE("a header that cannot be compiled ahead keeps nobody from compiling", "[compile]") {
+  if (!fs::exists("/usr/bin/g++")) SKIP("it is g++'s");
+  const SharedHeader lab(4);
+  lab.write_header("#error not ahead\n");
+  precompile(lab.tools);
+  CHECK(lab.made().empty());
+  lab.write_header("#pragma once\nconstexpr int shared_value = 3;\n");
+  precompile(lab.tools);  // once
+  CHECK(lab.made().empty());
+  CHECK(lab.compiles("#include \"shared.h\"\nstatic_assert(shared_value == 3);\n"));
+}
