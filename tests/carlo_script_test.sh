@@ -8,7 +8,7 @@ failures=0
 expect_error() {
   local pattern=$1 code=0 text
   shift
-  text=$(timeout 200 "$carlo" "$@" 2>&1 >/dev/null) || code=$?
+  text=$(timeout 20 "$carlo" "$@" 2>&1 >/dev/null) || code=$?
   if [ "$code" != 1 ] || [ "$(wc -l <<<"$text")" != 1 ] || ! grep -Eq "$pattern" <<<"$text"; then
     printf 'FAILED: ./carlo %s: exit code %s, "%s"\n' "$*" "$code" "$text"
     failures=$((failures + 1))

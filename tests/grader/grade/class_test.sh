@@ -130,7 +130,7 @@ done
 kill -9 "$grader"
 wait "$grader" 2>/dev/null || true
 [ ! -e "$scratch/killed/class.csv" ] || fail "it was done before it could be killed"
-for _ in $(seq 1000); do
+for _ in $(seq 100); do
   pgrep -f "$scratch" >/dev/null || break
   sleep 0.1
 done

@@ -27,7 +27,7 @@ grep -q sleep "$scratch/class/scatters/integration.cpp"
 setsid "$build/bin/carlo_grade" --tree "$source" --build "$build" "$scratch/class" --labs 1 \
   --sandbox "$level" -o "$scratch/out" >"$scratch/log" 2>&1 &
 grader=$!
-for ((i = 0; i < 600; ++i)); do
+for ((i = 0; i < 6000; ++i)); do
   [ "$(left | wc -l)" -lt 5 ] || break
   if ! kill -0 "$grader" 2>/dev/null; then
     if grep -q 'does not work on this machine\|would run as root' "$scratch/log"; then
@@ -42,7 +42,7 @@ done
 [ "$(left | wc -l)" -ge 5 ] || { echo 'FAILED: the program never ran' && exit 1; }
 kill -9 "$grader"
 wait "$grader" 2>/dev/null || true
-for ((i = 0; i < 1000; ++i)); do
+for ((i = 0; i < 100; ++i)); do
   [ -n "$(pgrep -f "$scratch" || true)" ] || break
   sleep 0.1
 done
