@@ -1,5 +1,5 @@
 # cmake -DJUDGE= -DLAB= -DWORKER= -DJSON= [-DPATCH=] [-DSEEDS= [-DFIRST=] [-DVARIANT=]] [-DPOINTS=]
-#       -P expect.cmake
+#       [-DPATIENCE=] -P expect.cmake
 # Runs the judge and compares its verdicts with what they must be:
 #   without PATCH and SEEDS  the untouched stub: every exercise "not implemented", no points
 #   with PATCH               a typical mistake: the exercise of its header fails with its diagnosis;
@@ -9,6 +9,7 @@
 #                            a patch that leaves it right, whose header says in what it differs
 #   with POINTS              points of each exercise in their order, as "3,0,1.5"; where some are
 #                            missing it is "failed", which no crash and no cut answer is
+#   with PATIENCE            one probe has so many times the judge's 10 seconds (carlo_patience.cmake)
 
 # Mistakes, variants and solutions are our own programs: no fence keeps them in, which takes longer than
 # most of their answers. Stubs, forgeries, each solution's first judgement and the attacks have it.
@@ -17,9 +18,15 @@ if(PATCH OR SEEDS)
   set(fence --sandbox limits)
 endif()
 
+set(deadline "")
+if(PATIENCE)
+  math(EXPR seconds "10 * ${PATIENCE}")
+  set(deadline --deadline ${seconds})
+endif()
+
 function(run_judge)
   file(REMOVE "${JSON}")
-  execute_process(COMMAND "${JUDGE}" --lab "${LAB}" --worker "${WORKER}" --json "${JSON}" ${fence} ${ARGN}
+  execute_process(COMMAND "${JUDGE}" --lab "${LAB}" --worker "${WORKER}" --json "${JSON}" ${fence} ${deadline} ${ARGN}
                   OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE code)
   set(code "${code}" PARENT_SCOPE)
   set(output "${output}" PARENT_SCOPE)

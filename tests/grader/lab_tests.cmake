@@ -17,7 +17,7 @@ function(add_expectation name lab worker)
   add_test(NAME ${name} ${when}
            COMMAND ${CMAKE_COMMAND} -DJUDGE=$<TARGET_FILE:${lab}_judge> -DLAB=${${lab}_json}
                    -DWORKER=$<TARGET_FILE:${worker}>
-                   -DJSON=${CMAKE_CURRENT_BINARY_DIR}/${name}.json ${ARG_UNPARSED_ARGUMENTS}
+                   -DJSON=${CMAKE_CURRENT_BINARY_DIR}/${name}.json -DPATIENCE=${CARLO_PATIENCE} ${ARG_UNPARSED_ARGUMENTS}
                    -P ${PROJECT_SOURCE_DIR}/tests/grader/expect.cmake)
 endfunction()
 

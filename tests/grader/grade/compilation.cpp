@@ -166,11 +166,10 @@ bool Compilation::compile(const std::string& name, const std::string& text, cons
   }
   write_file(source, text);
   fs::permissions(source, readable_by_all);
-  const fs::path shared = common_header(tools_);
-  const bool ahead = !precompiled(shared).empty();
-  Outcome outcome = compile_in(work.path(), source, ahead ? shared : fs::path());
-  // What they have defined before they include it may matter: their own build has the last word.
-  if (ahead && outcome.end == Outcome::End::exited && outcome.code != 0)
+  const std::string ahead = header_ahead(tools_, text);
+  Outcome outcome = compile_in(work.path(), source, ahead);
+  // The compiler that students have reads the header where it stands, and has the last word.
+  if (!ahead.empty() && outcome.end == Outcome::End::exited && outcome.code != 0)
     outcome = compile_in(work.path(), source, {});
   std::string said = outcome.output;
   if (!cut_short(outcome).empty()) said += cut_short(outcome) + "\n";
@@ -182,16 +181,11 @@ bool Compilation::compile(const std::string& name, const std::string& text, cons
 }
 
 Outcome Compilation::compile_in(const fs::path& work, const fs::path& source,
-                                const fs::path& header) {
+                                const std::string& ahead) {
   std::vector<std::string> argv = compile_command(tools_);
   argv.push_back("-ffile-prefix-map=" + work.string() + "/=");
-  if (!header.empty()) {
-    argv.emplace_back("-include");
-    argv.push_back(header.filename());
-  }
-  for (const std::string& word :
-       {std::string("-o"), std::string("exercise.o"), std::string("-c"), source.string()})
-    argv.push_back(word);
+  if (!ahead.empty()) argv.insert(argv.end(), {"-include", ahead});
+  argv.insert(argv.end(), {"-o", "exercise.o", "-c", source.string()});
   return run(argv, {tools_.headers, work});
 }
 

@@ -55,9 +55,10 @@ class Compilation {
   /// nm's list of an object or archive. Without plugin: that of a link-time optimiser believes what
   /// an object says of itself in a section of its own, and looks no further.
   Outcome symbols_in(const std::filesystem::path& file);
-  /// The compiler on a file of the sandbox's folder; `header` is what it reads before it, or none.
+  /// The compiler on a file of the sandbox's folder; `ahead` names a header that it reads before
+  /// it, or none.
   Outcome compile_in(const std::filesystem::path& work, const std::filesystem::path& source,
-                     const std::filesystem::path& header);
+                     const std::string& ahead);
   /// A compiler or linker, as long as the lab's time lasts.
   Outcome run(const std::vector<std::string>& argv, const View& view);
 

@@ -3,19 +3,17 @@
 #include "grader/grade/clean_tree.h"
 
 #include <filesystem>
+#include <string>
 
 namespace carlo::grader {
 
-/// The header of a lab's own folder that all its stubs include, as "path_tracer.h" of lab 08; empty
-/// where there is none. A path in the clean tree.
-std::filesystem::path common_header(const LabTools& tools);
-
-/// What g++ takes in the place of a header: the header, read once for all files (0.2 s in the place
-/// of 1.2 s for a file of lab 09). Empty where it was not made.
-std::filesystem::path precompiled(const std::filesystem::path& header);
-
-/// Makes it for a lab of many files, once in a clean tree: who comes meanwhile goes on without it,
-/// and so do all where a stub does not compile with it.
+/// Has g++ read the header that all files of a lab share, as "path_tracer.h" of lab 08, once for a
+/// clean tree, where the lab has so many files that this pays. Who comes meanwhile, or where it
+/// fails, goes on without.
 void precompile(const LabTools& tools);
+
+/// The header's name, for -include, where it was read ahead and that changes nothing for `text`: it
+/// includes the header itself, and defines nothing before that. Else empty.
+std::string header_ahead(const LabTools& tools, const std::string& text);
 
 }  // namespace carlo::grader

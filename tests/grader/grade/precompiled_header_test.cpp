@@ -37,7 +37,6 @@ class SharedHeader {
   void write_header(const std::string& text) const {
     write_file(header_folder() / "shared.h", text);
   }
-  fs::path made() const { return precompiled(common_header(tools)); }
 
   bool compiles(const std::string& text) const {
     const Sandbox sandbox = Sandbox::at(Level::limits, {});
@@ -59,35 +58,49 @@ class SharedHeader {
 TEST_CASE("the header of a lab of many files is read once", "[compile]") {
   if (!fs::exists("/usr/bin/g++")) SKIP("it is g++'s");
   const SharedHeader lab(4);
-  REQUIRE(lab.made().empty());
+  const std::string begin = "// of mine\n#include <cstddef>\n\n#include \"shared.h\"\n";
+  REQUIRE(header_ahead(lab.tools, begin).empty());
   precompile(lab.tools);
-  REQUIRE_FALSE(lab.made().empty());
-  CHECK(lab.compiles("#include \"shared.h\"\nstatic_assert(shared_value == 1);\n"));
-  CHECK_FALSE(lab.compiles("#include \"shared.h\"\nstatic_assert(shared_value == 2);\n"));
-  // What is defined before it still counts.
-  CHECK(
-      lab.compiles("#define VALUE 2\n#include \"shared.h\"\nstatic_assert(shared_value == 2);\n"));
-  // Nobody reads the text any more.
-  lab.write_header("#error this was read\n");
-  CHECK(lab.compiles("static_assert(shared_value == 1);\n"));
+  REQUIRE(header_ahead(lab.tools, begin) == "shared.h");
+  CHECK(lab.compiles(begin + "static_assert(shared_value == 1);\n"));
+  CHECK_FALSE(lab.compiles(begin + "static_assert(shared_value == 2);\n"));
+  // Another text is read besides, and tells what was read ahead from it.
+  lab.write_header("#pragma once\nconstexpr int other = 2;\n");
+  CHECK(lab.compiles(begin + "static_assert(shared_value == 1 && other == 2);\n"));
 }
 
-TEST_CASE("the header of a lab of few files is not made ahead", "[compile]") {
+TEST_CASE("a header is read where it stands where that may matter", "[compile]") {
+  if (!fs::exists("/usr/bin/g++")) SKIP("it is g++'s");
+  const SharedHeader lab(4);
+  precompile(lab.tools);
+  CHECK(
+      lab.compiles("#define VALUE 2\n#include \"shared.h\"\nstatic_assert(shared_value == 2);\n"));
+  CHECK_FALSE(lab.compiles("static_assert(shared_value == 1);\n"));
+  lab.write_header("#pragma once\nconstexpr int other = 2;\n");
+  for (const char* before :
+       {"#define VALUE 2\n", "  #define VALUE 2\n", "/**/ #define VALUE 2\n", "int x;\n"}) {
+    CAPTURE(before);
+    const std::string text = std::string(before) + "#include \"shared.h\"\n";
+    CHECK(lab.compiles(text + "static_assert(other == 2);\n"));
+    CHECK_FALSE(lab.compiles(text + "static_assert(shared_value == 1);\n"));
+  }
+}
+
+TEST_CASE("the header of a lab of few files is not read ahead", "[compile]") {
   if (!fs::exists("/usr/bin/g++")) SKIP("it is g++'s");
   const SharedHeader lab(1);
   precompile(lab.tools);
-  CHECK(lab.made().empty());
+  CHECK(header_ahead(lab.tools, "#include \"shared.h\"\n").empty());
   CHECK(lab.compiles("#include \"shared.h\"\nstatic_assert(shared_value == 1);\n"));
 }
 
-TEST_CASE("a header that cannot be compiled ahead keeps nobody from compiling", "[compile]") {
+TEST_CASE("a header that cannot be read ahead keeps nobody from compiling", "[compile]") {
   if (!fs::exists("/usr/bin/g++")) SKIP("it is g++'s");
   const SharedHeader lab(4);
   lab.write_header("#error not ahead\n");
   precompile(lab.tools);
-  CHECK(lab.made().empty());
   lab.write_header("#pragma once\nconstexpr int shared_value = 3;\n");
   precompile(lab.tools);  // once
-  CHECK(lab.made().empty());
+  CHECK(header_ahead(lab.tools, "#include \"shared.h\"\n").empty());
   CHECK(lab.compiles("#include \"shared.h\"\nstatic_assert(shared_value == 3);\n"));
 }
