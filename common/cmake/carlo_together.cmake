@@ -9,7 +9,7 @@
 #   target property UNITY_BUILD_MODE GROUP              those of one group together, the others alone
 #   source property UNITY_GROUP                         its group
 #   source property SKIP_UNITY_BUILD_INCLUSION          this file by itself
-# and so are generated files and those with compile options of their own.
+# and so are generated files and those with compile options or definitions of their own.
 
 # What `source` of `target` is compiled with: a group's name, or "" for none; into the variable RESULT.
 function(carlo_group_of result target source mode)
@@ -18,7 +18,7 @@ function(carlo_group_of result target source mode)
   if(NOT source MATCHES "\\.cpp$" OR NOT inside)
     return()
   endif()
-  foreach(alone IN ITEMS GENERATED SKIP_UNITY_BUILD_INCLUSION COMPILE_OPTIONS)
+  foreach(alone IN ITEMS GENERATED SKIP_UNITY_BUILD_INCLUSION COMPILE_DEFINITIONS COMPILE_OPTIONS)
     get_source_file_property(value "${source}" TARGET_DIRECTORY ${target} ${alone})
     if(value)
       return()

@@ -1,3 +1,4 @@
+#include "cli/source_folder.h"
 #include "image/exr.h"
 #include "practice.h"
 #include "report/stopwatch.h"
@@ -14,7 +15,7 @@ namespace {
 
 carlo::Scene practice_scene(const std::string& name, const carlo::Image& image) {
   return carlo::load_scene(
-      CARLO_SCENES "/" + name + ".xml",
+      carlo::source_folder() / "common/scenes" / (name + ".xml"),
       {{"width", std::to_string(image.width)}, {"height", std::to_string(image.height)}});
 }
 

@@ -2,6 +2,7 @@
 // and a phrase of its message.
 
 #include "cli/error.h"
+#include "cli/source_folder.h"
 #include "random/rng.h"
 #include "scene/load_scene.h"
 #include "scene_helpers.h"
@@ -24,7 +25,7 @@ using scene_test::write_bytes;
 
 namespace {
 
-const fs::path source_dir = CARLO_SOURCE_DIR;
+const fs::path source_dir = carlo::source_folder();
 const fs::path broken = source_dir / "tests/common/broken_scenes";
 
 struct Expected {

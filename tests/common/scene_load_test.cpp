@@ -1,5 +1,6 @@
 // Materials, lights, camera, film, sampler, parameters, includes, needs and the scenes we bring.
 
+#include "cli/source_folder.h"
 #include "scene/needs.h"
 #include "scene_helpers.h"
 
@@ -16,7 +17,7 @@ using scene_test::write_bytes;
 
 namespace {
 
-const std::filesystem::path source_dir = CARLO_SOURCE_DIR;
+const std::filesystem::path source_dir = source_folder();
 
 /// The material of a sphere with that bsdf.
 Material material(const std::string& bsdf) {

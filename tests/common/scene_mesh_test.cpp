@@ -1,5 +1,6 @@
 // Mesh files: OBJ and both kinds of PLY.
 
+#include "cli/source_folder.h"
 #include "scene/mesh_file.h"
 #include "scene/needs.h"
 #include "scene_helpers.h"
@@ -14,8 +15,7 @@ using scene_test::write_bytes;
 
 namespace {
 
-const std::filesystem::path scenes =
-    std::filesystem::path(CARLO_SOURCE_DIR) / "tests/common/scenes";
+const std::filesystem::path scenes = source_folder() / "tests/common/scenes";
 
 /// The volume that the triangles enclose, positive for counter-clockwise ones seen from outside.
 double volume(const Mesh& mesh) {

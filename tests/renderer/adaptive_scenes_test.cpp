@@ -1,5 +1,6 @@
 // Adaptive renders by both kernels: unbiased, and of the same bits for any number of threads.
 
+#include "lab_scenes.h"
 #include "scene/load_scene.h"
 #include "scene/sampler_kind.h"
 #include "scene_tools.h"
@@ -61,7 +62,7 @@ TEST_CASE("Adaptive renders of a furnace are unbiased, by both kernels and all s
 
 TEST_CASE("An adaptive render has the same bits for 1, 2 and 3 threads, by both kernels") {
   for (const char* name : {"partial_occluders", "cornell_phong"}) {
-    Scene scene = load_scene(std::string(CARLO_SCENES) + "/" + name + ".xml");
+    Scene scene = lab_scenes::load(name);
     resize(scene, 22, 18);
     const RenderResult one = render_adaptive(scene, renderer::Kernel::best, 0.3, 5, 1);
     CHECK(one.adaptive->most > one.adaptive->least);

@@ -14,6 +14,7 @@
 // which is scene/sampler/spp.
 
 #include "image/film.h"
+#include "lab_scenes.h"
 #include "render/driver.h"
 #include "render/render_app.h"
 #include "renderer/path_integrator.h"
@@ -179,7 +180,7 @@ bool asked_for(const std::string& scene, SamplerKind kind, std::uint32_t spp) {
 
 void measure(const std::string& name, const std::vector<std::uint32_t>& samples,
              std::uint32_t renders, bool partial = false) {
-  Scene scene = load_scene(std::string(CARLO_SCENES) + "/" + name + ".xml");
+  Scene scene = lab_scenes::load(name);
   resize(scene, size, size);
   for (const SamplerKind kind : sampler_kinds) {
     scene.sampler = kind;
@@ -214,7 +215,7 @@ TEST_CASE("Standard errors are what they say where shares are missing", "[error_
 
 TEST_CASE("Standard errors are what they say where shares are missing: all scenes", "[.all]") {
   show_heading();
-  for (const auto& entry : std::filesystem::directory_iterator(CARLO_SCENES)) {
+  for (const auto& entry : std::filesystem::directory_iterator(lab_scenes::folder())) {
     if (entry.path().extension() != ".xml") continue;
     measure(entry.path().stem().string(), {64}, renders_of(1000), true);
   }
@@ -222,7 +223,7 @@ TEST_CASE("Standard errors are what they say where shares are missing: all scene
 
 TEST_CASE("Standard errors are what they say: all scenes", "[.all]") {
   show_heading();
-  for (const auto& entry : std::filesystem::directory_iterator(CARLO_SCENES)) {
+  for (const auto& entry : std::filesystem::directory_iterator(lab_scenes::folder())) {
     if (entry.path().extension() != ".xml") continue;
     measure(entry.path().stem().string(), {2, 4, 8, 16, 32, 64}, renders_of(1000));
   }

@@ -4,6 +4,7 @@
 
 #include "closed_forms.h"
 #include "image/exr.h"
+#include "lab_scenes.h"
 #include "random/rng.h"
 #include "renderer/lights.h"
 #include "renderer/warp.h"
@@ -240,8 +241,7 @@ TEST_CASE("Under a small sun importance sampling has a 20th of the error of cosi
 }
 
 TEST_CASE("The sky of image_light.xml is the one that its command makes") {
-  const Image made = sky::image(),
-              read = read_exr(std::string(CARLO_SCENES) + "/parts/sky.exr").image;
+  const Image made = sky::image(), read = read_exr(lab_scenes::folder() / "parts/sky.exr").image;
   REQUIRE((read.width == made.width && read.height == made.height));
   for (std::size_t i = 0; i < made.pixels.size(); ++i) {
     for (int c = 0; c < 3; ++c)

@@ -1,5 +1,6 @@
 // Agreement with an independent renderer (tests/references/README.md).
 
+#include "cli/source_folder.h"
 #include "image/exr.h"
 #include "image/metrics.h"
 #include "scene/load_scene.h"
@@ -27,7 +28,7 @@ std::uint32_t peer_spp() {
 constexpr double peer_variance_ratio = 2.3, peer_samples = 8192;
 
 void check_against_peer(const std::string& name) {
-  const std::string base = std::string(CARLO_REFERENCES) + "/" + name;
+  const std::string base = (source_folder() / "tests/references" / name).string();
   Scene scene = load_scene(base + ".xml");
   scene.sampler = SamplerKind::independent;
   const std::uint32_t spp = peer_spp();

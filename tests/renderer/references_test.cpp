@@ -7,6 +7,7 @@
 // samples that make their tiles normal (agreement_test.cpp counts them). Power: a deviation of 7.1
 // standard errors of an image's mean, which are printed, is seen with probability .999.
 
+#include "cli/source_folder.h"
 #include "image/metrics.h"
 #include "lab_scenes.h"
 #include "reference_image.h"
@@ -31,7 +32,7 @@ std::uint32_t samples_of(const std::string& scene) {
 
 ExrFile reference_of(const std::string& scene) {
   const std::filesystem::path path =
-      std::filesystem::path(CARLO_REFERENCES) / "scenes" / (scene + ".exr");
+      source_folder() / "tests/references" / "scenes" / (scene + ".exr");
   INFO("there is no reference image: tests/references/make.sh " << scene);
   REQUIRE(std::filesystem::exists(path));
   return read_exr(path);

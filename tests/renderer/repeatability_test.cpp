@@ -1,3 +1,4 @@
+#include "cli/source_folder.h"
 #include "scene/load_scene.h"
 #include "scene/sampler_kind.h"
 #include "scene_tools.h"
@@ -11,7 +12,7 @@ namespace {
 using namespace scene_tools;
 
 TEST_CASE("A render has the same bits for 1, 2 and 7 threads and from run to run") {
-  Scene scene = load_scene(std::string(CARLO_REFERENCES) + "/peer_cornell_phong.xml");
+  Scene scene = load_scene(source_folder() / "tests/references/peer_cornell_phong.xml");
   resize(scene, 50, 34);
   for (const SamplerKind kind : sampler_kinds) {
     scene.sampler = kind;
@@ -27,7 +28,7 @@ TEST_CASE("A render has the same bits for 1, 2 and 7 threads and from run to run
 }
 
 TEST_CASE("The samplers agree with each other, and better ones have less noise") {
-  Scene scene = load_scene(std::string(CARLO_REFERENCES) + "/peer_cornell_lambert.xml");
+  Scene scene = load_scene(source_folder() / "tests/references/peer_cornell_lambert.xml");
   resize(scene, 32, 32);
   scene.sampler = SamplerKind::independent;
   const RenderResult plain = render_scene(scene, 256, 1);

@@ -1,5 +1,6 @@
 #include "images/views.h"
 
+#include "cli/source_folder.h"
 #include "numeric/robust.h"
 #include "scene/load_scene.h"
 
@@ -34,7 +35,7 @@ View::View(carlo::Scene scene, int pixels)
     : world(fitted(std::move(scene), pixels)), size(pixels) {}
 
 carlo::Scene cornell_box() {
-  return carlo::load_scene(CARLO_SCENES "/cornell_lambert.xml");
+  return carlo::load_scene(carlo::source_folder() / "common/scenes/cornell_lambert.xml");
 }
 
 carlo::Scene room_with_balls() {

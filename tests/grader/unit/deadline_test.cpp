@@ -3,6 +3,7 @@
 #include "busy.h"
 #include "cli/error.h"
 #include "grader/judge/run.h"
+#include "places.h"
 #include "texts.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -18,7 +19,7 @@ using namespace grader_test;
 TEST_CASE("the probes of an exercise have a time in all", "[run]") {
   Limits limits;
   limits.deadline = std::chrono::milliseconds(400);
-  Run run(Worker(FIXTURE_WORKER, Level::limits), 1, limits);
+  Run run(Worker(fixture_worker(), Level::limits), 1, limits);
   int started = 0;
   for (; started < 100; ++started) {
     run.begin_test("Lab 0.1: it answers in time, each time");
@@ -39,7 +40,7 @@ TEST_CASE("the probes of an exercise have a time in all", "[run]") {
 // Whoever watches is stopped for longer than the deadline, as all are when a control group is
 // frozen; by the probe, so that it runs by then.
 TEST_CASE("a deadline leaves out the time for which the grader stood still", "[worker]") {
-  const Worker worker(FIXTURE_WORKER, Level::limits);
+  const Worker worker(fixture_worker(), Level::limits);
   Limits limits;
   limits.deadline = std::chrono::milliseconds(2500);
   const Params self{.numbers = {{"x", static_cast<double>(::getpid())}}};
@@ -51,7 +52,7 @@ TEST_CASE("a deadline leaves out the time for which the grader stood still", "[w
 TEST_CASE("a deadline leaves out the time for which others had the processors", "[.busy]") {
   Limits limits;
   limits.deadline = std::chrono::milliseconds(1200);
-  const Worker worker(FIXTURE_WORKER);
+  const Worker worker(fixture_worker());
   Charged charged;
   const double seconds = again_if_busy([&] {
     charged = {};
@@ -86,7 +87,7 @@ TEST_CASE("a deadline leaves out the time for which a disk is awaited, twice its
           "[worker]") {
   if (!vfork_waits()) SKIP("vfork() keeps nobody waiting here");
   Limits limits;
-  const Worker worker(FIXTURE_WORKER, Level::limits);
+  const Worker worker(fixture_worker(), Level::limits);
   limits.deadline = std::chrono::milliseconds(1200);
   const auto waiting = [](double seconds) { return Params{.numbers = {{"x", seconds}}}; };
   const double waited = again_if_busy(
@@ -99,7 +100,7 @@ TEST_CASE("a deadline leaves out the time for which a disk is awaited, twice its
 
 TEST_CASE("seeds follow from the run, the test and the probe's place in it", "[run]") {
   const auto seeds = [](std::uint64_t seed, const std::string& test) {
-    Run run(Worker(FIXTURE_WORKER, Level::limits), seed, {});
+    Run run(Worker(fixture_worker(), Level::limits), seed, {});
     run.begin_test(test);
     const Rows first = run.probe("echo seed", {}, {});
     const Rows second = run.probe("echo seed", {}, {});

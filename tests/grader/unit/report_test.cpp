@@ -2,6 +2,7 @@
 #include "grader/judge/compare.h"
 #include "grader/judge/results.h"
 #include "grader/judge/run.h"
+#include "places.h"
 #include "texts.h"
 #include "verdict/verdict_text.h"
 
@@ -114,7 +115,7 @@ TEST_CASE("an exercise without a test and a test without an exercise are errors"
 }
 
 TEST_CASE("a test without a verdict, or of a framework that failed, does not pass", "[run]") {
-  Run run(Worker(FIXTURE_WORKER, Level::limits), 1, {});
+  Run run(Worker(fixture_worker(), Level::limits), 1, {});
   run.begin_test("Lab 1.1: says nothing");
   run.end_test(true);
   run.begin_test("Lab 1.1: passes, but something else went wrong");
@@ -130,7 +131,7 @@ TEST_CASE("a test without a verdict, or of a framework that failed, does not pas
 }
 
 TEST_CASE("the budget of statistical comparisons is kept", "[run]") {
-  Run run(Worker(FIXTURE_WORKER, Level::limits), 1, {});
+  Run run(Worker(fixture_worker(), Level::limits), 1, {});
   run.begin_test("Lab 1.1: judges without end");
   const std::vector<double> values{0};
   for (int i = 0; i < lab_budget; ++i)
@@ -140,7 +141,7 @@ TEST_CASE("the budget of statistical comparisons is kept", "[run]") {
 
 TEST_CASE("after a deadline or a missing implementation an exercise starts no more workers",
           "[run]") {
-  Run run(Worker(FIXTURE_WORKER, Level::limits), 1, {});
+  Run run(Worker(fixture_worker(), Level::limits), 1, {});
   for (const char* test : {"Lab 1.1: first", "Lab 1.1: second"}) {
     run.begin_test(test);
     CHECK_THROWS_AS(run.probe("not implemented", {}, {}), ProbeFailure);
@@ -266,7 +267,7 @@ TEST_CASE("of an exercise that is begun it is said what is missing and what work
 }
 
 TEST_CASE("all tests of an exercise in parts run, whatever one found", "[run]") {
-  Run run(Worker(FIXTURE_WORKER, Level::limits), 1, {});
+  Run run(Worker(fixture_worker(), Level::limits), 1, {});
   run.has_parts("Lab 1.1");
   for (const char* test : {"Lab 1.1: first", "Lab 1.1: second"}) {
     run.begin_test(test);
@@ -305,7 +306,7 @@ TEST_CASE("tests that were not run are not said to fail", "[report]") {
 }
 
 TEST_CASE("a test that is left unjudged has not passed, and says why", "[run]") {
-  Run run(Worker(FIXTURE_WORKER, Level::limits), 1, {});
+  Run run(Worker(fixture_worker(), Level::limits), 1, {});
   run.begin_test("Lab 1.1: it is fast", Aspect::efficiency);
   run.leave("not judged: the count is wrong");
   run.end_test(true);

@@ -6,6 +6,7 @@
 #include "cli/error.h"
 #include "grader/judge/run.h"
 #include "memory_limits.h"
+#include "places.h"
 #include "texts.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -44,7 +45,7 @@ Result run(Level level, const std::string& probe, bool hangs = false) {
   Result result;
   const Clock::time_point start = Clock::now();
   try {
-    run_probe(Worker(FIXTURE_WORKER, level), probe, {}, {}, limits);
+    run_probe(Worker(fixture_worker(), level), probe, {}, {}, limits);
   } catch (const ProbeFailure& failure) {
     result = {failure.status, failure.what(), failure.printed, 0, failure.lost_lines};
   }
@@ -54,7 +55,7 @@ Result run(Level level, const std::string& probe, bool hangs = false) {
 
 bool works(Level level) {
   try {
-    const Worker worker(FIXTURE_WORKER, level);
+    const Worker worker(fixture_worker(), level);
     return true;
   } catch (const carlo::Error&) {
     return false;
@@ -77,7 +78,7 @@ void need(Level level) {
 
 /// The single value of a probe at a level.
 double value(Level level, const std::string& probe, const Params& params = {}) {
-  return run_probe(Worker(FIXTURE_WORKER, level), probe, params, {}, {}).values[0];
+  return run_probe(Worker(fixture_worker(), level), probe, params, {}, {}).values[0];
 }
 
 bool no_child_left() {
@@ -90,7 +91,7 @@ TEST_CASE("a good worker's values arrive as they were sent", "[worker]") {
   const Level level = GENERATE(Catch::Generators::from_range(levels()));
   const Params params{.seed = 1, .n = 7, .numbers = {{"x", 0.1}}};
   const Clock::time_point start = Clock::now();
-  const Answer rows = run_probe(Worker(FIXTURE_WORKER, level), "good", params, {2, 3}, {});
+  const Answer rows = run_probe(Worker(fixture_worker(), level), "good", params, {2, 3}, {});
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   CHECK(rows.values == std::vector<double>{1, 0.1, 7, 4, 5, 6});
   CHECK(rows.seed == params.seed);
@@ -159,7 +160,7 @@ TEST_CASE("100 GB are not to be had", "[worker]") {
   const Level level = GENERATE(Catch::Generators::from_range(levels()));
   Limits limits;
   limits.memory_bytes = std::size_t{256} << 20;
-  const Worker sandbox(FIXTURE_WORKER, level);
+  const Worker sandbox(fixture_worker(), level);
   CHECK_THROWS_AS(run_probe(sandbox, "allocates 100 GB", {}, {}, limits), ProbeFailure);
   CHECK(no_child_left());
 }
@@ -171,7 +172,7 @@ TEST_CASE("the memory limit holds for all processes together", "[worker]") {
   limits.deadline = std::chrono::seconds(60);
   limits.memory_bytes = std::size_t{512} << 20;
   try {
-    run_probe(Worker(FIXTURE_WORKER, level), "many processes, much memory", {}, {}, limits);
+    run_probe(Worker(fixture_worker(), level), "many processes, much memory", {}, {}, limits);
     FAIL("no failure at level " << to_string(level));
   } catch (const ProbeFailure& failure) {
     CHECK(has(failure.what(), "more than 512 MB of memory together"));
@@ -195,7 +196,7 @@ TEST_CASE("what a program printed before it failed is shown, cut to size", "[wor
 
 TEST_CASE("a worker inherits four descriptors and no environment", "[worker]") {
   const Level level = GENERATE(Catch::Generators::from_range(levels()));
-  const Worker sandbox(FIXTURE_WORKER, level);
+  const Worker sandbox(fixture_worker(), level);
   const Rows open = run_probe(sandbox, "open descriptors", {}, {}, {});
   CHECK(open.values[0] == 4);
   const Rows variables = run_probe(sandbox, "environment", {}, {}, {});
@@ -207,11 +208,11 @@ TEST_CASE("no file outside can be read, and none written", "[worker]") {
   const Level level = GENERATE(Level::landlock, Level::bubblewrap);
   need(level);
   CHECK(value(level, "reads the disk") == 0);
-  const Worker worker(FIXTURE_WORKER, level);
+  const Worker worker(fixture_worker(), level);
   const Rows written = run_probe(worker, "writes outside", {}, {1, 2}, {});
   CHECK(written.values == std::vector<double>{0, 0});
-  for (const char* folder : {FIXTURE_FOLDER, "/tmp"})
-    CHECK_FALSE(std::filesystem::exists(std::filesystem::path(folder) / "written_by_a_worker"));
+  for (const std::filesystem::path& folder : {fixture_folder(), std::filesystem::path("/tmp")})
+    CHECK_FALSE(std::filesystem::exists(folder / "written_by_a_worker"));
 }
 
 TEST_CASE("a worker may write into a folder of its own, which goes with it", "[worker]") {
@@ -235,7 +236,7 @@ TEST_CASE("no file outside can be emptied, before version 3 of Landlock neither"
   const std::string version = GENERATE("1", "2", "3", "99");
   INFO("Landlock " << version);
   need(Level::landlock);
-  const std::filesystem::path file = std::filesystem::path(FIXTURE_FOLDER) / "not_to_be_emptied";
+  const std::filesystem::path file = fixture_folder() / "not_to_be_emptied";
   carlo::write_file(file, "something");
   // Everybody may write it: only the sandbox keeps a worker from it.
   std::filesystem::permissions(file, std::filesystem::perms::all);
@@ -255,7 +256,7 @@ TEST_CASE("disk is not to be had in one call", "[worker]") {
 TEST_CASE("threads that cannot be started are no proof against whoever starts them", "[worker]") {
   Limits limits;
   limits.deadline = std::chrono::seconds(60);
-  const Worker worker(FIXTURE_WORKER, Level::limits);
+  const Worker worker(fixture_worker(), Level::limits);
   try {
     run_probe(worker, "no thread left", {}, {}, limits);
     FAIL("an answer");
@@ -278,7 +279,7 @@ TEST_CASE("page tables count as memory", "[worker]") {
   limits.deadline = std::chrono::seconds(60);
   limits.memory_bytes = std::size_t{300} << 20;
   try {
-    run_probe(Worker(FIXTURE_WORKER, Level::limits), "many page tables", {}, {}, limits);
+    run_probe(Worker(fixture_worker(), Level::limits), "many page tables", {}, {}, limits);
     FAIL("an answer");
   } catch (const ProbeFailure& failure) {
     CHECK(has(failure.what(), "of memory together"));
@@ -293,7 +294,7 @@ TEST_CASE("the disk cannot be filled, by files without a name neither", "[worker
   limits.deadline = std::chrono::seconds(60);
   limits.scratch_bytes = std::size_t{40} << 20;
   try {
-    run_probe(Worker(FIXTURE_WORKER, level), filling, {}, {}, limits);
+    run_probe(Worker(fixture_worker(), level), filling, {}, {}, limits);
     FAIL("no failure");
   } catch (const ProbeFailure& failure) {
     CHECK(has(failure.what(), "it filled the disk"));
@@ -313,7 +314,7 @@ TEST_CASE("there is no network and no way to the judge", "[worker]") {
 TEST_CASE("a fork bomb ends with its worker", "[worker]") {
   const Level level = GENERATE(Level::user, Level::landlock, Level::bubblewrap);
   need(level);
-  const Worker worker(FIXTURE_WORKER, level);
+  const Worker worker(fixture_worker(), level);
   if (!has(worker.sandbox().description(), "own user")) SKIP("no user of its own to count for");
   Limits limits;
   limits.deadline = std::chrono::milliseconds(800);
@@ -327,7 +328,7 @@ TEST_CASE("a level is known by its name, and said with what it has", "[worker]")
   for (const Level level : {Level::limits, Level::user, Level::landlock, Level::bubblewrap})
     CHECK(level_of(to_string(level)) == level);
   CHECK_THROWS_AS(level_of("none"), carlo::Error);
-  CHECK(Worker(FIXTURE_WORKER, Level::limits).sandbox().description() == "limits only");
+  CHECK(Worker(fixture_worker(), Level::limits).sandbox().description() == "limits only");
 }
 
 TEST_CASE("a worker that is no program is an error", "[worker]") {
@@ -341,7 +342,7 @@ TEST_CASE("a worker whose libraries find no memory is the machine's failure", "[
   Limits limits;
   limits.memory_bytes = std::size_t{3} << 20;
   try {
-    run_probe(Worker(FIXTURE_WORKER, Level::limits), "good", {}, {}, limits);
+    run_probe(Worker(fixture_worker(), Level::limits), "good", {}, {}, limits);
     FAIL("nothing was thrown");
   } catch (const ProbeFailure& failure) {
     FAIL("told as the student's: " << failure.what());
