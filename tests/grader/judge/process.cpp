@@ -115,13 +115,19 @@ class Charge {
   /// Looks at all its processes.
   void look(const Family& family) {
     // As it is found, so it was since the last look.
-    if (blocked(family)) blocked_ += taken() - last_look_;
-    last_look_ = taken();
-    worked_ = (processor_seconds(family) + reaped() - reaped_) / processors_;
+    const double now = taken(),
+                 worked = (processor_seconds(family) + reaped() - reaped_) / processors_;
     const ThreadTimes times = longest_times(family);
+    if (blocked(family)) blocked_ += now - last_look_;
+    // Of its waiting for a processor the system tells only when it gets one.
+    const bool in_line = runnable(family) && worked == worked_ && times == last_times_;
+    in_line_ = in_line ? in_line_ + now - last_look_ : 0;
+    last_look_ = now;
+    last_times_ = times;
+    worked_ = worked;
     ran_ = std::max(ran_, times.ran);
     // Whoever starts it and takes it down waits too, on its behalf.
-    const double longest = std::max(times.waited, held_up());
+    const double longest = std::max(times.waited + in_line_, held_up());
     waited_ = std::max(waited_, std::min(longest, taken() - frozen_ - worked_));
   }
 
@@ -166,6 +172,8 @@ class Charge {
   double ran_ = 0;  ///< of the thread that ran longest
   double frozen_ = 0, last_beat_ = 0, last_wait_ = 0;
   double blocked_ = 0, last_look_ = 0;
+  double in_line_ = 0;  ///< seconds for which it has been ready to run, until now
+  ThreadTimes last_times_;
 };
 
 /// Follows the child to its end or to the first limit that it breaks.

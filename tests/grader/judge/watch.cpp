@@ -43,6 +43,11 @@ ThreadTimes times_in(const fs::path& schedstat) {
   return {ran * 1e-9, waited * 1e-9};
 }
 
+bool any_in(const Family& family, char state) {
+  return std::any_of(family.begin(), family.end(),
+                     [&](const ProcessEntry& entry) { return entry.state == state; });
+}
+
 }  // namespace
 
 bool fuller_than(const fs::path& folder, const Family& family, std::size_t most) {
@@ -74,12 +79,12 @@ ThreadTimes longest_times(const Family& family) {
   return longest;
 }
 
+bool runnable(const Family& family) {
+  return any_in(family, 'R');
+}
+
 bool blocked(const Family& family) {
-  const auto any = [&](char state) {
-    return std::any_of(family.begin(), family.end(),
-                       [&](const ProcessEntry& entry) { return entry.state == state; });
-  };
-  return any('D') && !any('R');
+  return any_in(family, 'D') && !runnable(family);
 }
 
 ThreadTimes own_times() {

@@ -29,8 +29,13 @@ std::size_t threads_of(const Family& family);
 struct ThreadTimes {
   double ran = 0;     ///< on a processor, of the one that ran longest
   double waited = 0;  ///< ready to run while others had them, of the one that waited longest
+
+  bool operator==(const ThreadTimes&) const = default;
 };
 ThreadTimes longest_times(const Family& family);
+
+/// Whether one of them runs, or waits for nothing but a processor.
+bool runnable(const Family& family);
 
 /// Whether none of them runs or could, and one waits for a disk, or for memory that others have.
 bool blocked(const Family& family);
