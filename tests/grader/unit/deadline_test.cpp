@@ -48,7 +48,7 @@ TEST_CASE("a deadline leaves out the time for which the grader stood still", "[w
   CHECK(seconds > 4);
 }
 
-// With programs beside it that keep all processors busy: busy_test.sh.
+// With programs beside it that keep all processors busy: busy_test.sh, in_line_test.sh.
 TEST_CASE("a deadline leaves out the time for which others had the processors", "[.busy]") {
   Limits limits;
   limits.deadline = std::chrono::milliseconds(1200);
