@@ -4,8 +4,8 @@
 #include "cli/scratch_folder.h"
 #include "grader/grade/own_disk.h"
 #include "grader/judge/landlock.h"
+#include "grader/judge/process_list.h"
 #include "grader/judge/sandbox.h"
-#include "grader/judge/watch.h"
 
 #include <sys/statvfs.h>
 #include <unistd.h>

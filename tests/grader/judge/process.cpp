@@ -3,6 +3,7 @@
 #include "cli/error.h"
 #include "grader/judge/spawn.h"
 #include "grader/judge/survivors.h"
+#include "grader/judge/waits.h"
 #include "grader/judge/watch.h"
 
 #include <poll.h>
@@ -114,28 +115,23 @@ class Charge {
 
   /// Looks at all its processes.
   void look(const Family& family) {
+    const double now = taken(), held = held_up(), passed = now - last_.taken;
+    const double worked = (processor_seconds(family) + reaped() - reaped_) / processors_;
     // As it is found, so it was since the last look.
-    const double now = taken(),
-                 worked = (processor_seconds(family) + reaped() - reaped_) / processors_;
-    const ThreadTimes times = longest_times(family);
-    if (blocked(family)) blocked_ += now - last_look_;
-    // Of its waiting for a processor the system tells only when it gets one.
-    const bool in_line = runnable(family) && worked == worked_ && times == last_times_;
-    in_line_ = in_line ? in_line_ + now - last_look_ : 0;
-    last_look_ = now;
-    last_times_ = times;
-    worked_ = worked;
-    ran_ = std::max(ran_, times.ran);
+    if (blocked(family)) blocked_ += passed;
     // Whoever starts it and takes it down waits too, on its behalf.
-    const double longest = std::max(times.waited + in_line_, held_up());
-    waited_ = std::max(waited_, std::min(longest, taken() - frozen_ - worked_));
+    const double longest = std::max(waits_.look(family, passed), held - last_.held_up);
+    const double most = passed - (frozen_ - last_.frozen) - (worked - worked_);
+    waited_ += std::clamp(longest, 0., std::max(0., most));
+    worked_ = worked;
+    last_ = {now, held, frozen_};
   }
 
   /// A program can make itself wait for a disk, and so gains as much as two deadlines.
   double waited(std::chrono::duration<double> deadline) const {
     return waited_ + frozen_ + std::min(blocked_, 2 * deadline.count());
   }
-  double ran() const { return ran_; }
+  double ran() const { return waits_.longest_run(); }
   Pressure pressure() const { return {taken(), held_up() + frozen_, worked_}; }
 
   /// Whether its time was over at the last beat, and whether that is its own doing. Of the time
@@ -143,7 +139,7 @@ class Charge {
   std::optional<Outcome::End> over(std::chrono::duration<double> deadline) const {
     const bool enough = last_beat_ - waited(deadline) >= deadline.count();
     // Many processes that take from one another run little each, and together as long as any may.
-    const bool ran = ran_ >= deadline.count() || worked_ >= deadline.count();
+    const bool ran = this->ran() >= deadline.count() || worked_ >= deadline.count();
     const bool proven = ran || !pressure().is_high();
     if (enough && proven) return Outcome::End::deadline;
     if (last_beat_ - frozen_ >= patience * deadline.count()) return Outcome::End::starved;
@@ -169,11 +165,12 @@ class Charge {
   double processors_ = std::max(1U, std::thread::hardware_concurrency());
   double reaped_ = reaped(), own_wait_ = own_times().waited;
   double waited_ = 0, worked_ = 0;
-  double ran_ = 0;  ///< of the thread that ran longest
   double frozen_ = 0, last_beat_ = 0, last_wait_ = 0;
-  double blocked_ = 0, last_look_ = 0;
-  double in_line_ = 0;  ///< seconds for which it has been ready to run, until now
-  ThreadTimes last_times_;
+  double blocked_ = 0;
+  Waits waits_;
+  struct {
+    double taken = 0, held_up = 0, frozen = 0;
+  } last_;  ///< look
 };
 
 /// Follows the child to its end or to the first limit that it breaks.

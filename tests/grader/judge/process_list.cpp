@@ -23,11 +23,15 @@ namespace fs = std::filesystem;
 
 /// A file of /proc, of which one read() gives all. Streams take three times as long, and a judge
 /// reads those of all processes ten times a second.
-std::string proc_file(pid_t id, const char* name) {
-  const Descriptor file(::open(fmt::format("/proc/{}/{}", id, name).c_str(), O_RDONLY | O_CLOEXEC));
+std::string proc_file(const std::string& path) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   std::array<char, 2048> text{};
   const ssize_t got = file.open() ? ::read(file.get(), text.data(), text.size()) : 0;
   return {text.data(), static_cast<std::size_t>(std::max<ssize_t>(got, 0))};
+}
+
+std::string proc_file(pid_t id, const char* name) {
+  return proc_file(fmt::format("/proc/{}/{}", id, name));
 }
 
 /// From /proc/PID/stat. The name in the second field may hold anything, so the fields are counted
@@ -57,22 +61,37 @@ ProcessEntry entry_of(pid_t id) {
   return entry;
 }
 
-/// The ids of all processes that are there now.
-std::vector<pid_t> process_ids() {
+/// The numbers that name a folder's entries: in /proc, the ids of all that are there now.
+std::vector<pid_t> ids_in(const fs::path& folder) {
   std::vector<pid_t> ids;
   std::error_code ec;
-  for (fs::directory_iterator it("/proc", ec), end; it != end && !ec; it.increment(ec)) {
+  for (fs::directory_iterator it(folder, ec), end; it != end && !ec; it.increment(ec)) {
     const std::string name = it->path().filename();
     if (const auto id = number_of<pid_t>(name)) ids.push_back(*id);
   }
   return ids;
 }
 
+/// Of a file that holds nanoseconds on a processor, and nanoseconds of waiting for one.
+ThreadTimes times_in(const std::string& schedstat) {
+  std::istringstream words(proc_file(schedstat));
+  double ran = 0, waited = 0;
+  if (!(words >> ran >> waited)) return {};
+  return {ran * 1e-9, waited * 1e-9};
+}
+
+/// From /proc/PID/task/TID/stat, as entry_of().
+bool is_ready(const std::string& stat) {
+  const std::string line = proc_file(stat);
+  const auto name_end = line.rfind(')');
+  return name_end != std::string::npos && line.substr(name_end).starts_with(") R");
+}
+
 }  // namespace
 
 std::vector<ProcessEntry> list_processes() {
   std::vector<ProcessEntry> list;
-  for (const pid_t id : process_ids()) {
+  for (const pid_t id : ids_in("/proc")) {
     const ProcessEntry entry = entry_of(id);
     if (entry.parent != 0) list.push_back(entry);
   }
@@ -96,6 +115,21 @@ std::vector<ProcessEntry> descendants_of(pid_t ancestor) {
   return family;
 }
 
+std::vector<ThreadEntry> list_threads(const ProcessEntry& process) {
+  const std::string folder = fmt::format("/proc/{}/task", process.id);
+  std::vector<ThreadEntry> list;
+  for (const pid_t id : ids_in(folder)) {
+    const std::string thread = fmt::format("{}/{}", folder, id);
+    const bool ready = id == process.id ? process.state == 'R' : is_ready(thread + "/stat");
+    list.push_back({id, ready, times_in(thread + "/schedstat")});
+  }
+  return list;
+}
+
+ThreadTimes own_times() {
+  return times_in("/proc/thread-self/schedstat");
+}
+
 std::size_t page_table_bytes(pid_t id) {
   std::istringstream words(proc_file(id, "status"));
   for (std::string word; words >> word;) {
@@ -106,7 +140,7 @@ std::size_t page_table_bytes(pid_t id) {
 }
 
 bool has_process_of(uid_t user) {
-  for (const pid_t id : process_ids()) {
+  for (const pid_t id : ids_in("/proc")) {
     std::istringstream words(proc_file(id, "status"));
     for (std::string word; words >> word;) {
       if (word != "Uid:") continue;

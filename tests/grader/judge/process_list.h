@@ -22,6 +22,28 @@ std::vector<ProcessEntry> list_processes();
 /// Of these the descendants of one.
 std::vector<ProcessEntry> descendants_of(pid_t ancestor);
 
+/// Seconds of a thread (Linux, proc(5): schedstat). 0 where the system does not tell.
+struct ThreadTimes {
+  double ran = 0;  ///< on a processor
+  double waited =
+      0;  ///< ready to run while others had them; of a wait it tells when that has ended
+
+  bool operator==(const ThreadTimes&) const = default;
+};
+
+/// A thread as the system lists it.
+struct ThreadEntry {
+  pid_t id = 0;
+  bool ready = false;  ///< it runs, or waits for nothing but a processor
+  ThreadTimes times;
+};
+
+/// The threads of a process that are there now.
+std::vector<ThreadEntry> list_threads(const ProcessEntry& process);
+
+/// Those of the thread that calls.
+ThreadTimes own_times();
+
 /// What the kernel keeps to find a process's pages, which no limit and no resident size counts: 0
 /// when it is gone.
 std::size_t page_table_bytes(pid_t id);

@@ -3,7 +3,6 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <fstream>
 #include <set>
 #include <string>
 #include <system_error>
@@ -35,14 +34,6 @@ std::size_t nameless_bytes(const Family& family) {
   return bytes;
 }
 
-/// The file holds nanoseconds on a processor, and nanoseconds of waiting for one.
-ThreadTimes times_in(const fs::path& schedstat) {
-  std::ifstream file(schedstat);
-  double ran = 0, waited = 0;
-  if (!(file >> ran >> waited)) return {};
-  return {ran * 1e-9, waited * 1e-9};
-}
-
 bool any_in(const Family& family, char state) {
   return std::any_of(family.begin(), family.end(),
                      [&](const ProcessEntry& entry) { return entry.state == state; });
@@ -65,30 +56,8 @@ bool fuller_than(const fs::path& folder, const Family& family, std::size_t most)
   return false;
 }
 
-ThreadTimes longest_times(const Family& family) {
-  ThreadTimes longest;
-  std::error_code ec;
-  for (const ProcessEntry& entry : family) {
-    const fs::path threads = fs::path("/proc") / std::to_string(entry.id) / "task";
-    for (fs::directory_iterator it(threads, ec), end; it != end && !ec; it.increment(ec)) {
-      const ThreadTimes times = times_in(it->path() / "schedstat");
-      longest.ran = std::max(longest.ran, times.ran);
-      longest.waited = std::max(longest.waited, times.waited);
-    }
-  }
-  return longest;
-}
-
-bool runnable(const Family& family) {
-  return any_in(family, 'R');
-}
-
 bool blocked(const Family& family) {
-  return any_in(family, 'D') && !runnable(family);
-}
-
-ThreadTimes own_times() {
-  return times_in("/proc/thread-self/schedstat");
+  return any_in(family, 'D') && !any_in(family, 'R');
 }
 
 std::size_t memory_bytes(const Family& family) {

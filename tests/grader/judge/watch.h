@@ -24,24 +24,8 @@ std::size_t memory_bytes(const Family& family);
 /// Their threads; a process has one at least.
 std::size_t threads_of(const Family& family);
 
-/// Seconds of threads that are there now (Linux, proc(5): schedstat). 0 where the system does not
-/// tell.
-struct ThreadTimes {
-  double ran = 0;     ///< on a processor, of the one that ran longest
-  double waited = 0;  ///< ready to run while others had them, of the one that waited longest
-
-  bool operator==(const ThreadTimes&) const = default;
-};
-ThreadTimes longest_times(const Family& family);
-
-/// Whether one of them runs, or waits for nothing but a processor.
-bool runnable(const Family& family);
-
 /// Whether none of them runs or could, and one waits for a disk, or for memory that others have.
 bool blocked(const Family& family);
-
-/// Those of the thread that calls.
-ThreadTimes own_times();
 
 /// Their processor seconds and those of children that they have waited for.
 double processor_seconds(const Family& family);
