@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# in_line_test.sh GRADER_TESTS: a worker stands in line for a processor for seconds on end, and its judge, which
+# in_line_test.sh GRADER_TESTS: a worker stands in line for a processor for longer than its deadline, and its judge, which
 # is favoured, does not: the wait is not charged, though the system tells of it only when it is over. As root.
 set -euo pipefail
 for tool in chrt taskset; do
@@ -8,7 +8,7 @@ done
 chrt -f 1 true 2>/dev/null || { echo "skipped: may not favour a program (root may)" && exit 77; }
 last=$(($(nproc) - 1))
 taskset -c "$last" chrt -f 1 bash -c 'while :; do
-  for ((end = ${EPOCHREALTIME/[.,]/} + 2500000; ${EPOCHREALTIME/[.,]/} < end; )); do :; done
+  for ((end = ${EPOCHREALTIME/[.,]/} + 1600000; ${EPOCHREALTIME/[.,]/} < end; )); do :; done
   sleep 0.4
 done' &
 other=$!
