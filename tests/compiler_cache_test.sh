@@ -6,6 +6,7 @@ set -euo pipefail
 compiler=$1
 shift
 [ $# != 0 ] || { echo "there is no compiler cache" && exit 77; }
+compile_header=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../common/cmake/compile_header.sh
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export CCACHE_DIR=$work/cache
@@ -13,7 +14,7 @@ cd "$work"
 
 compile() {
   rm -f first.h.gch
-  "$@" "$compiler" -std=c++20 -fpch-preprocess -Winvalid-pch -x c++-header -include first.h -MD -MF first.d -o first.h.gch -c empty.cpp
+  "$compile_header" "$@" "$compiler" -std=c++20 -fpch-preprocess -Winvalid-pch -x c++-header -include first.h -MD -MF first.d -o first.h.gch -c empty.cpp
   "$@" "$compiler" -std=c++20 -fpch-preprocess -Winvalid-pch -include first.h -MD -MF unit.d -o unit.o -c unit.cpp
 }
 

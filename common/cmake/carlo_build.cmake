@@ -32,10 +32,19 @@ if(CARLO_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   # only a comment differs, is that of other files; it is faster too, no file is preprocessed twice. What
   # was stored by other rules is in another namespace.
   set(CMAKE_CXX_COMPILER_LAUNCHER env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}"
-      CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_DEPEND=1 CCACHE_NAMESPACE=carlo-depend
-      "${CARLO_CCACHE}")
+      CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_DEPEND=1 CCACHE_PCH_EXTSUM=1
+      CCACHE_NAMESPACE=carlo-depend "${CARLO_CCACHE}")
   set(CARLO_OWN_LAUNCHER "${CARLO_CCACHE}")
 endif()
+
+# What a target precompiles is for others too (REUSE_FROM): for the compiler cache.
+function(carlo_header_for_all target)
+  if(CARLO_OWN_LAUNCHER)
+    set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER
+      "${PROJECT_SOURCE_DIR}/common/cmake/compile_header.sh;${CMAKE_CXX_COMPILER_LAUNCHER}")
+  endif()
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+endfunction()
 
 # What a student edits, and what is compiled once for each instruction set, stays by itself. OFF shows
 # whether each file includes all that it uses (tests/nightly.sh, apart).

@@ -108,8 +108,7 @@ function(carlo_lab_headers_once target name sources)
   endforeach()
   list(REMOVE_DUPLICATES headers)
   target_precompile_headers(${target} PRIVATE ${headers})
-  # For the compiler cache.
-  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+  carlo_header_for_all(${target})
 endfunction()
 
 # The worker of one patch, lab01_worker_KIND_<patch>. The other files of a lab in steps come from the

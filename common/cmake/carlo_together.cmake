@@ -115,7 +115,7 @@ function(carlo_common_headers target)
     add_library(carlo_headers OBJECT EXCLUDE_FROM_ALL "${empty}")
     set_target_properties(carlo_headers PROPERTIES UNITY_BUILD OFF)
     target_link_libraries(carlo_headers PRIVATE carlo::build carlo::unhurried carlo::strict fmt::fmt)
-    target_compile_options(carlo_headers PRIVATE -fpch-preprocess)  # for the compiler cache
+    carlo_header_for_all(carlo_headers)
     target_precompile_headers(carlo_headers PRIVATE <algorithm> <array> <cmath> <cstdint> <filesystem>
                               <fmt/format.h> <functional> <optional> <string> <string_view> <utility>
                               <vector>)
