@@ -1,4 +1,4 @@
-// Shares of a render and what merges of them: tests/renderer/shards_test.sh has the programs.
+// Shares of a render and what merges of them: tests/renderer/merge_test.sh has the programs.
 
 #include "render/merge.h"
 

@@ -1,37 +1,14 @@
 #!/usr/bin/env bash
-# shards_test.sh RENDERER MERGE SOURCE: `./carlo render --shard` and `./carlo merge` as programs: the bits of
-# one machine, killed shards, what is refused, and that nothing is left behind then. Which settings and
-# spoilt bytes are refused, and how: tests/common/part_test.cpp; all of it at length: shards_in_full.sh.
+# shards_test.sh RENDERER MERGE SOURCE: `./carlo render --shard` and `./carlo merge` as programs: killed
+# shards, what is refused, and that nothing is left behind then. The bits: merge_test.sh. Which settings
+# and spoilt bytes are refused, and how: tests/common/part_test.cpp.
 set -euo pipefail
 renderer=$1 merge=$2 source=$3
 . "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/expect_error.sh"
 cd "$scratch"
 box=$source/common/scenes/cornell_phong.xml
 
-# Scenes of each kernel and technique, a mesh among them; one thread and two.
-for scene in cornell_phong.xml caustics.xml procedural.xml mesh; do
-  file=$source/common/scenes/$scene
-  [ "$scene" != mesh ] || file=$source/tests/common/scenes/meshes.xml
-  "$renderer" "$file" --quiet --size 24x40 --spp 24 --seed 7 -o whole
-  for shard in 1 2 3 4 5; do
-    "$renderer" "$file" --quiet --size 24x40 --spp 24 --seed 7 --threads $((shard % 2 + 1)) \
-      --shard $shard/5 -o part$shard
-  done
-  "$merge" --quiet part4.part part2.part -o some.part
-  "$merge" --quiet part5.part some.part part1.part part3.part -o merged
-  for suffix in exr png error.png; do
-    cmp whole.$suffix merged.$suffix || complain "$scene: merged.$suffix has other bits"
-  done
-  strip() { grep -v '"\(seconds\|threads\|parts\|share\)"' "$1"; }
-  rm ./*.part
-  diff <(strip whole.json) <(strip merged.json) || complain "$scene: another report"
-done
-grep -q '"parts": 5' merged.json || complain 'the report does not tell the number of parts'
-
-# What is merged is a render like another: it goes on.
-"$renderer" --quiet --resume merged.exr --spp 48
-"$renderer" --quiet --resume whole.exr --spp 48
-cmp whole.exr merged.exr || complain 'a merged render goes on to other bits'
+"$renderer" "$box" --quiet --size 24x40 --spp 24 -o whole
 
 # shard I/N [ARGUMENTS...]: of a small render.
 shard() { "$renderer" "$box" --quiet --size 32x32 --spp 64 --shard "$@"; }
