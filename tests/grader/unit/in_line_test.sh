@@ -8,7 +8,7 @@ done
 chrt -f 1 true 2>/dev/null || { echo "skipped: may not favour a program (root may)" && exit 77; }
 last=$(($(nproc) - 1))
 taskset -c "$last" chrt -f 1 bash -c 'while :; do
-  for ((end = ${EPOCHREALTIME/[.,]/} + 1600000; ${EPOCHREALTIME/[.,]/} < end; )); do :; done
+  for ((end = ${EPOCHREALTIME/[.,]/} + 2500000; ${EPOCHREALTIME/[.,]/} < end; )); do :; done
   sleep 0.4
 done' &
 other=$!
