@@ -14,7 +14,7 @@ cd "$work"
 
 compile() {
   rm -f first.h.gch
-  "$compile_header" "$@" "$compiler" -std=c++20 -fpch-preprocess -Winvalid-pch -x c++-header -include first.h -MD -MF first.d -o first.h.gch -c empty.cpp
+  "$compile_header" ccache "$@" "$compiler" -std=c++20 -fpch-preprocess -Winvalid-pch -x c++-header -include first.h -MD -MF first.d -o first.h.gch -c empty.cpp
   "$@" "$compiler" -std=c++20 -fpch-preprocess -Winvalid-pch -include first.h -MD -MF unit.d -o unit.o -c unit.cpp
 }
 
@@ -29,3 +29,8 @@ done
 CPATH=$work compile "$@"
 hits=$(ccache --print-stats | awk '$1 == "direct_cache_hit" {print $2}')
 [ "${hits:-0}" -ge 2 ] || { echo "the cache found $hits of the last files, not all" && exit 1; }
+# One that was not compiled to its end has no checksum, least of all that of the one before.
+: >gone.gch.sum
+if "$compile_header" ccache false -o gone.gch || [ -e gone.gch.sum ]; then
+  echo "a header that does not compile has a checksum" && exit 1
+fi

@@ -41,7 +41,7 @@ endif()
 function(carlo_header_for_all target)
   if(CARLO_OWN_LAUNCHER)
     set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER
-      "${PROJECT_SOURCE_DIR}/common/cmake/compile_header.sh;${CMAKE_CXX_COMPILER_LAUNCHER}")
+      "${PROJECT_SOURCE_DIR}/common/cmake/compile_header.sh;${CARLO_CCACHE};${CMAKE_CXX_COMPILER_LAUNCHER}")
   endif()
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 endfunction()

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# in_line_test.sh GRADER_TESTS: a worker stands in line for a processor for longer than its deadline, and its judge, which
-# is favoured, does not: the wait is not charged, though the system tells of it only when it is over. As root.
+# in_line_test.sh GRADER_TESTS: a worker stands in line for a processor for longer than its deadline, and its
+# judge, which is favoured, does not: the wait is not charged, though the system tells of it only when it is
+# over. As root.
 set -euo pipefail
 for tool in chrt taskset; do
   command -v "$tool" >/dev/null || { echo "skipped: needs $tool" && exit 77; }
