@@ -1,5 +1,6 @@
 #include "renderer/lanes/lane_integrator.h"
 
+#include "cli/error.h"
 #include "renderer/lanes/lane_kernel.h"
 #include "renderer/lanes/lane_pilot.h"
 
@@ -89,6 +90,12 @@ std::unique_ptr<carlo::Integrator> make_lane_integrator(const carlo::Scene& scen
                                                         std::uint64_t seed,
                                                         const LaneChoices& choices,
                                                         std::optional<std::uint32_t> pilot_spp) {
+  if (lane_instruction_sets().empty()) {
+    throw carlo::Error(
+        "the vector kernel was compiled for another kind of processor than this machine's; cmake "
+        "--preset release -DCARLO_EVERY_INSTRUCTION_SET=ON and a build make it for all kinds, "
+        "--kernel scalar does without");
+  }
   return std::make_unique<LaneIntegrator>(scene, seed, choices, pilot_spp);
 }
 

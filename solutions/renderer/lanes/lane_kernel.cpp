@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -15,13 +16,30 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+// Highway insists on the oldest set. Compiled for this machine alone, there is nothing in it.
+#undef CARLO_EMPTY_SET
+#if defined(CARLO_WIDEST_SET_ALONE) && HWY_TARGET == HWY_STATIC_TARGET
+#define CARLO_EMPTY_SET
+#else
 // After the two above, which compile it anew.
 #include "renderer/lanes/lamp_paths-inl.h"
 #include "renderer/lanes/tile-inl.h"
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
+
+#if defined(CARLO_EMPTY_SET)
+// Never called: lane_instruction_sets() does not name it, so nothing renders by it.
+void render_tile(const LaneJob&, std::span<std::array<double, 3>>, carlo::Counts&) {
+  std::abort();
+}
+
+void trace_from_lamps(const LampJob&, carlo::Splats&, carlo::Counts&) {
+  std::abort();
+}
+#else
 
 /// Calls f with the Features of least cost that the job can do with.
 template <class F>
@@ -63,6 +81,7 @@ HWY_ATTR void trace_from_lamps(const LampJob& job, carlo::Splats& splats, carlo:
     if constexpr (Needs::lamps) run_lamps<Needs>(job, splats, counts);
   });
 }
+#endif
 
 std::string instruction_set() {
   return hwy::TargetName(HWY_TARGET);
@@ -94,8 +113,12 @@ std::string lane_instruction_set() {
 
 std::vector<std::string> lane_instruction_sets() {
   std::vector<std::string> names;
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+#if defined(CARLO_EMPTY_SET)
+    if (target == HWY_STATIC_TARGET) continue;
+#endif
     names.emplace_back(hwy::TargetName(target));
+  }
   return names;
 }
 

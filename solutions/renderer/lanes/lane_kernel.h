@@ -63,7 +63,8 @@ void render_lanes(const LaneJob& job, std::span<std::array<double, 3>> means,
 /// "AVX3", "AVX2" ...: what render_lanes() runs on.
 std::string lane_instruction_set();
 
-/// All on which it can run here, the widest first.
+/// All on which it can run here, the widest first: none where the program was compiled for the
+/// widest of another machine alone (CARLO_EVERY_INSTRUCTION_SET, CMakeLists.txt).
 std::vector<std::string> lane_instruction_sets();
 
 /// From now on render_lanes() runs on this instruction set, for measurements and tests; "" is the
