@@ -9,6 +9,8 @@
 #   sanitizers   every fast test under clang's address and undefined-behaviour sanitizers
 #   apart        each file compiled by itself: does it include all that it uses?
 #   tidy         clang-tidy of everything, its analyser included
+#   build        what the first `./carlo render` compiles: no more than 15 times tests/profile/yardstick.cpp
+#                (60 processor seconds where that takes 4; nothing else may run)
 #   calibration  the grader's errors: 200 seeds of the solutions, from another first one each day (a false
 #                alarm of one in a thousand gradings shows within the week), 5 of every mistake
 #   fuzz         ten minutes for each reader of foreign bytes
@@ -25,7 +27,7 @@ set -uo pipefail
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/..")
 cd "$root" || exit 1
 
-all=(thorough sanitizers apart tidy calibration fuzz paths shards slurm classes machines)
+all=(thorough sanitizers apart tidy build calibration fuzz paths shards slurm classes machines)
 
 thorough() {
   ./carlo test --solutions -C thorough
@@ -41,6 +43,10 @@ apart() {
 
 tidy() {
   tests/tidy.sh --all
+}
+
+build() {
+  tests/profile/build.sh --at-most 15 carlo_render
 }
 
 calibration() {

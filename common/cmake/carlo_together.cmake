@@ -1,4 +1,4 @@
-# carlo_compile_together(): the files of each target are compiled together, sixteen at a time, in the order
+# carlo_compile_together(): the files of each target are compiled together, 24 at a time, in the order
 # in which the target lists them: most of a small file's time goes into the headers that it shares with
 # its neighbours. To be called when all targets are there.
 #
@@ -83,8 +83,8 @@ function(carlo_compile_target_together target)
   foreach(group IN LISTS groups)
     list(LENGTH of_${group} count)
     math(EXPR last "${count} - 1")
-    foreach(first RANGE 0 ${last} 16)
-      list(SUBLIST of_${group} ${first} 16 file)
+    foreach(first RANGE 0 ${last} 24)
+      list(SUBLIST of_${group} ${first} 24 file)
       list(LENGTH file some)
       if(some GREATER 1)
         carlo_file_of(file ${target} ${group}_${first} "${file}")

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 namespace carlo {
@@ -15,9 +17,11 @@ struct PowerFit {
   std::size_t points = 0;
 
   /// The fitted y at x > 0.
-  double at(double x) const;
+  double at(double x) const { return std::exp(log_scale + slope * std::log(x)); }
   /// The confidence band of the fitted line at x > 0: it runs from at(x) / factor to at(x) factor.
-  double band_factor(double x) const;
+  double band_factor(double x) const {
+    return std::exp(std::hypot(mean_half_width, slope_half_width * (std::log(x) - mean_log_x)));
+  }
 
   // What the band is computed from.
   double mean_log_x = 0;       ///< weighted mean of log x
@@ -36,6 +40,9 @@ PowerFit fit_power_law(std::span<const double> x, std::span<const double> y,
 
 /// Where two power laws meet: the x at which both have the same y. Infinite when the slopes are
 /// equal.
-double crossing(const PowerFit& a, const PowerFit& b);
+inline double crossing(const PowerFit& a, const PowerFit& b) {
+  if (a.slope == b.slope) return std::numeric_limits<double>::infinity();
+  return std::exp((b.log_scale - a.log_scale) / (a.slope - b.slope));
+}
 
 }  // namespace carlo

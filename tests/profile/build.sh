@@ -1,7 +1,10 @@
 #!/usr/bin/env bash
-# build.sh [TARGET ...]: where the time of a build goes; ./carlo bench build. Builds everything, or the
-# targets, from nothing and without the compiler cache in build/profile, and prints processor seconds:
+# build.sh [--at-most N] [TARGET ...]: where the time of a build goes; ./carlo bench build. Builds everything,
+# or the targets, from nothing and without the compiler cache in build/profile, and prints processor seconds:
 # of each folder (front end, templates, code), of the dearest files, and of linking.
+#
+# The sum is told in yardsticks, too: what yardstick.cpp takes on this machine, before and after. With
+# --at-most the exit code is 1 when there are more. The machine should have nothing else to do.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 root=$(readlink -f "$here/../..")
@@ -10,6 +13,12 @@ case ${1:-} in
     sed -n '2,/^set/{s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}" | sed '$d'
     exit ;;
 esac
+at_most=''
+if [ "${1:-}" = --at-most ]; then
+  at_most=${2:-}
+  [[ $at_most =~ ^[0-9]+([.][0-9]+)?$ ]] || { printf 'build.sh: --at-most takes a number of yardsticks (got "%s")\n' "$at_most" >&2 && exit 2; }
+  shift 2
+fi
 
 build=$root/build/profile log=$root/build/profile/times.txt
 rm -rf "$build"
@@ -17,10 +26,25 @@ mkdir -p "$build"
 cmake -G Ninja -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS=-ftime-report \
   "-DCMAKE_CXX_COMPILER_LAUNCHER=$here/timed.sh;$log" "-DCARLO_OWN_LAUNCHER=$here/timed.sh;$log" \
   "-DCMAKE_CXX_LINKER_LAUNCHER=$here/timed.sh;$log" >/dev/null
+
+# Of one of as many at once as there are processors: neighbours slow each other.
+compiler=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$build/CMakeCache.txt")
+measure_yardstick() {
+  local i
+  for ((i = 0; i < $(nproc); ++i)); do
+    "$here/timed.sh" "$build/yardstick.txt" "$compiler" -std=c++20 -O2 -ftime-report -c "$here/yardstick.cpp" -o "$build/yardstick$i.o" &
+  done
+  wait
+}
+
+measure_yardstick
 begun=$SECONDS
 ninja -C "$build" --quiet "${@:-all}" >&2
+wall=$((SECONDS - begun))
+measure_yardstick
+yardstick=$(awk '{ sum += $1 } END { print sum / NR }' "$build/yardstick.txt")
 
-awk -v wall="$((SECONDS - begun))" '
+awk -v wall="$wall" -v yardstick="$yardstick" '
   function folder(path) {
     if (path !~ /\.(o|gch)$/) return "linking"
     if (path ~ /worker_(mistake|variant)/) return "mistakes and variants"
@@ -45,7 +69,16 @@ awk -v wall="$((SECONDS - begun))" '
     for (f in count) if (f != "all") printf "%s", line(f, count[f]) | "sort -k1,1"
     close("sort -k1,1")
     printf "%s", line("all", count["all"])
-    printf "wall clock: %d s\n\nthe dearest files:\n", wall
+    printf "wall clock: %d s\n", wall
+    printf "yardsticks: %.1f, of %.1f s each\n\nthe dearest files:\n", all["all"] / yardstick, yardstick
   }' "$log"
 # Not by a pipe into head: sort would end by a signal.
 sort -rn "$log" | sed -n '1,15p' | sed -E 's/CMakeFiles\/([^/]*)\.dir\/(.*together\/)?/\1: /'
+
+[ -z "$at_most" ] || awk -v yardstick="$yardstick" -v at_most="$at_most" '
+  { sum += $1 }
+  END {
+    if (sum / yardstick <= at_most) exit
+    printf "build.sh: %.1f yardsticks, %s are allowed\n", sum / yardstick, at_most
+    exit 1
+  }' "$log" >&2
