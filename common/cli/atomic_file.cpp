@@ -4,8 +4,8 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <fstream>
-#include <iterator>
 #include <random>
 #include <system_error>
 
@@ -62,7 +62,13 @@ void write_file(const fs::path& target, std::string_view text) {
 std::string read_file(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw Error("cannot read {}", path.string());
-  std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  // By pieces: what is read has no size if it is a pipe.
+  std::string text;
+  std::array<char, 1 << 16> piece;
+  do {
+    in.read(piece.data(), piece.size());
+    text.append(piece.data(), static_cast<std::size_t>(in.gcount()));
+  } while (in);
   if (in.bad()) throw Error("cannot read {}", path.string());
   return text;
 }

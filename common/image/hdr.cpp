@@ -1,5 +1,6 @@
 #include "image/hdr.h"
 
+#include "cli/atomic_file.h"
 #include "cli/error.h"
 #include "cli/number.h"
 
@@ -9,8 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,12 +23,8 @@ using Rgbe = std::array<std::uint8_t, 4>;
 
 class HdrReader {
  public:
-  explicit HdrReader(const std::filesystem::path& path) : path_(path.string()) {
-    std::ifstream in(path, std::ios::binary);
-    bytes_.assign(std::istreambuf_iterator<char>(in), {});
-    if (!in.good() && !in.eof()) fail("it cannot be read");
-    rest_ = bytes_;
-  }
+  explicit HdrReader(const std::filesystem::path& path)
+      : path_(path.string()), bytes_(read_file(path)), rest_(bytes_) {}
 
   Image read() {
     read_header();
