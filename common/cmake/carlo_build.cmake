@@ -101,8 +101,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(carlo_strict INTERFACE -Wno-psabi)
 endif()
 
-# For what waits for others (judges, tools, their tests): compiled in 2/5 of the time that -O3 takes (-O1: in
-# half), and under sanitizers in half of what -O1 takes. Fuzzed, they are called millions of times.
+# For what waits for others (most judges, tools, their tests): compiled in less time than -O1 takes, and under
+# sanitizers in half of it. Fuzzed, they are called millions of times.
 add_library(carlo_unhurried INTERFACE)
 add_library(carlo::unhurried ALIAS carlo_unhurried)
 # For what a verdict waits for, as it computes as much as the code that it judges.

@@ -239,6 +239,19 @@ TEST_CASE("Writing through a link keeps the link and replaces what it points to"
   CHECK(read_file(scratch.path() / "real") == "new");
 }
 
+TEST_CASE("A file is read whole, however long it is; a folder is an error") {
+  const TemporaryFolder scratch;
+  for (const std::size_t size : {0u, 1u, 65535u, 65536u, 65537u, 1000000u}) {
+    std::string text(size, 'a');
+    for (std::size_t i = 0; i < size; ++i)
+      text[i] = static_cast<char>(i * i % 251);
+    write_file(scratch.path() / "file", text);
+    CHECK(read_file(scratch.path() / "file") == text);
+  }
+  CHECK_THROWS_AS(read_file(scratch.path()), Error);
+  CHECK_THROWS_AS(read_file(scratch.path() / "nowhere"), Error);
+}
+
 TEST_CASE("A PNG is written whole and has its signature") {
   const TemporaryFolder scratch;
   write_png(scratch.path() / "a.png", random_image(8, 8, 1));
