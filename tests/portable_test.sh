@@ -131,7 +131,7 @@ printf '%s\n' "${2-${1##*/}}\${*:+ }\$*"
 EOF
   chmod +x "$1"
 }
-for program in carlo_course carlo_watch carlo_replay lab01 lab01_judge lab01_worker lab08_render; do
+for program in carlo_course carlo_keep carlo_watch carlo_replay lab01 lab01_judge lab01_worker lab08_render; do
   stand_in "$tree/build/release/bin/$program"
 done
 # Of what it is asked, the judge writes the questions down.

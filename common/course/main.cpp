@@ -8,7 +8,6 @@
 #include "course/hints.h"
 #include "course/status.h"
 #include "course/verdicts.h"
-#include "verdict/verdict_json.h"
 
 #include <fmt/core.h>
 
@@ -27,7 +26,7 @@ struct Options {
   std::string exercise;  ///< hint
   int step = 0, lab = 0;
   bool all = false, json = false, next = false;
-  std::string file;          ///< keep: the judge's verdicts; explain: the build's log
+  std::string file;          ///< explain: the build's log
   std::size_t messages = 3;  ///< explain
 
   fs::path labs() const { return root / "labs"; }
@@ -67,14 +66,6 @@ void status(const Options& options) {
   fmt::print("{}", options.json ? status_json(list) : wrapped(status_text(list, all)));
 }
 
-void keep(const Options& options) {
-  const std::vector<Lab> labs = load_labs(options.labs());
-  const Lab& lab = find_lab(labs, options.lab);
-  VerdictBook book(options.state("verdicts.json"));
-  book.take(lab_result_from_text(read_file(options.file)), lab, OwnCode(options.labs(), lab));
-  book.save();
-}
-
 void explain(const Options& options) {
   const std::string log = read_file(options.file);
   const std::vector<CompilerMessage> messages = compiler_messages(log, options.root);
@@ -102,9 +93,6 @@ int main(int argc, char** argv) {
     how_far.flag("--all", options.all, "list the exercises of all labs");
     how_far.flag("--json", options.json, "for programs");
     how_far.flag("--next", options.next, "only the number of the next exercise");
-    CommandLine keeper = verb("keep", "note what the judge said, for status");
-    keeper.option("lab", options.lab, "which lab").required();
-    keeper.option("verdicts", options.file, "the file of its --json").required();
     CommandLine explainer = verb("explain", "what a build's log says, the student's file first");
     explainer.option("log", options.file, "the log").required();
     explainer.option("--messages", options.messages, "how many").show_default();
@@ -112,7 +100,6 @@ int main(int argc, char** argv) {
 
     if (hints.chosen()) hint(options, one.given());
     if (how_far.chosen()) status(options);
-    if (keeper.chosen()) keep(options);
     if (explainer.chosen()) explain(options);
     return 0;
   });
