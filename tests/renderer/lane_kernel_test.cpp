@@ -8,6 +8,7 @@
 
 #include "lab_scenes.h"
 #include "lane_scenes.h"
+#include "oracle.h"
 #include "renderer/lanes/lane_boxes.h"
 #include "renderer/lanes/lane_scene.h"
 #include "scene/needs.h"
@@ -43,13 +44,12 @@ tiles::Estimate estimate(const Scene& scene, renderer::Kernel kernel, std::uint6
 
 }  // namespace
 
-TEST_CASE("The vector kernel agrees with the scalar integrator") {
+TEST_CASE("The vector kernel agrees with the scalar integrator", "[.scalar]") {
   const std::vector<Named> scenes = lane_scenes::all();
   REQUIRE(scenes.size() >= 21);
   for (const auto& [name, full] : scenes) {
     REQUIRE(renderer::LaneScene::suits(needs(full), full));
-    const Scene oracle_scene = small(full, SamplerKind::independent);
-    const tiles::Estimate oracle = estimate(oracle_scene, renderer::Kernel::scalar, 1);
+    const tiles::Estimate& oracle = oracle::of({name, full});
     for (const SamplerKind sampler : {SamplerKind::independent, SamplerKind::sobol}) {
       const Scene scene = small(full, sampler);
       const tiles::Estimate kernel = estimate(scene, renderer::Kernel::best, 2);
