@@ -9,8 +9,9 @@
 #   sanitizers   every fast test under clang's address and undefined-behaviour sanitizers
 #   apart        each file compiled by itself: does it include all that it uses?
 #   tidy         clang-tidy of everything, its analyser included
-#   build        what the first `./carlo render` compiles: no more than 15 times tests/profile/yardstick.cpp
-#                (60 processor seconds where that takes 4; nothing else may run)
+#   build        what the first `./carlo render` compiles, and the first `./carlo test 1`: no more than 15 and 8
+#                times tests/profile/yardstick.cpp (60 and 32 processor seconds where that takes 4; nothing else
+#                may run)
 #   calibration  the grader's errors: 200 seeds of the solutions, from another first one each day (a false
 #                alarm of one in a thousand gradings shows within the week), 5 of every mistake
 #   fuzz         ten minutes for each reader of foreign bytes
@@ -46,7 +47,10 @@ tidy() {
 }
 
 build() {
-  tests/profile/build.sh --at-most 15 carlo_render
+  local code=0
+  tests/profile/build.sh --at-most 15 carlo_render || code=1
+  tests/profile/build.sh --at-most 8 lab01_judge lab01_worker carlo_keep || code=1
+  return "$code"
 }
 
 calibration() {
