@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 
 namespace {
@@ -46,6 +47,26 @@ TEST_CASE("chi-square quantiles and noncentralities agree with closed forms", "[
     }
   }
   CHECK_THROWS_AS(carlo::chi_square_upper_quantile(-1, 2), std::domain_error);
+}
+
+// Of 2 n degrees of freedom the upper tail is the probability that a Poisson number of mean x / 2
+// is below n. The largest term by Stirling's series, in which all that is as large as n log n has
+// gone.
+TEST_CASE("chi-square tails are Poisson sums for many degrees of freedom", "[stats]") {
+  for (const double n : {50.0, 5e3, 5e5, 5e6}) {
+    for (const double z : {-5.0, -1.0, 0.0, 3.0, 8.0}) {
+      const double mean = n + z * std::sqrt(n), off = (mean - n) / n;
+      const double log_term = (n - 1) * std::log1p(off) - n * off -
+                              std::log(2 * std::numbers::pi * n) / 2 - 1 / (12 * n) +
+                              1 / (360 * n * n * n);
+      double term = std::exp(log_term), below = 0;
+      for (double k = n - 1; k >= 0 && term > 1e-18 * below; --k) {
+        below += term;
+        term *= k / mean;
+      }
+      CHECK(close(carlo::chi_square_upper(2 * mean, 2 * n), below, 2e-9));
+    }
+  }
 }
 
 TEST_CASE("chi-square tails agree with closed forms", "[stats]") {

@@ -8,8 +8,7 @@ namespace oracle {
 constexpr int size = 32, tile = 8;
 
 /// The scene by the scalar integrator, size x size pixels, tile by tile: 1024 independent samples a
-/// pixel, of a seed that no other test has. Once in a program for each name: it takes longer than
-/// what is compared with it.
+/// pixel, seed 99. Once in a program for each name: it takes longer than what is compared with it.
 const tiles::Estimate& of(const lane_scenes::Named& scene);
 
 }  // namespace oracle
