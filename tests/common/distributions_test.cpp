@@ -60,9 +60,9 @@ TEST_CASE("chi-square tails are Poisson sums for many degrees of freedom", "[sta
                               std::log(2 * std::numbers::pi * n) / 2 - 1 / (12 * n) +
                               1 / (360 * n * n * n);
       double term = std::exp(log_term), below = 0;
-      for (double k = n - 1; k >= 0 && term > 1e-18 * below; --k) {
+      for (auto k = static_cast<long>(n) - 1; k >= 0 && term > 1e-18 * below; --k) {
         below += term;
-        term *= k / mean;
+        term *= static_cast<double>(k) / mean;
       }
       CHECK(close(carlo::chi_square_upper(2 * mean, 2 * n), below, 2e-9));
     }
