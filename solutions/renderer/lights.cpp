@@ -2,6 +2,7 @@
 
 #include "cli/error.h"
 #include "frame.h"
+#include "mesh_light.h"
 #include "numeric/robust.h"
 #include "scene/center.h"
 #include "scene/match.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 namespace renderer {
 namespace {
@@ -72,13 +72,13 @@ AreaPoint sample_area(const Disk& s, Vec2 u) {
           carlo::rounding_bound(12) * (glm::abs(s.center) + Vec3(s.radius))};
 }
 
-AreaPoint sample_area(const Shape& shape, const MeshLight* mesh, Vec2 u) {
+AreaPoint sample_area(const Shape& shape, std::uint32_t triangle, Vec2 u) {
   return carlo::match(
       shape.geometry, [&](const Parallelogram& s) { return sample_area(s, u); },
       [&](const Sphere& s) { return sample_area(s, u); },
       [&](const Disk& s) { return sample_area(s, u); },
-      [&](const Mesh&) -> AreaPoint {
-        const carlo::TrianglePoint point = mesh->sample(u);
+      [&](const Mesh& s) -> AreaPoint {
+        const carlo::TrianglePoint point = sample_triangle(s, triangle, u);
         return {point.p, point.n, point.error};
       },
       [](const Sdf& s) -> AreaPoint { refuse(s); });
@@ -133,86 +133,121 @@ float area_pdf(Vec3 from, Vec3 p, Vec3 n, double area) {
                             (static_cast<double>(projected) * area));
 }
 
+double sum_of_channels(Rgb c) {
+  return static_cast<double>(c.r) + static_cast<double>(c.g) + static_cast<double>(c.b);
+}
+
+LightBounds bounds_of(const Parallelogram& s, double radiance) {
+  const Vec3d o(s.origin), u(s.u), v(s.v), across = o + u + v;
+  return {glm::min(glm::min(o, o + u), glm::min(o + v, across)),
+          glm::max(glm::max(o, o + u), glm::max(o + v, across)), glm::normalize(glm::cross(u, v)),
+          1, radiance * area_of(s)};
+}
+LightBounds bounds_of(const Disk& s, double radiance) {
+  const Vec3d n(s.normal);
+  const Vec3d half = static_cast<double>(s.radius) * glm::sqrt(glm::max(Vec3d(0), 1.0 - n * n));
+  return {Vec3d(s.center) - half, Vec3d(s.center) + half, n, 1, radiance * area_of(s)};
+}
+/// As bright as a disk of its radius from wherever it is seen.
+LightBounds bounds_of(const Sphere& s, double radiance) {
+  const Vec3d half(static_cast<double>(s.radius));
+  return {Vec3d(s.center) - half, Vec3d(s.center) + half, {}, -1, radiance * area_of(s) / 4};
+}
+LightBounds bounds_of(const carlo::PointLight& light) {
+  return {Vec3d(light.position), Vec3d(light.position), {}, -1, sum_of_channels(light.intensity)};
+}
+
 }  // namespace
 
 Lights::Lights(const Scene& scene) : scene_(scene) {
   entry_of_shape_.resize(scene.shapes.size());
-  std::vector<double> power;
-  const auto brightness = [](Rgb c) { return static_cast<double>(c.r + c.g + c.b); };
+  std::vector<LightBounds> bounds;
   for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
-    const Shape& shape = scene.shapes[i];
-    if (!shape.emits()) continue;
-    entry_of_shape_[i] = static_cast<std::uint32_t>(entries_.size());
-    entries_.push_back(shape_entry(i));
-    power.push_back(carlo::pi * entries_.back().area * brightness(shape.radiance));
+    if (scene.shapes[i].emits()) add_shape(i, bounds);
   }
   const auto& [points, environment, envmap] = scene.lights;
   (void)environment;  // is left to rays that meet no shape
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     if (points[i].intensity == Rgb(0)) continue;
     entries_.push_back({Entry::Kind::point, i});
-    power.push_back(4 * carlo::pi * brightness(points[i].intensity));
+    add_leaf(0, bounds_of(points[i]), bounds);
   }
   if (envmap) envmap_.emplace(*envmap);
-  const bool envmap_is_sampled = envmap && !scene.shapes.empty();
-  if (envmap_is_sampled) {
-    // What arrives in the sphere around the scene.
-    const double radius = carlo::diameter(scene) / 2;
-    far_ = static_cast<float>(4 * radius);
+  envmap_is_sampled_ = envmap && !scene.shapes.empty();
+  std::optional<double> around;
+  if (envmap_is_sampled_) {
+    far_ = static_cast<float>(2 * carlo::diameter(scene));
     entries_.push_back({Entry::Kind::envmap, 0});
-    power.push_back(carlo::pi * radius * radius * envmap_->brightness);
+    leaves_.push_back({static_cast<std::uint32_t>(entries_.size() - 1), 0, 0});
+    // The mean over all orientations of the surface.
+    around = envmap_->brightness / 4;
   }
-  cdf_ = running_sum(power);
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    entries_[i].probability = power[i] / cdf_.back();
-  }
-  if (envmap_is_sampled) envmap_probability_ = entries_.back().probability;
+  if (!leaves_.empty()) tree_.emplace(bounds, around);
 }
 
-Lights::Entry Lights::shape_entry(std::uint32_t index) {
+void Lights::add_leaf(double area, const LightBounds& bounds, std::vector<LightBounds>& all,
+                      std::uint32_t triangle) {
+  leaves_.push_back({static_cast<std::uint32_t>(entries_.size() - 1), triangle, area});
+  all.push_back(bounds);
+}
+
+void Lights::add_shape(std::uint32_t index, std::vector<LightBounds>& all) {
+  const Shape& shape = scene_.shapes[index];
+  entry_of_shape_[index] = static_cast<std::uint32_t>(entries_.size());
+  entries_.push_back(shape_entry(index));
+  entries_.back().first_leaf = static_cast<std::uint32_t>(leaves_.size());
+  const double radiance = sum_of_channels(shape.radiance);
+  const auto add = [&](const auto& s) { add_leaf(area_of(s), bounds_of(s, radiance), all); };
+  carlo::match(
+      shape.geometry, [&](const Parallelogram& s) { add(s); }, [&](const Sphere& s) { add(s); },
+      [&](const Disk& s) { add(s); },
+      [&](const Mesh& s) {
+        for (std::uint32_t i = 0; i < s.triangles.size(); ++i)
+          add_leaf(triangle_area(s, i), triangle_bounds(s, i, radiance), all, i);
+      },
+      [](const Sdf& s) { refuse(s); });
+}
+
+Lights::Entry Lights::shape_entry(std::uint32_t index) const {
   Entry entry{Entry::Kind::shape, index};
   carlo::match(
       scene_.shapes[index].geometry,
       [&](const Parallelogram& s) {
-        entry.area = area_of(s);
         entry.shades_itself = false;
         if (is_rectangle(s)) entry.rectangle.emplace(s);
       },
       [&](const Sphere& s) {
-        entry.area = area_of(s);
         entry.shades_itself = s.flipped;
         // One that emits outwards does not light its inside. One that emits inwards is sampled by
         // area: from the outside its near half is in the way, and points on it may be rounded
         // either way.
         if (!s.flipped) entry.ball = &s;
       },
-      [&](const Disk& s) {
-        entry.area = area_of(s);
-        entry.shades_itself = false;
-      },
-      [&](const Mesh& s) {
-        entry.mesh = std::make_shared<const MeshLight>(s);
-        entry.area = entry.mesh->area();
-      },
+      [&](const Disk&) { entry.shades_itself = false; }, [&](const Mesh& s) { entry.mesh = &s; },
       [](const Sdf& s) { refuse(s); });
   return entry;
 }
 
-const Lights::Entry& Lights::choose(float u) const {
-  return entries_.size() == 1 ? entries_[0] : entries_[pick(cdf_, u)];
-}
-
-std::optional<LightSample> Lights::sample(const Place& from, float u_light, Vec2 u) const {
-  const Entry& entry = choose(u_light);
-  switch (entry.kind) {
+std::optional<LightSample> Lights::sample(const Receiver& from, float u_light, Vec2 u) const {
+  const auto choice = tree_->sample(Vec3d(from.p), Vec3d(from.n), with_more_digits(u_light, u));
+  if (!choice) return std::nullopt;
+  const Leaf& leaf = leaves_[choice->light];
+  const auto chance = static_cast<float>(choice->chance);
+  std::optional<LightSample> sample;
+  switch (entries_[leaf.entry].kind) {
     case Entry::Kind::shape:
-      return sample_shape(entry, from, u);
+      sample = sample_shape(leaf, from, u);
+      break;
     case Entry::Kind::point:
-      return sample_point(entry, from);
+      sample = sample_point(entries_[leaf.entry], from);
+      if (sample) sample->radiance /= chance;
+      break;
     case Entry::Kind::envmap:
-      return sample_envmap(entry, from, u);
+      sample = sample_envmap(from, u);
+      break;
   }
-  return std::nullopt;
+  if (sample) sample->pdf *= chance;
+  return sample;
 }
 
 std::optional<LightSample> Lights::sample_point(const Entry& entry, const Place& from) const {
@@ -220,40 +255,32 @@ std::optional<LightSample> Lights::sample_point(const Entry& entry, const Place&
   const Vec3 d = light.position - from.p;
   const float distance2 = glm::dot(d, d);
   if (!(distance2 > 0)) return std::nullopt;
-  const auto probability = static_cast<float>(entry.probability);
-  return LightSample{light.position,
-                     Vec3(0),
-                     Vec3(0),
-                     light.intensity / (distance2 * probability),
-                     0,
-                     carlo::Intersector::nothing,
-                     false};
+  return LightSample{
+      light.position, Vec3(0), Vec3(0), light.intensity / distance2, 0, carlo::Intersector::nothing,
+      false};
 }
 
-LightSample Lights::sample_envmap(const Entry& entry, const Place& from, Vec2 u) const {
+LightSample Lights::sample_envmap(const Place& from, Vec2 u) const {
   const EnvmapTable::Sample sample = envmap_->sample(u);
-  return {from.p + far_ * sample.wi,
-          Vec3(0),
-          Vec3(0),
-          sample.radiance,
-          static_cast<float>(entry.probability) * sample.pdf,
-          carlo::Intersector::nothing,
-          false};
+  return {from.p + far_ * sample.wi,   Vec3(0), Vec3(0), sample.radiance, sample.pdf,
+          carlo::Intersector::nothing, false};
 }
 
-EnvmapTable::Texel Lights::beyond(Vec3 d) const {
+EnvmapTable::Texel Lights::beyond(const Receiver& from, Vec3 d) const {
   if (!envmap_) return {Rgb(0), 0};
-  const EnvmapTable::Texel texel = envmap_->at(d);
-  return {texel.radiance, static_cast<float>(envmap_probability_) * texel.pdf};
+  EnvmapTable::Texel texel = envmap_->at(d);
+  if (!envmap_is_sampled_) return {texel.radiance, 0};
+  const auto last = static_cast<std::uint32_t>(leaves_.size() - 1);
+  texel.pdf *= static_cast<float>(tree_->chance(last, Vec3d(from.p), Vec3d(from.n)));
+  return texel;
 }
 
-std::optional<LightSample> Lights::sample_shape(const Entry& entry, const Place& from,
-                                                Vec2 u) const {
+std::optional<LightSample> Lights::sample_shape(const Leaf& leaf, const Place& from, Vec2 u) const {
+  const Entry& entry = entries_[leaf.entry];
   const Shape& shape = scene_.shapes[entry.index];
   const auto result = [&](const AreaPoint& point, float density) -> std::optional<LightSample> {
     if (!(density > 0) || !std::isfinite(density)) return std::nullopt;
-    const auto probability = static_cast<float>(entry.probability);
-    LightSample sample{point.p, point.error, point.n, shape.radiance, probability * density};
+    LightSample sample{point.p, point.error, point.n, shape.radiance, density};
     if (!entry.shades_itself) sample.shape = entry.index, sample.shades_itself = false;
     return sample;
   };
@@ -271,18 +298,21 @@ std::optional<LightSample> Lights::sample_shape(const Entry& entry, const Place&
     return result(sample_sphere_cone(*entry.ball, from.p, u),
                   cone_pdf(cone_of(*entry.ball, from.p)));
   }
-  const AreaPoint point = sample_area(shape, entry.mesh.get(), u);
+  const AreaPoint point = sample_area(shape, leaf.triangle, u);
   if (!in_front(from, Vec3d(point.p), point.error, Vec3d(point.n))) return std::nullopt;
-  return result(point, area_pdf(from.p, point.p, point.n, entry.area));
+  return result(point, area_pdf(from.p, point.p, point.n, leaf.area));
 }
 
-float Lights::pdf(const Place& from, const carlo::Hit& hit) const {
+float Lights::pdf(const Receiver& from, const carlo::Hit& hit) const {
   const Entry& entry = entries_[entry_of_shape_[hit.shape]];
-  return static_cast<float>(entry.probability) *
-         shape_pdf(entry, from, {hit.p, hit.p_error}, hit.n);
+  const std::uint32_t leaf = entry.first_leaf + (entry.mesh != nullptr ? hit.primitive : 0);
+  const float density = shape_pdf(leaves_[leaf], from, {hit.p, hit.p_error}, hit.n);
+  if (!(density > 0)) return 0;
+  return density * static_cast<float>(tree_->chance(leaf, Vec3d(from.p), Vec3d(from.n)));
 }
 
-float Lights::shape_pdf(const Entry& entry, const Place& from, const Place& point, Vec3 n) const {
+float Lights::shape_pdf(const Leaf& leaf, const Place& from, const Place& point, Vec3 n) const {
+  const Entry& entry = entries_[leaf.entry];
   if (entry.rectangle) {
     if (!in_front(from, *entry.rectangle)) return 0;
     const SphericalRectangle seen(*entry.rectangle, from.p);
@@ -294,7 +324,7 @@ float Lights::shape_pdf(const Entry& entry, const Place& from, const Place& poin
     return outside(*entry.ball, from) ? cone_pdf(cone_of(*entry.ball, from.p)) : 0;
   }
   return in_front(from, Vec3d(point.p), point.error, Vec3d(n))
-             ? area_pdf(from.p, point.p, n, entry.area)
+             ? area_pdf(from.p, point.p, n, leaf.area)
              : 0;
 }
 

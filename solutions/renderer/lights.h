@@ -3,12 +3,11 @@
 #include "geometry/intersector.h"
 #include "numeric/vec.h"
 #include "renderer/envmap_table.h"
-#include "renderer/mesh_light.h"
+#include "renderer/light_tree.h"
 #include "renderer/spherical_rectangle.h"
 #include "scene/scene.h"
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -23,6 +22,11 @@ struct Place {
   Vec3 p{0}, error{0};
 };
 
+/// One that light falls on: n is the unit normal of the side that is lit.
+struct Receiver : Place {
+  Vec3 n{0};
+};
+
 /// A point of a light as seen from a surface point.
 struct LightSample {
   Vec3 p;        ///< on the light; of the image around the scene beyond all shapes
@@ -35,56 +39,66 @@ struct LightSample {
   bool shades_itself = true;                          ///< otherwise
 };
 
-/// Chooses among a scene's lights in proportion to their power, and samples the chosen one:
+/// Chooses among a scene's lights by what they can bring to a point, and samples the chosen one:
 /// rectangles and spheres by solid angle, other shapes by area, the image around the scene by its
-/// luminance.
+/// luminance. Of a mesh each triangle is a light.
 class Lights {
  public:
   /// Keeps a reference to `scene`.
   explicit Lights(const carlo::Scene& scene);
 
-  bool empty() const { return entries_.empty(); }
+  bool empty() const { return leaves_.empty(); }
 
   /// Nothing when the light sends no radiance to `from`, or when rounding hides whether it does: a
   /// flat light does not light itself. What comes from there is left to rays that meet the light.
-  std::optional<LightSample> sample(const Place& from, float u_light, Vec2 u) const;
+  std::optional<LightSample> sample(const Receiver& from, float u_light, Vec2 u) const;
 
   /// The density, per solid angle at `from`, with which sample() gives the point of `hit`; the hit
   /// shape must emit. 0 where sample() gives nothing.
-  float pdf(const Place& from, const carlo::Hit& hit) const;
+  float pdf(const Receiver& from, const carlo::Hit& hit) const;
 
   /// What rays in direction d bring from the image around the scene, and the density with which
-  /// sample() gives d; 0 of both if there is none.
-  EnvmapTable::Texel beyond(Vec3 d) const;
+  /// sample() gives d at `from`; 0 of both if there is none.
+  EnvmapTable::Texel beyond(const Receiver& from, Vec3 d) const;
 
  private:
+  /// A shape, a point or the image around the scene.
   struct Entry {
     enum class Kind { shape, point, envmap };
     Kind kind;
     std::uint32_t index;  ///< among the scene's shapes or point lights; of the image 0
     std::optional<RectangleFrame> rectangle = std::nullopt;  ///< of lights sampled by solid angle,
     const carlo::Sphere* ball = nullptr;  ///< and of those sampled by their cone of directions
-    std::shared_ptr<const MeshLight> mesh = nullptr;  ///< of a mesh
-    bool shades_itself = true;                        ///< as LightSample's
-    double probability = 0;
-    double area = 0;
+    const carlo::Mesh* mesh = nullptr;
+    bool shades_itself = true;  ///< as LightSample's
+    std::uint32_t first_leaf = 0;
+  };
+  /// What is chosen: an entry, of a mesh one of its triangles.
+  struct Leaf {
+    std::uint32_t entry;
+    std::uint32_t triangle;
+    double area;
   };
 
-  Entry shape_entry(std::uint32_t index);
-  const Entry& choose(float u) const;
+  Entry shape_entry(std::uint32_t index) const;
+  /// An entry's leaf, and what its choice goes by.
+  void add_leaf(double area, const LightBounds& bounds, std::vector<LightBounds>& all,
+                std::uint32_t triangle = 0);
+  void add_shape(std::uint32_t index, std::vector<LightBounds>& all);
   std::optional<LightSample> sample_point(const Entry& entry, const Place& from) const;
-  LightSample sample_envmap(const Entry& entry, const Place& from, Vec2 u) const;
-  std::optional<LightSample> sample_shape(const Entry& entry, const Place& from, Vec2 u) const;
-  /// Density at `from` of a point with normal n of a shape.
-  float shape_pdf(const Entry& entry, const Place& from, const Place& point, Vec3 n) const;
+  LightSample sample_envmap(const Place& from, Vec2 u) const;
+  std::optional<LightSample> sample_shape(const Leaf& leaf, const Place& from, Vec2 u) const;
+  /// Density at `from` of a point with normal n of a leaf that is (of) a shape.
+  float shape_pdf(const Leaf& leaf, const Place& from, const Place& point, Vec3 n) const;
 
   const carlo::Scene& scene_;
   std::vector<Entry> entries_;
-  std::vector<double> cdf_;  ///< of the choice, ends at 1
+  std::vector<Leaf> leaves_;
+  std::optional<LightTree> tree_;  ///< of the leaves
   std::vector<std::uint32_t> entry_of_shape_;
   std::optional<EnvmapTable> envmap_;
-  double envmap_probability_ = 0;
-  float far_ = 0;  ///< beyond all shapes, from wherever
+  bool envmap_is_sampled_ = false;  ///< as the last leaf
+  float far_ = 0;                   ///< beyond all shapes, from wherever
 };
 
 }  // namespace renderer

@@ -13,10 +13,18 @@ using carlo::Vec2;
 using carlo::Vec3;
 using Vec3d = glm::dvec3;
 
-double triangle_area(const carlo::Mesh& mesh, glm::uvec3 corner) {
+/// The normal, as long as twice the area.
+Vec3d long_normal(const carlo::Mesh& mesh, glm::uvec3 corner) {
   const Vec3d a(mesh.positions[corner.x]);
-  return 0.5 * glm::length(glm::cross(Vec3d(mesh.positions[corner.y]) - a,
-                                      Vec3d(mesh.positions[corner.z]) - a));
+  return glm::cross(Vec3d(mesh.positions[corner.y]) - a, Vec3d(mesh.positions[corner.z]) - a);
+}
+
+LightTree tree_of(const carlo::Mesh& mesh) {
+  std::vector<LightBounds> bounds;
+  bounds.reserve(mesh.triangles.size());
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
+    bounds.push_back(triangle_bounds(mesh, i, 1));
+  return LightTree(bounds);
 }
 
 }  // namespace
@@ -28,31 +36,61 @@ std::vector<double> running_sum(std::vector<double> values) {
   return values;
 }
 
-std::size_t pick(std::span<const double> sums, float& u) {
-  const double x = static_cast<double>(u) * sums.back();
+std::size_t pick(std::span<const double> sums, double& u) {
+  const double x = u * sums.back();
   const auto it = std::upper_bound(sums.begin(), sums.end() - 1, x);
   const auto i = static_cast<std::size_t>(it - sums.begin());
   const double lower = i == 0 ? 0 : sums[i - 1];
-  u = std::clamp(static_cast<float>((x - lower) / (sums[i] - lower)), 0.0f, 0x1.fffffep-1f);
+  u = std::clamp((x - lower) / (sums[i] - lower), 0.0, 1 - 0x1p-53);
   return i;
 }
 
-MeshLight::MeshLight(const carlo::Mesh& mesh) : mesh_(&mesh) {
-  std::vector<double> areas;
-  areas.reserve(mesh.triangles.size());
-  for (const glm::uvec3 corner : mesh.triangles)
-    areas.push_back(triangle_area(mesh, corner));
-  areas_ = running_sum(std::move(areas));
+double triangle_area(const carlo::Mesh& mesh, std::uint32_t triangle) {
+  return 0.5 * glm::length(long_normal(mesh, mesh.triangles[triangle]));
 }
 
-carlo::TrianglePoint MeshLight::sample(Vec2 u) const {
-  const glm::uvec3 corner = mesh_->triangles[pick(areas_, u.x)];
-  const Vec3 a = mesh_->positions[corner.x], ab = mesh_->positions[corner.y] - a,
-             ac = mesh_->positions[corner.z] - a;
+LightBounds triangle_bounds(const carlo::Mesh& mesh, std::uint32_t triangle, double radiance) {
+  const glm::uvec3 corner = mesh.triangles[triangle];
+  const Vec3d a(mesh.positions[corner.x]), b(mesh.positions[corner.y]), c(mesh.positions[corner.z]);
+  const Vec3d normal = long_normal(mesh, corner);
+  return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)), glm::normalize(normal), 1,
+          radiance * 0.5 * glm::length(normal)};
+}
+
+carlo::TrianglePoint sample_triangle(const carlo::Mesh& mesh, std::uint32_t triangle, Vec2 u) {
+  const glm::uvec3 corner = mesh.triangles[triangle];
+  const Vec3 a = mesh.positions[corner.x], ab = mesh.positions[corner.y] - a,
+             ac = mesh.positions[corner.z] - a;
   const float root = std::sqrt(u.x);
   return {a + root * (1 - u.y) * ab + root * u.y * ac,
           carlo::rounding_bound(12) * (glm::abs(a) + glm::abs(ab) + glm::abs(ac)),
           Vec3(glm::normalize(glm::cross(Vec3d(ab), Vec3d(ac))))};
+}
+
+MeshLight::MeshLight(const carlo::Mesh& mesh) : mesh_(&mesh), tree_(tree_of(mesh)) {
+  std::vector<double> areas;
+  areas.reserve(mesh.triangles.size());
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
+    areas.push_back(triangle_area(mesh, i));
+  areas_ = running_sum(std::move(areas));
+}
+
+MeshLight::Sample MeshLight::sample(Vec2 u) const {
+  double x = with_more_digits(u.x, u);
+  const auto triangle = static_cast<std::uint32_t>(pick(areas_, x));
+  return {sample_triangle(*mesh_, triangle, {below_one(x), u.y}), triangle, 1 / area()};
+}
+
+MeshLight::Sample MeshLight::sample(Vec3 p, Vec3 n, Vec2 u) const {
+  const auto choice = tree_.sample(Vec3d(p), Vec3d(n), with_more_digits(u.x, u));
+  if (!choice) return {};
+  const std::uint32_t triangle = choice->light;
+  return {sample_triangle(*mesh_, triangle, {below_one(choice->u), u.y}), triangle,
+          choice->chance / triangle_area(*mesh_, triangle)};
+}
+
+double MeshLight::density(Vec3 p, Vec3 n, std::uint32_t triangle) const {
+  return tree_.chance(triangle, Vec3d(p), Vec3d(n)) / triangle_area(*mesh_, triangle);
 }
 
 }  // namespace renderer

@@ -104,7 +104,7 @@ class PathIntegrator final : public carlo::Integrator {
     float eta_scale = 1;    ///< radiance compression so far; undone when the path leaves the glass
     bool competes = false;  ///< was next-event estimation done for the ray's direction?
     float pdf = 0;          ///< if so: of the ray's direction,
-    Place vertex;           ///< and where
+    Receiver vertex;        ///< and where
     std::uint32_t dimension = film_dimensions;  ///< the current vertex's first
   };
 
@@ -163,7 +163,7 @@ class PathIntegrator final : public carlo::Integrator {
     const auto& [points, environment, envmap] = scene_.lights;
     (void)points;  // no ray meets a point
     if (!envmap) return environment;
-    const EnvmapTable::Texel texel = lights_.beyond(path.ray.d);
+    const EnvmapTable::Texel texel = lights_.beyond(path.vertex, path.ray.d);
     const float weight = path.competes ? power_heuristic(path.pdf, texel.pdf) : 1;
     return environment + weight * texel.radiance;
   }
@@ -190,7 +190,7 @@ class PathIntegrator final : public carlo::Integrator {
     if (!next) return false;
     path.beta *= next->weight;
     path.pdf = next->pdf;
-    path.vertex = {hit.p, hit.p_error};
+    path.vertex = {{hit.p, hit.p_error}, normal};
     path.competes = !lights_.empty();
     spawn(path, hit, next->wi);
     return survive(path, sampler);
@@ -199,7 +199,7 @@ class PathIntegrator final : public carlo::Integrator {
   /// Light that reaches the surface straight from a light, by sampling lights.
   Rgb direct(const Hit& hit, Vec3 normal, Vec3 wo, const ModifiedPhong& bsdf, float u_light,
              Vec2 u_point, Counts& counts) const {
-    const auto light = lights_.sample({hit.p, hit.p_error}, u_light, u_point);
+    const auto light = lights_.sample({{hit.p, hit.p_error}, normal}, u_light, u_point);
     if (!light) return Rgb(0);
     const Vec3 wi = glm::normalize(light->p - hit.p);
     const ModifiedPhong::Value value = bsdf.evaluate(normal, wo, wi);

@@ -42,7 +42,7 @@ Spread irradiance(const Scene& scene, Vec3 from, int n) {
     const float u_light = rng.uniform_float();
     const float u = rng.uniform_float();
     const float v = rng.uniform_float();
-    const auto point = lights.sample({from}, u_light, {u, v});
+    const auto point = lights.sample({{from}, {0, 0, 1}}, u_light, {u, v});
     if (!point) continue;
     const double e = static_cast<double>(std::max(0.0f, glm::normalize(point->p - from).z)) /
                      static_cast<double>(point->pdf);
@@ -57,7 +57,7 @@ HardCase tiny_sphere() {
   const float ratio = 1e-4f;
   const Scene scene = lit_by({carlo::Sphere{{0, 0, 1}, ratio}});
   const renderer::Lights lights(scene);
-  const auto point = lights.sample({}, 0.5f, {0.3f, 0.6f});
+  const auto point = lights.sample({{}, {0, 0, 1}}, 0.5f, {0.3f, 0.6f});
   const double ours = point ? 1 / static_cast<double>(point->pdf) : 0;
   const float cosine = std::sqrt(1 - ratio * ratio);
   const auto naive = static_cast<double>(2 * carlo::pi_f * (1 - cosine));
@@ -184,7 +184,7 @@ HardCase shadow_ends() {
     const Vec3 o(1000 * rng.uniform_float(), 1000 * rng.uniform_float(), rng.uniform_float());
     const float u = rng.uniform_float();
     const float v = rng.uniform_float();
-    const auto point = lights.sample({o}, 0.5f, {u, v});
+    const auto point = lights.sample({{o}, {0, 0, 1}}, 0.5f, {u, v});
     if (!point) continue;
     const carlo::ShadowRay shadow = carlo::shadow_ray(o, point->p, point->p_error, point->n);
     ours += intersector.occluded(shadow.ray, shadow.length) ? 1 : 0;

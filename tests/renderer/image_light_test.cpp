@@ -195,12 +195,13 @@ struct Spread {
 /// by the image, weighed by the power heuristic, or both as the ground reflects.
 Spread reflected(const Scene& scene, bool by_image) {
   const renderer::Lights lights(scene);
+  const renderer::Receiver here{{}, {0, 1, 0}};
   Rng rng(7);
   const auto cosine_weighted = [&](bool competes) {
     const float x = rng.uniform_float();
     const Vec3 local = renderer::sample_cosine_hemisphere({x, rng.uniform_float()});
     const Vec3 wi(local.x, local.z, local.y);
-    const renderer::EnvmapTable::Texel texel = lights.beyond(wi);
+    const renderer::EnvmapTable::Texel texel = lights.beyond(here, wi);
     const float ratio = texel.pdf / renderer::cosine_hemisphere_pdf(wi.y);
     const float weight = competes ? 1 / (1 + ratio * ratio) : 1;
     return static_cast<double>(.5f * weight * texel.radiance.g);
@@ -208,7 +209,7 @@ Spread reflected(const Scene& scene, bool by_image) {
   const auto image_weighted = [&] {
     const float u_light = rng.uniform_float();
     const float x = rng.uniform_float();
-    const auto light = lights.sample({}, u_light, {x, rng.uniform_float()});
+    const auto light = lights.sample(here, u_light, {x, rng.uniform_float()});
     const Vec3 wi = glm::normalize(light->p);
     if (!(wi.y > 0)) return 0.0;
     const float ratio = renderer::cosine_hemisphere_pdf(wi.y) / light->pdf;

@@ -38,7 +38,7 @@ Estimate irradiance(const Scene& scene, Vec3 n, int count, Vec3 from = Vec3(0)) 
     const float x = rng.uniform_float();
     const float y = rng.uniform_float();
     double e = 0;
-    if (const auto s = lights.sample({from}, u_light, {x, y})) {
+    if (const auto s = lights.sample({{from}, n}, u_light, {x, y})) {
       const float cosine = std::max(0.0f, glm::dot(n, glm::normalize(s->p - from)));
       e = static_cast<double>(cosine * s->radiance.r) / (s->pdf > 0 ? s->pdf : 1);
     }
@@ -86,7 +86,7 @@ TEST_CASE("From inside an inward-facing sphere irradiance is pi wherever one sta
   const Intersector geometry(scene);
   const Vec3 outside(5, 0, 0);
   for (const Vec2 u : {Vec2(.1f, .2f), Vec2(.5f, .5f), Vec2(.9f, .6f)}) {
-    const auto s = Lights(scene).sample({outside}, 0.5f, u);
+    const auto s = Lights(scene).sample({{outside}, {-1, 0, 0}}, 0.5f, u);
     if (!s) continue;
     const Vec3 d = s->p - outside;
     CHECK(geometry.occluded({outside, glm::normalize(d)}, glm::length(d) * (1 - 1e-4f)));
@@ -151,6 +151,7 @@ TEST_CASE("pdf() is the density with which sample() gives the point that a ray h
   scene.materials.emplace_back();
   scene.shapes = shapes;
   const Lights lights(scene);
+  const renderer::Receiver here{{}, {0, 0, 1}};
   const Intersector geometry(scene);
   Rng rng(4);
   std::vector<int> seen(shapes.size());
@@ -158,13 +159,13 @@ TEST_CASE("pdf() is the density with which sample() gives the point that a ray h
     const float u_light = rng.uniform_float();
     const float x = rng.uniform_float();
     const float y = rng.uniform_float();
-    const auto s = lights.sample({}, u_light, {x, y});
+    const auto s = lights.sample(here, u_light, {x, y});
     if (!s) continue;
     Hit hit;
     if (!geometry.intersect({Vec3(0), glm::normalize(s->p)}, hit)) continue;
     if (glm::length(hit.p - s->p) > 1e-3f * glm::length(s->p)) continue;  // something stands before
     ++seen[hit.shape];
-    CHECK(std::abs(lights.pdf({}, hit) / s->pdf - 1) <= 2e-3f);
+    CHECK(std::abs(lights.pdf(here, hit) / s->pdf - 1) <= 2e-3f);
   }
   for (const int count : seen)
     CHECK(count > 50);
@@ -177,6 +178,7 @@ TEST_CASE("beyond() is the density with which sample() gives a direction to the 
     map.image.pixels[i] = Rgb(static_cast<float>(i % 5));
   scene.lights.envmap = map;
   const Lights lights(scene);
+  const renderer::Receiver here{{}, {0, 0, 1}};
   Rng rng(6);
   int seen = 0, elsewhere = 0;
   double irradiance = 0;
@@ -184,12 +186,12 @@ TEST_CASE("beyond() is the density with which sample() gives a direction to the 
   for (int i = 0; i < count; ++i) {
     const float u_light = rng.uniform_float();
     const float x = rng.uniform_float();
-    const auto s = lights.sample({}, u_light, {x, rng.uniform_float()});
+    const auto s = lights.sample(here, u_light, {x, rng.uniform_float()});
     if (!s || s->n != Vec3(0)) continue;
     ++seen;
     const Vec3 wi = glm::normalize(s->p);
     CHECK(glm::length(s->p) > 10);  // beyond the disk, as seen from anywhere
-    const auto texel = lights.beyond(wi);
+    const auto texel = lights.beyond(here, wi);
     elsewhere += texel.radiance == s->radiance && texel.pdf == s->pdf ? 0 : 1;
     irradiance += static_cast<double>(s->radiance.r * std::max(0.0f, wi.z) / s->pdf);
   }
@@ -217,7 +219,7 @@ TEST_CASE("A point light gives intensity over distance squared, whatever else sh
   Rng rng(5);
   double sum = 0;
   for (int i = 0; i < 200000; ++i) {
-    const auto s = lights.sample({}, rng.uniform_float(), {.5f, .5f});
+    const auto s = lights.sample({{}, {0, 0, 1}}, rng.uniform_float(), {.5f, .5f});
     if (s && s->pdf == 0) sum += static_cast<double>(s->radiance.r);
   }
   // Bernoulli with p near .9: relative sd of the mean < 1e-3.

@@ -108,6 +108,22 @@ HWY_INLINE bool alike(const LaneScene& s, const Run& run, std::uint32_t i) {
   return s.nx[i] == s.nx[run.first] && s.ny[i] == s.ny[run.first] && s.nz[i] == s.nz[run.first];
 }
 
+/// Calls f with the numbers of a run whose place one of the points p, which are `asked` for and lie
+/// in its plane, comes near to.
+template <class F>
+HWY_INLINE void for_places(const LaneScene& s, const Run& run, V3 p, M asked, const F& f) {
+  const std::uint32_t i = run.first;
+  const V a = hn::Sub(dot(set(s.ax[i], s.ay[i], s.az[i]), p), set(s.a0[i]));
+  const V b = hn::Sub(dot(set(s.bx[i], s.by[i], s.bz[i]), p), set(s.b0[i]));
+  for (std::uint32_t k = i; k < run.end; k = s.patch_end[k]) {
+    const M near = hn::And(hn::Le(hn::Abs(hn::Sub(a, set(s.patch_a[k]))), set(s.patch_half_a[k])),
+                           hn::Le(hn::Abs(hn::Sub(b, set(s.patch_b[k]))), set(s.patch_half_b[k])));
+    if (hn::AllFalse(d_, hn::And(near, asked))) continue;
+    for (std::uint32_t member = k; member < s.patch_end[k]; ++member)
+      f(member);
+  }
+}
+
 /// meet_flat() of each of a run: where none of the rays meets the plane, without looking at them.
 HWY_INLINE void meet_run(const LaneScene& s, const Run& run, const Origins& from, V3 d, V of_origin,
                          Hits& hits) {
@@ -121,14 +137,20 @@ HWY_INLINE void meet_run(const LaneScene& s, const Run& run, const Origins& from
     ahead = select_mask(touches, goes_through(hit.n, hit.along, from.came), ahead);
     t = hn::IfThenZeroElse(touches, t);
   }
-  if (hn::AllFalse(d_, hn::And(ahead, hn::Le(t, hits.t)))) return;
+  const M nearer = hn::And(ahead, hn::Lt(t, hits.t));
+  const M level = hn::And(ahead, hn::Eq(t, hits.t));
+  if (hn::AllFalse(d_, hn::Or(nearer, level))) return;
   const V3 p = add_scaled(from.o, hit.t, d);
   const M faced = hn::Lt(hit.along, set(0)), facing = hn::Gt(hit.along, set(0));
-  for (std::uint32_t k = i; k < run.end; ++k) {
+  // Of those that overlap one that faces the ray.
+  M open = nearer;
+  for_places(s, run, p, hn::Or(nearer, level), [&](std::uint32_t k) HWY_ATTR {
     const M front = alike(s, run, k) ? faced : facing;
-    const M nearer = hn::Or(hn::Lt(t, hits.t), hn::And(hn::Eq(t, hits.t), front));
-    take(hits, hn::And(hn::And(nearer, ahead), inside<Outline::quad>(s, k, p)), t, set_word(k));
-  }
+    const M taken = hn::And(inside<Outline::quad>(s, k, p),
+                            hn::Or(open, hn::And(hn::Or(nearer, level), front)));
+    take(hits, taken, t, set_word(k));
+    open = hn::AndNot(taken, open);
+  });
 }
 
 /// flat_blocks() of any of a run.
@@ -148,8 +170,9 @@ HWY_INLINE M run_blocks(const LaneScene& s, const Run& run, const Segments& way,
   }
   const V3 p = add_scaled(way.from.o, hit.t, way.d);
   M within = hn::FirstN(d_, 0);
-  for (std::uint32_t k = i; k < run.end; ++k)
+  for_places(s, run, p, hn::And(there, between), [&](std::uint32_t k) HWY_ATTR {
     within = hn::Or(within, inside<Outline::quad>(s, k, p));
+  });
   return hn::And(there, hn::And(between, within));
 }
 

@@ -127,17 +127,41 @@ class LampWalk : Steps<Needs> {
     const M first = same(paths.depth, set_word(1)), point = hn::Lt(paths.pdf, set(0));
     V of_lights = set(0);
     if (!hn::AllFalse(d_, first)) {
-      const U lamp = hn::IfThenElse(hn::RebindMask(du_, hn::AndNot(point, first)), paths.from.last,
-                                    set_word(0));
-      const Numbers at_lamp(lamp, s_.surfaces);
-      const V pdf = light_pdf<Needs::full>(s_, at_lamp, lamp, at_lamp(s_.light_density.data()),
-                                           spots.p, t, paths.pdf);
-      const V of_point = hn::Mul(set(4 * pi), hn::Mul(t, t));
-      const V there = select(point, of_point, hn::Div(pdf, at_lamp(s_.emission.data())));
+      const V there = hn::Div(by_light_sampling(paths, spots, t, hn::And(first, point)),
+                              emission_of(paths, point));
       of_lights = hn::IfThenElseZero(first, hn::Mul(there, per));
     }
     return {hn::Mul(paths.rival, per), of_lights, spots.cosine};
   }
+  /// The density with which light sampling at a path's first vertex draws the way to its start: per
+  /// solid angle, or of a point times distance^2.
+  HWY_INLINE V by_light_sampling(const Paths& paths, const Spots& spots, V t, M point) const {
+    const U lamp = hn::IfThenZeroElse(hn::RebindMask(du_, hn::Or(point, is_nowhere(paths.from))),
+                                      paths.from.last);
+    const Numbers at_lamp(lamp, s_.surfaces);
+    V density = at_lamp(s_.light_density.data());
+    if (Needs::full && s_.any_mesh_light) {
+      const M first = hn::And(paths.alive, same(paths.depth, set_word(1)));
+      const M on_mesh = hn::AndNot(point, hn::And(first, is_from(s_.first_mesh, lamp)));
+      density = mesh_density(s_, spots.p, spots.n, lamp, paths.triangle, on_mesh, density);
+    }
+    V pdf = light_pdf<Needs::full>(s_, at_lamp, lamp, density, spots.p, t, paths.pdf);
+    if (Needs::full && s_.point_lights()) pdf = select(point, hn::Mul(t, t), pdf);
+    if (s_.lights == 1) return pdf;
+    alignas(64) Weights weights;
+    const Chances chances = weigh_lights(s_.choice, spots.p, spots.n, weights);
+    return hn::Mul(pdf, chance_of(s_.choice, chances, paths.light, spots.p, spots.n));
+  }
+  HWY_INLINE static M is_nowhere(const Origins& from) { return same(from.last, set_word(nothing)); }
+  /// LaneScene::emission or point_emission.
+  HWY_INLINE V emission_of(const Paths& paths, M point) const {
+    const Numbers at_light(paths.light, s_.lights);
+    const Numbers at_lamp(at_light(s_.light_surface.data()), s_.surfaces);
+    const V emission = at_lamp(s_.emission.data());
+    if (!(Needs::full && s_.point_lights())) return emission;
+    return select(point, at_light(s_.point_emission.data()), emission);
+  }
+
   HWY_INLINE V rival(const Rivals& rivals, const Surfaces& surface, V cosine, V pdf) const {
     const V back = this->way_back(surface, rivals.cosine, cosine, pdf);
     return this->together(hn::Mul(rivals.factor, back), rivals.of_lights);
@@ -226,8 +250,6 @@ HWY_INLINE void start_at_lamps(const LampJob& job, U index, U key, M starts, Pat
   const U reversed = reverse_bits(index), k = mix(key);
   const V2 u = points(job.whole, reversed, k), v = points(job.whole, reversed, second_word(k));
   const LightPoints lamp = sample_lamp<Needs::full>(s, u);
-  // Paths that would start on the image around are no paths.
-  if (Needs::full && s.sky) starts = hn::AndNot(lamp.beyond, starts);
   // Cosine-distributed about the normal, or uniform.
   const SinCos azimuth = turn(v.y);
   const V z = select(lamp.point, neg_mul_add(v.x, set(2), set(1)), hn::Sqrt(hn::Sub(set(1), v.x)));
@@ -235,8 +257,7 @@ HWY_INLINE void start_at_lamps(const LampJob& job, U index, U key, M starts, Pat
   // The normal of a point is that of some surface, or 0 if that is no plane.
   const V3 axis = select(lamp.point, set(0, 0, 1), lamp.n);
   const V3 d = to_world(frame_about(axis), hn::Mul(r, azimuth.cos), hn::Mul(r, azimuth.sin), z);
-  // Of a point Le is its intensity over the chance of its choice.
-  const V3 beta = select(lamp.point, set(4 * pi), hn::Div(set(1), lamp.emission)) * lamp.Le;
+  const V3 beta = hn::Div(set(1), lamp.emission) * lamp.Le;
   const V3 clear =
       Needs::full && s.searched()
           ? select(lamp.point, lamp.p, off_surface(lamp.p, lamp.error, lamp.n, set(0, 0, 0)))
@@ -257,6 +278,8 @@ HWY_INLINE void start_at_lamps(const LampJob& job, U index, U key, M starts, Pat
   paths.pdf = select(starts, select(lamp.point, set(-1), z), paths.pdf);
   paths.rival =
       select(starts, hn::IfThenZeroElse(lamp.point, hn::Div(set(1), lamp.emission)), paths.rival);
+  paths.light = hn::IfThenElse(starts_u, lamp.light, paths.light);
+  paths.triangle = hn::IfThenElse(starts_u, lamp.triangle, paths.triangle);
   paths.depth = hn::IfThenElse(starts_u, set_word(0), paths.depth);
   paths.key = hn::IfThenElse(starts_u, hn::Add(key, set_word(key_step)), paths.key);
   paths.reversed_index = hn::IfThenElse(starts_u, reversed, paths.reversed_index);

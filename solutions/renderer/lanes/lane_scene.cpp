@@ -3,6 +3,7 @@
 #include "geometry/planes.h"
 #include "numeric/robust.h"
 #include "renderer/lanes/lane_boxes.h"
+#include "renderer/lanes/lane_runs.h"
 #include "renderer/lanes/lane_shape.h"
 #include "renderer/lanes/lane_touching.h"
 #include "scene/center.h"
@@ -105,20 +106,6 @@ double area(const carlo::Sphere& sphere) {
   return 4 * carlo::pi * r * r;
 }
 
-/// Of a light, what light sampling's choice goes by.
-double power(const carlo::Shape& shape) {
-  if (!shape.emits()) return 0;
-  return sum(shape.radiance) * carlo::match(
-                                   shape.geometry, [](const Parallelogram& s) { return area(s); },
-                                   [](const carlo::Disk& s) { return area(s); },
-                                   [](const carlo::Sphere& s) { return area(s); },
-                                   [](const carlo::Mesh& s) { return MeshLight(s).area(); },
-                                   [](const carlo::Sdf&) { return 0.0; });  // none emits
-}
-double power(const carlo::PointLight& light) {
-  return 4 * sum(light.intensity);
-}
-
 /// Corner and edges of a light that is a parallelogram; center and radii of a disk.
 void add_edges(LaneScene& lanes, std::size_t l, Vec3 o, Vec3 u, Vec3 v) {
   lanes.lx[l] = o.x, lanes.ly[l] = o.y, lanes.lz[l] = o.z;
@@ -130,17 +117,11 @@ void add_edges(LaneScene& lanes, std::size_t l, Vec3 o, Vec3 u, Vec3 v) {
 class Writer {
  public:
   Writer(LaneScene& lanes, const carlo::Scene& scene) : lanes_(lanes), scene_(scene) {
-    for (const carlo::Shape& shape : scene.shapes)
-      power_ += power(shape);
     const auto& [points, environment, envmap] = scene.lights;
-    (void)environment;  // is left to rays that meet no surface
-    for (const carlo::PointLight& light : points)
-      power_ += power(light);
+    (void)points, (void)environment;  // environment is left to rays that meet no surface
     if (!envmap) return;
-    const double radius = carlo::diameter(scene) / 2;
-    lanes.sky_far = f(4 * radius);
-    sky_power_ = radius * radius * lanes.sky.emplace(*envmap).brightness;
-    power_ += sky_power_;
+    lanes.sky_far = f(2 * carlo::diameter(scene));
+    lanes.sky.emplace(*envmap);
   }
 
   void quad(std::size_t number, std::size_t shape_index) {
@@ -149,7 +130,9 @@ class Writer {
     plane(number, quad, shape);
     if (!shape.emits()) return;
     add_edges(lanes_, lanes_.lights, quad.origin, quad.u, quad.v);
-    light(number, shape, area(quad));
+    const Vec3d u(quad.u), v(quad.v);
+    flat_light(number, shape, area(quad), Vec3d(quad.origin) + 0.5 * (u + v),
+               0.5 * std::max(glm::length(u + v), glm::length(u - v)));
   }
 
   void disk(const carlo::Shape& shape, const carlo::Disk& disk) {
@@ -159,7 +142,7 @@ class Writer {
     lanes_.disk_lights = true;
     const Frame frame(disk.normal);
     add_edges(lanes_, lanes_.lights, disk.center, disk.radius * frame.s, disk.radius * frame.t);
-    light(i, shape, area(disk));
+    flat_light(i, shape, area(disk), Vec3d(disk.center), static_cast<double>(disk.radius));
   }
 
   /// A box that takes so many numbers.
@@ -180,8 +163,11 @@ class Writer {
     look(i, shape);
     if (!shape.emits()) return;
     lanes_.sphere_lights = true;
-    light(i, shape, sphere.flipped ? area(sphere) : 2 * carlo::pi);
-    lanes_.emission[i] = f(power(shape) / power_ / area(sphere) / carlo::pi);
+    // As bright as a disk of its radius from wherever it is seen.
+    light(i, shape, sphere.flipped ? area(sphere) : 2 * carlo::pi, area(sphere),
+          {.middle = Vec3d(sphere.center),
+           .reach = static_cast<double>(sphere.radius),
+           .strength = area(sphere) / 4});
   }
 
   void sdf(const carlo::Shape& shape, const carlo::Sdf& sdf) {
@@ -199,29 +185,53 @@ class Writer {
     lanes_.mesh_lights.emplace_back();
     if (!shape.emits()) return;
     lanes_.any_mesh_light = true;
-    light(i, shape, lanes_.mesh_lights.back().emplace(mesh).area());
+    const MeshLight& lit = lanes_.mesh_lights.back().emplace(mesh);
+    const LightBounds& bounds = lit.bounds();
+    // Between what it brings where all of it faces (area) and what a closed one does (area / 4).
+    light(i, shape, lit.area(), lit.area(),
+          {.middle = 0.5 * (bounds.lower + bounds.upper),
+           .reach = 0.5 * glm::length(bounds.upper - bounds.lower),
+           .strength = lit.area() / 2});
   }
 
-  /// After all that are surfaces. Where there are none, nothing is lit.
+  /// After all that are surfaces. Where there are none, nothing is lit. No path starts there.
   void sky() {
     if (!lanes_.sky || lanes_.surfaces == 0) return;
-    lanes_.sky_chance = f(sky_power_ / power_);
     lanes_.sky_light = lanes_.lights++;
-    lanes_.light_cdf[lanes_.sky_light] = f(running_ += sky_power_ / power_);
+    // The mean over all orientations of a surface.
+    lights_.push_back({.strength = lanes_.sky->brightness / 4, .everywhere = true});
   }
 
   /// After that.
   void point(const carlo::PointLight& light) {
     if (light.intensity == Rgb(0)) return;
-    const double chance = power(light) / power_;
     const std::size_t l = lanes_.lights++;
     add_edges(lanes_, l, light.position, Vec3(0), Vec3(0));
-    const Vec3d whole = Vec3d(light.intensity) / chance;
-    lanes_.intensity_r[l] = f(whole.r), lanes_.intensity_g[l] = f(whole.g),
-    lanes_.intensity_b[l] = f(whole.b);
-    lanes_.light_cdf[l] = f(running_ += chance);
+    lanes_.intensity_r[l] = light.intensity.r, lanes_.intensity_g[l] = light.intensity.g,
+    lanes_.intensity_b[l] = light.intensity.b;
+    lights_.push_back({.middle = Vec3d(light.position),
+                       .strength = sum(light.intensity),
+                       .power = 4 * carlo::pi * sum(light.intensity)});
     const double close = carlo::diameter(scene_) / 1000;
     brighten(light.intensity, close * close);
+  }
+
+  /// After all lights and planes.
+  void choices() {
+    for (std::uint32_t l = 0; l < lanes_.lights; ++l) {
+      if (!lights_[l].plane) continue;
+      const std::uint32_t i = lanes_.light_surface[l];
+      lights_[l].plane = {Vec3d(lanes_.nx[i], lanes_.ny[i], lanes_.nz[i]),
+                          static_cast<double>(lanes_.d[i])};
+    }
+    lanes_.choice = LaneLights(lights_);
+    for (std::uint32_t l = 0; l < lanes_.lights; ++l) {
+      const auto chance = static_cast<double>(lanes_.choice.start_chance[l]);
+      if (l >= lanes_.first_point)
+        lanes_.point_emission[l] = f(chance / (4 * carlo::pi));
+      else if (!lights_[l].everywhere)
+        lanes_.emission[lanes_.light_surface[l]] = f(chance / areas_[l] / carlo::pi);
+    }
   }
 
   /// Surfaces of one plane get the number and the numbers of the first.
@@ -257,14 +267,22 @@ class Writer {
   }
 
   /// The light that surface i is; its points or directions are uniform over `measure`.
-  void light(std::size_t i, const carlo::Shape& shape, double measure) {
-    const double chance = power(shape) / power_;
-    const std::size_t l = lanes_.lights++;
-    lanes_.light_surface[l] = static_cast<std::uint32_t>(i);
-    lanes_.light_cdf[l] = f(running_ += chance);
-    lanes_.light_density[i] = f(chance / measure);
-    lanes_.emission[i] = f(chance / measure / carlo::pi);
+  void light(std::size_t i, const carlo::Shape& shape, double measure, double area,
+             LaneLights::Light light) {
+    lanes_.light_of[i] = lanes_.lights;
+    lanes_.light_surface[lanes_.lights++] = static_cast<std::uint32_t>(i);
+    lanes_.light_density[i] = f(1 / measure);
+    light.strength *= sum(shape.radiance);
+    light.power = carlo::pi * area * sum(shape.radiance);
+    lights_.push_back(light);
+    areas_.push_back(area);
     brighten(shape.radiance, 1);
+  }
+  /// The plane is known in the end (share_planes()).
+  void flat_light(std::size_t i, const carlo::Shape& shape, double area, Vec3d middle,
+                  double reach) {
+    light(i, shape, area, area,
+          {.middle = middle, .reach = reach, .strength = area, .plane = {{}}});
   }
 
   void brighten(const carlo::Rgb& radiance, double per) {
@@ -285,7 +303,8 @@ class Writer {
 
   LaneScene& lanes_;
   const carlo::Scene& scene_;
-  double power_ = 0, sky_power_ = 0, running_ = 0;
+  std::vector<LaneLights::Light> lights_;
+  std::vector<double> areas_;  ///< of those that are surfaces, which come first
   std::vector<Parallelogram> quads_;
   std::vector<std::size_t> numbers_;  ///< theirs
 };
@@ -367,7 +386,8 @@ LaneScene::LaneScene(const carlo::Scene& scene) {
     write.box(*boxes.enclosure, sides_used);
   }
   first_quad = surfaces;
-  for (const std::size_t i : boxes.others)
+  const std::vector<std::size_t> others = in_patches(scene, boxes.others);
+  for (const std::size_t i : others)
     write.quad(surfaces++, i);
   // Parallelograms have their numbers already.
   const Sorted sorted = sort(scene);
@@ -392,8 +412,10 @@ LaneScene::LaneScene(const carlo::Scene& scene) {
   for (const carlo::PointLight& light : points)
     write.point(light);
   write.share_planes();
+  write.choices();
   for (std::uint32_t i = first_disk; i-- > first_quad;)
     run_end[i] = i + 1 < first_disk && plane[i] == plane[i + 1] ? run_end[i + 1] : i + 1;
+  bound_patches(scene, others, *this);
   touching = any_touches(scene, boxes.others);
 }
 

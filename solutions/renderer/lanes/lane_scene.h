@@ -2,6 +2,7 @@
 
 #include "geometry/mesh_tracer.h"
 #include "renderer/envmap_table.h"
+#include "renderer/lanes/lane_lights.h"
 #include "renderer/lanes/lane_sdf.h"
 #include "renderer/mesh_light.h"
 #include "scene/needs.h"
@@ -37,7 +38,8 @@ struct LaneBox {
 ///   casts no shadow;
 /// - all others.
 struct LaneScene {
-  static constexpr std::size_t most = 128;  ///< numbers of surfaces
+  static constexpr std::size_t most = 128;  ///< numbers of surfaces, and lights
+  static_assert(most == LaneLights::most);
   static constexpr std::size_t most_materials = 32;
   static constexpr std::uint32_t sides = 8;       ///< numbers that a solid takes,
   static constexpr std::uint32_t sides_used = 6;  ///< and how many of them it uses
@@ -83,15 +85,21 @@ struct LaneScene {
   /// Of a parallelogram outside of boxes: one more than the last number of those that follow it in
   /// a row and share its plane.
   Column<std::uint32_t> run_end{};
+  /// Those of a row in patches of a few that lie together (lane_runs.h): of the first of each, one
+  /// more than the last number, and the middle and half size of a rectangle around them, in the
+  /// coordinates (a, b) of the row's first.
+  Column<std::uint32_t> patch_end{};
+  Column<float> patch_a{}, patch_b{}, patch_half_a{}, patch_half_b{};
   /// Whether a parallelogram or a sphere outside of boxes comes so close to another surface that an
   /// origin on one may be rounded beyond the other.
   bool touching = false;
   Column<std::uint32_t> material{};
   Column<float> le_r{}, le_g{}, le_b{};
-  /// Per area, of the points that light sampling draws there; 0: no light. Of a sphere that emits
-  /// outwards (`by_direction`) the chance of its choice, over 2 pi: its directions are drawn
-  /// instead.
+  /// Per area, of the points that light sampling draws there once it has chosen this light; 0: no
+  /// light. Of a sphere that emits outwards (`by_direction`) 1 / (2 pi): its directions are drawn
+  /// instead. Of a mesh of one triangle: of others MeshLight knows it.
   Column<float> light_density{};
+  Column<std::uint32_t> light_of{};  ///< the number of the light that a surface is
   /// Per area and pi, of the points where paths from lamps start: uniform over each one's area.
   Column<float> emission{};
 
@@ -109,13 +117,13 @@ struct LaneScene {
   std::uint32_t lights = 0;
   std::uint32_t first_point = 0;  ///< among the lights: these are no surfaces,
   std::uint32_t sky_light = 0;    ///< nor is this, if there is a `sky`
-  /// Light i: its surface's number, and the running sum of the chances with which lights are
-  /// chosen; of a parallelogram corner and edges, of a disk center and radii, of a point its place.
+  LaneLights choice;              ///< by what they are chosen
+  /// Light i: its surface's number; of a parallelogram corner and edges, of a disk center and
+  /// radii, of a point its place.
   Column<float> lx{}, ly{}, lz{}, lux{}, luy{}, luz{}, lvx{}, lvy{}, lvz{};
   Column<std::uint32_t> light_surface{};
-  Column<float> light_cdf{};
-  /// Of a point: its intensity over the chance of its choice.
-  Column<float> intensity_r{}, intensity_g{}, intensity_b{};
+  /// Of a point: its intensity, and the chance that a path starts there over 4 pi.
+  Column<float> intensity_r{}, intensity_g{}, intensity_b{}, point_emission{};
   /// The radiance of the brightest lamp; a point's is what it brings to a surface a thousandth of
   /// the scene away.
   double brightest = 0;
@@ -124,10 +132,9 @@ struct LaneScene {
   double splat_unit(std::uint64_t paths) const;
 
   float environment[3] = {0, 0, 0};
-  /// The image around the scene, how likely light sampling is to choose it, and a distance that is
-  /// beyond all surfaces.
+  /// The image around the scene, and a distance that is beyond all surfaces.
   std::optional<EnvmapTable> sky;
-  float sky_chance = 0, sky_far = 0;
+  float sky_far = 0;
   bool sobol = false;  ///< points, or independent ones
   bool phong = false, one_sided = false;
 

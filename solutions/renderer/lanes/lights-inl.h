@@ -8,6 +8,7 @@
 #endif
 
 #include "renderer/lanes/bsdf-inl.h"
+#include "renderer/lanes/choice-inl.h"
 #include "renderer/lanes/intersect-inl.h"
 #include "renderer/lanes/lane_scene.h"
 #include "renderer/lanes/lookup-inl.h"
@@ -30,7 +31,7 @@ namespace HWY_NAMESPACE {
 /// density of directions to the image around.
 struct LightPoints {
   V3 p, n, Le;
-  V area;  ///< one over the density per area, the light's choice included
+  V area;  ///< one over the density per area; in the end with the light's choice
   U plane;
   // For Features::full alone:
   M seen =
@@ -40,10 +41,10 @@ struct LightPoints {
   M point = zeros<M>();         ///< n is none, and Le is intensity
   M beyond = zeros<M>();        ///< n is none: of the image around, where p is beyond all surfaces
   V3 error = zeros<V3>();       ///< of p, where the scene has meshes
-  /// LaneScene::emission, or of a point 1 / (4 pi), or 0: no path starts on the image around. For
+  /// LaneScene::emission or point_emission, or 0: no path starts on the image around. For
   /// Features::lamps alone.
   V emission = zeros<V>();
-  U surface = zeros<U>();
+  U surface = zeros<U>(), light = zeros<U>(), triangle = zeros<U>();
 };
 
 HWY_INLINE V3 across(V3 corner, V2 u, V3 edge_u, V3 edge_v) {
@@ -141,22 +142,83 @@ HWY_INLINE void sample_balls(const Balls& ball, V3 p, V2 u, M chosen, LightPoint
   points.solid_angle = hn::Mul(points.area, cone.one_minus_cos);
 }
 
-/// Points on lamps that are meshes, of the lanes that chose one.
-inline HWY_NOINLINE void sample_meshes(const LaneScene& s, U surface, V2 u, M chosen,
-                                       LightPoints& light) {
-  alignas(64) std::array<float, lanes> ux, uy;
-  alignas(64) std::array<std::uint32_t, lanes> number;
-  hn::Store(u.x, d_, ux.data());
-  hn::Store(u.y, d_, uy.data());
-  hn::Store(surface, du_, number.data());
+/// Of lanes that ask for what only scalar code knows.
+struct LaneColumns {
+  template <class T>
+  using Column = std::array<T, lanes>;
+  alignas(64) Column<float> px, py, pz, nx, ny, nz, ux, uy;
+  alignas(64) Column<std::uint32_t> surface, triangle;
+
+  HWY_INLINE void set_point(const V3& p, const V3& n) {
+    hn::Store(p.x, d_, px.data()), hn::Store(p.y, d_, py.data()), hn::Store(p.z, d_, pz.data());
+    hn::Store(n.x, d_, nx.data()), hn::Store(n.y, d_, ny.data()), hn::Store(n.z, d_, nz.data());
+  }
+  carlo::Vec3 p(std::size_t i) const { return {px[i], py[i], pz[i]}; }
+  carlo::Vec3 n(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }
+  const MeshLight& mesh(const LaneScene& s, std::size_t i) const {
+    return *s.mesh_lights[surface[i] - s.first_mesh];
+  }
+};
+
+/// Points on lamps that are meshes, of the lanes that chose one; `draw` makes one of a lane.
+template <class Draw>
+HWY_INLINE void take_from_meshes(const LaneScene& s, const LaneColumns& lane, M chosen,
+                                 LightPoints& light, const Draw& draw) {
   PointColumns points{};
+  alignas(64) std::array<float, lanes> area{};
+  alignas(64) std::array<std::uint32_t, lanes> triangle{};
   for (std::uint32_t left = bits(chosen); left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(left));
-    points.set(i, s.mesh_lights[number[i] - s.first_mesh]->sample({ux[i], uy[i]}));
+    const MeshLight::Sample sample = draw(lane.mesh(s, i), i);
+    points.set(i, sample.point);
+    triangle[i] = sample.triangle;
+    area[i] = sample.density > 0 ? static_cast<float>(1 / sample.density) : 0.0f;
   }
   light.p = select(chosen, points.at(points.px, points.py, points.pz), light.p);
   light.n = select(chosen, points.at(points.nx, points.ny, points.nz), light.n);
   light.error = select(chosen, points.at(points.ex, points.ey, points.ez), light.error);
+  light.area = select(chosen, hn::Load(d_, area.data()), light.area);
+  light.triangle = hn::Load(du_, triangle.data());
+}
+
+/// For points p of surfaces with normals n.
+inline HWY_NOINLINE void sample_meshes(const LaneScene& s, const V3& p, const V3& n, V2 u, M chosen,
+                                       LightPoints& light) {
+  LaneColumns lane;
+  lane.set_point(p, n);
+  hn::Store(u.x, d_, lane.ux.data()), hn::Store(u.y, d_, lane.uy.data());
+  hn::Store(light.surface, du_, lane.surface.data());
+  take_from_meshes(s, lane, chosen, light, [&](const MeshLight& mesh, std::size_t i) {
+    return mesh.sample(lane.p(i), lane.n(i), {lane.ux[i], lane.uy[i]});
+  });
+}
+
+/// Uniform over their area.
+inline HWY_NOINLINE void start_on_meshes(const LaneScene& s, V2 u, M chosen, LightPoints& light) {
+  LaneColumns lane;
+  hn::Store(u.x, d_, lane.ux.data()), hn::Store(u.y, d_, lane.uy.data());
+  hn::Store(light.surface, du_, lane.surface.data());
+  take_from_meshes(s, lane, chosen, light, [&](const MeshLight& mesh, std::size_t i) {
+    return mesh.sample({lane.ux[i], lane.uy[i]});
+  });
+}
+
+/// The density per area with which sample_meshes() draws points of these triangles.
+inline HWY_NOINLINE V mesh_density(const LaneScene& s, const V3& p, const V3& n, U surface,
+                                   U triangle, M asked, V otherwise) {
+  if (hn::AllFalse(d_, asked)) return otherwise;
+  LaneColumns lane;
+  lane.set_point(p, n);
+  hn::Store(surface, du_, lane.surface.data());
+  hn::Store(triangle, du_, lane.triangle.data());
+  alignas(64) std::array<float, lanes> density;
+  hn::Store(otherwise, d_, density.data());
+  for (std::uint32_t left = bits(asked); left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(left));
+    density[i] =
+        static_cast<float>(lane.mesh(s, i).density(lane.p(i), lane.n(i), lane.triangle[i]));
+  }
+  return hn::Load(d_, density.data());
 }
 
 /// Directions to the image around, as seen from p.
@@ -165,25 +227,14 @@ HWY_INLINE void sample_beyond(const LaneScene& s, V3 p, V2 u, LightPoints& point
   const M beyond = points.beyond;
   points.p = select(beyond, add_scaled(p, set(s.sky_far), sky.wi), points.p);
   points.Le = select(beyond, sky.texel.radiance, points.Le);
-  points.solid_angle = select(beyond, hn::Div(set(1), hn::Mul(set(s.sky_chance), sky.texel.pdf)),
-                              points.solid_angle);
+  points.solid_angle = select(beyond, hn::Div(set(1), sky.texel.pdf), points.solid_angle);
 }
 
-/// Points of lights that are chosen by their power; of spheres those that `on_balls` finds, of the
-/// image around those that `on_sky` does.
-template <bool full, bool lamps, class OnBalls, class OnSky>
-HWY_INLINE LightPoints draw_light(const LaneScene& s, V2 u, const OnBalls& on_balls,
-                                  const OnSky& on_sky) {
-  // The first light whose running sum is above u.x, which is stretched again.
-  U index = set_word(0);
-  V lower = set(0), upper = set(s.light_cdf[0]);
-  for (std::uint32_t i = 1; i < s.lights; ++i) {
-    const M beyond = hn::Ge(u.x, set(s.light_cdf[i - 1]));
-    lower = select(beyond, set(s.light_cdf[i - 1]), lower);
-    upper = select(beyond, set(s.light_cdf[i]), upper);
-    index = hn::IfThenElse(hn::RebindMask(du_, beyond), set_word(i), index);
-  }
-  u.x = hn::Min(hn::Div(hn::Sub(u.x, lower), hn::Sub(upper, lower)), set(0x1.fffffep-1f));
+/// Points of the lights `index`; of spheres those that `on_balls` finds, of meshes those that
+/// `on_meshes` does, of the image around those that `on_sky` does.
+template <bool full, bool lamps, class OnBalls, class OnMeshes, class OnSky>
+HWY_INLINE LightPoints draw_light(const LaneScene& s, U index, V2 u, const OnBalls& on_balls,
+                                  const OnMeshes& on_meshes, const OnSky& on_sky) {
   const Numbers light(index, s.lights);
   const U surface = light(s.light_surface.data());
   const Numbers at_surface(surface, s.surfaces);
@@ -199,8 +250,9 @@ HWY_INLINE LightPoints draw_light(const LaneScene& s, V2 u, const OnBalls& on_ba
       s.coplanar ? at_surface(s.plane.data()) : surface};
   if constexpr (lamps) {
     points.emission = at_surface(s.emission.data());
-    points.surface = surface;
+    points.light = index;
   }
+  if constexpr (full || lamps) points.surface = surface;
   if (full && s.sphere_lights) {
     on_balls(balls(s, at_surface), u, is_sphere(s, surface), points);
   }
@@ -209,7 +261,7 @@ HWY_INLINE LightPoints draw_light(const LaneScene& s, V2 u, const OnBalls& on_ba
     if (s.any_mesh_light) {
       // What is no surface has the number 0.
       const M on_mesh = hn::And(is_from(s.first_mesh, surface), of_surface(s, index));
-      sample_meshes(s, surface, u, on_mesh, points);
+      on_meshes(u, on_mesh, points);
     }
   }
   if (full && s.point_lights()) {
@@ -221,7 +273,8 @@ HWY_INLINE LightPoints draw_light(const LaneScene& s, V2 u, const OnBalls& on_ba
         hn::IfThenElse(hn::RebindMask(du_, points.point), set_word(nothing), points.plane);
     points.seen = hn::Or(points.seen, points.point);
     points.by_direction = hn::AndNot(points.point, points.by_direction);
-    if constexpr (lamps) points.emission = select(points.point, set(0.25f / pi), points.emission);
+    if constexpr (lamps)
+      points.emission = select(points.point, light(s.point_emission.data()), points.emission);
   }
   if (full && s.sky) {
     points.beyond = same(index, set_word(s.sky_light));
@@ -235,22 +288,52 @@ HWY_INLINE LightPoints draw_light(const LaneScene& s, V2 u, const OnBalls& on_ba
   return points;
 }
 
-/// Seen from the points p.
+/// Lights chosen for points p of surfaces with normals n, and seen from there; `chances` becomes
+/// what they were chosen by, where there are several. `seed`: a random word of each lane's.
 template <bool full, bool lamps>
-HWY_INLINE LightPoints sample_light(const LaneScene& s, V3 p, V2 u) {
+HWY_INLINE LightPoints sample_light(const LaneScene& s, V3 p, V3 n, V2 u, U seed,
+                                    Chances& chances) {
   if (!full && s.lights == 1) return sample_only_light<lamps>(s, u);
-  return draw_light<full, lamps>(
-      s, u,
-      [&](const Balls& ball, V2 place, M chosen, LightPoints& points)
-          HWY_ATTR { sample_balls(ball, p, place, chosen, points); },
-      [&](V2 place, LightPoints& points) HWY_ATTR { sample_beyond(s, p, place, points); });
+  Picked picked{set_word(0), set(1)};
+  if (s.lights > 1) {
+    alignas(64) Weights weights;
+    chances = weigh_lights(s.choice, p, n, weights);
+    picked = pick_light(s.choice, weights, chances, seed, u.x);
+  }
+  LightPoints points = draw_light<full, lamps>(
+      s, picked.index, u,
+      [&](const Balls& ball, V2 place, M chosen, LightPoints& light)
+          HWY_ATTR { sample_balls(ball, p, place, chosen, light); },
+      [&](V2 place, M chosen, LightPoints& light)
+          HWY_ATTR { sample_meshes(s, p, n, place, chosen, light); },
+      [&](V2 place, LightPoints& light) HWY_ATTR { sample_beyond(s, p, place, light); });
+  if (s.lights == 1) return points;
+  const V per_chance = hn::Div(set(1), picked.chance);
+  points.area = hn::Mul(points.area, per_chance);
+  points.solid_angle = hn::Mul(points.solid_angle, per_chance);
+  return points;
 }
 
-/// Uniform over each lamp's area; none of what is `beyond`.
+/// The lamp that u in [0, 1) leads to, by LaneLights::start_upto; u becomes uniform again.
+HWY_INLINE U pick_start(const LaneScene& s, V& u) {
+  U index = set_word(0);
+  V lower = set(0), upper = set(s.choice.start_upto[0]);
+  for (std::uint32_t i = 1; i < s.lights; ++i) {
+    const M beyond = hn::Ge(u, set(s.choice.start_upto[i - 1]));
+    lower = select(beyond, set(s.choice.start_upto[i - 1]), lower);
+    upper = select(beyond, set(s.choice.start_upto[i]), upper);
+    index = hn::IfThenElse(hn::RebindMask(du_, beyond), set_word(i), index);
+  }
+  u = hn::Min(hn::Div(hn::Sub(u, lower), hn::Sub(upper, lower)), set(0x1.fffffep-1f));
+  return index;
+}
+
+/// Uniform over each lamp's area; none of the image around.
 template <bool full>
 HWY_INLINE LightPoints sample_lamp(const LaneScene& s, V2 u) {
+  const U index = pick_start(s, u.x);
   return draw_light<full, true>(
-      s, u,
+      s, index, u,
       [&](const Balls& ball, V2 place, M chosen, LightPoints& points) HWY_ATTR {
         const V z = neg_mul_add(place.x, set(2), set(1));
         const V r = hn::Sqrt(hn::Max(neg_mul_add(z, z, set(1)), set(0)));
@@ -259,11 +342,14 @@ HWY_INLINE LightPoints sample_lamp(const LaneScene& s, V2 u) {
         points.p = select(chosen, add_scaled(ball.center, hn::Abs(ball.radius), outward), points.p);
         points.n = select(chosen, hn::CopySign(set(1), ball.radius) * outward, points.n);
       },
+      [&](V2 place, M chosen, LightPoints& points)
+          HWY_ATTR { start_on_meshes(s, place, chosen, points); },
       [](V2, LightPoints&) HWY_ATTR {});
 }
 
 /// The density with which sample_light() draws, at p, the way to a point that the ray from there
-/// meets at distance t: per solid angle. `density` is the surface's light_density.
+/// meets at distance t: per solid angle, once it has chosen this light. `density` is the surface's
+/// light_density, of a mesh mesh_density().
 template <bool full>
 HWY_INLINE V light_pdf(const LaneScene& s, const Numbers& at_surface, U surface, V density, V3 p,
                        V t, V cosine) {

@@ -18,6 +18,14 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
+/// Entries of a column that is too long for Numbers, or asked but once.
+HWY_INLINE V gather(const float* column, U index) {
+  return hn::GatherIndex(d_, column, hn::BitCast(di_, index));
+}
+HWY_INLINE U gather_words(const std::uint32_t* column, U index) {
+  return hn::BitCast(du_, gather(reinterpret_cast<const float*>(column), index));
+}
+
 /// Numbers below `size`, ready for lookups. A permutation of a register costs a fraction of a
 /// gather, so columns of a few registers are read whole. Columns must be as long as the registers
 /// that cover `size`.
@@ -49,7 +57,7 @@ class Numbers {
   HWY_INLINE std::array<V, n> at(const std::array<const float*, n>& columns) const {
     std::array<V, n> found;
     for (std::size_t c = 0; c < n; ++c) {
-      found[c] = registers_ > most ? hn::GatherIndex(d_, columns[c], hn::BitCast(di_, numbers_))
+      found[c] = registers_ > most ? gather(columns[c], numbers_)
                                    : hn::TableLookupLanes(hn::LoadU(d_, columns[c]), within_);
     }
     if (registers_ > most) return found;
@@ -62,7 +70,8 @@ class Numbers {
     return found;
   }
 
-  static constexpr std::size_t most = 4;
+  /// A gather of 16 takes as long as reading eight registers.
+  static constexpr std::size_t most = lanes == 16 ? 8 : 4;
   U numbers_;
   decltype(hn::IndicesFromVec(d_, hn::Zero(du_))) within_;
   std::size_t registers_;

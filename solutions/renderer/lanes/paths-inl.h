@@ -58,7 +58,7 @@ class Walk : Steps<Needs> {
     const U number = this->surface_met(vertex, met);
     const Lookups found(s_, number);
     const Spots spots = this->locate(paths, vertex, number, found);
-    add_emission(paths, vertex.hits.t, spots);
+    add_emission(paths, vertex, spots);
     if (!this->goes_on(paths, spots)) return;
     this->arrive(paths, spots, vertex);
     const Rivals rivals = rivals_at(paths, spots, vertex.hits.t);
@@ -123,13 +123,14 @@ class Walk : Steps<Needs> {
   /// starts there.
   HWY_INLINE V3 image_around(const Paths& paths, M lost) const {
     const Texels texels = sky_at(*s_.sky, paths.d, lost);
-    const V by_light = hn::Div(hn::Mul(set(s_.sky_chance), texels.pdf), paths.pdf);
+    const V chosen = s_.lights == 1 ? set(1) : chance(paths.chances, sky_weight(s_.choice));
+    const V by_light = hn::Div(hn::Mul(chosen, texels.pdf), paths.pdf);
     const M whole = hn::Lt(paths.pdf, set(0));
     return select(whole, set(1), this->weigh(by_light)) * texels.radiance;
   }
 
   /// Emission met by the rays, weighed against light sampling, and against paths from lamps.
-  HWY_INLINE void add_emission(Paths& paths, V t, const Spots& spots) const {
+  HWY_INLINE void add_emission(Paths& paths, const Vertex& vertex, const Spots& spots) const {
     if (s_.lights == 0) return;
     M bright = hn::And(spots.front, paths.alive);
     if (s_.lights == 1 && !(Needs::full && s_.other_lights())) {
@@ -137,12 +138,21 @@ class Walk : Steps<Needs> {
       if (hn::AllFalse(d_, bright)) return;
     }
     const Numbers& at_surface = spots.at_surface;
-    const V density = at_surface(s_.light_density.data());
+    V density = at_surface(s_.light_density.data());
     bright = hn::And(bright, hn::Gt(density, set(0)));
     if (hn::AllFalse(d_, bright)) return;
-    const V pdf = light_pdf<Needs::full>(s_, at_surface, spots.number, density, paths.from.o, t,
-                                         spots.cosine);
     const M whole = hn::Lt(paths.pdf, set(0));
+    if (Needs::full && s_.any_mesh_light) {
+      const M on_mesh = hn::AndNot(whole, hn::And(bright, is_from(s_.first_mesh, spots.number)));
+      density = mesh_density(s_, paths.from.o, paths.n, spots.number,
+                             hn::Load(du_, vertex.of_mesh.triangle.data()), on_mesh, density);
+    }
+    V pdf = light_pdf<Needs::full>(s_, at_surface, spots.number, density, paths.from.o,
+                                   vertex.hits.t, spots.cosine);
+    if (s_.lights > 1) {
+      const U light = at_surface(s_.light_of.data());
+      pdf = hn::Mul(pdf, chance_of(s_.choice, paths.chances, light, paths.from.o, paths.n));
+    }
     V weight;
     if constexpr (Needs::lamps) {
       const V by_light = hn::IfThenZeroElse(whole, hn::Div(pdf, paths.pdf));
@@ -182,8 +192,10 @@ class Walk : Steps<Needs> {
   /// Light that arrives straight from points drawn on the lights.
   HWY_INLINE void add_direct(Paths& paths, const Surfaces& surface, Vertex& vertex,
                              const Rivals& rivals) const {
-    const LightPoints light =
-        sample_light<Needs::full, Needs::lamps>(s_, surface.p, vertex.u_light);
+    if (s_.lights > 1 || s_.any_mesh_light) paths.n = each(surface.n);
+    const LightPoints light = sample_light<Needs::full, Needs::lamps>(
+        s_, surface.p, surface.n, vertex.u_light, hn::Xor(paths.key, paths.reversed_index),
+        paths.chances);
     const V3 to_light = light.p - surface.p;
     const V distance2 = dot(to_light, to_light), inverse = hn::Div(set(1), hn::Sqrt(distance2));
     const V3 wi = inverse * to_light;

@@ -9,6 +9,7 @@
 
 #include "renderer/envmap_table.h"
 #include "renderer/lanes/elementary-inl.h"
+#include "renderer/lanes/lookup-inl.h"
 #include "renderer/lanes/vector_math-inl.h"
 
 #include <hwy/highway.h>
@@ -20,11 +21,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
-
-/// Entries of a column that is too long for lookup-inl.h.
-HWY_INLINE V gather(const float* column, U index) {
-  return hn::GatherIndex(d_, column, hn::BitCast(di_, index));
-}
 
 /// The angle of (x, y) from the x axis, in whole turns from -1/2 to 1/2.
 HWY_INLINE V turns_to(V y, V x) {

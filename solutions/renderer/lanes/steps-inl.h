@@ -9,6 +9,7 @@
 #endif
 
 #include "renderer/lanes/bsdf-inl.h"
+#include "renderer/lanes/choice-inl.h"
 #include "renderer/lanes/intersect-inl.h"
 #include "renderer/lanes/lane_kernel.h"
 #include "renderer/lanes/lane_scene.h"
@@ -55,11 +56,14 @@ struct Paths {
   U reversed_index;  ///< of the sample
   U number;          ///< among the tile's samples (Starts::allow), or the lamps' paths of a call
   M alive;
-  V rival;  ///< for Features::lamps (lane_kernel.h, "Paths from lamps")
+  V3 n;             ///< of the surface that d leaves, on its side, and
+  Chances chances;  ///< with which it asked lights there; where there are several
+  V rival;          ///< for Features::lamps (lane_kernel.h, "Paths from lamps")
   // Of a path from a lamp:
-  U pixel;    ///< where the camera sees its vertex
-  V brought;  ///< the luminance of its splats
-  V ties;     ///< the sum of the products of each two of them
+  U light, triangle;  ///< where it started
+  U pixel;            ///< where the camera sees its vertex
+  V brought;          ///< the luminance of its splats
+  V ties;             ///< the sum of the products of each two of them
 };
 
 /// What the columns hold of a surface and its material.

@@ -1,0 +1,181 @@
+// Which light a path asks, a lane a point. Included once for each instruction set.
+
+#if defined(CARLO_CHOICE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef CARLO_CHOICE_INL
+#undef CARLO_CHOICE_INL
+#else
+#define CARLO_CHOICE_INL
+#endif
+
+#include "renderer/lanes/lane_lights.h"
+#include "renderer/lanes/lookup-inl.h"
+#include "renderer/lanes/points-inl.h"
+#include "renderer/lanes/rays-inl.h"
+#include "renderer/lanes/vector_math-inl.h"
+#include "renderer/light_tree.h"
+
+#include <hwy/highway.h>
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace renderer {
+namespace HWY_NAMESPACE {
+
+// A group of lights (LaneLights) is chosen in proportion to the irradiance that it would bring if
+// nothing were in the way, about that: its `weight`. What can bring some at all has a share of a
+// sixteenth in any case, divided among all such groups, so that no light is left out where the
+// weights are wrong. (LightTree does the same for many lights, by its own estimates.)
+
+/// What is known of groups: a sphere around each, and its LaneLights::strength.
+struct Emitters {
+  V3 middle;
+  V reach, strength;
+};
+
+/// How bright groups are at points p of surfaces with normals n. `height`: how far p lies in front
+/// of one that has a plane; of others it is the distance. Below 0 where they cannot bring anything.
+HWY_INLINE V flat_weight(const Emitters& light, V3 p, V3 n, V height) {
+  const V3 d = light.middle - p;
+  const V inwards = mul_add(n.x, d.x, mul_add(n.y, d.y, mul_add(n.z, d.z, light.reach)));
+  const V distance2 =
+      mul_add(d.x, d.x, mul_add(d.y, d.y, mul_add(d.z, d.z, hn::Mul(light.reach, light.reach))));
+  const V per = hn::Div(set(1), hn::Max(distance2, set(1e-30f)));
+  const V brings = hn::Mul(hn::Mul(light.strength, hn::Mul(inwards, per)),
+                           hn::Mul(hn::Add(height, light.reach), per));
+  return select(hn::Gt(hn::Min(inwards, height), set(0)), brings, set(-1));
+}
+HWY_INLINE V round_weight(const Emitters& light, V3 p, V3 n) {
+  const V3 d = light.middle - p;
+  return flat_weight(light, p, n, hn::Sqrt(hn::Max(dot(d, d), set(1e-30f))));
+}
+
+/// A group's chance, from its weight.
+struct Chances {
+  V per_weight, of_each;
+};
+HWY_INLINE V chance(const Chances& chances, V weight) {
+  return hn::IfThenElseZero(hn::Ge(weight, set(0)),
+                            mul_add(weight, chances.per_weight, chances.of_each));
+}
+
+/// Of the image around: the same everywhere.
+HWY_INLINE V sky_weight(const LaneLights& lights) {
+  return set(lights.strength[lights.sky]);
+}
+
+/// The weights of all groups, one register each.
+using Weights = std::array<float, LaneLights::most_groups * lanes>;
+
+inline HWY_NOINLINE Chances weigh_lights(const LaneLights& lights, const V3& p, const V3& n,
+                                         Weights& weights) {
+  V sum = set(0), count = set(0);
+  const auto add = [&](std::uint32_t g, V weight) HWY_ATTR {
+    hn::Store(weight, d_, weights.data() + g * lanes);
+    sum = hn::Add(sum, hn::Max(weight, set(0)));
+    count = select(hn::Ge(weight, set(0)), hn::Add(count, set(1)), count);
+  };
+  const auto emitters = [&](std::uint32_t g) HWY_ATTR {
+    return Emitters{set(lights.middle_x[g], lights.middle_y[g], lights.middle_z[g]),
+                    set(lights.reach[g]), set(lights.strength[g])};
+  };
+  for (std::uint32_t g = 0; g < lights.first_round; ++g) {
+    const V height =
+        mul_add(set(lights.nx[g]), p.x,
+                mul_add(set(lights.ny[g]), p.y, mul_sub(set(lights.nz[g]), p.z, set(lights.d[g]))));
+    add(g, flat_weight(emitters(g), p, n, height));
+  }
+  for (std::uint32_t g = lights.first_round; g < lights.groups; ++g)
+    add(g, g == lights.sky ? sky_weight(lights) : round_weight(emitters(g), p, n));
+  // A little more than 1 in all, so that rounding leaves the last group its end.
+  constexpr float all = 1 + 0x1p-20f;
+  constexpr auto floor = static_cast<float>(LightTree::floor);
+  const M some = hn::Gt(sum, set(0));
+  return {hn::IfThenElseZero(some, hn::Div(set((1 - floor) * all), sum)),
+          hn::Div(select(some, set(floor * all), set(all)), hn::Max(count, set(1)))};
+}
+
+struct Picked {
+  U index;   ///< a light
+  V chance;  ///< of it
+};
+
+/// u is stretched from [lower, lower + width) to [0, 1): its steps of 2^-24 with it, between which
+/// `between`, in [0, 1), says where it is, so that of a small chance, too, all places are left.
+HWY_INLINE V stretch(V u, V lower, V width, V between) {
+  const V fine = mul_add(between, set(0x1p-24f), hn::Sub(u, lower));
+  return hn::Min(hn::Div(fine, width), set(0x1.fffffep-1f));
+}
+
+/// The members of groups that u leads to; u becomes uniform again.
+HWY_INLINE Picked pick_member(const LaneLights& lights, U group, V between, V& u) {
+  const U first = gather_words(lights.first.data(), group);
+  const U end = hn::Add(first, gather_words(lights.size.data(), group));
+  U at = first;
+  for (std::uint32_t half = std::bit_floor(lights.largest); half > 0; half /= 2) {
+    const U next = hn::Add(at, set_word(half));
+    const U last = hn::Sub(hn::Min(next, end), set_word(1));
+    const M above =
+        hn::And(hn::Le(gather(lights.upto.data(), last), u), hn::RebindMask(d_, hn::Lt(next, end)));
+    at = hn::IfThenElse(hn::RebindMask(du_, above), next, at);
+  }
+  const M is_first = same(at, first);
+  const U before = hn::Sub(hn::Max(at, set_word(1)), set_word(1));
+  const V lower = hn::IfThenZeroElse(is_first, gather(lights.upto.data(), before));
+  const V share = hn::Sub(gather(lights.upto.data(), at), lower);
+  u = stretch(u, lower, share, between);
+  return {gather_words(lights.member.data(), at), share};
+}
+
+/// The lights that u in [0, 1) leads to; u becomes uniform again. Chances of groups are multiples
+/// of 2^-23, of which u's steps are halves, so that they are those with which groups are drawn.
+inline HWY_NOINLINE Picked pick_light(const LaneLights& lights, const Weights& weights,
+                                      const Chances& chances, U seed, V& u) {
+  V sum = set(0), of_each = set(0), lower = set(0), upper = set(1);
+  U group = set_word(0);
+  for (std::uint32_t g = 0; g < lights.groups; ++g) {
+    const V weight = hn::Load(d_, weights.data() + g * lanes);
+    sum = hn::Add(sum, hn::Max(weight, set(0)));
+    of_each = select(hn::Ge(weight, set(0)), hn::Add(of_each, chances.of_each), of_each);
+    const V exact = mul_add(sum, chances.per_weight, of_each);
+    const V upto = hn::Sub(hn::Add(exact, set(1)), set(1));
+    const M beyond = hn::Ge(u, upto);
+    lower = select(beyond, upto, lower);
+    upper = select(beyond, upper, hn::Min(upper, upto));
+    group = hn::IfThenElse(hn::RebindMask(du_, beyond), set_word(g + 1), group);
+  }
+  group = hn::Min(group, set_word(lights.groups - 1));
+  const V width = hn::Sub(upper, lower), between = to_unit(mix(seed));
+  u = stretch(u, lower, width, between);
+  if (lights.largest == 1) return {gather_words(lights.member.data(), group), width};
+  const Picked member = pick_member(lights, group, to_unit(mix(second_word(seed))), u);
+  return {member.index, hn::Mul(width, member.chance)};
+}
+
+/// With what chance lights are chosen at points p of surfaces with normals n.
+inline HWY_NOINLINE V chance_of(const LaneLights& lights, const Chances& chances, U light,
+                                const V3& p, const V3& n) {
+  const U group = gather_words(lights.group.data(), light);
+  const auto column = [&](const auto& c) HWY_ATTR { return gather(c.data(), group); };
+  const Emitters of{{column(lights.middle_x), column(lights.middle_y), column(lights.middle_z)},
+                    column(lights.reach),
+                    column(lights.strength)};
+  const V height =
+      mul_add(column(lights.nx), p.x,
+              mul_add(column(lights.ny), p.y, mul_sub(column(lights.nz), p.z, column(lights.d))));
+  V weight = flat_weight(of, p, n, height);
+  if (lights.first_round < lights.groups) {
+    const M is_flat = hn::RebindMask(d_, hn::Gt(set_word(lights.first_round), group));
+    weight = select(is_flat, weight, round_weight(of, p, n));
+  }
+  return hn::Mul(chance(chances, weight), gather(lights.share.data(), light));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace renderer
+HWY_AFTER_NAMESPACE();
+
+#endif  // CARLO_CHOICE_INL

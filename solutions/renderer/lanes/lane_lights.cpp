@@ -1,0 +1,143 @@
+#include "renderer/lanes/lane_lights.h"
+
+#include "renderer/light_tree.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace renderer {
+namespace {
+
+using Vec3d = glm::dvec3;
+using Light = LaneLights::Light;
+using Members = std::vector<std::uint32_t>;
+
+float as_float(double x) {
+  return static_cast<float>(x);
+}
+
+LightBounds bounds(const Light& light) {
+  const Vec3d half(light.reach);
+  const Vec3d axis = light.plane ? light.plane->normal : Vec3d(0);
+  return {light.middle - half, light.middle + half, axis, light.plane ? 1.0 : -1.0, light.strength};
+}
+
+/// The plane that all of them share, if they do.
+std::optional<Light::Plane> plane_of(const std::vector<Light>& lights, const Members& members) {
+  const auto& first = lights[members[0]].plane;
+  const bool shared = std::all_of(members.begin(), members.end(), [&](std::uint32_t i) {
+    const auto& plane = lights[i].plane;
+    return first && plane && plane->normal == first->normal && plane->d == first->d;
+  });
+  return shared ? first : std::nullopt;
+}
+
+/// Shares in proportion to `weights`, but that a sixteenth is for all alike: none is left out.
+std::vector<double> shares(const std::vector<double>& weights) {
+  double all = 0, some = 0;
+  for (const double w : weights)
+    all += w, some += w > 0 ? 1 : 0;
+  std::vector<double> result;
+  for (const double w : weights) {
+    result.push_back(w > 0 ? (1 - LightTree::floor) * (w / all) + LightTree::floor / some : 0);
+  }
+  return result;
+}
+
+/// Running sums up to 1, multiples of 2^-24.
+std::vector<double> running(const std::vector<double>& shares) {
+  std::vector<double> result;
+  double sum = 0;
+  for (const double share : shares) {
+    sum += share;
+    result.push_back(std::min(std::round(sum * 0x1p24) * 0x1p-24, 1.0));
+  }
+  return result;
+}
+
+}  // namespace
+
+LaneLights::LaneLights(const std::vector<Light>& lights) {
+  if (lights.empty()) return;
+  // In groups by kind: those of one plane together, so that what is in front of it is known.
+  std::vector<LightBounds> placed;
+  Members placed_as;
+  std::vector<Members> groups_of;
+  for (std::uint32_t i = 0; i < lights.size(); ++i) {
+    if (lights[i].everywhere) {
+      groups_of.push_back({i});
+      continue;
+    }
+    placed.push_back(bounds(lights[i]));
+    placed_as.push_back(i);
+  }
+  if (!placed.empty()) {
+    for (Members& group : LightTree(placed).groups(most_groups - groups_of.size())) {
+      for (std::uint32_t& i : group)
+        i = placed_as[i];
+      groups_of.push_back(std::move(group));
+    }
+  }
+  const auto round = std::stable_partition(groups_of.begin(), groups_of.end(), [&](auto& group) {
+    return plane_of(lights, group).has_value();
+  });
+  first_round = static_cast<std::uint32_t>(round - groups_of.begin());
+  double brightest = 0;
+  for (const Light& light : lights)
+    brightest = std::max(brightest, light.strength);
+  for (const Members& group : groups_of)
+    add_group(lights, group, brightest);
+  share_out_starts(lights);
+}
+
+void LaneLights::add_group(const std::vector<Light>& lights, const Members& members,
+                           double brightest) {
+  const std::uint32_t g = groups++;
+  first[g] = g == 0 ? 0 : first[g - 1] + size[g - 1];
+  size[g] = static_cast<std::uint32_t>(members.size());
+  largest = std::max(largest, size[g]);
+  Vec3d lower(lights[members[0]].middle), upper(lower);
+  std::vector<double> strengths;
+  double all = 0;
+  for (const std::uint32_t i : members) {
+    lower = glm::min(lower, lights[i].middle);
+    upper = glm::max(upper, lights[i].middle);
+    strengths.push_back(lights[i].strength);
+    all += lights[i].strength;
+    group[i] = g;
+  }
+  const Vec3d middle = 0.5 * (lower + upper);
+  double furthest = 0;
+  for (const std::uint32_t i : members)
+    furthest = std::max(furthest, glm::length(lights[i].middle - middle) + lights[i].reach);
+  middle_x[g] = as_float(middle.x), middle_y[g] = as_float(middle.y),
+  middle_z[g] = as_float(middle.z);
+  // So that rounding hides nothing of the lights.
+  reach[g] = as_float(furthest * (1 + 1e-6));
+  strength[g] = as_float(all / brightest);
+  if (lights[members[0]].everywhere) sky = g;
+  if (const auto plane = plane_of(lights, members)) {
+    nx[g] = as_float(plane->normal.x), ny[g] = as_float(plane->normal.y),
+    nz[g] = as_float(plane->normal.z);
+    d[g] = as_float(plane->d);
+  }
+  const std::vector<double> sums = running(shares(strengths));
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    member[first[g] + k] = members[k];
+    upto[first[g] + k] = k + 1 == members.size() ? 1.0f : as_float(sums[k]);
+    share[members[k]] = upto[first[g] + k] - (k == 0 ? 0 : upto[first[g] + k - 1]);
+  }
+}
+
+void LaneLights::share_out_starts(const std::vector<Light>& lights) {
+  std::vector<double> powers;
+  for (const Light& light : lights)
+    powers.push_back(light.power);
+  const std::vector<double> sums = running(shares(powers));
+  for (std::size_t l = 0; l < sums.size(); ++l) {
+    start_upto[l] = as_float(sums[l]);
+    start_chance[l] = start_upto[l] - (l == 0 ? 0 : start_upto[l - 1]);
+  }
+}
+
+}  // namespace renderer

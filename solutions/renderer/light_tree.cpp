@@ -1,0 +1,296 @@
+#include "light_tree.h"
+
+#include "numeric/robust.h"
+#include "random/hash.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <span>
+
+namespace renderer {
+namespace {
+
+using Vec3d = glm::dvec3;
+
+/// The cosine of max(0, a - b), of angles in [0, pi] and [0, pi / 2].
+double cos_of_rest(double cos_a, double cos_b, double sin_b) {
+  if (cos_a >= cos_b) return 1;
+  return cos_a * cos_b + std::sqrt(std::max(0.0, 1 - cos_a * cos_a)) * sin_b;
+}
+
+/// Of max(0, a - b), where b may be up to pi.
+double cos_of_rest(double cos_a, double cos_b) {
+  return cos_of_rest(cos_a, cos_b, std::sqrt(std::max(0.0, 1 - cos_b * cos_b)));
+}
+
+/// The narrowest cone about both cones of normals.
+void widen(LightBounds& a, const LightBounds& b) {
+  const double angle_a = std::acos(std::clamp(a.cos_spread, -1.0, 1.0));
+  const double angle_b = std::acos(std::clamp(b.cos_spread, -1.0, 1.0));
+  const double between = std::acos(std::clamp(glm::dot(a.axis, b.axis), -1.0, 1.0));
+  if (between + angle_b <= angle_a) return;
+  if (between + angle_a <= angle_b) {
+    a.axis = b.axis, a.cos_spread = b.cos_spread;
+    return;
+  }
+  const double whole = (angle_a + between + angle_b) / 2;
+  const Vec3d aside = b.axis - glm::dot(a.axis, b.axis) * a.axis;
+  if (whole >= carlo::pi || !(glm::dot(aside, aside) > 0)) {
+    a.cos_spread = -1;
+    return;
+  }
+  const double turn = whole - angle_a;
+  a.axis = glm::normalize(std::cos(turn) * a.axis + std::sin(turn) * glm::normalize(aside));
+  a.cos_spread = std::cos(whole);
+}
+
+LightBounds together(const LightBounds& a, const LightBounds& b) {
+  LightBounds both = a;
+  both.lower = glm::min(a.lower, b.lower);
+  both.upper = glm::max(a.upper, b.upper);
+  if (a.cos_spread <= -1 || b.cos_spread <= -1)
+    both.cos_spread = -1;
+  else
+    widen(both, b);
+  both.strength += b.strength;
+  return both;
+}
+
+/// How many directions, weighed by cosines, lights in a cone of normals shine in: pi for one
+/// normal, 4 pi for all of them. Source: Conty Estevez and Kulla 2018, section 4.1.
+double measure_of_directions(const LightBounds& light) {
+  const double spread = std::acos(std::clamp(light.cos_spread, -1.0, 1.0));
+  const double end = std::min(spread + carlo::pi / 2, carlo::pi);
+  const double sine = std::sin(spread), cosine = std::cos(spread);
+  return 2 * carlo::pi * (1 - cosine) +
+         carlo::pi / 2 * (2 * end * sine - std::cos(spread - 2 * end) - 2 * spread * sine + cosine);
+}
+
+Vec3d middle(const LightBounds& light) {
+  return 0.5 * (light.lower + light.upper);
+}
+
+}  // namespace
+
+double estimate_irradiance(const LightBounds& light, Vec3d p, Vec3d n) {
+  const Vec3d to_light = middle(light) - p, half = 0.5 * (light.upper - light.lower);
+  const double distance2 = glm::dot(to_light, to_light), radius2 = glm::dot(half, half);
+  if (!(distance2 > radius2)) return radius2 > 0 ? light.strength / radius2 : 0;
+  const Vec3d d = to_light / std::sqrt(distance2);
+  const double sin_seen = std::sqrt(radius2 / distance2),
+               cos_seen = std::sqrt(1 - radius2 / distance2);
+  const double cos_in = cos_of_rest(glm::dot(n, d), cos_seen, sin_seen);
+  if (!(cos_in > 0)) return 0;
+  double cos_out = 1;
+  if (light.cos_spread > -1) {
+    const double toward = cos_of_rest(-glm::dot(light.axis, d), cos_seen, sin_seen);
+    cos_out = cos_of_rest(toward, light.cos_spread);
+  }
+  return cos_out > 0 ? light.strength * cos_in * cos_out / distance2 : 0;
+}
+
+/// Splits lights in two where the sum of strength x extent x directions is least, between bins.
+struct LightTree::Builder {
+  static constexpr std::size_t bins = 12;
+
+  const std::vector<LightBounds>& lights;
+  LightTree& tree;
+
+  LightBounds build(std::span<std::uint32_t> which, std::uint32_t node, std::uint32_t parent) {
+    tree.nodes_[node].parent = parent;
+    if (which.size() == 1) {
+      tree.nodes_[node].bounds = lights[which[0]];
+      tree.nodes_[node].light = which[0];
+      tree.leaf_of_[which[0]] = node;
+      return lights[which[0]];
+    }
+    const std::size_t left = split(which);
+    const auto child = static_cast<std::uint32_t>(tree.nodes_.size());
+    tree.nodes_.resize(tree.nodes_.size() + 2);
+    tree.nodes_[node].first_child = child;
+    const LightBounds a = build(which.first(left), child, node);
+    const LightBounds b = build(which.subspan(left), child + 1, node);
+    return tree.nodes_[node].bounds = together(a, b);
+  }
+
+  /// Sorts them into two parts; the number of the first.
+  std::size_t split(std::span<std::uint32_t> which) const {
+    Vec3d lower(std::numeric_limits<double>::max()), upper(-lower);
+    for (const std::uint32_t i : which) {
+      lower = glm::min(lower, middle(lights[i]));
+      upper = glm::max(upper, middle(lights[i]));
+    }
+    double least = std::numeric_limits<double>::max();
+    int best_axis = -1;
+    std::size_t best_bin = 0;
+    const double longest = std::max({upper.x - lower.x, upper.y - lower.y, upper.z - lower.z});
+    for (int axis = 0; axis < 3; ++axis) {
+      const double extent = upper[axis] - lower[axis];
+      if (!(extent > 0)) continue;
+      const std::array<double, bins> costs = costs_along(which, axis, lower[axis], extent);
+      for (std::size_t b = 0; b + 1 < bins; ++b) {
+        // Thin slices are worse than their boxes tell.
+        const double cost = costs.at(b) * longest / extent;
+        if (cost < least) least = cost, best_axis = axis, best_bin = b;
+      }
+    }
+    if (best_axis < 0) return which.size() / 2;  // all in one place
+    const auto second = std::partition(which.begin(), which.end(), [&](std::uint32_t i) {
+      return bin_of(i, best_axis, lower[best_axis], upper[best_axis] - lower[best_axis]) <=
+             best_bin;
+    });
+    return static_cast<std::size_t>(second - which.begin());
+  }
+
+  std::size_t bin_of(std::uint32_t i, int axis, double lower, double extent) const {
+    const double place = (middle(lights[i])[axis] - lower) / extent;
+    return std::min(static_cast<std::size_t>(place * bins), bins - 1);
+  }
+
+  /// Of a split behind each bin; the largest number where that leaves one side empty.
+  std::array<double, bins> costs_along(std::span<const std::uint32_t> which, int axis, double lower,
+                                       double extent) const {
+    std::array<std::optional<LightBounds>, bins> of_bin;
+    const auto add = [](std::optional<LightBounds>& sum, const LightBounds& more) {
+      sum = sum ? together(*sum, more) : more;
+    };
+    for (const std::uint32_t i : which)
+      add(of_bin.at(bin_of(i, axis, lower, extent)), lights[i]);
+    std::array<double, bins> costs{};
+    costs.fill(std::numeric_limits<double>::max());
+    std::array<double, bins> below{};
+    std::optional<LightBounds> sum;
+    for (std::size_t b = 0; b < bins; ++b) {
+      if (of_bin.at(b)) add(sum, *of_bin.at(b));
+      below.at(b) = sum ? cost(*sum) : -1;
+    }
+    sum.reset();
+    for (std::size_t b = bins - 1; b > 0; --b) {
+      if (of_bin.at(b)) add(sum, *of_bin.at(b));
+      if (sum && below.at(b - 1) >= 0) costs.at(b - 1) = below.at(b - 1) + cost(*sum);
+    }
+    return costs;
+  }
+
+  static double cost(const LightBounds& light) {
+    const Vec3d extent = light.upper - light.lower;
+    return light.strength * measure_of_directions(light) * glm::dot(extent, extent);
+  }
+};
+
+LightTree::LightTree(const std::vector<LightBounds>& lights, std::optional<double> everywhere)
+    : leaf_of_(lights.size() + (everywhere ? 1 : 0)) {
+  nodes_.reserve(2 * leaf_of_.size() + 2);
+  // Number 1 is nobody's: siblings are i and i ^ 1.
+  nodes_.resize(2);
+  if (everywhere) {
+    const auto last = static_cast<std::uint32_t>(lights.size());
+    const bool alone = lights.empty();
+    if (!alone) {
+      nodes_[0].first_child = 2;
+      nodes_.resize(4);
+      root_ = 2;
+    }
+    Node& around = nodes_[alone ? 0 : 3];
+    around.everywhere = true;
+    around.bounds.strength = *everywhere;
+    around.light = last;
+    leaf_of_[last] = alone ? 0 : 3;
+  }
+  if (lights.empty()) return;
+  std::vector<std::uint32_t> which(lights.size());
+  std::iota(which.begin(), which.end(), 0U);
+  bounds_ = Builder{lights, *this}.build(which, root_, 0);
+}
+
+void LightTree::collect(std::uint32_t node, std::vector<std::uint32_t>& lights) const {
+  if (nodes_[node].first_child == 0) return lights.push_back(nodes_[node].light);
+  collect(nodes_[node].first_child, lights);
+  collect(nodes_[node].first_child + 1, lights);
+}
+
+std::vector<std::vector<std::uint32_t>> LightTree::groups(std::size_t most) const {
+  std::vector<std::uint32_t> cut{root_};
+  const auto worth = [&](std::uint32_t i) {
+    const Node& node = nodes_[i];
+    const Vec3d extent = node.bounds.upper - node.bounds.lower;
+    return node.first_child == 0 ? -1 : node.bounds.strength * glm::dot(extent, extent);
+  };
+  while (cut.size() < most) {
+    const auto widest = std::max_element(cut.begin(), cut.end(),
+                                         [&](auto a, auto b) { return worth(a) < worth(b); });
+    if (worth(*widest) < 0) break;
+    const std::uint32_t child = nodes_[*widest].first_child;
+    *widest = child;
+    cut.push_back(child + 1);
+  }
+  std::vector<std::vector<std::uint32_t>> groups(cut.size());
+  for (std::size_t i = 0; i < cut.size(); ++i)
+    collect(cut[i], groups[i]);
+  return groups;
+}
+
+double LightTree::estimate(const Node& node, Vec3d p, Vec3d n) {
+  return node.everywhere ? node.bounds.strength : estimate_irradiance(node.bounds, p, n);
+}
+
+std::optional<LightTree::Choice> LightTree::sample(Vec3d p, Vec3d n, double u) const {
+  const auto count = static_cast<double>(leaf_of_.size());
+  if (leaf_of_.size() == 1) return Choice{0, 1, u};
+  if (u < floor) {
+    const double place = u / floor * count;
+    const auto light = static_cast<std::uint32_t>(std::min(place, count - 1));
+    return Choice{light, chance(light, p, n), std::min(place - light, 1 - 0x1p-53)};
+  }
+  u = (u - floor) / (1 - floor);
+  double by_descent = 1;
+  std::uint32_t at = 0;
+  while (nodes_[at].first_child != 0) {
+    const std::uint32_t child = nodes_[at].first_child;
+    const double left = estimate(nodes_[child], p, n), right = estimate(nodes_[child + 1], p, n);
+    if (!(left + right > 0)) return std::nullopt;
+    const double chance = left / (left + right);
+    const bool goes_left = u < chance;
+    u = goes_left ? u / chance : (u - chance) / (1 - chance);
+    u = std::min(u, 1 - 0x1p-53);
+    by_descent *= goes_left ? chance : 1 - chance;
+    at = goes_left ? child : child + 1;
+  }
+  return Choice{nodes_[at].light, (1 - floor) * by_descent + floor / count, u};
+}
+
+double LightTree::chance(std::uint32_t light, Vec3d p, Vec3d n) const {
+  if (leaf_of_.size() == 1) return 1;
+  return (1 - floor) * chance_by_descent(light, p, n) +
+         floor / static_cast<double>(leaf_of_.size());
+}
+
+double LightTree::chance_by_descent(std::uint32_t light, Vec3d p, Vec3d n) const {
+  double chance = 1;
+  for (std::uint32_t at = leaf_of_[light]; at != 0; at = nodes_[at].parent) {
+    const bool is_left = at % 2 == 0;
+    const double left = estimate(nodes_[is_left ? at : at ^ 1], p, n);
+    const double right = estimate(nodes_[is_left ? at ^ 1 : at], p, n);
+    if (!(left + right > 0)) return 0;
+    const double of_left = left / (left + right);
+    chance *= is_left ? of_left : 1 - of_left;
+  }
+  return chance;
+}
+
+double with_more_digits(float u, carlo::Vec2 others) {
+  const std::uint64_t digits =
+      carlo::hash(std::bit_cast<std::uint32_t>(u), std::bit_cast<std::uint32_t>(others.x),
+                  std::bit_cast<std::uint32_t>(others.y));
+  return static_cast<double>(u) + static_cast<double>(digits >> 35) * 0x1p-53;
+}
+
+float below_one(double u) {
+  return std::min(static_cast<float>(u), 0x1.fffffep-1f);
+}
+
+}  // namespace renderer

@@ -1,0 +1,88 @@
+#pragma once
+
+#include "numeric/vec.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace renderer {
+
+/// What the choice of a light goes by: where it is, which way it faces and how bright it is; of one
+/// light or of several together.
+struct LightBounds {
+  glm::dvec3 lower{0}, upper{0};  ///< a box around it
+  glm::dvec3 axis{0};             ///< its normals lie in the cone about this unit vector
+  double cos_spread = -1;  ///< of that half-angle (pi at most: -1); it emits in front of them
+  /// Radiant intensity along the normals, R + G + B: radiance times area of what is flat.
+  double strength = 0;
+};
+
+/// The irradiance (R + G + B) that a light brings, unoccluded, to the point p of a surface whose
+/// normal n stands on the side that is lit: about that. 0 only where the light cannot contribute.
+double estimate_irradiance(const LightBounds& light, glm::dvec3 p, glm::dvec3 n);
+
+/// Chooses one of many lights with a chance that grows with what it can bring to a point, in a time
+/// that grows with the logarithm of their number: a binary tree, descended by the estimates of both
+/// sides. No light's chance is below `floor` over their number.
+/// Sources: Conty Estevez, Kulla, "Importance sampling of many lights with adaptive tree
+/// splitting", HPG 2018; Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed.,
+/// section 12.6.3.
+class LightTree {
+ public:
+  static constexpr double floor = 1.0 / 16;
+
+  /// One light at least. `everywhere`: one more, behind the others, which brings this irradiance to
+  /// each point: what surrounds the scene.
+  explicit LightTree(const std::vector<LightBounds>& lights,
+                     std::optional<double> everywhere = std::nullopt);
+
+  struct Choice {
+    std::uint32_t light;
+    double chance;  ///< > 0
+    double u;       ///< in [0, 1), uniform again
+  };
+  /// u in [0, 1) with more digits than a float: of a chance of 1e-6 they leave but four bits.
+  /// Nothing where no light of those that u leads to can contribute.
+  std::optional<Choice> sample(glm::dvec3 p, glm::dvec3 n, double u) const;
+
+  /// With which sample() chooses a light.
+  double chance(std::uint32_t light, glm::dvec3 p, glm::dvec3 n) const;
+
+  /// The lights in so many groups at most, each a part of the tree: the strongest of large extent
+  /// are split first. Not what is everywhere.
+  std::vector<std::vector<std::uint32_t>> groups(std::size_t most) const;
+
+  /// Of all together; not of what is everywhere.
+  const LightBounds& bounds() const { return bounds_; }
+
+ private:
+  /// Siblings stand side by side: i and i ^ 1. The root, 0, has none.
+  struct Node {
+    LightBounds bounds;
+    bool everywhere = false;
+    std::uint32_t parent = 0;
+    std::uint32_t first_child = 0;  ///< 0: a leaf,
+    std::uint32_t light = 0;        ///< of this light
+  };
+  struct Builder;
+
+  static double estimate(const Node& node, glm::dvec3 p, glm::dvec3 n);
+  void collect(std::uint32_t node, std::vector<std::uint32_t>& lights) const;
+  double chance_by_descent(std::uint32_t light, glm::dvec3 p, glm::dvec3 n) const;
+
+  std::vector<Node> nodes_;
+  std::uint32_t root_ = 0;  ///< of all but what is everywhere
+  std::vector<std::uint32_t> leaf_of_;
+  LightBounds bounds_;
+};
+
+/// A u of 24 bits as one of 53: the digits below are a hash of this u and of the others that the
+/// same sample uses, so that they are uniform and the sample needs no further random number.
+double with_more_digits(float u, carlo::Vec2 others);
+
+/// The float next to u in [0, 1).
+float below_one(double u);
+
+}  // namespace renderer
