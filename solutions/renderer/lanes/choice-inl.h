@@ -26,9 +26,9 @@ namespace renderer {
 namespace HWY_NAMESPACE {
 
 // A group of lights (LaneLights) is chosen in proportion to the irradiance that it would bring if
-// nothing were in the way, about that: its `weight`. What can bring some at all has a share of a
-// sixteenth in any case, divided among all such groups, so that no light is left out where the
-// weights are wrong. (LightTree does the same for many lights, by its own estimates.)
+// nothing were in the way, about that: its `weight`. A sixteenth of the choices is for the lights
+// of all groups alike that can bring some at all, so that none is left out where the weights are
+// wrong. (LightTree does the same for many lights, by its own estimates.)
 
 /// What is known of groups: a sphere around each, and its LaneLights::strength.
 struct Emitters {
@@ -53,13 +53,13 @@ HWY_INLINE V round_weight(const Emitters& light, V3 p, V3 n) {
   return flat_weight(light, p, n, hn::Sqrt(hn::Max(dot(d, d), set(1e-30f))));
 }
 
-/// A group's chance, from its weight.
+/// A light's chance, from its group's weight and its share in it.
 struct Chances {
   V per_weight, of_each;
 };
-HWY_INLINE V chance(const Chances& chances, V weight) {
+HWY_INLINE V chance(const Chances& chances, V weight, V share) {
   return hn::IfThenElseZero(hn::Ge(weight, set(0)),
-                            mul_add(weight, chances.per_weight, chances.of_each));
+                            mul_add(hn::Mul(weight, chances.per_weight), share, chances.of_each));
 }
 
 /// Of the image around: the same everywhere.
@@ -76,7 +76,8 @@ inline HWY_NOINLINE Chances weigh_lights(const LaneLights& lights, const V3& p, 
   const auto add = [&](std::uint32_t g, V weight) HWY_ATTR {
     hn::Store(weight, d_, weights.data() + g * lanes);
     sum = hn::Add(sum, hn::Max(weight, set(0)));
-    count = select(hn::Ge(weight, set(0)), hn::Add(count, set(1)), count);
+    const V lights_there = set(static_cast<float>(lights.size[g]));
+    count = select(hn::Ge(weight, set(0)), hn::Add(count, lights_there), count);
   };
   const auto emitters = [&](std::uint32_t g) HWY_ATTR {
     return Emitters{set(lights.middle_x[g], lights.middle_y[g], lights.middle_z[g]),
@@ -103,35 +104,42 @@ struct Picked {
   V chance;  ///< of it
 };
 
-/// u is stretched from [lower, lower + width) to [0, 1): its steps of 2^-24 with it, between which
-/// `between`, in [0, 1), says where it is, so that of a small chance, too, all places are left.
-HWY_INLINE V stretch(V u, V lower, V width, V between) {
-  const V fine = mul_add(between, set(0x1p-24f), hn::Sub(u, lower));
-  return hn::Min(hn::Div(fine, width), set(0x1.fffffep-1f));
+/// u is stretched from [0, width) to [0, 1).
+HWY_INLINE V stretch(V u, V width) {
+  return hn::Min(hn::Div(u, width), set(0x1.fffffep-1f));
 }
 
-/// The members of groups that u leads to; u becomes uniform again.
-HWY_INLINE Picked pick_member(const LaneLights& lights, U group, V between, V& u) {
+/// The members of groups that u in [0, width) leads to: of the first `by_strength` of that by their
+/// strengths, of the rest all alike; u becomes uniform in [0, 1).
+HWY_INLINE Picked pick_member(const LaneLights& lights, U group, V width, V by_strength, V& u) {
   const U first = gather_words(lights.first.data(), group);
-  const U end = hn::Add(first, gather_words(lights.size.data(), group));
+  const U size = gather_words(lights.size.data(), group), end = hn::Add(first, size);
+  const V count = hn::ConvertTo(d_, hn::BitCast(di_, size));
+  const V of_each = hn::Div(hn::Sub(width, by_strength), count);
+  const M alike = hn::Ge(u, by_strength);
+  const V place = hn::Min(hn::Div(hn::Sub(u, by_strength), of_each), hn::Sub(count, set(0.5f)));
+  const U nth = hn::BitCast(du_, hn::ConvertTo(di_, hn::IfThenElseZero(alike, place)));
+  const V x = stretch(u, by_strength);
   U at = first;
   for (std::uint32_t half = std::bit_floor(lights.largest); half > 0; half /= 2) {
     const U next = hn::Add(at, set_word(half));
     const U last = hn::Sub(hn::Min(next, end), set_word(1));
     const M above =
-        hn::And(hn::Le(gather(lights.upto.data(), last), u), hn::RebindMask(d_, hn::Lt(next, end)));
+        hn::And(hn::Le(gather(lights.upto.data(), last), x), hn::RebindMask(d_, hn::Lt(next, end)));
     at = hn::IfThenElse(hn::RebindMask(du_, above), next, at);
   }
-  const M is_first = same(at, first);
+  at = hn::IfThenElse(hn::RebindMask(du_, alike), hn::Add(first, nth), at);
   const U before = hn::Sub(hn::Max(at, set_word(1)), set_word(1));
-  const V lower = hn::IfThenZeroElse(is_first, gather(lights.upto.data(), before));
+  const V lower = hn::IfThenZeroElse(same(at, first), gather(lights.upto.data(), before));
   const V share = hn::Sub(gather(lights.upto.data(), at), lower);
-  u = stretch(u, lower, share, between);
-  return {gather_words(lights.member.data(), at), share};
+  const V of_nth = hn::Sub(place, hn::ConvertTo(d_, hn::BitCast(di_, nth)));
+  u = select(alike, hn::Min(of_nth, set(0x1.fffffep-1f)), stretch(hn::Sub(x, lower), share));
+  return {gather_words(lights.member.data(), at), mul_add(by_strength, share, of_each)};
 }
 
 /// The lights that u in [0, 1) leads to; u becomes uniform again. Chances of groups are multiples
 /// of 2^-23, of which u's steps are halves, so that they are those with which groups are drawn.
+/// Where u is between two of its steps, of which a small chance leaves few, `seed` says.
 inline HWY_NOINLINE Picked pick_light(const LaneLights& lights, const Weights& weights,
                                       const Chances& chances, U seed, V& u) {
   V sum = set(0), of_each = set(0), lower = set(0), upper = set(1);
@@ -139,7 +147,9 @@ inline HWY_NOINLINE Picked pick_light(const LaneLights& lights, const Weights& w
   for (std::uint32_t g = 0; g < lights.groups; ++g) {
     const V weight = hn::Load(d_, weights.data() + g * lanes);
     sum = hn::Add(sum, hn::Max(weight, set(0)));
-    of_each = select(hn::Ge(weight, set(0)), hn::Add(of_each, chances.of_each), of_each);
+    of_each =
+        select(hn::Ge(weight, set(0)),
+               mul_add(chances.of_each, set(static_cast<float>(lights.size[g])), of_each), of_each);
     const V exact = mul_add(sum, chances.per_weight, of_each);
     const V upto = hn::Sub(hn::Add(exact, set(1)), set(1));
     const M beyond = hn::Ge(u, upto);
@@ -148,11 +158,16 @@ inline HWY_NOINLINE Picked pick_light(const LaneLights& lights, const Weights& w
     group = hn::IfThenElse(hn::RebindMask(du_, beyond), set_word(g + 1), group);
   }
   group = hn::Min(group, set_word(lights.groups - 1));
-  const V width = hn::Sub(upper, lower), between = to_unit(mix(seed));
-  u = stretch(u, lower, width, between);
-  if (lights.largest == 1) return {gather_words(lights.member.data(), group), width};
-  const Picked member = pick_member(lights, group, to_unit(mix(second_word(seed))), u);
-  return {member.index, hn::Mul(width, member.chance)};
+  const V width = hn::Sub(upper, lower);
+  u = mul_add(to_unit(mix(seed)), set(0x1p-24f), hn::Sub(u, lower));
+  if (lights.largest == 1) {
+    u = stretch(u, width);
+    return {gather_words(lights.member.data(), group), width};
+  }
+  const U place = hn::Add(hn::Mul(group, set_word(lanes)), hn::Iota(du_, 0));
+  const V weight = hn::Max(gather(weights.data(), place), set(0));
+  const V by_strength = hn::Min(hn::Mul(weight, chances.per_weight), width);
+  return pick_member(lights, group, width, by_strength, u);
 }
 
 /// With what chance lights are chosen at points p of surfaces with normals n.
@@ -171,7 +186,7 @@ inline HWY_NOINLINE V chance_of(const LaneLights& lights, const Chances& chances
     const M is_flat = hn::RebindMask(d_, hn::Gt(set_word(lights.first_round), group));
     weight = select(is_flat, weight, round_weight(of, p, n));
   }
-  return hn::Mul(chance(chances, weight), gather(lights.share.data(), light));
+  return chance(chances, weight, gather(lights.share.data(), light));
 }
 
 }  // namespace HWY_NAMESPACE

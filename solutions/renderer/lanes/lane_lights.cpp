@@ -32,16 +32,23 @@ std::optional<Light::Plane> plane_of(const std::vector<Light>& lights, const Mem
   return shared ? first : std::nullopt;
 }
 
-/// Shares in proportion to `weights`, but that a sixteenth is for all alike: none is left out.
-std::vector<double> shares(const std::vector<double>& weights) {
-  double all = 0, some = 0;
+/// 0 where all weights are 0.
+std::vector<double> shares(std::vector<double> weights) {
+  double all = 0;
   for (const double w : weights)
-    all += w, some += w > 0 ? 1 : 0;
-  std::vector<double> result;
-  for (const double w : weights) {
-    result.push_back(w > 0 ? (1 - LightTree::floor) * (w / all) + LightTree::floor / some : 0);
+    all += w;
+  for (double& w : weights)
+    w = all > 0 ? w / all : 0;
+  return weights;
+}
+
+/// But that a sixteenth is for all alike which have a share.
+std::vector<double> none_left_out(std::vector<double> shares) {
+  const auto some = std::count_if(shares.begin(), shares.end(), [](double s) { return s > 0; });
+  for (double& s : shares) {
+    if (s > 0) s = (1 - LightTree::floor) * s + LightTree::floor / static_cast<double>(some);
   }
-  return result;
+  return shares;
 }
 
 /// Running sums up to 1, multiples of 2^-24.
@@ -133,7 +140,7 @@ void LaneLights::share_out_starts(const std::vector<Light>& lights) {
   std::vector<double> powers;
   for (const Light& light : lights)
     powers.push_back(light.power);
-  const std::vector<double> sums = running(shares(powers));
+  const std::vector<double> sums = running(none_left_out(shares(powers)));
   for (std::size_t l = 0; l < sums.size(); ++l) {
     start_upto[l] = as_float(sums[l]);
     start_chance[l] = start_upto[l] - (l == 0 ? 0 : start_upto[l - 1]);

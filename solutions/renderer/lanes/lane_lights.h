@@ -15,6 +15,7 @@ namespace renderer {
 /// A light is asked in proportion to the irradiance that it would bring unoccluded, about that. To
 /// estimate it for each of a hundred lights takes longer than the path's rays, so lights that stand
 /// together are estimated together, in `groups`; within one they are chosen by their strength.
+/// A sixteenth of the choices is for all lights alike that can bring anything.
 struct LaneLights {
   static constexpr std::size_t most = 128;        ///< lights
   static constexpr std::size_t most_groups = 24;  ///< up to so many lights are groups of their own
@@ -48,11 +49,11 @@ struct LaneLights {
   GroupColumn<std::uint32_t> first{}, size{};  ///< of a group, in the list of its members
   std::uint32_t largest = 0;                   ///< size
   Column<std::uint32_t> member{};              ///< the list: lights
-  Column<float> upto{};  ///< and of each the running sum of shares in its group, 1 at the end
+  Column<float> upto{};  ///< and of each the running sum of strengths in its group, 1 at the end
 
   // Of each light:
   Column<std::uint32_t> group{};
-  Column<float> share{};  ///< in its group
+  Column<float> share{};  ///< of its group's strength
   /// The running sum of the chances with which paths from lamps start there: multiples of 2^-24,
   /// the step of the u's, so that they are what is drawn; and each chance.
   Column<float> start_upto{}, start_chance{};
