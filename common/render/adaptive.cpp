@@ -6,6 +6,7 @@
 #include "render/adaptive_state.h"
 #include "render/interrupt.h"
 #include "render/lamp_pass.h"
+#include "render/light_asks.h"
 
 #include <tbb/parallel_for_each.h>
 #include <tbb/task_arena.h>
@@ -27,6 +28,8 @@ constexpr double worst_excess = 3;
 constexpr double floor_fraction = 0.01;
 /// A render may be kept (checkpoints) after so many jobs for each thread.
 constexpr std::ptrdiff_t jobs_at_once = 64;
+/// Of a half: for lights alone no pixel gets more.
+constexpr double most_for_lights = 1024;
 /// Larger jobs are split, so that all threads have work until the end.
 constexpr std::uint64_t most_paths_a_job = 1u << 20;
 
@@ -86,6 +89,7 @@ class AdaptiveJob {
     summary.floor = floor_fraction * mean_luminance(0, 1);
     summary.within = expected_within(state_, goal_.target, summary.floor);
     summary.capped = capped();
+    summary.asks = asks(static_cast<double>(summary.least));
     const auto taken = static_cast<double>(counts_.paths);
     summary.decided_only = taken > 0 ? 1 - static_cast<double>(result.film.samples()) / taken : 0;
     return result;
@@ -298,6 +302,11 @@ class AdaptiveJob {
   void decide() {
     const double allowed = goal_.target * goal_.target / (confidence * confidence);
     const double n = levels_.end(state_.level);
+    if (n < most_for_lights && asks(n) < enough_asks) {
+      state_.expected_paths =
+          std::fmax(state_.expected_paths, 2 * static_cast<double>(counts_.paths));
+      return;
+    }
     std::vector<std::array<SquaredErrors, 2>> found(state_.units.size());
     for (std::size_t unit = 0; unit < state_.units.size(); ++unit) {
       for (std::size_t half = 0; half < 2; ++half) {
@@ -339,6 +348,10 @@ class AdaptiveJob {
       }
     }
     return sum / count;
+  }
+
+  double asks(double samples) const {
+    return expected_asks(integrator_.least_light_chance(), samples, state_.width, state_.height);
   }
 
   /// An estimate of the samples that a unit lacks, for the progress bar.

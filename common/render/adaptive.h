@@ -27,6 +27,7 @@ struct AdaptiveSummary {
   double within = 0;  ///< expected fraction of the pixels whose error is within the target
   double capped = 0;  ///< fraction of the pixels that were ended by spp, seconds or Ctrl-C
   std::uint64_t least = 0, median = 0, most = 0;  ///< samples of a pixel
+  double asks = 0;                                ///< light_asks.h, where the samples are fewest
   double decided_only = 0;  ///< fraction of the samples that served decisions, not the image
 };
 
@@ -72,7 +73,9 @@ struct AdaptiveOptions {
 /// than one, and a rare bright path in one keeps all going. A block is done when its pixels' errors
 /// are within the target on average (root mean square), would be with the noise of the blocks
 /// around it, too, and the worst estimate is at most 3 times the target. The neighbours are what
-/// finds most of the bright paths that a block has not met.
+/// finds most of the bright paths that a block has not met; and none is done before each light has
+/// been asked ten times there (light_asks.h), unless that takes more than 1024 samples a half: then
+/// the summary tells.
 ///
 /// In the caller's task arena. The film's bits do not depend on the number of threads. Throws Error
 /// if the target is not a finite number above 0, spp is below 32, or the earlier render does not

@@ -97,6 +97,10 @@ class Integrator {
   /// The time that it took to decide how to render; it counts as the render's.
   virtual double seconds_spent() const { return 0; }
 
+  /// The least chance with which a path asks a light that can reach its vertex (light_asks.h); 1
+  /// where there is nothing to choose.
+  virtual double least_light_chance() const { return 1; }
+
   /// What an image of `pixels` needs besides its tiles: the number of paths from lamps for each
   /// sample of a pixel; 0 if light is found from the camera alone.
   virtual std::uint32_t lamp_paths() const { return 0; }

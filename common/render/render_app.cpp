@@ -6,6 +6,7 @@
 #include "image/exr.h"
 #include "render/driver.h"
 #include "render/interrupt.h"
+#include "render/light_asks.h"
 #include "render/outputs.h"
 #include "render/render_arguments.h"
 #include "render/render_page.h"
@@ -187,6 +188,10 @@ int run(RenderArguments a, const IntegratorFactory& factory, const std::string& 
     report.scene = a.scene;
     report.kernel = integrator->name();
     report.seed = seed;
+    if (!result.adaptive) {
+      report.light_asks =
+          expected_asks(integrator->least_light_chance(), report.spp, scene.width, scene.height);
+    }
     if (reference) report.reference = compare_with_reference(result, a.reference, *reference);
     return report;
   };

@@ -4,6 +4,7 @@
 #include "json/json_fields.h"
 #include "numeric/compensated.h"
 #include "render/half_sums.h"
+#include "render/light_asks.h"
 #include "scene/needs.h"
 #include "scene/sampler_kind.h"
 
@@ -173,6 +174,7 @@ RenderReport make_report(const RenderResult& result) {
   report.relative_error = relative_error(result.film, report.mean);
   report.finished = finished(result.film);
   report.adaptive = result.adaptive;
+  if (result.adaptive) report.light_asks = result.adaptive->asks;
   return report;
 }
 
@@ -229,6 +231,12 @@ ReportLines to_lines(const RenderReport& r) {
     line("bias z", fmt::format("R {:.2f}, G {:.2f}, B {:.2f}", r.reference->bias_z[0],
                                r.reference->bias_z[1], r.reference->bias_z[2]));
     line("efficiency", fmt::format("{:.4g} = 1 / (MSE x s)", r.reference->efficiency));
+  }
+  if (r.light_asks && *r.light_asks < enough_asks) {
+    line("lights",
+         fmt::format("some are asked but {:.2g} times around a pixel (expected): one of these that "
+                     "lights it where stronger ones are hidden may be missing, from the error, too",
+                     *r.light_asks));
   }
   if (r.counts.cut > 0) {
     line("WARNING",
@@ -301,6 +309,7 @@ static void fields(JsonFields& json, RenderReport& r) {
   json.also("mean", list(r.mean.value));
   json.also("standard_error", list(r.mean.standard_error));
   json.also("relative_pixel_error", r.relative_error);
+  if (r.light_asks) json.also("least_light_asks", *r.light_asks);
   json("target", r.adaptive);
   json("reference", r.reference);
 }

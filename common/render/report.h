@@ -36,6 +36,8 @@ struct RenderReport {
   Counts counts;
   MeanRadiance mean;
   double relative_error = 0;  ///< rms standard error of a pixel over the mean radiance
+  /// light_asks.h, where samples are fewest; nothing where it is not known.
+  std::optional<double> light_asks;
   double finished = 1;  ///< fraction of the pixels that have samples; the means are over these
   std::optional<AdaptiveSummary> adaptive;
   std::optional<ReferenceReport> reference;

@@ -49,6 +49,11 @@ class Lights {
 
   bool empty() const { return leaves_.empty(); }
 
+  /// With which any of them is asked; 1 where there is no choice.
+  double least_chance() const {
+    return leaves_.size() > 1 ? LightTree::floor / static_cast<double>(leaves_.size()) : 1;
+  }
+
   /// Nothing when the light sends no radiance to `from`, or when rounding hides whether it does: a
   /// flat light does not light itself. What comes from there is left to rays that meet the light.
   std::optional<LightSample> sample(const Receiver& from, float u_light, Vec2 u) const;

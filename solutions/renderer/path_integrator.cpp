@@ -80,6 +80,8 @@ class PathIntegrator final : public carlo::Integrator {
 
   std::string name() const override { return "scalar path tracer, Embree"; }
 
+  double least_light_chance() const override { return lights_.least_chance(); }
+
   void render(const carlo::Tile& tile, std::span<std::array<double, 3>> means,
               Counts& counts) const override {
     const std::uint64_t seed = carlo::stream_seed(options_.seed, tile.stream);

@@ -250,6 +250,8 @@ HWY_INLINE void start_at_lamps(const LampJob& job, U index, U key, M starts, Pat
   const U reversed = reverse_bits(index), k = mix(key);
   const V2 u = points(job.whole, reversed, k), v = points(job.whole, reversed, second_word(k));
   const LightPoints lamp = sample_lamp<Needs::full>(s, u);
+  // In a scene without lamps there is but the image around, where none starts.
+  if (Needs::full && s.sky) starts = hn::AndNot(lamp.beyond, starts);
   // Cosine-distributed about the normal, or uniform.
   const SinCos azimuth = turn(v.y);
   const V z = select(lamp.point, neg_mul_add(v.x, set(2), set(1)), hn::Sqrt(hn::Sub(set(1), v.x)));

@@ -43,6 +43,10 @@ class LaneIntegrator final : public carlo::Integrator {
 
   double seconds_spent() const override { return seconds_spent_; }
 
+  double least_light_chance() const override {
+    return lanes_.lights > 1 ? LightTree::floor / lanes_.lights : 1;
+  }
+
   std::uint32_t lamp_paths() const override {
     return static_cast<std::uint32_t>(choices_.lamp_paths);
   }

@@ -123,7 +123,7 @@ class Walk : Steps<Needs> {
   /// starts there.
   HWY_INLINE V3 image_around(const Paths& paths, M lost) const {
     const Texels texels = sky_at(*s_.sky, paths.d, lost);
-    const V chosen = s_.lights == 1 ? set(1) : chance(paths.chances, sky_weight(s_.choice), set(1));
+    const V chosen = s_.lights < 2 ? set(1) : chance(paths.chances, sky_weight(s_.choice), set(1));
     const V by_light = hn::Div(hn::Mul(chosen, texels.pdf), paths.pdf);
     const M whole = hn::Lt(paths.pdf, set(0));
     return select(whole, set(1), this->weigh(by_light)) * texels.radiance;
