@@ -142,7 +142,7 @@ class Loader {
     }
     once(environment_, element);
     if (type == "envmap")
-      scene_.lights.envmap = parse_envmap(emitter);
+      scene_.lights.envmap = parse_envmap(emitter, scene_.notes);
     else
       scene_.lights.environment = required_colour(emitter, "radiance");
   }
