@@ -3,8 +3,11 @@
 #include "cli/atomic_file.h"
 #include "cli/error.h"
 #include "image/exr_header.h"
+#include "image/exr_window.h"
+#include "image/primaries.h"
 
 #include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -76,6 +79,14 @@ OIIO::ImageSpec spec_of(const ExrFile& file) {
   return spec;
 }
 
+std::string in_one_line(std::string text) {
+  while (text.ends_with('\n'))
+    text.pop_back();
+  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n'))
+    text.replace(at, 1, " ");
+  return text;
+}
+
 /// The places of three named channels among a file's, or nothing if one is missing.
 std::optional<std::array<std::size_t, 3>> find_channels(const std::vector<std::string>& names,
                                                         const std::array<std::string, 3>& wanted) {
@@ -96,22 +107,26 @@ std::vector<T> read_channels(OIIO::ImageInput& in, const OIIO::ImageSpec& spec, 
                       count);
   const auto begin = static_cast<int>(first);
   const auto type = std::is_same_v<T, float> ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT32;
-  if (!in.read_image(0, 0, begin, begin + static_cast<int>(count), type, data.data())) {
-    throw Error("cannot read {}: {}", path.string(), in.geterror());
+  if (!in.read_image(in.current_subimage(), 0, begin, begin + static_cast<int>(count), type,
+                     data.data())) {
+    throw Error("cannot read {}: {}", path.string(), in_one_line(in.geterror()));
   }
   return data;
 }
 
 /// Three channels; only those that lie between them are read besides.
-Image read_colours(OIIO::ImageInput& in, const OIIO::ImageSpec& spec,
+Image read_colours(OIIO::ImageInput& in, const OIIO::ImageSpec& spec, const ExrWindow& window,
                    const std::array<std::size_t, 3>& places, const std::filesystem::path& path) {
   const auto [first, last] = std::minmax_element(places.begin(), places.end());
   const std::size_t count = *last - *first + 1;
   const auto data = read_channels<float>(in, spec, *first, count, path);
-  Image image(spec.width, spec.height);
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    for (int c = 0; c < 3; ++c)
-      image.pixels[i][c] = data[i * count + places[static_cast<std::size_t>(c)] - *first];
+  Image image(window.width(), window.height());
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const auto pixel = window.find(x, y);
+      for (int c = 0; c < 3 && pixel; ++c)
+        image.at(x, y)[c] = data[*pixel * count + places[static_cast<std::size_t>(c)] - *first];
+    }
   }
   return image;
 }
@@ -120,6 +135,7 @@ Image read_colours(OIIO::ImageInput& in, const OIIO::ImageSpec& spec,
 /// the channels between as well, and a render's sums are scores of them.
 std::map<std::string, std::vector<std::uint32_t>> read_counts(OIIO::ImageInput& in,
                                                               const OIIO::ImageSpec& spec,
+                                                              const ExrWindow& window,
                                                               const std::vector<std::string>& names,
                                                               const std::filesystem::path& path) {
   std::map<std::string, std::size_t> places;
@@ -137,9 +153,14 @@ std::map<std::string, std::vector<std::uint32_t>> read_counts(OIIO::ImageInput& 
   const auto data = read_channels<std::uint32_t>(in, spec, first, stride, path);
   for (const auto& [name, place] : places) {
     std::vector<std::uint32_t>& values = counts[name];
-    values.reserve(data.size() / stride);
-    for (std::size_t at = place - first; at < data.size(); at += stride)
-      values.push_back(data[at]);
+    values.reserve(static_cast<std::size_t>(window.width()) *
+                   static_cast<std::size_t>(window.height()));
+    for (int y = 0; y < window.height(); ++y) {
+      for (int x = 0; x < window.width(); ++x) {
+        const auto pixel = window.find(x, y);
+        values.push_back(pixel ? data[*pixel * stride + place - first] : 0);
+      }
+    }
   }
   return counts;
 }
@@ -159,6 +180,61 @@ void require_plausible_size(const OIIO::ImageSpec& spec, const std::filesystem::
     throw Error("cannot read {}: {} x {} pixels of {} channels cannot come from {} bytes",
                 path.string(), spec.width, spec.height, spec.nchannels, bytes);
   }
+}
+
+/// The first part with R, G, B, which the reader then stands at.
+OIIO::ImageSpec find_part(OIIO::ImageInput& in, const std::filesystem::path& path,
+                          std::vector<std::string>& notes) {
+  const OIIO::ImageSpec first = in.spec();
+  const int parts = first.get_int_attribute("oiio:subimages", 1);
+  int found = -1;
+  for (int part = 0; part < parts && found < 0 && in.seek_subimage(part, 0); ++part) {
+    if (find_channels(in.spec().channelnames, colour_channels)) found = part;
+  }
+  if (found < 0) {
+    throw Error("cannot read {}: it has no channels R, G, B, but {}", path.string(),
+                fmt::join(first.channelnames, ", "));
+  }
+  if (in.spec().deep) {
+    throw Error(
+        "cannot read {}: its pixels are deep (values at several depths), expected flat ones",
+        path.string());
+  }
+  if (parts > 1)
+    notes.push_back(
+        fmt::format("part {} of its {} is read, the first with R, G, B", found + 1, parts));
+  return in.spec();
+}
+
+/// To linear Rec. 709.
+void convert_colours(const OIIO::ImageSpec& spec, ExrFile& file,
+                     const std::filesystem::path& path) {
+  for (const char* name : {"whiteLuminance", "adoptedNeutral"}) {
+    if (spec.find_attribute(name) != nullptr)
+      file.notes.push_back(fmt::format("its {} is not used", name));
+  }
+  if (spec.get_float_attribute("PixelAspectRatio", 1) != 1)
+    file.notes.emplace_back("its pixelAspectRatio is not used");
+  std::array<float, 8> xy{};
+  const OIIO::TypeDesc type(OIIO::TypeDesc::FLOAT, 8);
+  if (!spec.getattribute("chromaticities", type, xy.data())) return;
+  const auto pair = [&xy](std::size_t i) {
+    return std::array{static_cast<double>(xy.at(i)), static_cast<double>(xy.at(i + 1))};
+  };
+  const Primaries primaries{pair(0), pair(2), pair(4), pair(6)};
+  std::optional<glm::dmat3> matrix;
+  try {
+    matrix = to_rec709(primaries);
+  } catch (const Error& error) {
+    throw Error("cannot read {}: {}", path.string(), error.what());
+  }
+  if (!matrix) return;
+  convert(file.image, *matrix);
+  file.notes.push_back(
+      fmt::format("its chromaticities, {}, are taken to those of Rec. 709", text_of(primaries)));
+  // How the errors of three channels go together is not told.
+  if (file.standard_error) file.notes.emplace_back("its standard errors are not used");
+  file.standard_error.reset();
 }
 
 }  // namespace
@@ -185,23 +261,28 @@ ExrFile read_exr(const std::filesystem::path& path, const std::vector<std::strin
   if (!in) throw Error("cannot read {}: {}", path.string(), OIIO::geterror());
   OIIO::ImageSpec spec;
   if (!in->open(path.string(), spec)) {
-    throw Error("cannot read {} as OpenEXR: {}", path.string(), in->geterror());
+    throw Error("cannot read {} as OpenEXR: {}", path.string(), in_one_line(in->geterror()));
   }
-  require_plausible_size(spec, path);
-  const auto colour = find_channels(spec.channelnames, colour_channels);
-  if (!colour) throw Error("cannot read {}: it has no channels R, G, B", path.string());
   ExrFile file;
-  file.image = read_colours(*in, spec, *colour, path);
+  spec = find_part(*in, path, file.notes);
+  require_plausible_size(spec, path);
+  const ExrWindow window(spec, path);
+  if (const auto note = window.note()) file.notes.push_back(*note);
+  const auto colour = find_channels(spec.channelnames, colour_channels);
+  file.image = read_colours(*in, spec, window, colour.value(), path);
   if (const auto error = find_channels(spec.channelnames, error_channels)) {
-    file.standard_error = read_colours(*in, spec, *error, path);
+    file.standard_error = read_colours(*in, spec, window, *error, path);
   }
-  file.counts = read_counts(*in, spec, counts, path);
+  file.counts = read_counts(*in, spec, window, counts, path);
   for (const auto& attribute : spec.extra_attribs) {
     const std::string name = attribute.name().string();
     if (name.starts_with(attribute_prefix)) {
       file.attributes[name.substr(attribute_prefix.size())] = attribute.get_string();
     }
   }
+  convert_colours(spec, file, path);
+  for (std::string& note : file.notes)
+    note = path.filename().string() + ": " + note;
   return file;
 }
 

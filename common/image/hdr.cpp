@@ -1,8 +1,10 @@
 #include "image/hdr.h"
 
 #include "cli/atomic_file.h"
+#include "cli/byte_order_mark.h"
 #include "cli/error.h"
 #include "cli/number.h"
+#include "image/primaries.h"
 
 #include <fmt/format.h>
 
@@ -13,6 +15,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace carlo {
@@ -21,12 +24,17 @@ namespace {
 constexpr int least_packed = 8, most_packed = 32767;  ///< widths of rows that may come in runs
 using Rgbe = std::array<std::uint8_t, 4>;
 
+// Why a reader of our own: OpenImageIO 2.4.7 and 3.2.2 read pictures without dividing by EXPOSURE,
+// and know no COLORCORR.
 class HdrReader {
  public:
   explicit HdrReader(const std::filesystem::path& path)
-      : path_(path.string()), bytes_(read_file(path)), rest_(bytes_) {}
+      : path_(path.string()),
+        name_(path.filename().string()),
+        bytes_(read_file(path)),
+        rest_(without_byte_order_mark(bytes_)) {}
 
-  Image read() {
+  HdrFile read() {
     read_header();
     Image image = sized();
     std::vector<Rgbe> row(static_cast<std::size_t>(image.width));
@@ -35,8 +43,9 @@ class HdrReader {
       std::transform(row.begin(), row.end(), image.pixels.begin() + y * image.width,
                      [this](const Rgbe& p) { return radiance(p); });
     }
-    if (!rest_.empty()) fail(fmt::format("{} bytes follow the last pixel", rest_.size()));
-    return image;
+    check_end(image.width);
+    if (primaries_) convert_from(*primaries_, image);
+    return {std::move(image), std::move(notes_)};
   }
 
  private:
@@ -44,12 +53,22 @@ class HdrReader {
     throw Error("cannot read {}: {}", path_, what);
   }
 
+  void note(const std::string& what) { notes_.push_back(name_ + ": " + what); }
+
+  /// Headers that were edited may have lines that end in \r\n. Blanks before a line stay: those of
+  /// an image that this one was made of are indented.
   std::string_view line() {
     const std::size_t end = rest_.find('\n');
     if (end == std::string_view::npos) fail("its header has no end");
-    const std::string_view text = rest_.substr(0, end);
+    std::string_view text = rest_.substr(0, end);
     rest_.remove_prefix(end + 1);
+    if (text.ends_with('\r')) text.remove_suffix(1);
     return text;
+  }
+
+  static std::string_view trimmed(std::string_view text) {
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+    return text.substr(0, text.find_last_not_of(blanks) + 1);
   }
 
   /// The number that all of `text` is, but for blanks before it; fails otherwise.
@@ -61,14 +80,87 @@ class HdrReader {
     return *value;
   }
 
+  /// So many numbers, separated by blanks.
+  template <std::size_t count>
+  std::array<double, count> numbers(std::string_view text, std::string_view what) const {
+    std::array<double, count> values{};
+    for (double& value : values) {
+      text = trimmed(text);
+      const std::size_t end = std::min(text.find_first_of(blanks), text.size());
+      const auto number = number_of<double>(text.substr(0, end));
+      if (!number || !std::isfinite(*number)) break_off(count, what);
+      value = *number;
+      text.remove_prefix(end);
+    }
+    if (!text.empty()) break_off(count, what);
+    return values;
+  }
+
+  [[noreturn]] void break_off(std::size_t count, std::string_view what) const {
+    fail(fmt::format("{} must be {} numbers", what, count));
+  }
+
   void read_header() {
     if (!line().starts_with("#?")) fail("it does not begin with #?");
     for (std::string_view text = line(); !text.empty(); text = line()) {
-      if (text.starts_with("FORMAT=") && text != "FORMAT=32-bit_rle_rgbe")
-        fail("its FORMAT is not 32-bit_rle_rgbe");
-      if (text.starts_with("EXPOSURE="))
-        per_exposure_ /= number<double>(text.substr(9), "its EXPOSURE");
+      const std::size_t equals = text.find('=');
+      if (equals != std::string_view::npos)
+        read_variable(text.substr(0, equals), trimmed(text.substr(equals + 1)));
     }
+  }
+
+  /// Others (SOFTWARE, CAPDATE, ...) and the lines of programs say where it is from.
+  void read_variable(std::string_view name, std::string_view value) {
+    if (name == "FORMAT" && value != "32-bit_rle_rgbe") fail("its FORMAT is not 32-bit_rle_rgbe");
+    if (name == "EXPOSURE") divide_by(glm::dvec3(number<double>(value, "its EXPOSURE")));
+    if (name == "COLORCORR") read_correction(numbers<3>(value, "its COLORCORR"));
+    if (name == "PRIMARIES") {
+      const auto xy = numbers<8>(value, "its PRIMARIES");
+      primaries_ = {{xy[0], xy[1]}, {xy[2], xy[3]}, {xy[4], xy[5]}, {xy[6], xy[7]}};
+      if (xy == std::array<double, 8>{}) {
+        note("its PRIMARIES are all 0, taken for those of Rec. 709");
+        primaries_.reset();
+      }
+    }
+    if (name == "GAMMA" && number_of<double>(value) != 1)
+      fail("its GAMMA is not 1: expected linear values");
+    if (name == "PIXASPECT" && number_of<double>(value) != 1) note("its PIXASPECT is not used");
+    if (name == "VIEW") note("its VIEW is not used");
+  }
+
+  void read_correction(const std::array<double, 3>& factors) {
+    for (const double factor : factors) {
+      if (!(factor > 0)) fail("its COLORCORR must be three numbers > 0");
+    }
+    divide_by({factors[0], factors[1], factors[2]});
+  }
+
+  void divide_by(glm::dvec3 factor) { per_correction_ /= factor; }
+
+  void convert_from(const Primaries& primaries, Image& image) {
+    std::optional<glm::dmat3> matrix;
+    try {
+      matrix = to_rec709(primaries);
+    } catch (const Error& error) {
+      fail(error.what());
+    }
+    if (!matrix) return;
+    convert(image, *matrix);
+    note(fmt::format("its PRIMARIES, {}, are taken to those of Rec. 709", text_of(primaries)));
+  }
+
+  /// Fewer bytes than a row has are no row that the size leaves out: an editor's end of line, or
+  /// what fills the file up.
+  void check_end(int width) {
+    if (rest_.empty()) return;
+    if (static_cast<std::int64_t>(rest_.size()) >= least_bytes_of_row(width))
+      fail(fmt::format("{} bytes follow the last pixel", rest_.size()));
+    note(fmt::format("{} bytes follow the last pixel and are not used", rest_.size()));
+  }
+
+  /// A run of 127 takes 2 bytes.
+  static std::int64_t least_bytes_of_row(std::int64_t width) {
+    return std::min(4 * width, 4 + 8 * ((width + 126) / 127));
   }
 
   /// "-Y height +X width", and enough bytes behind it.
@@ -81,9 +173,7 @@ class HdrReader {
     const auto width = number<int>(text.substr(x + 4), "its width");
     if (std::int64_t{width} * height > most_pixels)
       fail(fmt::format("it has {} x {} pixels, expected {} at most", width, height, most_pixels));
-    // A run of 127 takes 2 bytes.
-    const std::int64_t plain = 4 * std::int64_t{width}, packed = 4 + 8 * ((width + 126) / 127);
-    if (static_cast<std::int64_t>(rest_.size()) < std::min(plain, packed) * height)
+    if (static_cast<std::int64_t>(rest_.size()) < least_bytes_of_row(width) * height)
       short_of_bytes();
     return {width, height};
   }
@@ -130,19 +220,24 @@ class HdrReader {
 
   Rgb radiance(const Rgbe& pixel) const {
     if (pixel[3] == 0) return Rgb(0);
-    const double unit = std::ldexp(per_exposure_, int{pixel[3]} - 136);
-    return {static_cast<float>(pixel[0] * unit), static_cast<float>(pixel[1] * unit),
-            static_cast<float>(pixel[2] * unit)};
+    const glm::dvec3 mantissa(pixel[0], pixel[1], pixel[2]);
+    const int exponent = int{pixel[3]} - 136;
+    return Rgb(mantissa * glm::dvec3(std::ldexp(per_correction_.r, exponent),
+                                     std::ldexp(per_correction_.g, exponent),
+                                     std::ldexp(per_correction_.b, exponent)));
   }
 
-  std::string path_, bytes_;
+  static constexpr std::string_view blanks = " \t\r";
+  std::string path_, name_, bytes_;
   std::string_view rest_;
-  double per_exposure_ = 1;
+  glm::dvec3 per_correction_{1};  ///< 1 over what the pixels were multiplied by
+  std::optional<Primaries> primaries_;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace
 
-Image read_hdr(const std::filesystem::path& path) {
+HdrFile read_hdr(const std::filesystem::path& path) {
   return HdrReader(path).read();
 }
 

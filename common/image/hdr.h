@@ -3,13 +3,22 @@
 #include "image/image.h"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace carlo {
 
-/// Reads a Radiance picture (.hdr): 32-bit RGBE, plain or in runs, with the top row first; values
-/// are divided by the header's EXPOSURE, if it has one. Throws Error naming the path and what is
-/// wrong.
-/// Source: Ward, "Real pixels", Graphics Gems II, 1991.
-Image read_hdr(const std::filesystem::path& path);
+/// A Radiance picture's linear Rec. 709, and what else is in it and not used.
+struct HdrFile {
+  Image image;
+  std::vector<std::string> notes = {};
+};
+
+/// Reads a Radiance picture (.hdr): 32-bit RGBE, plain or in runs, with the top row first. Values
+/// are divided by the header's EXPOSURE and COLORCORR; PRIMARIES other than those of Rec. 709 are
+/// taken to these (primaries.h), and without any they are these. Throws Error naming the path and
+/// what is wrong. Source: Ward, "Real pixels", Graphics Gems II, 1991; "Radiance file formats",
+/// pictures.
+HdrFile read_hdr(const std::filesystem::path& path);
 
 }  // namespace carlo

@@ -189,6 +189,7 @@ ReferenceReport compare_with_reference(const RenderResult& result, const std::st
                          reference.standard_error ? *reference.standard_error : exact,
                          ties(result, mean_radiance(result.film)));
   report.efficiency = 1 / (report.error.mse * result.seconds);
+  report.notes = reference.notes;
   return report;
 }
 
@@ -231,6 +232,8 @@ ReportLines to_lines(const RenderReport& r) {
     line("bias z", fmt::format("R {:.2f}, G {:.2f}, B {:.2f}", r.reference->bias_z[0],
                                r.reference->bias_z[1], r.reference->bias_z[2]));
     line("efficiency", fmt::format("{:.4g} = 1 / (MSE x s)", r.reference->efficiency));
+    for (const std::string& note : r.reference->notes)
+      line("note", note);
   }
   if (r.light_asks && *r.light_asks < enough_asks) {
     line("lights",

@@ -20,6 +20,7 @@ struct ReferenceReport {
   ImageError error;
   std::array<double, 3> bias_z{};  ///< of the whole image's mean, per channel
   double efficiency = 0;           ///< 1 / (MSE * seconds)
+  std::vector<std::string> notes;  ///< what of the reference is not as it stands in its file
 };
 
 /// All that a render tells about itself: never a time without its error, nor an error without its

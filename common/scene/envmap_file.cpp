@@ -1,10 +1,13 @@
 #include "scene/envmap_file.h"
 
+#include "cli/byte_order_mark.h"
 #include "cli/error.h"
 #include "image/exr.h"
 #include "image/hdr.h"
 #include "scene/similarity.h"
 #include "scene/text.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,23 +15,38 @@
 #include <fstream>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace carlo {
 namespace {
 
 namespace fs = std::filesystem;
 
+struct ImageFile {
+  Image image;
+  std::vector<std::string> notes;
+  const char* size_of;  ///< what has the image's size
+};
+
 /// By its first bytes, whatever it is called.
-Image read_image(const fs::path& path) {
-  std::string start(4, '\0');
-  std::ifstream(path, std::ios::binary).read(start.data(), 4);
-  if (start == "\x76\x2f\x31\x01") return read_exr(path).image;
-  if (start.starts_with("#?")) return read_hdr(path);
+ImageFile read_image(const fs::path& path) {
+  std::string start(8, '\0');
+  std::ifstream(path, std::ios::binary).read(start.data(), 8);
+  if (start.starts_with("\x76\x2f\x31\x01")) {
+    ExrFile file = read_exr(path);
+    return {std::move(file.image), std::move(file.notes), "a display window of "};
+  }
+  if (is_utf16(start)) throw Error("{} is text in UTF-16, expected an image", path.string());
+  if (without_byte_order_mark(start).starts_with("#?")) {
+    HdrFile file = read_hdr(path);
+    return {std::move(file.image), std::move(file.notes), ""};
+  }
   throw Error("{} is no image of radiances, expected OpenEXR or Radiance HDR", path.string());
 }
 
 // What is wrong inside an image is reported where the scene names it, like all else.
-Image read_image(const std::string& filename, Position at) {
+ImageFile read_image(const std::string& filename, Position at) {
   const fs::path path = at.source->path.parent_path() / filename;
   std::error_code ec;
   if (!fs::exists(path, ec)) fail(at, "the image {} does not exist", path_in_quotes(path));
@@ -61,18 +79,21 @@ glm::dmat3 rotation_of(Properties& emitter) {
   return place->rotation;
 }
 
-void check(const Image& image, const std::string& filename, Position at) {
+void check(const ImageFile& file, const std::string& filename, Position at) {
+  const Image& image = file.image;
   if (image.width != 2 * image.height) {
-    fail(at, "{} has {} x {} pixels, expected a latitude-longitude image, twice as wide as high",
-         in_quotes(filename), image.width, image.height);
+    fail(at, "{} has {}{} x {} pixels, expected a latitude-longitude image, twice as wide as high",
+         in_quotes(filename), file.size_of, image.width, image.height);
   }
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       for (int c = 0; c < 3; ++c) {
         const float value = image.at(x, y)[c];
         if (value >= 0 && std::isfinite(value)) continue;
-        fail(at, "{} has {} {} in column {}, row {}, expected radiances >= 0", in_quotes(filename),
-             "RGB"[c], value, x + 1, y + 1);
+        // Colours outside of Rec. 709 become negative by its primaries.
+        fail(at, "{} has {} {} in column {}, row {}, expected radiances >= 0{}",
+             in_quotes(filename), "RGB"[c], value, x + 1, y + 1,
+             file.notes.empty() ? "" : fmt::format(" ({})", fmt::join(file.notes, "; ")));
       }
     }
   }
@@ -83,15 +104,17 @@ void check(const Image& image, const std::string& filename, Position at) {
 
 }  // namespace
 
-Envmap parse_envmap(Properties& emitter) {
+Envmap parse_envmap(Properties& emitter, std::vector<std::string>& notes) {
   const auto filename = emitter.string("filename");
   if (!filename) emitter.missing("filename", "string");
   const float scale = scale_of(emitter);
   Envmap map{Image(), rotation_of(emitter)};
   emitter.finish();
   const Position at = emitter.at("filename");
-  map.image = read_image(*filename, at);
-  check(map.image, *filename, at);
+  ImageFile file = read_image(*filename, at);
+  check(file, *filename, at);
+  notes.insert(notes.end(), file.notes.begin(), file.notes.end());
+  map.image = std::move(file.image);
   for (Rgb& texel : map.image.pixels) {
     texel *= scale;
     if (!(std::max({texel.r, texel.g, texel.b}) <= std::numeric_limits<float>::max()))

@@ -2,6 +2,7 @@
 
 #include "scene/center.h"
 #include "scene/digits.h"
+#include "scene/duplicate_lamps.h"
 #include "scene/envmap_file.h"
 #include "scene/ids.h"
 #include "scene/materials.h"
@@ -40,6 +41,7 @@ class Loader {
     parameters_.check_overrides(start);
     if (sensor_ == nullptr) fail(start, "the scene has no <sensor>");
     scene_.materials = materials_.list();
+    leave_out_duplicate_lamps(scene_, start);
     add_notes();
     return std::move(scene_);
   }
@@ -140,7 +142,7 @@ class Loader {
     }
     once(environment_, element);
     if (type == "envmap")
-      scene_.lights.envmap = parse_envmap(emitter);
+      scene_.lights.envmap = parse_envmap(emitter, scene_.notes);
     else
       scene_.lights.environment = required_colour(emitter, "radiance");
   }

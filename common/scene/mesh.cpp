@@ -1,10 +1,17 @@
 #include "cli/error.h"
+#include "scene/duplicate_faces.h"
 #include "scene/mesh_file.h"
 #include "scene/shapes.h"
 #include "scene/text.h"
 #include "scene/transforms.h"
 
+#include <fmt/format.h>
+
+#include <cstdint>
 #include <filesystem>
+#include <limits>
+#include <optional>
+#include <utility>
 
 namespace carlo {
 namespace {
@@ -37,38 +44,110 @@ void check_normals(Properties& shape, const MeshFile& file) {
   }
 }
 
+/// The file's vertices and triangles without what would do harm, and notes that say so.
+class MeshBuilder {
+ public:
+  MeshBuilder(const MeshFile& file, std::vector<Vec3> positions)
+      : file_(file), left_out_(file.triangles.size()) {
+    mesh_.positions = std::move(positions);
+  }
+
+  Mesh build(bool turned) {
+    leave_out_degenerate();
+    duplicates_ = mark_duplicate_faces(file_, mesh_.positions, left_out_);
+    mesh_.triangles.reserve(file_.triangles.size());
+    for (std::size_t i = 0; i < file_.triangles.size(); ++i) {
+      const glm::uvec3 t = file_.triangles[i];
+      if (left_out_[i] == 0) mesh_.triangles.push_back(turned ? glm::uvec3(t.x, t.z, t.y) : t);
+    }
+    leave_out_unused();
+    return std::move(mesh_);
+  }
+
+  std::size_t degenerate() const { return degenerate_; }
+  std::size_t duplicates() const { return duplicates_; }
+
+ private:
+  void leave_out_degenerate() {
+    for (std::size_t i = 0; i < file_.triangles.size(); ++i) {
+      const glm::uvec3 t = file_.triangles[i];
+      const Vec3 p = mesh_.positions[t.x];
+      if (!is_degenerate(mesh_.positions[t.y] - p, mesh_.positions[t.z] - p)) continue;
+      left_out_[i] = 1;
+      ++degenerate_;
+    }
+  }
+
+  /// Exporters leave vertices that no face uses, wherever: the scene's extent is none of them.
+  void leave_out_unused() {
+    constexpr auto unused = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> places(mesh_.positions.size(), unused);
+    for (const glm::uvec3& t : mesh_.triangles)
+      places[t.x] = places[t.y] = places[t.z] = 0;
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (places[i] == unused) continue;
+      mesh_.positions[count] = mesh_.positions[i];
+      places[i] = count++;
+    }
+    if (count == places.size()) return;
+    mesh_.positions.resize(count);
+    for (glm::uvec3& t : mesh_.triangles)
+      t = {places[t.x], places[t.y], places[t.z]};
+  }
+
+  const MeshFile& file_;
+  Mesh mesh_;
+  std::vector<char> left_out_;  ///< of the file's triangles
+  std::size_t degenerate_ = 0, duplicates_ = 0;
+};
+
+/// Where the file's vertex normals say that its faces are wound the wrong way around.
+std::optional<std::string> note_on_normals(const MeshFile& file, bool flipped) {
+  if (file.faces_against == 0) return std::nullopt;
+  if (file.faces_against < file.faces_with_normals) {
+    return fmt::format("the vertex normals of {} of {} faces point against their triangles",
+                       file.faces_against, file.faces_with_normals);
+  }
+  if (flipped) return std::nullopt;
+  return fmt::format(
+      "the vertex normals of all {} faces point against their triangles: flipNormals?",
+      file.faces_against);
+}
+
 }  // namespace
 
 Mesh parse_mesh(Properties& shape, std::vector<std::string>& notes) {
   const auto filename = shape.string("filename");
   if (!filename) shape.missing("filename", "string");
   const glm::dmat4 to_world = shape.to_world();
-  const bool turned = mirrors(to_world) != shape.boolean("flipNormals").value_or(false);
+  const bool flipped = shape.boolean("flipNormals").value_or(false);
   const MeshFile file = read_mesh_file(shape, *filename);
   check_normals(shape, file);
   if (file.triangles.empty()) {
     fail(shape.at("filename"), "the mesh {} is empty: it has no faces", in_quotes(*filename));
   }
 
-  Mesh mesh;
-  mesh.positions.reserve(file.positions.size());
-  for (const glm::dvec3& p : file.positions) {
-    mesh.positions.push_back(transform_point(to_world, p, shape.at("toWorld")));
-  }
-  for (const glm::uvec3& t : file.triangles) {
-    const Vec3 p = mesh.positions[t.x];
-    if (is_degenerate(mesh.positions[t.y] - p, mesh.positions[t.z] - p)) continue;
-    mesh.triangles.push_back(turned ? glm::uvec3(t.x, t.z, t.y) : t);
-  }
-  const std::size_t dropped = file.triangles.size() - mesh.triangles.size();
+  std::vector<Vec3> positions;
+  positions.reserve(file.positions.size());
+  for (const glm::dvec3& p : file.positions)
+    positions.push_back(transform_point(to_world, p, shape.at("toWorld")));
+  MeshBuilder builder(file, std::move(positions));
+  Mesh mesh = builder.build(mirrors(to_world) != flipped);
   if (mesh.triangles.empty()) {
-    fail(shape.at("filename"), "all {} triangles of {} are degenerate (no area)", dropped,
-         in_quotes(*filename));
+    fail(shape.at("filename"), "all {} triangles of {} are degenerate (no area)",
+         builder.degenerate(), in_quotes(*filename));
   }
   notes.insert(notes.end(), file.notes.begin(), file.notes.end());
-  if (dropped > 0) {
-    notes.push_back(fmt::format("{}: {} degenerate triangles left out", *filename, dropped));
+  if (builder.degenerate() > 0) {
+    notes.push_back(
+        fmt::format("{}: {} degenerate triangles left out", *filename, builder.degenerate()));
   }
+  if (builder.duplicates() > 0)
+    notes.push_back(
+        fmt::format("{}: {} duplicate faces left out", *filename, builder.duplicates()));
+  if (const auto note = note_on_normals(file, flipped))
+    notes.push_back(fmt::format("{}: {}", *filename, *note));
   return mesh;
 }
 

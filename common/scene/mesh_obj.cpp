@@ -1,28 +1,99 @@
 #include "cli/atomic_file.h"
+#include "cli/byte_order_mark.h"
 #include "cli/error.h"
 #include "scene/mesh_file.h"
 #include "scene/text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <span>
 
 namespace carlo {
 namespace {
 
-// Why a reader of our own: tinyobjloader takes a coordinate it cannot parse for 0 and goes on.
+using Keywords = std::span<const std::string_view>;
+
+// Source of these: Wavefront, "Advanced Visualizer Manual", appendix B1; t and vw are OpenSubdiv's.
+constexpr std::array<std::string_view, 5> silent = {"vt", "o", "g", "s", "mtllib"};
+constexpr std::array<std::string_view, 14> harmless = {
+    "bevel", "c_interp",   "ctech", "d_interp", "lod",       "maplib", "mg",
+    "stech", "shadow_obj", "t",     "usemap",   "trace_obj", "vp",     "vw"};
+constexpr std::array<std::string_view, 21> other_geometry = {
+    "bmat", "bsp", "bzp",  "call", "cdc", "cdp",  "con", "csh",  "cstype", "curv", "curv2",
+    "deg",  "end", "hole", "parm", "res", "scrv", "sp",  "step", "surf",   "trim"};
+
+bool among(Keywords keywords, std::string_view word) {
+  return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
+}
+
+constexpr std::string_view blanks = " \t\r\v\f";
+
+/// Takes the next word off the line; empty at its end.
+std::string_view take_word(std::string_view& line) {
+  line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+  const std::string_view word = line.substr(0, line.find_first_of(blanks));
+  line.remove_prefix(word.size());
+  return word;
+}
+
+/// Statement by statement. What stands after # is a comment; \ at a line's end joins the next one.
+class ObjLines {
+ public:
+  explicit ObjLines(std::string_view text) : rest_(text) {}
+
+  /// The next statement, and line() is its first line. Nothing after the last one.
+  std::optional<std::string_view> next() {
+    line_ += taken_;
+    taken_ = 0;
+    if (rest_.empty()) return std::nullopt;
+    std::string_view line = take_line();
+    if (!ends_in_backslash(line)) return line;
+    joined_.clear();
+    while (ends_in_backslash(line)) {
+      joined_.append(line.substr(0, line.rfind('\\'))) += ' ';
+      line = rest_.empty() ? std::string_view() : take_line();
+    }
+    joined_ += line;
+    return joined_;
+  }
+
+  std::size_t line() const { return line_; }
+
+ private:
+  std::string_view take_line() {
+    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    std::string_view line = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    ++taken_;
+    line = line.substr(0, line.find('#'));
+    return line.substr(0, line.find_last_not_of(blanks) + 1);
+  }
+
+  static bool ends_in_backslash(std::string_view line) { return line.ends_with('\\'); }
+
+  std::string_view rest_;
+  std::string joined_;
+  std::size_t line_ = 1, taken_ = 0;
+};
+
+// Why a reader of our own: tinyobjloader and Assimp take in silence what this one says
+// (tests/common/scene_mesh_test.cpp), and are no faster.
 class ObjReader {
  public:
-  explicit ObjReader(std::string name) : name_(std::move(name)) {}
+  ObjReader(std::string name, std::string_view text) : name_(std::move(name)), lines_(text) {}
 
-  MeshFile read(std::string_view text) {
-    while (!text.empty()) {
-      const std::size_t end = std::min(text.find('\n'), text.size());
-      ++line_;
-      const std::string_view line = text.substr(0, end);
-      read_line(line.substr(0, line.find('#')));
-      text.remove_prefix(std::min(end + 1, text.size()));
-    }
+  MeshFile read() {
+    while (const auto statement = lines_.next())
+      read_statement(*statement);
+    cut_polygons(mesh_, name_, ":");
     if (materials_) mesh_.notes.push_back(name_ + ": materials named in the file are not used");
+    if (!unused_.empty()) {
+      mesh_.notes.push_back(fmt::format("{}: {} changes no polygon and is not used", name_,
+                                        fmt::join(unused_, ", ")));
+    }
     if (strays_ > 0) {
       mesh_.notes.push_back(fmt::format("{}: {} lines and points left out", name_, strays_));
     }
@@ -30,84 +101,123 @@ class ObjReader {
   }
 
  private:
-  void read_line(std::string_view line) {
-    auto parts = words(line);
-    if (parts.empty()) return;
-    const std::string_view keyword = parts.front();
-    parts.erase(parts.begin());
-    if (keyword == "v") return read_vertex(parts);
-    if (keyword == "f") return read_face(parts);
+  void read_statement(std::string_view line) {
+    const std::string_view keyword = take_word(line);
+    if (keyword.empty()) return;
+    if (keyword == "v") return read_vertex(line);
+    if (keyword == "f") return read_face(line);
+    if (keyword == "vn") return read_normal(line);
+    if (among(silent, keyword)) return;
     if (keyword == "l" || keyword == "p") {
       ++strays_;
     } else if (keyword == "usemtl") {
       materials_ = true;
-    } else if (std::find(passed_over.begin(), passed_over.end(), keyword) == passed_over.end()) {
+    } else if (among(harmless, keyword)) {
+      if (std::find(unused_.begin(), unused_.end(), keyword) == unused_.end())
+        unused_.emplace_back(keyword);
+    } else if (among(other_geometry, keyword)) {
+      wrong(fmt::format("{} is for geometry that is not supported: expected polygons (f)",
+                        in_quotes(keyword)));
+    } else {
       wrong(fmt::format("{} is not understood", in_quotes(keyword)));
     }
   }
 
   // x y z, perhaps followed by w = 1 or by a colour.
-  void read_vertex(const std::vector<std::string_view>& parts) {
-    if (parts.size() != 3 && parts.size() != 4 && parts.size() != 6) {
-      wrong(fmt::format("a vertex has 3 numbers, got {}", parts.size()));
-    }
+  void read_vertex(std::string_view line) {
     std::array<double, 6> numbers{};
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      const auto number = parse_number(parts[i]);
-      if (!number) wrong(fmt::format("expected a finite number, got {}", in_quotes(parts[i])));
-      numbers.at(i) = *number;
-    }
-    if (parts.size() == 4 && numbers[3] != 1) wrong("a vertex with w other than 1");
+    const std::size_t count = read_numbers(line, numbers);
+    if (count != 3 && count != 4 && count != 6)
+      wrong(fmt::format("a vertex has 3 numbers, got {}", count));
+    if (count == 4 && numbers[3] != 1) wrong("a vertex with w other than 1");
     mesh_.positions.emplace_back(numbers[0], numbers[1], numbers[2]);
   }
 
-  void read_face(const std::vector<std::string_view>& parts) {
-    if (parts.size() < 3) wrong(fmt::format("a face has 3 corners or more, got {}", parts.size()));
-    std::vector<std::uint32_t> corners;
-    corners.reserve(parts.size());
-    for (const std::string_view part : parts)
-      corners.push_back(corner(part));
-    add_polygon(mesh_, corners);
+  void read_normal(std::string_view line) {
+    std::array<double, 3> numbers{};
+    const std::size_t count = read_numbers(line, numbers);
+    if (count != 3) wrong(fmt::format("a vertex normal has 3 numbers, got {}", count));
+    normals_.emplace_back(numbers[0], numbers[1], numbers[2]);
   }
 
-  // "v", "v/vt", "v//vn" or "v/vt/vn"; negative numbers count back from the newest vertex.
-  std::uint32_t corner(std::string_view part) {
-    const std::size_t slash = std::min(part.find('/'), part.size());
-    const auto index = parse_integer(part.substr(0, slash));
-    if (!index) wrong(fmt::format("expected a vertex number, got {}", in_quotes(part)));
-    const auto count = static_cast<std::ptrdiff_t>(mesh_.positions.size());
-    const std::ptrdiff_t position = *index > 0 ? *index - 1 : count + *index;
-    if (*index == 0 || position < 0 || position >= count) {
-      wrong(fmt::format("vertex {} is out of range: {} stand above", *index, count));
+  /// How many there are, also when they are too many to be kept.
+  template <std::size_t most>
+  std::size_t read_numbers(std::string_view line, std::array<double, most>& numbers) const {
+    std::size_t count = 0;
+    for (std::string_view word; !(word = take_word(line)).empty(); ++count) {
+      const auto number = parse_number(word);
+      if (!number) wrong(fmt::format("expected a finite number, got {}", in_quotes(word)));
+      if (count < most) numbers.at(count) = *number;
     }
-    const std::size_t last = part.rfind('/');
-    if (last != slash && last != std::string_view::npos) mesh_.vertex_normals = true;
-    return static_cast<std::uint32_t>(position);
+    return count;
+  }
+
+  void read_face(std::string_view line) {
+    corners_.clear();
+    corner_normals_.clear();
+    for (std::string_view word; !(word = take_word(line)).empty();)
+      read_corner(word);
+    if (corners_.size() < 3)
+      wrong(fmt::format("a face has 3 corners or more, got {}", corners_.size()));
+    add_face(mesh_, corners_, lines_.line());
+    if (!corner_normals_.empty()) compare_normals();
+  }
+
+  // "v", "v/vt", "v//vn" or "v/vt/vn".
+  void read_corner(std::string_view word) {
+    const std::size_t slash = std::min(word.find('/'), word.size());
+    corners_.push_back(index(word, word.substr(0, slash), "vertex", mesh_.positions.size()));
+    const std::size_t last = word.rfind('/');
+    if (last == slash || last == std::string_view::npos) return;
+    mesh_.vertex_normals = true;
+    corner_normals_.push_back(index(word, word.substr(last + 1), "normal", normals_.size()));
+  }
+
+  /// Negative numbers count back from the newest.
+  std::uint32_t index(std::string_view word, std::string_view number, std::string_view what,
+                      std::size_t size) const {
+    const auto index = parse_integer(number);
+    if (!index) wrong(fmt::format("expected a {} number, got {}", what, in_quotes(word)));
+    const auto count = static_cast<std::ptrdiff_t>(size);
+    const std::ptrdiff_t place = *index > 0 ? *index - 1 : count + *index;
+    if (*index == 0 || place < 0 || place >= count)
+      wrong(fmt::format("{} {} is out of range: {} stand above", what, *index, count));
+    return static_cast<std::uint32_t>(place);
+  }
+
+  void compare_normals() {
+    glm::dvec3 area(0), normal(0);
+    const glm::dvec3 first = mesh_.positions[corners_[0]];
+    for (std::size_t i = 2; i < corners_.size(); ++i) {
+      area += glm::cross(mesh_.positions[corners_[i - 1]] - first,
+                         mesh_.positions[corners_[i]] - first);
+    }
+    for (const std::uint32_t n : corner_normals_)
+      normal += normals_[n];
+    ++mesh_.faces_with_normals;
+    if (glm::dot(area, normal) < 0) ++mesh_.faces_against;
   }
 
   [[noreturn]] void wrong(const std::string& message) const {
-    throw Error("{}:{}: {}", name_, line_, message);
+    throw Error("{}:{}: {}", name_, lines_.line(), message);
   }
 
-  static constexpr std::array<std::string_view, 6> passed_over = {"vt", "vn", "o",
-                                                                  "g",  "s",  "mtllib"};
   std::string name_;
-  int line_ = 0;
+  ObjLines lines_;
   int strays_ = 0;
   bool materials_ = false;
+  std::vector<std::string> unused_;
+  std::vector<glm::dvec3> normals_;
+  std::vector<std::uint32_t> corners_, corner_normals_;  ///< of the face that is read
   MeshFile mesh_;
 };
 
 }  // namespace
 
 MeshFile read_obj(const std::filesystem::path& path) {
-  return ObjReader(path.filename().string()).read(read_file(path));
-}
-
-void add_polygon(MeshFile& mesh, const std::vector<std::uint32_t>& corners) {
-  for (std::size_t i = 2; i < corners.size(); ++i) {
-    mesh.triangles.emplace_back(corners[0], corners[i - 1], corners[i]);
-  }
+  const std::string name = path.filename().string(), text = read_file(path);
+  if (is_utf16(text)) throw Error("{}:1: the file is in UTF-16, expected ASCII or UTF-8", name);
+  return ObjReader(name, without_byte_order_mark(text)).read();
 }
 
 }  // namespace carlo

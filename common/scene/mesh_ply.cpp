@@ -1,182 +1,154 @@
 #include "cli/atomic_file.h"
+#include "cli/byte_order_mark.h"
 #include "cli/error.h"
 #include "scene/mesh_file.h"
+#include "scene/ply_data.h"
 #include "scene/ply_header.h"
 #include "scene/text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
+#include <optional>
+#include <span>
 
 namespace carlo {
 namespace {
 
-static_assert(std::endian::native == std::endian::little,
-              "binary PLY is read as it lies in memory");
+/// What becomes of a property's values.
+enum class Use { none, x, y, z, nx, ny, nz, face, strip };
 
-// The numbers after the header, one after the other, text or binary.
-class PlyData {
- public:
-  PlyData(std::string_view data, bool binary, const std::string& name)
-      : data_(data), binary_(binary), name_(name) {}
-
-  double next(PlyType type) { return binary_ ? next_binary(type) : next_word(); }
-
-  bool at_end() {
-    if (!binary_) skip_space();
-    return data_.empty();
+Use use_of(const PlyElement& element, const PlyProperty& p) {
+  if (p.list) {
+    const bool corners = p.name == "vertex_indices" || p.name == "vertex_index";
+    if (!corners) return Use::none;
+    return element.name == "face"        ? Use::face
+           : element.name == "tristrips" ? Use::strip
+                                         : Use::none;
   }
+  if (element.name != "vertex") return Use::none;
+  constexpr std::array<std::string_view, 6> names = {"x", "y", "z", "nx", "ny", "nz"};
+  const auto found = std::find(names.begin(), names.end(), p.name);
+  if (found == names.end()) return Use::none;
+  return static_cast<Use>(static_cast<int>(Use::x) + (found - names.begin()));
+}
 
-  [[noreturn]] void wrong(const std::string& message) const {
-    throw Error("{}: {}", name_, message);
-  }
-
- private:
-  template <class T>
-  double take() {
-    if (data_.size() < sizeof(T)) wrong("the file ends too early");
-    T value;
-    std::memcpy(&value, data_.data(), sizeof(T));
-    data_.remove_prefix(sizeof(T));
-    return static_cast<double>(value);
-  }
-
-  double next_binary(PlyType type) {
-    switch (type) {
-      case PlyType::i8:
-        return take<std::int8_t>();
-      case PlyType::u8:
-        return take<std::uint8_t>();
-      case PlyType::i16:
-        return take<std::int16_t>();
-      case PlyType::u16:
-        return take<std::uint16_t>();
-      case PlyType::i32:
-        return take<std::int32_t>();
-      case PlyType::u32:
-        return take<std::uint32_t>();
-      case PlyType::f32:
-        return take<float>();
-      case PlyType::f64:
-        return take<double>();
-    }
-    return 0;
-  }
-
-  double next_word() {
-    skip_space();
-    if (data_.empty()) wrong("the file ends too early");
-    const std::string_view word = data_.substr(0, data_.find_first_of(" \t\r\n"));
-    const auto number = parse_number(word);
-    if (!number) wrong(fmt::format("expected a finite number, got {}", in_quotes(word)));
-    data_.remove_prefix(word.size());
-    return *number;
-  }
-
-  void skip_space() {
-    data_.remove_prefix(std::min(data_.find_first_not_of(" \t\r\n"), data_.size()));
-  }
-
-  std::string_view data_;
-  bool binary_;
-  const std::string& name_;
-};
-
+// Why a reader of our own: Debian has Assimp's only, which takes in silence what this one says
+// (tests/common/scene_mesh_test.cpp).
 class PlyReader {
  public:
   PlyReader(std::string_view text, const std::string& name)
-      : name_(name),
-        header_(parse_ply_header(text, name)),
-        data_(text.substr(header_.size), header_.binary, name) {}
+      : name_(name), header_(parse_ply_header(text, name)), data_(text, header_, name) {}
 
   MeshFile read() {
     check_header();
     for (const PlyElement& element : header_.elements) {
-      if (element.count > 0 && element.properties.empty()) {
-        data_.wrong(fmt::format("element {} has no properties", in_quotes(element.name)));
-      }
+      if (element.count > 0 && element.properties.empty())
+        wrong(fmt::format("element {} has no properties", in_quotes(element.name)));
+      std::vector<Use> uses;
+      for (const PlyProperty& p : element.properties)
+        uses.push_back(use_of(element, p));
       for (std::size_t i = 0; i < element.count; ++i)
-        read_item(element);
+        read_item(element, uses);
     }
-    if (!data_.at_end()) data_.wrong("there is more data than the header announces");
+    if (const auto note = data_.finish()) mesh_.notes.push_back(*note);
     check_indices();
+    // The places of a binary file's faces are their numbers.
+    cut_polygons(mesh_, name_, data_.has_lines() ? ":" : ": face ");
+    if (mesh_.vertex_normals) compare_normals();
     return std::move(mesh_);
   }
 
  private:
-  static int coordinate(const PlyProperty& p) {
-    if (p.list || p.name.size() != 1 || p.name < "x" || p.name > "z") return -1;
-    return p.name[0] - 'x';
-  }
-
-  static bool is_corner_list(const PlyProperty& p) {
-    return p.list && (p.name == "vertex_indices" || p.name == "vertex_index");
-  }
-
   void check_header() {
-    int coordinates = 0, corner_lists = 0;
+    std::array<int, 9> count{};
     for (const PlyElement& element : header_.elements) {
       for (const PlyProperty& p : element.properties) {
-        if (element.name == "vertex" && coordinate(p) >= 0) {
-          ++coordinates;
-        } else if (element.name == "face" && is_corner_list(p)) {
-          if (!is_integer(p.type)) data_.wrong("vertex indices must be of an integer type");
-          ++corner_lists;
-        } else if (element.name == "vertex" && p.name == "nx") {
-          mesh_.vertex_normals = true;
-        } else if (p.name != "ny" && p.name != "nz") {
+        const Use use = use_of(element, p);
+        ++count.at(static_cast<std::size_t>(use));
+        if ((use == Use::face || use == Use::strip) && !is_integer(p.type))
+          wrong("vertex indices must be of an integer type");
+        const bool part_of_normal = p.name == "nx" || p.name == "ny" || p.name == "nz";
+        if (use == Use::none && !part_of_normal) {
           mesh_.notes.push_back(
               fmt::format("{}: {}'s {} is not used", name_, element.name, in_quotes(p.name)));
         }
       }
     }
-    if (coordinates != 3) data_.wrong("expected the vertex properties x, y, z once each");
-    if (corner_lists != 1) data_.wrong("expected one face property vertex_indices");
+    const auto number_of = [&count](Use use) { return count.at(static_cast<std::size_t>(use)); };
+    if (number_of(Use::x) != 1 || number_of(Use::y) != 1 || number_of(Use::z) != 1)
+      wrong("expected the vertex properties x, y, z once each");
+    if (number_of(Use::face) > 1 || number_of(Use::strip) > 1 ||
+        number_of(Use::face) + number_of(Use::strip) == 0) {
+      wrong(
+          "expected one list vertex_indices of the element face (or tristrips, for strips of "
+          "triangles)");
+    }
+    mesh_.vertex_normals = number_of(Use::nx) > 0;
   }
 
-  void read_item(const PlyElement& element) {
-    glm::dvec3 position{0};
-    for (const PlyProperty& p : element.properties) {
-      if (element.name == "vertex" && coordinate(p) >= 0) {
-        position[coordinate(p)] = data_.next(p.type);
-      } else if (element.name == "face" && is_corner_list(p)) {
+  void read_item(const PlyElement& element, const std::vector<Use>& uses) {
+    glm::dvec3 position(0), normal(0);
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+      const PlyProperty& p = element.properties[i];
+      const Use use = uses[i];
+      if (use == Use::none) {
+        data_.skip(p);
+      } else if (use <= Use::z) {
+        position[static_cast<int>(use) - static_cast<int>(Use::x)] = data_.number(p, p.type);
+      } else if (use <= Use::nz) {
+        normal[static_cast<int>(use) - static_cast<int>(Use::nx)] = data_.any_number(p);
+      } else if (use == Use::face) {
         read_face(p);
       } else {
-        const std::size_t length = p.list ? read_length(p) : 1;
-        for (std::size_t i = 0; i < length; ++i)
-          data_.next(p.type);
+        read_strip(p);
       }
     }
-    if (element.name == "vertex") add_vertex(position);
+    if (element.name != "vertex") return;
+    add_vertex(position);
+    if (mesh_.vertex_normals) normals_.push_back(normal);
   }
 
   void add_vertex(glm::dvec3 position) {
     for (int i = 0; i < 3; ++i) {
-      if (!(std::abs(position[i]) <= static_cast<double>(std::numeric_limits<float>::max()))) {
+      if (!(std::abs(position[i]) <= static_cast<double>(std::numeric_limits<float>::max())))
         data_.wrong(fmt::format("vertex {} is not finite", mesh_.positions.size()));
-      }
     }
     mesh_.positions.push_back(position);
   }
 
   void read_face(const PlyProperty& p) {
-    const std::size_t length = read_length(p);
+    const std::size_t length = data_.whole(p, p.count_type);
     if (length < 3) data_.wrong(fmt::format("a face has 3 corners or more, got {}", length));
     corners_.clear();
     for (std::size_t i = 0; i < length; ++i)
-      corners_.push_back(whole(data_.next(p.type)));
-    add_polygon(mesh_, corners_);
+      corners_.push_back(data_.whole(p, p.type));
+    ++faces_;
+    add_face(mesh_, corners_, data_.has_lines() ? data_.line() : faces_);
   }
 
-  std::size_t read_length(const PlyProperty& p) { return whole(data_.next(p.count_type)); }
-
-  std::uint32_t whole(double x) const {
-    if (!(x >= 0 && x <= std::numeric_limits<std::uint32_t>::max()) || x != std::floor(x)) {
-      data_.wrong(fmt::format("expected a count or an index, got {}", x));
+  /// Each corner from the third on makes a triangle with the two before it, whose turn alternates.
+  void read_strip(const PlyProperty& p) {
+    const std::size_t length = data_.whole(p, p.count_type);
+    std::array<std::uint32_t, 3> last{};
+    std::size_t corners = 0;
+    for (std::size_t i = 0; i < length; ++i) {
+      const std::optional<std::uint32_t> corner = data_.whole_or_end(p);
+      if (!corner) {
+        corners = 0;
+        continue;
+      }
+      last = {last[1], last[2], *corner};
+      if (++corners < 3) continue;
+      if (corners % 2 == 0) {
+        mesh_.triangles.emplace_back(last[1], last[0], last[2]);
+      } else {
+        mesh_.triangles.emplace_back(last[0], last[1], last[2]);
+      }
     }
-    return static_cast<std::uint32_t>(x);
   }
 
   void check_indices() const {
@@ -184,23 +156,46 @@ class PlyReader {
     for (const glm::uvec3& t : mesh_.triangles) {
       const std::uint32_t largest = std::max({t.x, t.y, t.z});
       if (largest < count) continue;
-      data_.wrong(fmt::format("vertex {} is out of range: there are {}", largest, count));
+      wrong(fmt::format("vertex {} is out of range: there are {}", largest, count));
     }
+  }
+
+  void compare_normals() {
+    for_each_face(mesh_, [&](std::span<const std::uint32_t> corners, std::size_t first,
+                             std::size_t triangles) {
+      glm::dvec3 area(0), normal(0);
+      for (std::size_t i = first; i < first + triangles; ++i) {
+        const glm::uvec3 t = mesh_.triangles[i];
+        area += glm::cross(mesh_.positions[t.y] - mesh_.positions[t.x],
+                           mesh_.positions[t.z] - mesh_.positions[t.x]);
+      }
+      for (const std::uint32_t corner : corners)
+        normal += normals_[corner];
+      ++mesh_.faces_with_normals;
+      if (glm::dot(area, normal) < 0) ++mesh_.faces_against;
+    });
+  }
+
+  /// For what stands in no line.
+  [[noreturn]] void wrong(const std::string& message) const {
+    throw Error("{}: {}", name_, message);
   }
 
   const std::string& name_;
   PlyHeader header_;
   PlyData data_;
   MeshFile mesh_;
+  std::size_t faces_ = 0;
+  std::vector<glm::dvec3> normals_;
   std::vector<std::uint32_t> corners_;
 };
 
 }  // namespace
 
 MeshFile read_ply(const std::filesystem::path& path) {
-  const std::string name = path.filename().string();
-  const std::string text = read_file(path);
-  return PlyReader(text, name).read();
+  const std::string name = path.filename().string(), text = read_file(path);
+  if (is_utf16(text)) throw Error("{}:1: the file is in UTF-16, expected PLY", name);
+  return PlyReader(without_byte_order_mark(text), name).read();
 }
 
 }  // namespace carlo

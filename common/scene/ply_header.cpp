@@ -52,6 +52,7 @@ class HeaderParser {
       }
     }
     header_.size = position_;
+    header_.lines = line_;
     return header_;
   }
 
@@ -66,11 +67,16 @@ class HeaderParser {
   }
 
   void read_format(const Words& line) {
+    constexpr std::array<std::string_view, 3> names = {"ascii", "binary_little_endian",
+                                                       "binary_big_endian"};
     const bool versioned = line.size() == 3 && line[0] == "format" && line[2] == "1.0";
-    header_.binary = versioned && line[1] == "binary_little_endian";
-    if (!versioned || (!header_.binary && line[1] != "ascii")) {
-      wrong("expected \"format ascii 1.0\" or \"format binary_little_endian 1.0\"");
+    const auto found = std::find(names.begin(), names.end(), versioned ? line[1] : "");
+    if (found == names.end()) {
+      wrong(
+          "expected \"format ascii 1.0\", \"format binary_little_endian 1.0\" or \"format "
+          "binary_big_endian 1.0\"");
     }
+    header_.format = static_cast<PlyFormat>(found - names.begin());
   }
 
   void add_element(const Words& line) {
@@ -104,13 +110,13 @@ class HeaderParser {
   }
 
   [[noreturn]] void wrong(const std::string& message) const {
-    throw Error("{}:{}: {}", name_, std::max(line_, 1), message);
+    throw Error("{}:{}: {}", name_, std::max<std::size_t>(line_, 1), message);
   }
 
   std::string_view text_;
   const std::string& name_;
   std::size_t position_ = 0;
-  int line_ = 0;
+  std::size_t line_ = 0;
   PlyHeader header_;
 };
 

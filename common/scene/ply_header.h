@@ -22,10 +22,12 @@ struct PlyElement {
   std::vector<PlyProperty> properties;
 };
 
+enum class PlyFormat { ascii, little_endian, big_endian };
+
 struct PlyHeader {
-  bool binary = false;
+  PlyFormat format = PlyFormat::ascii;
   std::vector<PlyElement> elements;
-  std::size_t size = 0;  ///< bytes up to and including the line end_header
+  std::size_t size = 0, lines = 0;  ///< up to and including the line end_header
 };
 
 /// Reads the header of a PLY file. Throws Error "FILE:LINE: what is wrong"; `name` is the file's.

@@ -18,6 +18,7 @@ namespace carlo {
 /// f = reflectance / pi.
 struct Diffuse {
   Rgb reflectance{0.5f};
+  bool operator==(const Diffuse&) const = default;
 };
 
 /// Lafortune and Willems' modified Phong: f = kd/pi + ks (n+2)/(2 pi) cos^n alpha, with
@@ -26,11 +27,13 @@ struct Phong {
   Rgb kd{0.5f};
   Rgb ks{0.2f};
   float exponent = 30;
+  bool operator==(const Phong&) const = default;
 };
 
 /// A perfect mirror.
 struct Mirror {
   Rgb reflectance{1};
+  bool operator==(const Mirror&) const = default;
 };
 
 /// Smooth glass: Fresnel reflection and refraction between two media. The normal points into the
@@ -38,12 +41,14 @@ struct Mirror {
 struct Dielectric {
   float int_ior = 1.5046f;
   float ext_ior = 1.000277f;
+  bool operator==(const Dielectric&) const = default;
 };
 
 struct Material {
   std::variant<Diffuse, Phong, Mirror, Dielectric> model = Diffuse{};
   /// A one-sided surface is black on the side its normal points away from.
   bool two_sided = false;
+  bool operator==(const Material&) const = default;
 };
 
 // Shapes ------------------------------------------------------------------------------------------

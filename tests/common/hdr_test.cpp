@@ -9,9 +9,11 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -43,7 +45,7 @@ TEST_CASE("A Radiance picture has the values that its pixels stand for") {
   const TemporaryFolder scratch;
   const fs::path path = scratch.path() / "a.hdr";
   write_file(path, radiance_picture());
-  const Image image = read_hdr(path);
+  const Image image = read_hdr(path).image;
   REQUIRE((image.width == 8 && image.height == 2));
   // m 2^(e - 136)
   CHECK(image.at(0, 0) == Rgb(1, .5f, 0));
@@ -52,7 +54,86 @@ TEST_CASE("A Radiance picture has the values that its pixels stand for") {
   CHECK(image.at(3, 1) == Rgb(200 / 256.0f, 4 / 256.0f, 0));
   CHECK(image.at(4, 1) == Rgb(0));
   write_file(path, radiance_picture("EXPOSURE= 2\nEXPOSURE=2\n"));
-  CHECK(read_hdr(path).at(0, 0) == Rgb(.25f, .125f, 0));
+  CHECK(read_hdr(path).image.at(0, 0) == Rgb(.25f, .125f, 0));
+}
+
+/// The colour of the first pixel, (1, .5, 0) in the file, and what is noted.
+HdrFile with_header(const std::string& header, const std::string& behind = "") {
+  const TemporaryFolder scratch;
+  write_file(scratch.path() / "a.hdr", radiance_picture(header) + behind);
+  return read_hdr(scratch.path() / "a.hdr");
+}
+
+TEST_CASE("A Radiance picture is divided by its EXPOSURE and its COLORCORR") {
+  CHECK(with_header("COLORCORR= 2 4 8\n").image.at(0, 0) == Rgb(.5f, .125f, 0));
+  CHECK(with_header("COLORCORR=2 4 8\nEXPOSURE=2\nCOLORCORR=\t.5  1 1 \n").image.at(0, 0) ==
+        Rgb(.5f, .0625f, 0));
+  // Lines of the pictures that this one was made of are indented.
+  CHECK(with_header("pfilt -e 2\n\tEXPOSURE=2\n\tCOLORCORR=2 2 2\n").image.at(0, 0) ==
+        Rgb(1, .5f, 0));
+  for (const std::string wrong : {"COLORCORR=1 1\n", "COLORCORR=1 1 1 1\n", "COLORCORR=1 x 1\n",
+                                  "COLORCORR=1 0 1\n", "COLORCORR=1 -1 1\n", "COLORCORR=nan 1 1\n"})
+    CHECK_THROWS_WITH(with_header(wrong), ContainsSubstring("its COLORCORR"));
+}
+
+TEST_CASE("A Radiance picture's PRIMARIES are taken to those of Rec. 709") {
+  const HdrFile same = with_header("PRIMARIES= .640 .330 .300 .600 .150 .060 .3127 .3290\n");
+  CHECK(same.image.pixels == with_header("").image.pixels);
+  CHECK(same.notes.empty());
+  // Radiance's own have another green and the equal-energy white.
+  const HdrFile other = with_header("PRIMARIES= .640 .330 .290 .600 .150 .060 .3333 .3333\n");
+  REQUIRE(other.notes.size() == 1);
+  CHECK_THAT(other.notes[0], ContainsSubstring("a.hdr: its PRIMARIES, red (0.64, 0.33)"));
+  CHECK(other.image.at(0, 0) != Rgb(1, .5f, 0));
+  CHECK(std::abs(other.image.at(0, 0).r - 1) < .1f);
+  CHECK(other.image.at(4, 1) == Rgb(0));
+  CHECK(with_header("PRIMARIES=0 0 0 0 0 0 0 0\n").image.pixels == same.image.pixels);
+  CHECK(with_header("PRIMARIES=0 0 0 0 0 0 0 0\n").notes.size() == 1);
+  CHECK_THROWS_WITH(with_header("PRIMARIES=.3 .3 .3 .3 .3 .3 .3 .3\n"),
+                    ContainsSubstring("a.hdr: its primaries span no colours"));
+  CHECK_THROWS_WITH(with_header("PRIMARIES=.3 .3\n"), ContainsSubstring("must be 8 numbers"));
+}
+
+TEST_CASE("What a Radiance picture's header says and is not used is noted, or refused") {
+  CHECK(with_header("SOFTWARE=x\nCAPDATE=2000:01:01 00:00:00\nGAMMA=1\nPIXASPECT=1.0\n")
+            .notes.empty());
+  CHECK(with_header("VIEW= -vtv -vh 45\n").notes ==
+        std::vector<std::string>{"a.hdr: its VIEW is not used"});
+  CHECK(with_header("PIXASPECT=.5\n").notes ==
+        std::vector<std::string>{"a.hdr: its PIXASPECT is not used"});
+  CHECK_THROWS_WITH(with_header("GAMMA=2.2\n"), ContainsSubstring("its GAMMA is not 1"));
+}
+
+TEST_CASE(
+    "A Radiance picture may have lines that end in CR LF, a mark before it and bytes behind") {
+  const TemporaryFolder scratch;
+  const fs::path path = scratch.path() / "a.hdr";
+  std::string bytes = radiance_picture("EXPOSURE=2\nPRIMARIES=0 0 0 0 0 0 0 0\n");
+  const Image expected = with_header("EXPOSURE=2\n").image;
+  const std::size_t header = bytes.find("+X 8\n") + 5;
+  for (std::size_t at = 0; (at = bytes.find('\n', at)) < header + 20; at += 2) {
+    if (bytes.substr(0, at).find("+X 8\r\n") != std::string::npos) break;
+    bytes.replace(at, 1, "\r\n");
+  }
+  write_file(path, "\xef\xbb\xbf" + bytes);
+  CHECK(read_hdr(path).image.pixels == expected.pixels);
+  for (const std::string& behind : {std::string("\n"), std::string("\r\n"), std::string(3, '\0')}) {
+    const HdrFile file = with_header("EXPOSURE=2\n", behind);
+    CHECK(file.image.pixels == expected.pixels);
+    REQUIRE(file.notes.size() == 1);
+    CHECK_THAT(file.notes[0], ContainsSubstring("bytes follow the last pixel and are not used"));
+  }
+}
+
+TEST_CASE("A Radiance picture whose rows go another way is refused") {
+  const TemporaryFolder scratch;
+  const fs::path path = scratch.path() / "a.hdr";
+  for (const std::string size : {"+Y 2 +X 8", "-Y 2 -X 8", "+Y 2 -X 8", "+X 8 -Y 2", "-X 8 +Y 2"}) {
+    std::string bytes = radiance_picture();
+    bytes.replace(bytes.find("-Y 2 +X 8"), 9, size);
+    write_file(path, bytes);
+    CHECK_THROWS_WITH(read_hdr(path), ContainsSubstring("its"));
+  }
 }
 
 TEST_CASE("A Radiance picture that is broken anywhere is an error") {
@@ -70,7 +151,7 @@ TEST_CASE("A Radiance picture that is broken anywhere is an error") {
   const std::string whole = radiance_picture();
   for (std::size_t length = 0; length < whole.size(); ++length)
     CHECK(error_of(whole.substr(0, length)) != "none");
-  CHECK_THAT(error_of(whole + "x"), ContainsSubstring("1 bytes follow the last pixel"));
+  CHECK_THAT(error_of(whole + "a row of pix"), ContainsSubstring("12 bytes follow the last pixel"));
   CHECK_THAT(error_of(radiance_picture("EXPOSURE=0\n")), ContainsSubstring("its EXPOSURE"));
   CHECK_THAT(error_of("#?RGBE\n\n-Y 99999 +X 99999\n"), ContainsSubstring("99999 x 99999 pixels"));
   CHECK_THAT(error_of("#?RGBE\n\n-Y 9 +X -9\n"), ContainsSubstring("its width"));

@@ -60,7 +60,7 @@ void read_frame(std::string_view bytes) {
 }
 
 void read_hdr(std::string_view bytes) {
-  const Image image = carlo::read_hdr(as_file(bytes, "image.hdr"));
+  const Image image = carlo::read_hdr(as_file(bytes, "image.hdr")).image;
   require(image.pixels.size() ==
               static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height),
           "an image has as many pixels as its size says");

@@ -18,6 +18,8 @@ struct CarloExrView {
   std::size_t counts;
   const char* const* count_names;
   const std::uint32_t* const* count_values;  ///< of each name, all pixels'
+  std::size_t notes;
+  const char* const* note_texts;
 };
 
 using CarloExrTake = void (*)(void* context, const CarloExrView* file);

@@ -51,6 +51,7 @@ void take(void* context, const CarloExrView* view) {
     const std::uint32_t* const values = view->count_values[i];
     file.counts[view->count_names[i]].assign(values, values + file.image.pixels.size());
   }
+  file.notes.assign(view->note_texts, view->note_texts + view->notes);
 }
 
 }  // namespace
@@ -69,11 +70,18 @@ void write_exr(const std::filesystem::path& path, const ExrFile& file) {
     count_names.push_back(name.c_str());
     count_values.push_back(values.data());
   }
-  const CarloExrView view{file.image.width,   file.image.height,
-                          pixels.data(),      file.standard_error ? errors.data() : nullptr,
-                          names.size(),       names.data(),
-                          texts.data(),       count_names.size(),
-                          count_names.data(), count_values.data()};
+  const CarloExrView view{file.image.width,
+                          file.image.height,
+                          pixels.data(),
+                          file.standard_error ? errors.data() : nullptr,
+                          names.size(),
+                          names.data(),
+                          texts.data(),
+                          count_names.size(),
+                          count_names.data(),
+                          count_values.data(),
+                          0,
+                          nullptr};
   require_none(there<decltype(carlo_exr_write)>("carlo_exr_write")(path.c_str(), &view));
 }
 

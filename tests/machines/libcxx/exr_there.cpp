@@ -60,8 +60,10 @@ char* error_of(const Work& work) {
     const std::vector<float> pixels = values_of(file.image);
     const std::vector<float> errors =
         file.standard_error ? values_of(*file.standard_error) : std::vector<float>{};
-    std::vector<const char*> names, texts, count_names;
+    std::vector<const char*> names, texts, count_names, notes;
     std::vector<const std::uint32_t*> count_values;
+    for (const std::string& note : file.notes)
+      notes.push_back(note.c_str());
     for (const auto& [name, text] : file.attributes) {
       names.push_back(name.c_str());
       texts.push_back(text.c_str());
@@ -74,7 +76,8 @@ char* error_of(const Work& work) {
                             pixels.data(),      file.standard_error ? errors.data() : nullptr,
                             names.size(),       names.data(),
                             texts.data(),       count_names.size(),
-                            count_names.data(), count_values.data()};
+                            count_names.data(), count_values.data(),
+                            notes.size(),       notes.data()};
     take(context, &view);
   });
 }

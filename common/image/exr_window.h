@@ -1,0 +1,34 @@
+#pragma once
+
+#include <OpenImageIO/imageio.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace carlo {
+
+/// Where the pixels of an OpenEXR file (its data window) lie in its image (its display window).
+class ExrWindow {
+ public:
+  /// Throws Error naming the path if the display window is no image, or one of too many pixels.
+  ExrWindow(const OIIO::ImageSpec& spec, const std::filesystem::path& path);
+
+  /// Of the image.
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  /// The number of the data's pixel that is the image's pixel x, y; nothing where there is none.
+  std::optional<std::size_t> find(int x, int y) const;
+
+  /// What of the image is black for want of data, and what of the data is outside of the image.
+  std::optional<std::string> note() const;
+
+ private:
+  int width_, height_;
+  int data_width_, data_height_;
+  std::ptrdiff_t left_, top_;  ///< of the data, in the image
+};
+
+}  // namespace carlo

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "scene/ply_header.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace carlo {
+
+/// The values after the header of a PLY file, one after the other, text or binary. Errors name the
+/// file, the line where there are lines, and the property.
+class PlyData {
+ public:
+  /// `text`: the whole file, header and all. The other two must outlive this.
+  PlyData(std::string_view text, const PlyHeader& header, const std::string& name);
+
+  /// The next value, which is of this type: a finite number of text, whatever is there of bytes.
+  double number(const PlyProperty& property, PlyType type);
+  /// The same for a property that may be nan or infinite.
+  double any_number(const PlyProperty& property);
+  /// The same as a count or an index.
+  std::uint32_t whole(const PlyProperty& property, PlyType type);
+  /// The same as an index; nothing for -1.
+  std::optional<std::uint32_t> whole_or_end(const PlyProperty& property);
+  /// Passes over a property's values, whatever they are.
+  void skip(const PlyProperty& property);
+
+  /// What follows the last value: an error if it is more than the end of a line. A note, if any.
+  std::optional<std::string> finish();
+
+  bool has_lines() const { return !binary_; }
+  /// The line of the last value.
+  std::size_t line() const { return line_; }
+
+  [[noreturn]] void wrong(const std::string& message) const;
+
+ private:
+  template <class T>
+  double take();
+  double next_binary(PlyType type);
+  std::string_view next_word();
+  void skip_space();
+  std::uint32_t checked(const PlyProperty& property, double x) const;
+
+  std::string_view data_;
+  bool binary_, swapped_;  ///< swapped: the bytes of a value stand in the other order
+  std::size_t line_;
+  const std::string& name_;
+};
+
+}  // namespace carlo

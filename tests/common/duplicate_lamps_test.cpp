@@ -1,0 +1,131 @@
+// Lamps that lie exactly where others lie: one of each is left, or the scene is refused.
+
+#include "mesh_helpers.h"
+#include "scene/needs.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <string>
+
+namespace {
+
+using namespace carlo;
+using namespace scene_test;
+
+std::string at_place(const std::string& steps) {
+  return "<transform name=\"toWorld\">" + steps + "</transform>";
+}
+
+/// A lamp of this type, with what stands inside it.
+std::string lamp(const std::string& type, const std::string& inside, double radiance = 1) {
+  return fmt::format(
+      "<shape type=\"{}\">{}<emitter type=\"area\"><rgb name=\"radiance\" value=\"{}\"/></emitter>"
+      "</shape>",
+      type, inside, radiance);
+}
+
+std::string lamp_error(const std::string& elements) {
+  try {
+    load_elements(elements);
+  } catch (const carlo::Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// How many lights are left, and that a note says how many are not.
+void check_lamps(const std::string& elements, std::size_t left, int gone) {
+  const Scene scene = load_elements(elements);
+  INFO(elements);
+  CHECK(needs(scene).area_lights() == left);
+  CHECK(notes_with(scene, "left out that lie where others lie") == (gone > 0 ? 1 : 0));
+  if (gone > 0) CHECK(notes_with(scene, fmt::format("{} lamps left out", gone)) == 1);
+}
+
+TEST_CASE("of lamps in one place that face the same way one is left", "[scene]") {
+  const std::string up = at_place("<translate y=\"1\"/>");
+  for (const std::string type : {"rectangle", "disk", "sphere"}) {
+    check_lamps(lamp(type, "") + lamp(type, ""), 1, 1);
+    check_lamps(lamp(type, up) + lamp(type, "") + lamp(type, up) + lamp(type, up), 2, 2);
+    check_lamps(lamp(type, "") + lamp(type, flip_normals), 2, 0);
+    check_lamps(lamp(type, "") + lamp(type, at_place("<scale value=\"1.001\"/>")), 2, 0);
+    check_lamps(lamp(type, "") + lamp(type, at_place("<translate z=\"0.0001\"/>")), 2, 0);
+  }
+  check_lamps(lamp("cube", "") + lamp("cube", ""), 6, 6);
+  check_lamps(lamp("rectangle", "") + lamp("disk", "") + lamp("sphere", ""), 3, 0);
+  // Lamps that are put off lie nowhere.
+  check_lamps(lamp("rectangle", "") + lamp("rectangle", "", 0), 1, 0);
+}
+
+TEST_CASE("a square lamp is the same from any of its corners", "[scene]") {
+  const std::string away =
+      "<scale x=\"2\" y=\"2\"/><rotate x=\"1\" y=\"3\" angle=\"40\"/>"
+      "<translate x=\"5\" y=\"-7\" z=\"2\"/>";
+  for (const std::string angle : {"90", "180", "270", "-90", "360"}) {
+    const std::string turn = "<rotate z=\"1\" angle=\"" + angle + "\"/>";
+    check_lamps(lamp("rectangle", "") + lamp("rectangle", at_place(turn)), 1, 1);
+    check_lamps(lamp("rectangle", at_place(away)) + lamp("rectangle", at_place(turn + away)), 1, 1);
+  }
+  check_lamps(lamp("rectangle", "") + lamp("rectangle", at_place("<rotate z=\"1\" angle=\"45\"/>")),
+              2, 0);
+  // Upside down it is on the other side, mirrored it is not.
+  check_lamps(
+      lamp("rectangle", "") + lamp("rectangle", at_place("<rotate x=\"1\" angle=\"180\"/>")), 2, 0);
+  check_lamps(lamp("rectangle", "") + lamp("rectangle", at_place("<scale x=\"-1\"/>")), 1, 1);
+  check_lamps(lamp("disk", "") + lamp("disk", at_place("<rotate z=\"1\" angle=\"33\"/>")), 1, 1);
+}
+
+TEST_CASE("lamps in one place that differ are refused", "[scene]") {
+  const std::string error = lamp_error(lamp("rectangle", "") + lamp("rectangle", "", 2));
+  INFO(error);
+  CHECK(error.find(":1:1: error: two lamps lie in one place, facing the same way, and differ in "
+                   "radiance") != std::string::npos);
+  CHECK(error.find("of radiances (1, 1, 1) and (2, 2, 2)") != std::string::npos);
+  const std::string white = "<bsdf type=\"diffuse\"/>";
+  CHECK(lamp_error(lamp("sphere", "") + lamp("sphere", white)).find("differ in material") !=
+        std::string::npos);
+  check_lamps(lamp("sphere", white) + lamp("sphere", white), 1, 1);
+}
+
+TEST_CASE("triangles of lamps of different meshes coincide", "[scene]") {
+  const TemporaryFolder folder;
+  write_bytes(folder.path() / "a.obj", unit_square + "f 1 2 3 4\n");
+  write_bytes(folder.path() / "b.obj", "v 5 5 5\n" + unit_square + "f 3 4 2\nf 4 5 2\nf 2 3 1\n");
+  write_bytes(folder.path() / "c.obj", unit_square + "f 4 3 2 1\n");
+  write_bytes(folder.path() / "d.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 2 3 4 1\n");
+  const auto load = [&](const std::string& elements) {
+    write_bytes(folder.path() / "scene.xml",
+                "<scene version=\"0.6.0\"><sensor type=\"perspective\"><float name=\"fov\" "
+                "value=\"90\"/></sensor>" +
+                    elements + "</scene>");
+    return load_scene(folder.path() / "scene.xml");
+  };
+  const auto mesh = [](const std::string& name, double radiance = 1) {
+    return lamp("obj", "<string name=\"filename\" value=\"" + name + ".obj\"/>", radiance);
+  };
+  const auto lights = [&](const std::string& elements) {
+    return needs(load(elements)).area_lights();
+  };
+  CHECK(lights(mesh("a") + mesh("a")) == 2);
+  CHECK(load(mesh("a") + mesh("a")).shapes.size() == 1);
+  CHECK(notes_with(load(mesh("a") + mesh("a") + mesh("a")), "4 triangles of lamps left out") == 1);
+  CHECK(lights(mesh("a") + mesh("c")) == 4);
+  CHECK(lights(mesh("a") + mesh("b")) == 3);
+  // Half of a rectangle each.
+  CHECK(lights(mesh("d") + lamp("rectangle", "")) == 1);
+  CHECK(lights(mesh("a") + lamp("rectangle", "")) == 3);
+  CHECK_THROWS(load(mesh("a") + mesh("a", 2)));
+}
+
+TEST_CASE("many lamps are compared in little time", "[scene]") {
+  std::string text;
+  for (int i = 0; i < 3000; ++i)
+    text +=
+        lamp("rectangle", at_place(fmt::format("<translate x=\"{}\" y=\"{}\"/>", i % 50, i / 50)));
+  const auto start = std::chrono::steady_clock::now();
+  check_lamps(text + lamp("rectangle", ""), 3000, 1);
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
+}
+
+}  // namespace

@@ -1,0 +1,203 @@
+// OpenEXR files as other programs write them: windows, parts, tiles, colours.
+
+#include "cli/atomic_file.h"
+#include "cli/error.h"
+#include "cli/source_folder.h"
+#include "exr_bytes.h"
+#include "image/exr.h"
+#include "image/primaries.h"
+#include "mesh_helpers.h"
+
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace carlo;
+using namespace common_test;
+using Catch::Matchers::ContainsSubstring;
+
+using Pixels = std::vector<std::array<float, 3>>;
+
+ExrFile read_bytes(const std::string& bytes) {
+  const TemporaryFolder scratch;
+  write_file(scratch.path() / "a.exr", bytes);
+  return read_exr(scratch.path() / "a.exr");
+}
+
+std::string read_error(const std::string& bytes) {
+  try {
+    read_bytes(bytes);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// Data whose pixel in column x, row y of the display window's coordinates is x + 100 y, red.
+std::string with_windows(Box display, Box data) {
+  Pixels pixels;
+  for (int y = data.top; y <= data.bottom; ++y) {
+    for (int x = data.left; x <= data.right; ++x)
+      pixels.push_back({static_cast<float>(x + 100 * y), .5f, 0});
+  }
+  return exr_bytes(display, data, pixels);
+}
+
+TEST_CASE("An EXR's image is its display window, black where it has no data") {
+  const Box display{10, 20, 13, 21};
+  const std::vector<Box> windows = {{10, 20, 13, 21}, {11, 20, 12, 20}, {8, 18, 15, 25},
+                                    {9, 21, 11, 24},  {13, 20, 13, 20}, {0, 0, 20, 20},
+                                    {-5, -5, -4, -4}, {11, 0, 11, 40}};
+  for (const Box& data : windows) {
+    INFO(data.left << ' ' << data.top << ' ' << data.right << ' ' << data.bottom);
+    const ExrFile file = read_bytes(with_windows(display, data));
+    REQUIRE(file.image.width == 4);
+    REQUIRE(file.image.height == 2);
+    bool all = true, more = data.left < 10 || data.right > 13 || data.top < 20 || data.bottom > 21;
+    for (int y = 0; y < 2; ++y) {
+      for (int x = 0; x < 4; ++x) {
+        const int column = 10 + x, row = 20 + y;
+        const bool there =
+            column >= data.left && column <= data.right && row >= data.top && row <= data.bottom;
+        all = all && there;
+        const auto red = static_cast<float>(column + 100 * row);
+        CHECK(file.image.at(x, y) == (there ? Rgb(red, .5f, 0) : Rgb(0)));
+      }
+    }
+    CHECK(file.notes.empty() == (all && !more));
+    if (file.notes.empty()) continue;
+    CHECK(file.notes.size() == 1);
+    CHECK((file.notes[0].find("the rest is black") != std::string::npos) == !all);
+    CHECK((file.notes[0].find("what is outside is left out") != std::string::npos) == more);
+  }
+}
+
+TEST_CASE("An EXR's display window has a size that an image may have") {
+  const Pixels one = {{1, 1, 1}};
+  CHECK_THAT(read_error(exr_bytes({0, 0, 99999, 99999}, {0, 0, 0, 0}, one)),
+             ContainsSubstring("its display window has 100000 x 100000 pixels"));
+  const ExrFile wide = read_bytes(exr_bytes({0, 0, 1999, 999}, {1999, 999, 1999, 999}, one));
+  CHECK(wide.image.pixels.size() == 2'000'000);
+  CHECK(wide.image.at(1999, 999) == Rgb(1));
+}
+
+TEST_CASE("An image around a scene is measured by its display window") {
+  const TemporaryFolder folder;
+  const auto load = [&](Box display, Box data) {
+    write_file(folder.path() / "sky.exr", with_windows(display, data));
+    write_file(folder.path() / "scene.xml",
+               "<scene version=\"0.6.0\"><sensor type=\"perspective\"><float name=\"fov\" "
+               "value=\"90\"/></sensor><emitter type=\"envmap\"><string name=\"filename\" "
+               "value=\"sky.exr\"/></emitter></scene>");
+    return load_scene(folder.path() / "scene.xml");
+  };
+  const Scene scene = load({0, 0, 3, 1}, {0, 0, 3, 0});
+  REQUIRE(scene.lights.envmap);
+  CHECK(scene.lights.envmap->image.width == 4);
+  CHECK(scene_test::notes_with(scene, "sky.exr: its data window has 4 x 1 pixels") == 1);
+  CHECK_THROWS_WITH(
+      load({0, 0, 3, 0}, {0, 0, 3, 1}),
+      ContainsSubstring("\"sky.exr\" has a display window of 4 x 1 pixels, expected"));
+}
+
+TEST_CASE("An EXR of many parts, tiles or resolutions is read, or refused in one line") {
+  const auto images = source_folder() / "tests/common/images";
+  const auto error_of = [&](const std::string& name) -> std::string {
+    try {
+      read_exr(images / name);
+    } catch (const Error& error) {
+      CHECK(std::string(error.what()).find('\n') == std::string::npos);
+      return error.what();
+    }
+    return "none";
+  };
+  for (const std::string name : {"tiled.exr", "mip.exr", "rip.exr"}) {
+    INFO(name);
+    const ExrFile file = read_exr(images / name);
+    CHECK(file.notes.empty());
+    REQUIRE((file.image.width == 8 && file.image.height == 4));
+    for (int i = 0; i < 32; ++i)
+      CHECK(file.image.pixels[static_cast<std::size_t>(i)] ==
+            Rgb(static_cast<float>(1 + i), .5f, .25f));
+  }
+  CHECK(read_exr(images / "decreasing.exr").image.at(0, 1) == Rgb(5, .5f, .25f));
+  // Depths first, then colours: twice 1 to 8.
+  const ExrFile parts = read_exr(images / "parts_z_rgb.exr");
+  CHECK(parts.image.at(3, 1) == Rgb(16, 1, .5f));
+  REQUIRE(parts.notes.size() == 1);
+  CHECK(parts.notes[0] == "parts_z_rgb.exr: part 2 of its 2 is read, the first with R, G, B");
+  CHECK_THAT(error_of("deep.exr"), ContainsSubstring("its pixels are deep"));
+  CHECK_THAT(error_of("yca.exr"), ContainsSubstring("Subsampled channels are not supported"));
+  CHECK_THAT(error_of("sub.exr"), ContainsSubstring("Subsampled channels are not supported"));
+  CHECK_THAT(error_of("y.exr"), ContainsSubstring("it has no channels R, G, B, but Y"));
+}
+
+std::string with_chromaticities(const std::vector<float>& xy, const Pixels& pixels) {
+  return exr_bytes({0, 0, 1, 0}, {0, 0, 1, 0}, pixels,
+                   exr_floats("chromaticities", "chromaticities", xy));
+}
+
+TEST_CASE("Rec. 709 that is stated changes no bit") {
+  const Pixels pixels = {{.1f, 1e-20f, 3e20f}, {-.3f, .7f, 0}};
+  for (const std::vector<float>& xy :
+       {std::vector<float>{.64f, .33f, .3f, .6f, .15f, .06f, .3127f, .329f},
+        std::vector<float>{.64f, .33f, .3f, .6f, .15f, .06f, .31271f, .32902f},
+        std::vector<float>{.64f, .33f, .3f, .6f, .15f, .06f, .313f, .329f}}) {
+    const ExrFile file = read_bytes(with_chromaticities(xy, pixels));
+    CHECK(file.notes.empty());
+    CHECK(file.image.at(0, 0) == Rgb(.1f, 1e-20f, 3e20f));
+    CHECK(file.image.at(1, 0) == Rgb(-.3f, .7f, 0));
+  }
+}
+
+TEST_CASE("Chromaticities are taken to those of Rec. 709, white to white") {
+  const auto close = [](Rgb a, Rgb b) {
+    INFO(a.r << ' ' << a.g << ' ' << a.b);
+    for (int c = 0; c < 3; ++c)
+      CHECK(std::abs(a[c] - b[c]) <= 1e-4f);
+  };
+  // Rec. 2020 has the same white: ITU-R BT.2087's matrix, inverted.
+  const ExrFile wide = read_bytes(with_chromaticities(
+      {.708f, .292f, .17f, .797f, .131f, .046f, .3127f, .329f}, {{1, 0, 0}, {0, .5f, 0}}));
+  close(wide.image.at(0, 0), {1.6605f, -.1246f, -.0182f});
+  close(wide.image.at(1, 0), .5f * Rgb(-.5876f, 1.1329f, -.1006f));
+  REQUIRE(wide.notes.size() == 1);
+  CHECK_THAT(wide.notes[0], ContainsSubstring("a.exr: its chromaticities, red (0.708, 0.292)"));
+  // ACES AP1, by the Bradford transform: OpenColorIO's built-in configuration.
+  const ExrFile aces = read_bytes(with_chromaticities(
+      {.713f, .293f, .165f, .83f, .128f, .044f, .32168f, .33767f}, {{1, 0, 0}, {2, 2, 2}}));
+  close(aces.image.at(0, 0), {1.70505f, -.13026f, -.02400f});
+  close(aces.image.at(1, 0), Rgb(2));
+}
+
+TEST_CASE("Chromaticities that span no colours are refused") {
+  const Pixels pixels = {{1, 1, 1}, {1, 1, 1}};
+  for (const std::vector<float>& xy :
+       {std::vector<float>{.3f, .3f, .3f, .3f, .3f, .3f, .3f, .3f},
+        std::vector<float>{0, 0, 0, 0, 0, 0, 0, 0},
+        std::vector<float>{.64f, .33f, .3f, .6f, .15f, .06f, .3f, 0},
+        std::vector<float>{.64f, .33f, .3f, .6f, .15f, .06f, std::nanf(""), .3f},
+        std::vector<float>{.1f, .1f, .2f, .2f, .3f, .3f, .33f, .33f}})
+    CHECK_THAT(read_error(with_chromaticities(xy, pixels)), ContainsSubstring("span no colours"));
+}
+
+TEST_CASE("What an EXR says of its white and its pixels' shape is noted") {
+  const auto notes = [](const std::string& attribute) {
+    return read_bytes(exr_bytes({0, 0, 0, 0}, {0, 0, 0, 0}, {{1, 1, 1}}, attribute)).notes;
+  };
+  CHECK(notes(exr_floats("whiteLuminance", "float", {100})) ==
+        std::vector<std::string>{"a.exr: its whiteLuminance is not used"});
+  CHECK(notes(exr_floats("adoptedNeutral", "v2f", {.3f, .3f})) ==
+        std::vector<std::string>{"a.exr: its adoptedNeutral is not used"});
+  CHECK(notes("").empty());
+}
+
+}  // namespace
