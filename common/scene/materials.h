@@ -14,7 +14,7 @@ namespace carlo {
 /// Reads <bsdf> elements and keeps those that shapes use.
 class Materials {
  public:
-  explicit Materials(const Ids& ids) : ids_(ids) {}
+  Materials(const Ids& ids, SceneErrors& errors) : ids_(ids), errors_(errors) {}
 
   /// A <bsdf> that stands in the scene for <ref>s to name.
   void define(const XmlElement& bsdf);
@@ -35,12 +35,18 @@ class Materials {
     bool used = false;
   };
 
+  /// What is wrong is told of. Then the result stands in for the material, so that nobody misses
+  /// it.
   Material parse(const XmlElement& bsdf);
-  Material parse_two_sided(const XmlElement& bsdf);
+  Material built(const XmlElement& bsdf);
+  Material parse_two_sided(const Properties& bsdf);
   Entry& resolve(const XmlElement& ref);
   std::uint32_t add(const Material& material);
 
   const Ids& ids_;
+  SceneErrors& errors_;
+  Entry unknown_;
+  std::vector<std::string> open_;  // ids of those being read, outermost first
   std::map<std::string, Entry> named_;
   std::vector<Material> list_;
 };
