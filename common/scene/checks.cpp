@@ -47,16 +47,6 @@ void an_angle(const XmlElement& property) {
   }
 }
 
-void an_exponent(const XmlElement& property) {
-  zero_or_above(property);
-  const float value = number_value(property);
-  if (value > largest_exponent) {
-    wrong(property,
-          "must be <= {:g}, got {:g}: a sharper lobe is a mirror, <bsdf type=\"conductor\">",
-          largest_exponent, value);
-  }
-}
-
 void a_count(const XmlElement& property) {
   const int value = integer_value(property);
   if (value < 1) wrong(property, "must be >= 1, got {}", value);

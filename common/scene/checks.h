@@ -4,9 +4,6 @@
 
 namespace carlo {
 
-/// The largest exponent of a Phong lobe that is computed right.
-inline constexpr float largest_exponent = 1e16f;
-
 // What may be asked of a property by itself, before it is used: its kind, what stands in it and in
 // which range its value lies. Each throws Error at what is at fault.
 
@@ -22,7 +19,6 @@ void anything(const XmlElement& property);
 void above_zero(const XmlElement& property);
 void zero_or_above(const XmlElement& property);
 void an_angle(const XmlElement& property);
-void an_exponent(const XmlElement& property);
 void a_count(const XmlElement& property);
 void a_depth(const XmlElement& property);
 void an_ior(const XmlElement& property);

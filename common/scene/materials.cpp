@@ -14,25 +14,6 @@ Diffuse parse_diffuse(Properties& bsdf) {
   return {bsdf.reflectance("reflectance").value_or(Rgb(0.5f))};
 }
 
-Phong parse_phong(Properties& bsdf) {
-  Phong phong;
-  phong.kd = bsdf.reflectance("diffuseReflectance").value_or(Rgb(0.5f));
-  phong.ks = bsdf.reflectance("specularReflectance").value_or(Rgb(0.2f));
-  phong.exponent = bsdf.number("exponent").value_or(30.0f);
-  for (int i = 0; i < 3; ++i) {
-    const float sum = phong.kd[i] + phong.ks[i];
-    // 0.3 + 0.7 in float may exceed 1 by a rounding.
-    if (sum <= 1.000001f) continue;
-    fail(bsdf.at("specularReflectance"),
-         "diffuseReflectance + specularReflectance must be <= 1 (energy is not created), got {} in "
-         "{}",
-         sum,
-         std::array{"the red channel", "the green channel", "the blue channel"}.at(
-             static_cast<std::size_t>(i)));
-  }
-  return phong;
-}
-
 Mirror parse_conductor(Properties& bsdf) {
   // Without a material it is copper in Mitsuba 0.6, a perfect mirror in Mitsuba 3.
   if (!bsdf.string("material") && bsdf.dialect() == Dialect::mitsuba06) {
@@ -79,7 +60,7 @@ std::uint32_t Materials::of_shape(const Properties& shape, bool emits) {
 }
 
 std::vector<std::string> Materials::notes() const {
-  std::vector<std::string> out;
+  std::vector<std::string> out = notes_;
   for (const auto& [id, entry] : named_) {
     if (!entry.used) out.push_back(fmt::format("no shape uses the bsdf {}", in_quotes(id)));
   }
@@ -113,6 +94,30 @@ Material Materials::built(const XmlElement& bsdf) {
   }
   properties.finish();
   return material;
+}
+
+Phong Materials::parse_phong(Properties& bsdf) {
+  Phong phong;
+  phong.kd = bsdf.reflectance("diffuseReflectance").value_or(Rgb(0.5f));
+  phong.ks = bsdf.reflectance("specularReflectance").value_or(Rgb(0.2f));
+  phong.exponent = bsdf.number("exponent").value_or(30.0f);
+  if (phong.exponent > sharpest_exponent) {
+    notes_.push_back(fmt::format("exponent {:g} is taken as {:g}: no float tells their lobes apart",
+                                 phong.exponent, sharpest_exponent));
+    phong.exponent = sharpest_exponent;
+  }
+  for (int i = 0; i < 3; ++i) {
+    const float sum = phong.kd[i] + phong.ks[i];
+    // 0.3 + 0.7 in float may exceed 1 by a rounding.
+    if (sum <= 1.000001f) continue;
+    fail(bsdf.at("specularReflectance"),
+         "diffuseReflectance + specularReflectance must be <= 1 (energy is not created), got {} in "
+         "{}",
+         sum,
+         std::array{"the red channel", "the green channel", "the blue channel"}.at(
+             static_cast<std::size_t>(i)));
+  }
+  return phong;
 }
 
 Material Materials::parse_two_sided(const Properties& bsdf) {

@@ -11,6 +11,10 @@
 
 namespace carlo {
 
+/// The largest exponent of a Phong lobe. Larger ones are taken as this one, with a note: its lobe
+/// is 5e-7 wide, where directions are floats, and above 1e15 their rounding would leave the lobe.
+inline constexpr float sharpest_exponent = 1e13f;
+
 /// Reads <bsdf> elements and keeps those that shapes use.
 class Materials {
  public:
@@ -25,7 +29,7 @@ class Materials {
 
   const std::vector<Material>& list() const { return list_; }
 
-  /// One note for each defined material that no shape uses.
+  /// What is worth a note, as that no shape uses a material.
   std::vector<std::string> notes() const;
 
  private:
@@ -40,6 +44,7 @@ class Materials {
   Material parse(const XmlElement& bsdf);
   Material built(const XmlElement& bsdf);
   Material parse_two_sided(const Properties& bsdf);
+  Phong parse_phong(Properties& bsdf);
   Entry& resolve(const XmlElement& ref);
   std::uint32_t add(const Material& material);
 
@@ -49,6 +54,7 @@ class Materials {
   std::vector<std::string> open_;  // ids of those being read, outermost first
   std::map<std::string, Entry> named_;
   std::vector<Material> list_;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace carlo

@@ -112,7 +112,7 @@ std::vector<Plugin> bsdf_plugins() {
            {},
            {{"diffuseReflectance", a_reflectance},
             {"specularReflectance", a_reflectance},
-            {"exponent", an_exponent}}},
+            {"exponent", zero_or_above}}},
           {"bsdf",
            "conductor",
            "",
