@@ -91,6 +91,16 @@ void only_false(const XmlElement& property) {
   if (boolean_value(property)) wrong(property, "must be false: true is not supported");
 }
 
+void only_zero(const XmlElement& property) {
+  const float value = number_value(property);
+  if (value != 0) wrong(property, "must be 0, got {}: no other is supported", value);
+}
+
+void no_pixels(const XmlElement& property) {
+  const int value = integer_value(property);
+  if (value != 0) wrong(property, "must be 0, got {}: images are rendered whole", value);
+}
+
 void only_half(const XmlElement& property) {
   const float value = number_value(property);
   if (value != 0.5f) wrong(property, "must be 0.5, got {}: no other is supported", value);

@@ -29,6 +29,8 @@ void a_transform(const XmlElement& property);
 // One value only: others would change the image.
 void only_true(const XmlElement& property);
 void only_false(const XmlElement& property);
+void only_zero(const XmlElement& property);
+void no_pixels(const XmlElement& property);
 void only_half(const XmlElement& property);
 void only_one(const XmlElement& property);
 void only_none(const XmlElement& property);

@@ -93,11 +93,11 @@ class Grammar {
     if (object.plugin == nullptr) return;
     const Rule* rule = find_rule(*object.plugin, name.value);
     if (rule == nullptr) fail_unknown(property, object, written);
-    if (rule->effect == Effect::refused)
+    if (rule->treatment == Treatment::refused)
       fail(property.at, "{} is not supported: {}", written, rule->why);
     if (!check_parts(property, errors_) || property.broken) return;
     rule->check(property);
-    if (rule->effect == Effect::noted) note("{} has no effect: {}", written, rule->why);
+    if (rule->treatment == Treatment::noted) note("{} has no effect: {}", written, rule->why);
   }
 
   [[noreturn]] static void fail_unknown(const XmlElement& property, const XmlElement& object,
@@ -107,9 +107,9 @@ class Grammar {
     const Dialect dialect = new_names ? Dialect::mitsuba3 : object.at.source->dialect;
     std::vector<std::string> taken, read;
     for (const Rule& rule : object.plugin->rules) {
-      if (rule.effect == Effect::refused) continue;
+      if (rule.treatment == Treatment::refused) continue;
       taken.push_back(name_in(dialect, rule.name));
-      if (rule.effect == Effect::read) read.push_back(taken.back());
+      if (rule.treatment == Treatment::read) read.push_back(taken.back());
     }
     std::string hint = suggest(name, taken);
     if (hint.find("did you mean") == std::string::npos) hint = suggest(name, read);

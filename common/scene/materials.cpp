@@ -11,7 +11,12 @@ namespace carlo {
 namespace {
 
 Diffuse parse_diffuse(Properties& bsdf) {
-  return {bsdf.reflectance("reflectance").value_or(Rgb(0.5f))};
+  // Mitsuba 0.6 has two names for it.
+  const auto reflectance = bsdf.reflectance("reflectance");
+  const auto other = bsdf.reflectance("diffuseReflectance");
+  if (reflectance && other)
+    fail(bsdf.at("diffuseReflectance"), "diffuseReflectance is reflectance, which is given too");
+  return {reflectance.value_or(other.value_or(Rgb(0.5f)))};
 }
 
 Mirror parse_conductor(Properties& bsdf) {

@@ -9,7 +9,7 @@
 namespace carlo {
 namespace {
 
-constexpr auto none = Effect::none, noted = Effect::noted, refused = Effect::refused;
+constexpr auto none = Treatment::none, noted = Treatment::noted, refused = Treatment::refused;
 constexpr auto any_number = is<number_value>, any_integer = is<integer_value>,
                any_boolean = is<boolean_value>, any_text = is<text_value>,
                a_point = is<point_value>;
@@ -25,10 +25,8 @@ const Rule to_world{"toWorld", a_transform};
 
 // Cameras -----------------------------------------------------------------------------------------
 
-const std::string_view whole = "images are rendered whole, seen straight on";
-
 Rules sensor_rules() {
-  return {{"fov", an_angle, Effect::read, "", "float"},
+  return {{"fov", an_angle, Treatment::read, "", "float"},
           {"fovAxis", is<fov_axis_value>},
           to_world,
           {"nearClip", above_zero, none},  // clip.h looks whether it is so
@@ -37,8 +35,8 @@ Rules sensor_rules() {
           {"shutterOpen", any_number, none},
           {"shutterClose", any_number, none},
           {"focalLength", anything, refused, "give fov"},
-          {"principalPointOffsetX", anything, refused, whole},
-          {"principalPointOffsetY", anything, refused, whole}};
+          {"principalPointOffsetX", only_zero, none},
+          {"principalPointOffsetY", only_zero, none}};
 }
 
 Rules film_rules() {
@@ -52,10 +50,11 @@ Rules film_rules() {
           {"highQualityEdges", any_boolean, none},
           {"sampleBorder", any_boolean, none},
           {"compensate", any_boolean, none},
-          {"cropWidth", anything, refused, whole},
-          {"cropHeight", anything, refused, whole},
-          {"cropOffsetX", anything, refused, whole},
-          {"cropOffsetY", anything, refused, whole}};
+          {"cropWidth", any_integer, none},  // sensor.cpp looks whether it is so
+
+          {"cropHeight", any_integer, none},
+          {"cropOffsetX", no_pixels, none},
+          {"cropOffsetY", no_pixels, none}};
 }
 
 const Rules tone_mapping = {{"gamma", any_number, none},
@@ -84,7 +83,9 @@ std::vector<Plugin> camera_plugins() {
         {"rrDepth", any_integer, noted,
          "the renderer plays Russian roulette by a rule of its own; the mean is the same"},
         {"hideEmitters", only_false, none},
-        {"strictNormals", any_boolean, none}}},
+        {"strictNormals", any_boolean, none},
+        {"block_size", any_integer, none},
+        {"samples_per_pass", any_integer, none}}},
       {"sensor", "perspective", "scene", {"film", "sampler"}, sensor_rules()},
       {"film", "hdrfilm", "sensor", {"rfilter"}, film_rules()},
       {"film",
@@ -105,7 +106,11 @@ std::vector<Plugin> camera_plugins() {
 // Materials ---------------------------------------------------------------------------------------
 
 std::vector<Plugin> bsdf_plugins() {
-  return {{"bsdf", "diffuse", "", {}, {{"reflectance", a_reflectance}}},
+  return {{"bsdf",
+           "diffuse",
+           "",
+           {},
+           {{"reflectance", a_reflectance}, {"diffuseReflectance", a_reflectance}}},
           {"bsdf",
            "phong",
            "",
@@ -135,7 +140,7 @@ const Rules any_shape = {to_world, {"flipNormals", any_boolean}};
 const std::vector<std::string_view> on_a_shape = {"bsdf", "ref", "emitter"};
 
 std::vector<Plugin> shape_plugins() {
-  const Rules file = {{"filename", any_text, Effect::read, "", "string"},
+  const Rules file = {{"filename", any_text, Treatment::read, "", "string"},
                       {"faceNormals", any_boolean},
                       {"flipTexCoords", any_boolean, none}};
   const Rules ball = {{"center", a_point}, {"radius", above_zero}};
@@ -185,7 +190,7 @@ std::vector<Plugin> emitter_plugins() {
            "envmap",
            "scene",
            {},
-           Rules{{"filename", any_text, Effect::read, "", "string"},
+           Rules{{"filename", any_text, Treatment::read, "", "string"},
                  {"scale", above_zero},
                  to_world,
                  {"cache", any_boolean, none}} +
@@ -217,7 +222,7 @@ const Plugin* find_plugin(std::string_view element, std::string_view type,
 
 const Rule* find_rule(const Plugin& plugin, std::string_view name) {
   // Exporters name all that they write.
-  static const Rule label{"name", any_text, Effect::none};
+  static const Rule label{"name", any_text, Treatment::none};
   if (name == label.name) return &label;
   const auto found = std::find_if(plugin.rules.begin(), plugin.rules.end(),
                                   [&](const Rule& r) { return r.name == name; });

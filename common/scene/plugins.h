@@ -8,7 +8,7 @@
 namespace carlo {
 
 /// What becomes of a property.
-enum class Effect {
+enum class Treatment {
   read,
   none,    ///< taken: it changes nothing in an image
   noted,   ///< taken, but it is told why it changes nothing
@@ -19,7 +19,7 @@ enum class Effect {
 struct Rule {
   std::string_view name;  ///< Mitsuba 0.6's (names.h)
   void (*check)(const XmlElement& property);
-  Effect effect = Effect::read;
+  Treatment treatment = Treatment::read;
   std::string_view why = "";       ///< of what is noted or refused
   std::string_view required = "";  ///< the kind of element, of what must be given
 };

@@ -97,7 +97,7 @@ const XmlElement* Properties::object(std::string_view element) const {
 void Properties::finish() const {
   if (object_.plugin == nullptr) return;
   for (const Rule& rule : object_.plugin->rules) {
-    if (rule.effect != Effect::read) continue;
+    if (rule.treatment != Treatment::read) continue;
     if (std::find(asked_.begin(), asked_.end(), rule.name) == asked_.end()) {
       throw std::logic_error("nobody read " + object_.name + " " + type() + ", " +
                              std::string(rule.name));

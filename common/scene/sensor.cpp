@@ -11,11 +11,22 @@
 namespace carlo {
 namespace {
 
-void parse_film(const XmlElement& element, Scene& scene) {
+void check_crop(Properties& film, const std::string& name, int side, SceneErrors& errors) {
+  const int crop = film.integer(name).value_or(side);
+  if (crop == side) return;
+  errors.guard([&] {
+    fail(film.at(name), "{} must be the film's {}, got {}: images are rendered whole", name, side,
+         crop);
+  });
+}
+
+void parse_film(const XmlElement& element, Scene& scene, SceneErrors& errors) {
   Properties film(element);
   scene.width = film.integer("width").value_or(scene.width);
   scene.height = film.integer("height").value_or(scene.height);
   film.finish();
+  check_crop(film, "cropWidth", scene.width, errors);
+  check_crop(film, "cropHeight", scene.height, errors);
   if (std::int64_t{scene.width} * scene.height > most_pixels) {
     fail(film.at("width"), "the film is too large: {} x {} pixels, at most {} are supported",
          scene.width, scene.height, most_pixels);
@@ -69,7 +80,7 @@ ClipRange parse_sensor(const XmlElement& element, Scene& scene, glm::dvec3 cente
   scene.width = 768;
   scene.height = 576;
   const XmlElement* film = sensor.object("film");
-  if (film != nullptr && !film->broken) errors.guard([&] { parse_film(*film, scene); });
+  if (film != nullptr && !film->broken) errors.guard([&] { parse_film(*film, scene, errors); });
   const XmlElement* sampler = sensor.object("sampler");
   if (sampler != nullptr && !sampler->broken) errors.guard([&] { parse_sampler(*sampler, scene); });
   if (element.broken) return {};

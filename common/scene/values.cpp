@@ -15,9 +15,8 @@
 namespace carlo {
 namespace {
 
-// Light of the same energy at each wavelength, in linear sRGB: the colour of X = Y = Z = 1 (IEC
-// 61966-2-1's matrix).
-constexpr Rgb equal_energy{1.2048f, 0.9483f, 0.9088f};
+// Light of the same energy at each wavelength (X = Y = Z = 1) in linear sRGB, as Mitsuba 3 has it.
+constexpr Rgb equal_energy{1.2048f, 0.9483f, 0.9089f};
 
 void require_kind(const XmlElement& property, std::initializer_list<std::string_view> kinds) {
   if (std::find(kinds.begin(), kinds.end(), property.name) != kinds.end()) return;
