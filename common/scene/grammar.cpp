@@ -21,11 +21,21 @@ class Grammar {
 
   void check(XmlElement& object, std::string_view within) {
     const std::size_t before = errors_.count();
+    bool all_known = !object.broken;
     object.allow_only({"type", "id", "name"}, errors_);
     errors_.guard([&] { find_type(object, within); });
-    check_properties(object);
+    std::set<std::string> given;
+    for (XmlElement& child : object.children) {
+      if (!is_property(child)) continue;
+      const XmlAttribute* name = child.find("name");
+      all_known = all_known && name != nullptr && !name->broken;
+      object.broken = object.broken || any_broken(child);
+      errors_.guard([&] { check_property(child, object, given); });
+    }
     object.broken = object.broken || errors_.count() > before;
-    check_objects(object);
+    all_known = check_objects(object) && all_known;
+    // What seems to be missing may be what nobody knows.
+    if (object.plugin != nullptr && all_known) check_required(object, given);
   }
 
  private:
@@ -57,17 +67,10 @@ class Grammar {
          suggest(type.value, known));
   }
 
-  void check_properties(XmlElement& object) {
-    std::set<std::string> given;
-    for (XmlElement& child : object.children) {
-      if (!is_property(child)) continue;
-      object.broken = object.broken || any_broken(child) || child.find("name") == nullptr;
-      errors_.guard([&] { check_property(child, object, given); });
-    }
-    // Of what is broken the one that seems to be missing may be there.
-    if (object.plugin == nullptr || object.broken) return;
+  void check_required(XmlElement& object, const std::set<std::string>& given) {
     for (const Rule& rule : object.plugin->rules) {
       if (rule.required.empty() || given.count(std::string(rule.name)) != 0) continue;
+      object.broken = true;
       const auto meant = [&](const std::string& name) {
         return find_rule(*object.plugin, name) == nullptr && is_near(name, rule.name);
       };
@@ -86,6 +89,7 @@ class Grammar {
     property.get("name");
     XmlAttribute& name = *std::find_if(property.attributes.begin(), property.attributes.end(),
                                        [](const XmlAttribute& a) { return a.name == "name"; });
+    if (name.broken) return;
     const std::string written = name.value;
     name.value = mitsuba06_name(written);
     if (!given.insert(name.value).second)
@@ -117,8 +121,10 @@ class Grammar {
          in_quotes(object.get("type").value), in_quotes(name), hint);
   }
 
-  void check_objects(XmlElement& object) {
+  /// Whether each of them may stand there.
+  bool check_objects(XmlElement& object) {
     std::set<std::string> given;
+    bool all_known = true;
     for (XmlElement& child : object.children) {
       if (is_property(child)) continue;
       // Of an object that nobody knows its own error tells enough, but not of materials inside.
@@ -128,6 +134,7 @@ class Grammar {
       }
       if (!errors_.guard([&] { check_place(child, object, given); })) {
         object.broken = child.broken = true;
+        all_known = false;
         continue;
       }
       if (child.name == "ref") {
@@ -137,6 +144,7 @@ class Grammar {
         check(child, child.name == "shape" ? "sdf" : object.name);
       }
     }
+    return all_known;
   }
 
   /// Throws Error at an element that may not stand inside `object`, or not once more.

@@ -20,7 +20,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <optional>
 
@@ -76,13 +75,8 @@ class Loader {
     parameters_.substitute(element, errors_);
     if (element.name == "default") return parameters_.declare(element, errors_);
     if (element.name == "include") return include(element);
-    constexpr std::array objects = {"integrator", "sensor", "bsdf", "shape", "emitter"};
-    if (std::find(objects.begin(), objects.end(), element.name) == objects.end()) {
-      fail(element.at, "<{}> is not supported here{}", element.name,
-           suggest(element.name,
-                   {"default", "include", "integrator", "sensor", "bsdf", "shape", "emitter"}));
-    }
     ids_.declare(element, errors_);
+    check_supported(element);
     check_object(element, "scene", errors_, scene_.notes);
     if (element.name == "bsdf") return materials_.define(element);
     if (element.name == "shape") return add_shape(element);
@@ -93,6 +87,15 @@ class Loader {
       clip_ = parse_sensor(element, scene_, center_, errors_);
     else if (!element.broken)
       parse_integrator(element, scene_);
+  }
+
+  void check_supported(const XmlElement& element) {
+    const std::vector<std::string> known = {"default", "include", "integrator", "sensor",
+                                            "bsdf",    "shape",   "emitter"};
+    if (std::find(known.begin(), known.end(), element.name) != known.end()) return;
+    const auto meant = [&](const std::string& name) { return is_near(element.name, name); };
+    if (std::any_of(known.begin(), known.end(), meant)) errors_.lose_names();
+    fail(element.at, "<{}> is not supported here{}", element.name, suggest(element.name, known));
   }
 
   void include(const XmlElement& element) {

@@ -38,10 +38,14 @@ Dielectric parse_dielectric(Properties& bsdf) {
 
 void Materials::define(const XmlElement& bsdf) {
   const Material material = parse(bsdf);
-  if (bsdf.find("id") == nullptr) {
-    fail(bsdf.at, "a <bsdf> outside a <shape> needs an id, or nothing can use it");
+  if (const XmlAttribute* id = bsdf.find("id")) {
+    named_[id->value].material = material;
+    return;
   }
-  named_[bsdf.get("id").value].material = material;
+  const auto meant = [](const XmlAttribute& a) { return is_near(a.name, "id"); };
+  if (std::any_of(bsdf.attributes.begin(), bsdf.attributes.end(), meant))
+    return errors_.lose_names();
+  fail(bsdf.at, "a <bsdf> outside a <shape> needs an id, or nothing can use it");
 }
 
 std::uint32_t Materials::of_shape(const Properties& shape, bool emits) {

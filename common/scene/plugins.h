@@ -20,8 +20,8 @@ struct Rule {
   std::string_view name;  ///< Mitsuba 0.6's (names.h)
   void (*check)(const XmlElement& property);
   Treatment treatment = Treatment::read;
-  std::string_view why = "";       ///< of what is noted or refused
-  std::string_view required = "";  ///< the kind of element, of what must be given
+  std::string_view why = {};       ///< of what is noted or refused
+  std::string_view required = {};  ///< the kind of element, of what must be given
 };
 
 /// What stands in a scene as <element type="...">.
@@ -30,8 +30,8 @@ struct Plugin {
   std::string_view within;                ///< the element in which it may stand; empty for any
   std::vector<std::string_view> objects;  ///< what besides properties may stand inside
   std::vector<Rule> rules;
-  std::string_view as = "";   ///< the plugin's type that is taken in its place
-  std::string_view why = "";  ///< what is told of that
+  std::string_view as = {};   ///< the plugin's type that is taken in its place
+  std::string_view why = {};  ///< what is told of that
 };
 
 /// All that are understood, with all of their properties: what is not here is an error.
