@@ -20,12 +20,26 @@ class Error : public std::runtime_error {
       : std::runtime_error(fmt::format(format, std::forward<Args>(args)...)) {}
 };
 
-/// At a place in a file: what() is "FILE:LINE:COLUMN: error: message", as compilers have it.
+/// At a place in a file: what() is "FILE:LINE:COLUMN: error: message", as compilers have it; of
+/// several errors that are thrown as one it is a line for each.
 class PlacedError : public Error {
  public:
-  PlacedError(const std::string& file, std::size_t line, std::size_t column,
-              const std::string& message)
-      : Error("{}:{}:{}: error: {}", file, line, column, message) {}
+  PlacedError(std::string file, std::size_t line, std::size_t column, const std::string& message)
+      : Error("{}:{}:{}: error: {}", file, line, column, message),
+        file_(std::move(file)),
+        line_(line),
+        column_(column),
+        message_(message) {}
+
+  const std::string& file() const { return file_; }
+  std::size_t line() const { return line_; }
+  std::size_t column() const { return column_; }
+  const std::string& message() const { return message_; }  ///< without the place
+
+ private:
+  std::string file_;
+  std::size_t line_, column_;
+  std::string message_;
 };
 
 }  // namespace carlo

@@ -1,23 +1,26 @@
 #include "scene/load_scene.h"
 
 #include "scene/center.h"
+#include "scene/clip.h"
 #include "scene/digits.h"
 #include "scene/duplicate_lamps.h"
 #include "scene/envmap_file.h"
+#include "scene/grammar.h"
 #include "scene/ids.h"
 #include "scene/materials.h"
 #include "scene/parameters.h"
 #include "scene/properties.h"
+#include "scene/root.h"
 #include "scene/sensor.h"
 #include "scene/shapes.h"
 #include "scene/text.h"
 #include "scene/transforms.h"
+#include "scene/values.h"
 #include "scene/xml_source.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -26,7 +29,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr float any = std::numeric_limits<float>::max();
 constexpr std::size_t most_files = 1000;  // includes of includes multiply
 
 class Loader {
@@ -38,8 +40,13 @@ class Loader {
   Scene load(const fs::path& path) {
     load_file(path, {});
     const Position start{sources_.front().get(), 0};
-    parameters_.check_overrides(start);
-    if (sensor_ == nullptr) fail(start, "the scene has no <sensor>");
+    if (!errors_.names_lost()) {
+      parameters_.check_overrides(start, errors_);
+      if (sensor_ == nullptr) errors_.guard([&] { fail(start, "the scene has no <sensor>"); });
+    }
+    errors_.raise();
+    check_clip(scene_, clip_, errors_);
+    errors_.raise();
     scene_.materials = materials_.list();
     leave_out_duplicate_lamps(scene_, start);
     add_notes();
@@ -47,60 +54,62 @@ class Loader {
   }
 
  private:
+  /// What is wrong inside the file is kept. Throws Error if it is no file of a scene at all.
   void load_file(const fs::path& path, Position asked_at) {
     if (sources_.size() >= most_files) fail(asked_at, "more than {} files included", most_files);
     sources_.push_back(read_xml_source(path, asked_at));
+    XmlSource& source = *sources_.back();
+    errors_.reads(path.string());
     const fs::path canonical = fs::canonical(path);
     if (std::find(open_.begin(), open_.end(), canonical) != open_.end()) {
       fail(asked_at, "{} includes itself", path_in_quotes(path));
     }
+    XmlElement root = parse_xml(source, errors_);
+    check_root(root, errors_);
+    errors_.guard([&] { source.dialect = dialect(root); });
     open_.push_back(canonical);
-    XmlElement root = parse_xml(*sources_.back());
-    check_root(root);
     for (XmlElement& child : root.children)
-      load_element(child);
+      errors_.guard([&] { load_element(child); });
     open_.pop_back();
   }
 
-  static void check_root(const XmlElement& root) {
-    if (root.name != "scene") {
-      fail(root.at, "the root element is <{}>, expected <scene>", root.name);
-    }
-    root.allow_only({"version"});
-    const XmlAttribute& version = root.get("version");
-    if (version.value.rfind("0.5.", 0) != 0 && version.value.rfind("0.6.", 0) != 0) {
-      fail(version.value_at, "scene version {} is not supported, expected 0.6.0 (or 0.5.x)",
-           in_quotes(version.value));
-    }
-  }
-
   void load_element(XmlElement& element) {
-    parameters_.substitute(element);
-    if (element.name == "default") return parameters_.declare(element);
+    parameters_.substitute(element, errors_);
+    if (element.name == "default") return parameters_.declare(element, errors_);
     if (element.name == "include") return include(element);
-    ids_.declare(element);
+    ids_.declare(element, errors_);
+    check_supported(element);
+    check_object(element, "scene", errors_, scene_.notes);
     if (element.name == "bsdf") return materials_.define(element);
     if (element.name == "shape") return add_shape(element);
     if (element.name == "emitter") return add_emitter(element);
-    if (element.name == "sensor") {
-      once(sensor_, element);
-      return parse_sensor(element, scene_, center_);
-    }
-    if (element.name == "integrator") {
-      once(integrator_, element);
-      return parse_integrator(element, scene_);
-    }
-    fail(element.at, "<{}> is not supported here{}", element.name,
-         suggest(element.name,
-                 {"default", "include", "integrator", "sensor", "bsdf", "shape", "emitter"}));
+    const bool is_sensor = element.name == "sensor";
+    once(is_sensor ? sensor_ : integrator_, element);
+    if (is_sensor)
+      clip_ = parse_sensor(element, scene_, center_, errors_);
+    else if (!element.broken)
+      parse_integrator(element, scene_);
+  }
+
+  void check_supported(const XmlElement& element) {
+    const std::vector<std::string> known = {"default", "include", "integrator", "sensor",
+                                            "bsdf",    "shape",   "emitter"};
+    if (std::find(known.begin(), known.end(), element.name) != known.end()) return;
+    const auto meant = [&](const std::string& name) { return is_near(element.name, name); };
+    if (std::any_of(known.begin(), known.end(), meant)) errors_.lose_names();
+    fail(element.at, "<{}> is not supported here{}", element.name, suggest(element.name, known));
   }
 
   void include(const XmlElement& element) {
-    element.allow_only({"filename"});
-    if (!element.children.empty()) {
-      fail(element.children.front().at, "<include> takes no elements inside");
-    }
+    element.allow_only({"filename"}, errors_);
+    element.allow_nothing_inside(errors_);
+    if (errors_.guard([&] { include_file(element); })) return;
+    errors_.lose_names();
+  }
+
+  void include_file(const XmlElement& element) {
     const XmlAttribute& filename = element.get("filename");
+    if (element.broken) return errors_.lose_names();
     load_file(element.at.source->path.parent_path() / filename.value, filename.value_at);
   }
 
@@ -113,11 +122,16 @@ class Loader {
   }
 
   void add_shape(const XmlElement& element) {
-    Properties shape(element, objects_inside(element.get("type").value), center_);
-    std::vector<Geometry> geometry = parse_geometry(shape, scene_.notes);
-    shape.finish();
+    Properties shape(element, center_);
+    std::vector<Geometry> geometry;
+    if (!element.broken) {
+      errors_.guard([&] {
+        geometry = parse_geometry(shape, scene_.notes, errors_);
+        shape.finish();
+      });
+    }
     const XmlElement* emitter = shape.object("emitter");
-    const Rgb radiance = emitter != nullptr ? area_radiance(*emitter) : Rgb(0);
+    const Rgb radiance = emitter != nullptr && !emitter->broken ? area_radiance(*emitter) : Rgb(0);
     const std::uint32_t material = materials_.of_shape(shape, emitter != nullptr);
     for (Geometry& item : geometry)
       scene_.shapes.push_back({std::move(item), material, radiance});
@@ -125,26 +139,19 @@ class Loader {
 
   Rgb area_radiance(const XmlElement& element) {
     Properties emitter(element);
-    if (emitter.type() != "area") {
-      fail(emitter.type_at(), "emitter {} cannot stand inside a <shape>, expected \"area\"",
-           in_quotes(emitter.type()));
-    }
-    return required_colour(emitter, "radiance");
+    return emission(emitter, "radiance");
   }
 
   void add_emitter(const XmlElement& element) {
-    Properties emitter(element, {}, center_);
-    const std::string& type = emitter.type();
+    Properties emitter(element, center_);
+    const std::string type = element.find("type") != nullptr ? emitter.type() : "";
+    if (type == "constant" || type == "envmap") once(environment_, element);
+    if (element.broken) return;
     if (type == "point") return add_point_light(emitter);
-    if (type != "constant" && type != "envmap") {
-      fail(emitter.type_at(), "emitter {} is not supported outside a <shape>{}", in_quotes(type),
-           suggest(type, {"point", "constant", "envmap"}));
-    }
-    once(environment_, element);
     if (type == "envmap")
       scene_.lights.envmap = parse_envmap(emitter, scene_.notes);
     else
-      scene_.lights.environment = required_colour(emitter, "radiance");
+      scene_.lights.environment = emission(emitter, "radiance");
   }
 
   void add_point_light(Properties& emitter) {
@@ -154,15 +161,23 @@ class Loader {
     const glm::dmat4 to_world = emitter.to_world();
     PointLight light;
     light.position = transform_point(to_world, position, emitter.at("toWorld"));
-    light.intensity = required_colour(emitter, "intensity");
+    light.intensity = emission(emitter, "intensity");
     scene_.lights.points.push_back(light);
   }
 
-  static Rgb required_colour(Properties& emitter, const std::string& name) {
-    const auto colour = emitter.colour(name, any);
-    if (!colour) emitter.missing(name, "rgb");
+  /// Of an emitter that does not say it, 1 as in Mitsuba.
+  Rgb emission(Properties& emitter, const std::string& name) {
+    const XmlElement* given = emitter.take(name);
+    if (given != nullptr && is_equal_energy(*given)) {
+      const std::string note =
+          "a <spectrum> of one number shines with the same energy at each wavelength, as in Mitsuba "
+          "3: not white, but (1.205, 0.948, 0.909) times it";
+      auto& notes = scene_.notes;
+      if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+    }
+    const Rgb colour = emitter.emission(name).value_or(Rgb(1));
     emitter.finish();
-    return *colour;
+    return colour;
   }
 
   void add_notes() {
@@ -179,7 +194,9 @@ class Loader {
   glm::dvec3 center_;
   Parameters parameters_;
   Ids ids_;
-  Materials materials_{ids_};
+  SceneErrors errors_;
+  Materials materials_{ids_, errors_};
+  ClipRange clip_;
   std::vector<std::unique_ptr<XmlSource>> sources_;  // errors point into them
   std::vector<fs::path> open_;                       // the files being read, outermost first
   const XmlSource* sensor_ = nullptr;                // the file that has it, once there is one

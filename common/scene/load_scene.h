@@ -8,10 +8,11 @@
 
 namespace carlo {
 
-/// Reads a scene in the subset of Mitsuba 0.6's XML that common/scene/README.md documents.
+/// Reads a scene in the subset of Mitsuba's XML that common/scene/README.md documents.
 /// `parameters` override the file's <default> values ($name in attributes).
-/// Throws Error "FILE:LINE:COLUMN: error: what was found, what was expected" for anything that is
-/// not understood or makes no sense; nothing is ignored in silence.
+/// Throws a PlacedError that has a line "FILE:LINE:COLUMN: error: what was found, what was
+/// expected" for each thing that is not understood or makes no sense; nothing is ignored in
+/// silence.
 Scene load_scene(const std::filesystem::path& path,
                  const std::map<std::string, std::string>& parameters = {});
 

@@ -3,90 +3,49 @@
 #include "scene/needs.h"
 #include "scene/text.h"
 
+#include <algorithm>
 #include <array>
-#include <utility>
+#include <stdexcept>
 
 namespace carlo {
 namespace {
 
-// Refractive indices at 589 nm (Bass et al., "Handbook of Optics"; the values of Mitsuba 0.6).
-constexpr std::array<std::pair<std::string_view, float>, 9> media = {{
-    {"vacuum", 1.0f},
-    {"air", 1.000277f},
-    {"water", 1.333f},
-    {"water ice", 1.31f},
-    {"fused quartz", 1.458f},
-    {"pyrex", 1.47f},
-    {"acrylic glass", 1.49f},
-    {"bk7", 1.5046f},
-    {"diamond", 2.419f},
-}};
-
-float refractive_index(Properties& bsdf, const std::string& name, float otherwise) {
-  if (bsdf.is_string(name)) {
-    const std::string medium = *bsdf.string(name);
-    std::vector<std::string> known;
-    for (const auto& [key, ior] : media) {
-      if (key == medium) return ior;
-      known.emplace_back(key);
-    }
-    fail(bsdf.at(name), "{} names no medium: {}{}", name, in_quotes(medium),
-         suggest(medium, known));
-  }
-  const float ior = bsdf.number(name).value_or(otherwise);
-  if (!(ior > 0)) fail(bsdf.at(name), "{} must be > 0, got {}", name, ior);
-  return ior;
-}
-
 Diffuse parse_diffuse(Properties& bsdf) {
-  return {bsdf.colour("reflectance", 1).value_or(Rgb(0.5f))};
-}
-
-Phong parse_phong(Properties& bsdf) {
-  Phong phong;
-  phong.kd = bsdf.colour("diffuseReflectance", 1).value_or(Rgb(0.5f));
-  phong.ks = bsdf.colour("specularReflectance", 1).value_or(Rgb(0.2f));
-  phong.exponent = bsdf.number("exponent").value_or(30.0f);
-  if (!(phong.exponent >= 0)) {
-    fail(bsdf.at("exponent"), "exponent must be >= 0, got {}", phong.exponent);
-  }
-  for (int i = 0; i < 3; ++i) {
-    const float sum = phong.kd[i] + phong.ks[i];
-    // 0.3 + 0.7 in float may exceed 1 by a rounding.
-    if (sum <= 1.000001f) continue;
-    fail(bsdf.at("specularReflectance"),
-         "diffuseReflectance + specularReflectance must be <= 1 (energy is not created), got {} in "
-         "{}",
-         sum,
-         std::array{"the red channel", "the green channel", "the blue channel"}.at(
-             static_cast<std::size_t>(i)));
-  }
-  return phong;
+  // Mitsuba 0.6 has two names for it.
+  const auto reflectance = bsdf.reflectance("reflectance");
+  const auto other = bsdf.reflectance("diffuseReflectance");
+  if (reflectance && other)
+    fail(bsdf.at("diffuseReflectance"), "diffuseReflectance is reflectance, which is given too");
+  return {reflectance.value_or(other.value_or(Rgb(0.5f)))};
 }
 
 Mirror parse_conductor(Properties& bsdf) {
-  const auto material = bsdf.string("material");
-  if (material != "none") {
-    fail(bsdf.at("material"),
-         "only <string name=\"material\" value=\"none\"/>, a perfect mirror, is supported, got {}",
-         material ? in_quotes(*material) : "nothing");
+  // Without a material it is copper in Mitsuba 0.6, a perfect mirror in Mitsuba 3.
+  if (!bsdf.string("material") && bsdf.dialect() == Dialect::mitsuba06) {
+    fail(bsdf.object_at(),
+         "only <string name=\"material\" value=\"none\"/>, a perfect mirror, is supported, got "
+         "nothing, which is copper");
   }
-  return {bsdf.colour("specularReflectance", 1).value_or(Rgb(1))};
+  return {bsdf.reflectance("specularReflectance").value_or(Rgb(1))};
 }
 
 Dielectric parse_dielectric(Properties& bsdf) {
-  const float inside = refractive_index(bsdf, "intIOR", 1.5046f);
-  return {inside, refractive_index(bsdf, "extIOR", 1.000277f)};
+  const float inside = bsdf.ior("intIOR").value_or(1.5046f);
+  return {inside, bsdf.ior("extIOR").value_or(1.000277f)};
 }
 
 }  // namespace
 
 void Materials::define(const XmlElement& bsdf) {
   const Material material = parse(bsdf);
-  if (bsdf.find("id") == nullptr) {
-    fail(bsdf.at, "a <bsdf> outside a <shape> needs an id, or nothing can use it");
+  if (const XmlAttribute* id = bsdf.find("id")) {
+    named_[id->value].material = material;
+    return;
   }
-  named_[bsdf.get("id").value].material = material;
+  const auto meant = [](const XmlAttribute& a) { return is_near(a.name, "id"); };
+  if (std::any_of(bsdf.attributes.begin(), bsdf.attributes.end(), meant))
+    return errors_.lose_names();
+  fail(bsdf.at, "a <bsdf> outside a <shape> needs an id, or nothing can use it");
 }
 
 std::uint32_t Materials::of_shape(const Properties& shape, bool emits) {
@@ -110,7 +69,7 @@ std::uint32_t Materials::of_shape(const Properties& shape, bool emits) {
 }
 
 std::vector<std::string> Materials::notes() const {
-  std::vector<std::string> out;
+  std::vector<std::string> out = notes_;
   for (const auto& [id, entry] : named_) {
     if (!entry.used) out.push_back(fmt::format("no shape uses the bsdf {}", in_quotes(id)));
   }
@@ -118,33 +77,64 @@ std::vector<std::string> Materials::notes() const {
 }
 
 Material Materials::parse(const XmlElement& bsdf) {
-  const XmlAttribute& type = bsdf.get("type");
-  if (type.value == "twosided") return parse_two_sided(bsdf);
-  Properties properties(bsdf);
   Material material;
-  if (type.value == "diffuse") {
+  const XmlAttribute* id = bsdf.find("id");
+  open_.push_back(id != nullptr ? id->value : "");
+  if (!bsdf.broken) errors_.guard([&] { material = built(bsdf); });
+  open_.pop_back();
+  return material;
+}
+
+Material Materials::built(const XmlElement& bsdf) {
+  Properties properties(bsdf);
+  const std::string type = properties.type();
+  Material material;
+  if (type == "twosided") return parse_two_sided(properties);
+  if (type == "diffuse") {
     material.model = parse_diffuse(properties);
-  } else if (type.value == "phong") {
+  } else if (type == "phong") {
     material.model = parse_phong(properties);
-  } else if (type.value == "conductor") {
+  } else if (type == "conductor") {
     material.model = parse_conductor(properties);
-  } else if (type.value == "dielectric") {
+  } else if (type == "dielectric") {
     material.model = parse_dielectric(properties);
   } else {
-    fail(type.value_at, "bsdf {} is not supported{}", in_quotes(type.value),
-         suggest(type.value, {"diffuse", "phong", "twosided", "conductor", "dielectric"}));
+    throw std::logic_error("no material is made of the bsdf " + type);
   }
   properties.finish();
   return material;
 }
 
-Material Materials::parse_two_sided(const XmlElement& bsdf) {
-  const Properties properties(bsdf, {"bsdf", "ref"});
-  properties.finish();
-  const XmlElement* inner = properties.object("bsdf");
-  const XmlElement* ref = properties.object("ref");
+Phong Materials::parse_phong(Properties& bsdf) {
+  Phong phong;
+  phong.kd = bsdf.reflectance("diffuseReflectance").value_or(Rgb(0.5f));
+  phong.ks = bsdf.reflectance("specularReflectance").value_or(Rgb(0.2f));
+  phong.exponent = bsdf.number("exponent").value_or(30.0f);
+  if (phong.exponent > sharpest_exponent) {
+    notes_.push_back(fmt::format("exponent {:g} is taken as {:g}: no float tells their lobes apart",
+                                 phong.exponent, sharpest_exponent));
+    phong.exponent = sharpest_exponent;
+  }
+  for (int i = 0; i < 3; ++i) {
+    const float sum = phong.kd[i] + phong.ks[i];
+    // 0.3 + 0.7 in float may exceed 1 by a rounding.
+    if (sum <= 1.000001f) continue;
+    fail(bsdf.at("specularReflectance"),
+         "diffuseReflectance + specularReflectance must be <= 1 (energy is not created), got {} in "
+         "{}",
+         sum,
+         std::array{"the red channel", "the green channel", "the blue channel"}.at(
+             static_cast<std::size_t>(i)));
+  }
+  return phong;
+}
+
+Material Materials::parse_two_sided(const Properties& bsdf) {
+  const XmlElement* inner = bsdf.object("bsdf");
+  const XmlElement* ref = bsdf.object("ref");
   if ((inner != nullptr) == (ref != nullptr)) {
-    fail(ref != nullptr ? ref->at : bsdf.at, "<bsdf type=\"twosided\"> needs one bsdf inside");
+    fail(ref != nullptr ? ref->at : bsdf.object_at(),
+         "<bsdf type=\"twosided\"> needs one bsdf inside");
   }
   Entry* entry = ref != nullptr ? &resolve(*ref) : nullptr;
   Material material = entry != nullptr ? entry->material : parse(*inner);
@@ -163,12 +153,15 @@ Material Materials::parse_two_sided(const XmlElement& bsdf) {
 }
 
 Materials::Entry& Materials::resolve(const XmlElement& ref) {
-  ref.allow_only({"id"});
-  if (!ref.children.empty()) fail(ref.children.front().at, "<ref> takes no elements inside");
   const XmlAttribute& id = ref.get("id");
   const auto found = named_.find(id.value);
   if (found != named_.end()) return found->second;
+  if (std::find(open_.begin(), open_.end(), id.value) != open_.end())
+    fail(id.value_at, "the bsdf {} stands inside itself", in_quotes(id.value));
+  // It may stand in a file that could not be read, or its name be a parameter's that nobody knows.
+  if (errors_.names_lost() || ref.broken) return unknown_;
   if (const std::string* kind = ids_.kind(id.value)) {
+    if (*kind == "bsdf") return unknown_;  // inside something that was refused
     fail(id.value_at, "the id {} names a <{}>, expected a <bsdf>", in_quotes(id.value), *kind);
   }
   std::vector<std::string> known;

@@ -11,10 +11,14 @@
 
 namespace carlo {
 
+/// The largest exponent of a Phong lobe. Larger ones are taken as this one, with a note: its lobe
+/// is 5e-7 wide, where directions are floats, and above 1e15 their rounding would leave the lobe.
+inline constexpr float sharpest_exponent = 1e13f;
+
 /// Reads <bsdf> elements and keeps those that shapes use.
 class Materials {
  public:
-  explicit Materials(const Ids& ids) : ids_(ids) {}
+  Materials(const Ids& ids, SceneErrors& errors) : ids_(ids), errors_(errors) {}
 
   /// A <bsdf> that stands in the scene for <ref>s to name.
   void define(const XmlElement& bsdf);
@@ -25,7 +29,7 @@ class Materials {
 
   const std::vector<Material>& list() const { return list_; }
 
-  /// One note for each defined material that no shape uses.
+  /// What is worth a note, as that no shape uses a material.
   std::vector<std::string> notes() const;
 
  private:
@@ -35,14 +39,22 @@ class Materials {
     bool used = false;
   };
 
+  /// What is wrong is told of. Then the result stands in for the material, so that nobody misses
+  /// it.
   Material parse(const XmlElement& bsdf);
-  Material parse_two_sided(const XmlElement& bsdf);
+  Material built(const XmlElement& bsdf);
+  Material parse_two_sided(const Properties& bsdf);
+  Phong parse_phong(Properties& bsdf);
   Entry& resolve(const XmlElement& ref);
   std::uint32_t add(const Material& material);
 
   const Ids& ids_;
+  SceneErrors& errors_;
+  Entry unknown_;
+  std::vector<std::string> open_;  // ids of those being read, outermost first
   std::map<std::string, Entry> named_;
   std::vector<Material> list_;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace carlo

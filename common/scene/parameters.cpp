@@ -17,35 +17,44 @@ std::vector<std::string> with_dollar(std::vector<std::string> names) {
 
 }  // namespace
 
-void Parameters::declare(const XmlElement& element) {
-  element.allow_only({"name", "value"});
+void Parameters::declare(const XmlElement& element, SceneErrors& errors) {
+  element.allow_only({"name", "value"}, errors);
+  element.allow_nothing_inside(errors);
+  const auto check = [&] {
+    const XmlAttribute& name = element.get("name");
+    element.get("value");
+    if (name.value.empty() || name.value.find_first_not_of(name_characters) != std::string::npos) {
+      fail(name.value_at, "a parameter's name has letters, digits and _ only, got {}",
+           in_quotes(name.value));
+    }
+  };
+  if (!errors.guard(check) || element.broken) return errors.lose_names();
   const XmlAttribute& name = element.get("name");
-  const XmlAttribute& value = element.get("value");
-  if (!element.children.empty()) {
-    fail(element.children.front().at, "<default> takes no elements inside");
-  }
-  if (name.value.empty() || name.value.find_first_not_of(name_characters) != std::string::npos) {
-    fail(name.value_at, "a parameter's name has letters, digits and _ only, got {}",
-         in_quotes(name.value));
-  }
   if (!declared_.emplace(element.at.source, name.value).second) {
     fail(name.value_at, "the default {} is given twice in this file", in_quotes(name.value));
   }
   const auto chosen = overrides_.find(name.value);
-  values_.emplace(name.value, chosen != overrides_.end() ? chosen->second : value.value);
+  values_.emplace(name.value,
+                  chosen != overrides_.end() ? chosen->second : element.get("value").value);
 }
 
-void Parameters::substitute(XmlElement& element) const {
-  for (XmlAttribute& attribute : element.attributes)
-    attribute.value = replaced(attribute);
+void Parameters::substitute(XmlElement& element, SceneErrors& errors) const {
+  for (XmlAttribute& attribute : element.attributes) {
+    SceneErrors found;
+    if (found.guard([&] { attribute.value = replaced(attribute); })) continue;
+    element.broken = attribute.broken = true;
+    if (!errors.names_lost()) errors.guard([&] { found.raise(); });
+  }
   for (XmlElement& child : element.children)
-    substitute(child);
+    substitute(child, errors);
 }
 
-void Parameters::check_overrides(Position at) const {
+void Parameters::check_overrides(Position at, SceneErrors& errors) const {
   for (const auto& [name, value] : overrides_) {
     if (values_.count(name) != 0) continue;
-    fail(at, "the scene has no parameter {}{}", in_quotes(name), suggest(name, names()));
+    errors.guard([&, &name = name] {
+      fail(at, "the scene has no parameter {}{}", in_quotes(name), suggest(name, names()));
+    });
   }
 }
 

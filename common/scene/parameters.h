@@ -18,16 +18,17 @@ class Parameters {
       : overrides_(std::move(overrides)) {}
 
   /// Takes in a <default>. Throws Error when the file has declared that name before.
-  void declare(const XmlElement& element);
+  void declare(const XmlElement& element, SceneErrors& errors);
 
-  /// Replaces $names in the attributes of `element` and of all below it. Throws Error at an unknown
-  /// name.
-  void substitute(XmlElement& element) const;
+  /// Replaces $names in the attributes of `element` and of all below it. An unknown name is told
+  /// of, unless it may stand in a file that could not be read, and breaks its element.
+  void substitute(XmlElement& element, SceneErrors& errors) const;
 
-  /// Throws Error at `at` when an override names no <default>.
-  void check_overrides(Position at) const;
+  /// Tells of each override that names no <default>, at `at`.
+  void check_overrides(Position at, SceneErrors& errors) const;
 
  private:
+  /// Throws Error at an unknown name.
   std::string replaced(const XmlAttribute& attribute) const;
   std::vector<std::string> names() const;
 

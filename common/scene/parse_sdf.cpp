@@ -1,10 +1,11 @@
 #include "scene/sdf.h"
 #include "scene/shapes.h"
-#include "scene/text.h"
 #include "scene/transforms.h"
+#include "scene/values.h"
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -13,20 +14,18 @@ namespace {
 
 using Vec3d = glm::dvec3;
 
-double positive(Properties& shape, const std::string& name, float otherwise) {
-  const float value = shape.number(name).value_or(otherwise);
-  if (!(value > 0)) fail(shape.at(name), "{} must be > 0, got {}", name, value);
-  return static_cast<double>(value);
+double number(Properties& shape, const std::string& name, float otherwise) {
+  return static_cast<double>(shape.number(name).value_or(otherwise));
 }
 
 sdf::Solid parse_ball(Properties& shape) {
   const Vec3d center = shape.point("center").value_or(Vec3d(0));
-  return {sdf::Ball{positive(shape, "radius", 1)}, {glm::dmat3(1), center, 1}};
+  return {sdf::Ball{number(shape, "radius", 1)}, {glm::dmat3(1), center, 1}};
 }
 
 sdf::Solid parse_torus(Properties& shape) {
-  const double major = positive(shape, "majorRadius", 1.0f);
-  const double minor = positive(shape, "minorRadius", 0.25f);
+  const double major = number(shape, "majorRadius", 1.0f);
+  const double minor = number(shape, "minorRadius", 0.25f);
   if (!(minor < major)) {
     fail(shape.at("minorRadius"), "minorRadius must be less than majorRadius, {}, got {}", major,
          minor);
@@ -41,7 +40,7 @@ sdf::Solid parse_rounded_box(Properties& shape) {
     fail(shape.at("halfSize"), "halfSize must be > 0 in x, y and z, got {}, {}, {}", half.x, half.y,
          half.z);
   }
-  const auto radius = static_cast<double>(shape.number("radius").value_or(0.1f));
+  const double radius = number(shape, "radius", 0.1f);
   // A radius from the file has a float's precision only.
   if (!(radius >= 0 && radius <= least * (1 + 1e-6))) {
     fail(shape.at("radius"), "radius must be within [0, {}], the least half size, got {}", least,
@@ -53,14 +52,14 @@ sdf::Solid parse_rounded_box(Properties& shape) {
 sdf::Solid parse_capsule(Properties& shape) {
   const Vec3d a = shape.point("p0").value_or(Vec3d(0, 0, 0));
   const Vec3d b = shape.point("p1").value_or(Vec3d(0, 0, 1));
-  const double radius = positive(shape, "radius", 1);
+  const double radius = number(shape, "radius", 1);
   if (!(glm::length(b - a) > 0)) fail(shape.at("p1"), "p0 and p1 are the same point");
   return {sdf::Capsule{a, b, radius}, {}};
 }
 
 sdf::Solid parse_gyroid(Properties& shape) {
-  const double period = positive(shape, "period", 1.0f);
-  const double thickness = positive(shape, "thickness", 0.1f);
+  const double period = number(shape, "period", 1.0f);
+  const double thickness = number(shape, "thickness", 0.1f);
   if (!(thickness < 0.25 * period)) {
     fail(shape.at("thickness"), "thickness must be less than a quarter of the period, {}, got {}",
          0.25 * period, thickness);
@@ -69,14 +68,13 @@ sdf::Solid parse_gyroid(Properties& shape) {
 }
 
 sdf::Solid parse_solid(Properties& shape) {
-  const std::string& type = shape.type();
+  const std::string type = shape.type();
   if (type == "sphere") return parse_ball(shape);
   if (type == "torus") return parse_torus(shape);
   if (type == "roundedBox") return parse_rounded_box(shape);
   if (type == "capsule") return parse_capsule(shape);
   if (type == "gyroid") return parse_gyroid(shape);
-  fail(shape.type_at(), "shape {} cannot stand inside an sdf{}", in_quotes(type),
-       suggest(type, {"sphere", "torus", "roundedBox", "capsule", "gyroid", "sdf"}));
+  throw std::logic_error("no solid is made of the shape " + type);
 }
 
 Similarity parse_place(Properties& shape) {
@@ -86,24 +84,19 @@ Similarity parse_place(Properties& shape) {
 }
 
 sdf::Combine parse_combine(Properties& group) {
-  const std::string name = group.string("operation").value_or("union");
-  const float smoothing = group.number("smoothing").value_or(0.0f);
-  if (!(smoothing >= 0)) {
-    fail(group.at("smoothing"), "smoothing must be >= 0, got {}", smoothing);
-  }
-  for (const auto& [word, operation] : {std::pair{"union", sdf::Operation::unite},
-                                        {"intersection", sdf::Operation::intersect},
-                                        {"difference", sdf::Operation::subtract}}) {
-    if (name == word) return {operation, static_cast<double>(smoothing)};
-  }
-  fail(group.at("operation"), "operation {} is not supported{}", in_quotes(name),
-       suggest(name, {"union", "intersection", "difference"}));
+  const XmlElement* operation = group.take("operation");
+  return {operation != nullptr ? operation_value(*operation) : sdf::Operation::unite,
+          number(group, "smoothing", 0)};
 }
+
+void parse_child(const XmlElement& element, const Similarity& frame, std::vector<sdf::Step>& steps,
+                 SceneErrors& errors);
 
 /// Appends the steps of all shapes inside `group`, with `frame` from its coordinates to the whole
 /// sdf's. At most one result waits for each sdf around: fewer than sdf::most_waiting, since
 /// elements of a scene file are nested 16 deep at the most.
-void parse_group(Properties& group, const Similarity& frame, std::vector<sdf::Step>& steps) {
+void parse_group(Properties& group, const Similarity& frame, std::vector<sdf::Step>& steps,
+                 SceneErrors& errors) {
   const std::vector<const XmlElement*> children = group.objects("shape");
   sdf::Combine combine = parse_combine(group);
   combine.smoothing *= frame.scale;
@@ -113,20 +106,33 @@ void parse_group(Properties& group, const Similarity& frame, std::vector<sdf::St
     fail(group.at(name), "{} needs at least two shapes inside the sdf, got 1", name);
   }
   for (std::size_t i = 0; i < children.size(); ++i) {
-    const bool nested = children[i]->get("type").value == "sdf";
-    Properties child(*children[i],
-                     nested ? std::vector<std::string>{"shape"} : std::vector<std::string>{});
-    const Similarity place = frame * parse_place(child);
-    if (nested) {
-      parse_group(child, place, steps);
-    } else {
-      sdf::Solid solid = parse_solid(child);
-      solid.place = place * solid.place;
-      steps.emplace_back(solid);
+    if (!children[i]->broken) {
+      errors.guard([&] { parse_child(*children[i], frame, steps, errors); });
     }
-    child.finish();
     if (i > 0) steps.emplace_back(combine);
   }
+}
+
+void parse_child(const XmlElement& element, const Similarity& frame, std::vector<sdf::Step>& steps,
+                 SceneErrors& errors) {
+  Properties child(element);
+  const Similarity place = frame * parse_place(child);
+  if (child.type() == "sdf") {
+    parse_group(child, place, steps, errors);
+  } else {
+    sdf::Solid solid = parse_solid(child);
+    solid.place = place * solid.place;
+    steps.emplace_back(solid);
+  }
+  child.finish();
+}
+
+/// Whether the shapes inside `group` have no error of their own.
+bool all_good(const Properties& group) {
+  const std::vector<const XmlElement*> shapes = group.objects("shape");
+  return std::all_of(shapes.begin(), shapes.end(), [](const XmlElement* shape) {
+    return !shape->broken && all_good(Properties(*shape));
+  });
 }
 
 /// Refuses what has no box that float can hold.
@@ -151,17 +157,20 @@ void check_bounds(const Sdf& sdf, const Properties& shape) {
 
 }  // namespace
 
-Sdf parse_sdf(Properties& shape) {
+Sdf parse_sdf(Properties& shape, SceneErrors& errors) {
   if (const XmlElement* emitter = shape.object("emitter")) {
-    fail(emitter->at,
-         "an sdf cannot emit: lights are sampled by area, and it has none that is "
-         "known");
+    errors.guard([&] {
+      fail(emitter->at,
+           "an sdf cannot emit: lights are sampled by area, and it has none that is known");
+    });
   }
   Sdf sdf;
   sdf.place = parse_place(shape);
   sdf.flipped = shape.boolean("flipNormals").value_or(false);
-  parse_group(shape, {}, sdf.steps);
-  check_bounds(sdf, shape);
+  const std::size_t before = errors.count();
+  parse_group(shape, {}, sdf.steps, errors);
+  // Of what is left when some of its shapes are wrong nothing can be said.
+  if (errors.count() == before && all_good(shape)) check_bounds(sdf, shape);
   return sdf;
 }
 

@@ -10,23 +10,20 @@
 
 namespace carlo {
 
-/// The number in an attribute. Throws Error at the value when it is anything else.
-double number_of(const XmlAttribute& attribute);
-
-/// The properties and nested objects of one plugin (<bsdf type="phong"> ... </bsdf>). Each query
-/// names a property once; finish() then complains of those that nobody asked for. A property that
-/// is given twice, or with the wrong kind of element, is an Error.
+/// The properties and nested objects of one plugin (<bsdf type="phong"> ... </bsdf>) that was
+/// checked (grammar.h). Names are Mitsuba 0.6's. To ask for a property that plugins.h does not know
+/// of is a std::logic_error.
 class Properties {
  public:
-  /// `objects`: the elements besides properties that may stand inside, such as "bsdf". `object`
-  /// must outlive this. `center`: the point of the file's world that is the scene's origin.
-  Properties(const XmlElement& object, const std::vector<std::string>& objects = {},
-             glm::dvec3 center = glm::dvec3(0));
+  /// `object` must outlive this. `center`: the point of the file's world that is the scene's
+  /// origin.
+  explicit Properties(const XmlElement& object, glm::dvec3 center = glm::dvec3(0));
 
-  /// The plugin's name, its attribute `type`.
-  const std::string& type() const { return object_.get("type").value; }
+  /// The plugin's name, its attribute `type`; of one that is taken as another, the other's.
+  std::string type() const;
   Position type_at() const { return object_.get("type").value_at; }
   Position object_at() const { return object_.at; }
+  Dialect dialect() const { return object_.at.source->dialect; }
 
   bool has(std::string_view name) const { return find(name) != nullptr; }
   /// Where the value of a property stands; the object itself for one that is not given.
@@ -41,32 +38,29 @@ class Properties {
   std::optional<glm::dmat4> transform(const std::string& name);
   /// The transform `toWorld`, the identity when it is not given, to the scene's origin.
   glm::dmat4 to_world();
-  /// <rgb value="r, g, b"/> or, for a grey, <spectrum value="x"/>; each channel in [0, `largest`].
-  std::optional<Rgb> colour(const std::string& name, float largest);
-  /// <float> or <string>: a number or a name to look up.
-  bool is_string(std::string_view name) const;
+  std::optional<Rgb> reflectance(const std::string& name);
+  std::optional<Rgb> emission(const std::string& name);
+  /// A number, or that of the medium with that name.
+  std::optional<float> ior(const std::string& name);
+  /// The element of a property that is no number, text or place; null when it is not given.
+  const XmlElement* take(const std::string& name);
 
-  /// For a property that must be given. Throws Error at the object, or at a property that looks as
-  /// if this one had been meant.
+  /// For a property that must be given. Throws Error at the object.
   [[noreturn]] void missing(std::string_view name, std::string_view kind) const;
 
   /// The nested objects with the given element name, in order.
   std::vector<const XmlElement*> objects(std::string_view element) const;
-  /// The only nested object with that name; null when there is none, Error at the second.
+  /// The first of them; null when there is none.
   const XmlElement* object(std::string_view element) const;
 
-  /// Throws Error at the first property that was not asked for.
+  /// Throws std::logic_error if a property was not asked for that plugins.h calls read.
   void finish() const;
 
  private:
   const XmlElement* find(std::string_view name) const;
-  /// The element of a property, which must be one of `kinds`; null when it is not given.
-  const XmlElement* take(const std::string& name, const std::vector<std::string_view>& kinds);
 
   const XmlElement& object_;
   glm::dvec3 center_;
-  std::vector<const XmlElement*> properties_;
-  std::vector<const XmlElement*> objects_;
   std::vector<std::string> asked_;
 };
 

@@ -1,13 +1,16 @@
 #pragma once
 
+#include "scene/clip.h"
 #include "scene/scene.h"
 #include "scene/xml_source.h"
 
 namespace carlo {
 
 /// <sensor type="perspective"> with its film and sampler: fills in the camera, the film's size, the
-/// sampler and the samples a pixel.
-void parse_sensor(const XmlElement& element, Scene& scene, glm::dvec3 center);
+/// sampler and the samples a pixel. What is wrong with them goes to `errors`. Gives the range that
+/// check_clip() looks at once all shapes are there.
+ClipRange parse_sensor(const XmlElement& element, Scene& scene, glm::dvec3 center,
+                       SceneErrors& errors);
 
 /// <integrator type="path">: fills in the longest path.
 void parse_integrator(const XmlElement& element, Scene& scene);

@@ -1,10 +1,10 @@
 #include "scene/shapes.h"
 
-#include "scene/text.h"
 #include "scene/transforms.h"
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 namespace carlo {
@@ -43,8 +43,9 @@ Sphere parse_sphere(Properties& shape) {
   const glm::dvec3 center = shape.point("center").value_or(glm::dvec3(0));
   const float radius = shape.number("radius").value_or(1.0f);
   const glm::dmat4 to_world = shape.to_world();
-  const bool flipped = shape.boolean("flipNormals").value_or(false);
-  if (!(radius > 0)) fail(shape.at("radius"), "radius must be > 0, got {}", radius);
+  // A mirrored sphere keeps its outside in Mitsuba 0.6, in Mitsuba 3 it is turned inside out.
+  const bool mirrored = shape.dialect() == Dialect::mitsuba3 && mirrors(to_world);
+  const bool flipped = shape.boolean("flipNormals").value_or(false) != mirrored;
   const glm::dmat3 linear(to_world);
   const Position at = shape.at("toWorld");
   if (!equal_and_orthogonal(linear[0], linear[1]) || !equal_and_orthogonal(linear[1], linear[2]) ||
@@ -77,21 +78,16 @@ Disk parse_disk(Properties& shape) {
 
 }  // namespace
 
-std::vector<std::string> objects_inside(const std::string& shape_type) {
-  if (shape_type == "sdf") return {"bsdf", "ref", "emitter", "shape"};
-  return {"bsdf", "ref", "emitter"};
-}
-
-std::vector<Geometry> parse_geometry(Properties& shape, std::vector<std::string>& notes) {
-  const std::string& type = shape.type();
+std::vector<Geometry> parse_geometry(Properties& shape, std::vector<std::string>& notes,
+                                     SceneErrors& errors) {
+  const std::string type = shape.type();
   if (type == "rectangle") return {parallelogram(shape, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0})};
   if (type == "cube") return parse_cube(shape);
   if (type == "sphere") return {parse_sphere(shape)};
   if (type == "disk") return {parse_disk(shape)};
   if (type == "obj" || type == "ply") return {parse_mesh(shape, notes)};
-  if (type == "sdf") return {parse_sdf(shape)};
-  fail(shape.type_at(), "shape {} is not supported{}", in_quotes(type),
-       suggest(type, {"rectangle", "cube", "sphere", "disk", "obj", "ply", "sdf"}));
+  if (type == "sdf") return {parse_sdf(shape, errors)};
+  throw std::logic_error("no geometry is made of the shape " + type);
 }
 
 bool is_degenerate(Vec3 edge1, Vec3 edge2) {

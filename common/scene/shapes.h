@@ -12,18 +12,17 @@ using Geometry = decltype(Shape::geometry);
 
 /// The geometry of a <shape> in world space: one item, six for a cube. Reads the geometric
 /// properties only. Normals follow toWorld (a mirroring one included) and flipNormals.
-/// Notes on what was left out go to `notes`.
-std::vector<Geometry> parse_geometry(Properties& shape, std::vector<std::string>& notes);
+/// Notes on what was left out go to `notes`. Throws Error at what makes no sense; of several such
+/// inside an sdf all but the last go to `errors`.
+std::vector<Geometry> parse_geometry(Properties& shape, std::vector<std::string>& notes,
+                                     SceneErrors& errors);
 
 /// Whether a parallelogram or triangle with these edges is so thin or small that its normal cannot
 /// be computed in float.
 bool is_degenerate(Vec3 edge1, Vec3 edge2);
 
-/// What besides properties may stand inside a <shape> of the given type.
-std::vector<std::string> objects_inside(const std::string& shape_type);
-
 /// <shape type="sdf"> with the shapes inside it.
-Sdf parse_sdf(Properties& shape);
+Sdf parse_sdf(Properties& shape, SceneErrors& errors);
 
 /// <shape type="obj"> and <shape type="ply">.
 Mesh parse_mesh(Properties& shape, std::vector<std::string>& notes);

@@ -1,11 +1,14 @@
 #include "scene/transforms.h"
 
-#include "scene/properties.h"
 #include "scene/text.h"
+#include "scene/values.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <array>
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 namespace carlo {
 namespace {
@@ -15,63 +18,62 @@ double optional_number(const XmlElement& step, std::string_view attribute, doubl
   return found != nullptr ? number_of(*found) : otherwise;
 }
 
+bool is_triple(const XmlAttribute& attribute) {
+  return words(attribute.value, ",").size() == 3;
+}
+
+/// Mitsuba 0.6's x, y and z, or Mitsuba 3's value="x, y, z".
+glm::dvec3 vector_of(const XmlElement& step, double otherwise) {
+  if (const XmlAttribute* value = step.find("value")) {
+    for (const char* axis : {"x", "y", "z"}) {
+      if (step.find(axis) != nullptr) {
+        fail(step.at, "<{}> takes either value or x, y, z, got both", step.name);
+      }
+    }
+    return triple_of(*value);
+  }
+  return {optional_number(step, "x", otherwise), optional_number(step, "y", otherwise),
+          optional_number(step, "z", otherwise)};
+}
+
 glm::dmat4 translation(const XmlElement& step) {
-  step.allow_only({"x", "y", "z"});
-  return glm::translate(glm::dmat4(1),
-                        {optional_number(step, "x", 0), optional_number(step, "y", 0),
-                         optional_number(step, "z", 0)});
+  return glm::translate(glm::dmat4(1), vector_of(step, 0));
 }
 
 glm::dmat4 rotation(const XmlElement& step) {
-  step.allow_only({"x", "y", "z", "angle"});
-  const glm::dvec3 axis{optional_number(step, "x", 0), optional_number(step, "y", 0),
-                        optional_number(step, "z", 0)};
+  const glm::dvec3 axis = vector_of(step, 0);
   if (!(glm::length(axis) > 0)) fail(step.at, "<rotate> needs an axis: x, y, z are all 0");
   return glm::rotate(glm::dmat4(1), glm::radians(number_of(step.get("angle"))), axis);
 }
 
 glm::dmat4 scaling(const XmlElement& step) {
-  step.allow_only({"value", "x", "y", "z"});
-  if (step.find("value") != nullptr && step.attributes.size() > 1) {
-    fail(step.at, "<scale> takes either value or x, y, z, got both");
-  }
   if (step.attributes.empty()) fail(step.at, "<scale> needs the attribute value, or x, y, z");
+  const XmlAttribute* value = step.find("value");
+  const bool alike = value != nullptr && !is_triple(*value) && step.attributes.size() == 1;
+  const glm::dvec3 factors = alike ? glm::dvec3(number_of(*value)) : vector_of(step, 1);
   for (const XmlAttribute& a : step.attributes) {
-    if (number_of(a) == 0) fail(a.value_at, "a scale of 0 leaves nothing of the object");
-  }
-  const double all = optional_number(step, "value", 1);
-  return glm::scale(glm::dmat4(1),
-                    {optional_number(step, "x", all), optional_number(step, "y", all),
-                     optional_number(step, "z", all)});
-}
-
-glm::dvec3 triple(const XmlAttribute& attribute) {
-  const auto parts = words(attribute.value, ",");
-  glm::dvec3 out{0};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto number = parts.size() == 3 ? parse_number(parts[i]) : std::nullopt;
-    if (!number) {
-      fail(attribute.value_at, "{} must be three finite numbers, got {}", attribute.name,
-           in_quotes(attribute.value));
+    const glm::dvec3 here = is_triple(a) ? triple_of(a) : glm::dvec3(number_of(a));
+    if (here.x == 0 || here.y == 0 || here.z == 0) {
+      fail(a.value_at, "a scale of 0 leaves nothing of the object");
     }
-    out[static_cast<int>(i)] = *number;
   }
-  return out;
+  return glm::scale(glm::dmat4(1), factors);
 }
 
 // Local +z goes from origin to target, local +y lies with it and `up` in one plane, local +x points
 // to the left of someone who looks that way.
 glm::dmat4 look_at(const XmlElement& step) {
-  step.allow_only({"origin", "target", "up"});
-  const glm::dvec3 origin = triple(step.get("origin"));
-  const glm::dvec3 forward = triple(step.get("target")) - origin;
-  const glm::dvec3 up = step.find("up") != nullptr ? triple(*step.find("up")) : glm::dvec3(0, 1, 0);
-  if (!(glm::length(forward) > 0)) fail(step.at, "<lookat>: origin and target are the same point");
-  if (!(glm::length(up) > 0)) fail(step.at, "<lookat>: up is 0");
+  const glm::dvec3 origin = triple_of(step.get("origin"));
+  const glm::dvec3 forward = triple_of(step.get("target")) - origin;
+  const glm::dvec3 up =
+      step.find("up") != nullptr ? triple_of(*step.find("up")) : glm::dvec3(0, 1, 0);
+  if (!(glm::length(forward) > 0))
+    fail(step.at, "<{}>: origin and target are the same point", step.name);
+  if (!(glm::length(up) > 0)) fail(step.at, "<{}>: up is 0", step.name);
   const glm::dvec3 z = glm::normalize(forward);
   const glm::dvec3 left = glm::cross(glm::normalize(up), z);
   if (!(glm::length(left) > 1e-7)) {
-    fail(step.at, "<lookat>: up is parallel to the direction of view");
+    fail(step.at, "<{}>: up is parallel to the direction of view", step.name);
   }
   const glm::dvec3 x = glm::normalize(left);
   const glm::dvec3 y = glm::cross(z, x);
@@ -79,15 +81,16 @@ glm::dmat4 look_at(const XmlElement& step) {
 }
 
 glm::dmat4 matrix(const XmlElement& step) {
-  step.allow_only({"value"});
   const XmlAttribute& value = step.get("value");
   const auto parts = words(value.value, ",");
-  if (parts.size() != 16) {
-    fail(value.value_at, "a matrix has 16 numbers (4 rows of 4), got {}", parts.size());
+  if (parts.size() != 16 && parts.size() != 9) {
+    fail(value.value_at, "a matrix has 16 numbers (4 rows of 4) or 9 (3 of 3), got {}",
+         parts.size());
   }
+  const std::size_t side = parts.size() == 16 ? 4 : 3;
   glm::dmat4 out(1);
-  for (std::size_t i = 0; i < 16; ++i) {
-    const auto row = static_cast<int>(i / 4), column = static_cast<int>(i % 4);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto row = static_cast<int>(i / side), column = static_cast<int>(i % side);
     const auto number = parse_number(parts[i]);
     if (!number) {
       fail(value.value_at, "a matrix has finite numbers, got {} in row {}, column {}",
@@ -101,17 +104,31 @@ glm::dmat4 matrix(const XmlElement& step) {
   return out;
 }
 
-glm::dmat4 parse_step(const XmlElement& step) {
-  if (!step.children.empty()) {
-    fail(step.children.front().at, "<{}> takes no elements inside", step.name);
+struct Step {
+  std::string_view name;
+  glm::dmat4 (*matrix)(const XmlElement&);
+  std::vector<std::string_view> attributes;
+};
+
+const std::vector<Step>& steps() {
+  static const std::vector<Step> all = {
+      {"translate", translation, {"value", "x", "y", "z"}},
+      {"rotate", rotation, {"value", "x", "y", "z", "angle"}},
+      {"scale", scaling, {"value", "x", "y", "z"}},
+      {"lookat", look_at, {"origin", "target", "up"}},
+      {"lookAt", look_at, {"origin", "target", "up"}},
+      {"look_at", look_at, {"origin", "target", "up"}},
+      {"matrix", matrix, {"value"}},
+  };
+  return all;
+}
+
+const Step& step_of(const XmlElement& element) {
+  for (const Step& step : steps()) {
+    if (step.name == element.name) return step;
   }
-  if (step.name == "translate") return translation(step);
-  if (step.name == "rotate") return rotation(step);
-  if (step.name == "scale") return scaling(step);
-  if (step.name == "lookat") return look_at(step);
-  if (step.name == "matrix") return matrix(step);
-  fail(step.at, "<{}> is not a step of a <transform>{}", step.name,
-       suggest(step.name, {"translate", "rotate", "scale", "lookat", "matrix"}));
+  fail(element.at, "<{}> is not a step of a <transform>{}", element.name,
+       suggest(element.name, {"translate", "rotate", "scale", "lookat", "matrix"}));
 }
 
 // Compares the determinant with the lengths of the columns, so that a small object is not taken for
@@ -129,6 +146,22 @@ void check_invertible(const glm::dmat4& m, Position at) {
   }
 }
 
+/// Tells of what is wrong with a step's attributes, each by itself; throws Error at the step if
+/// they make no sense together.
+void check_step(const XmlElement& element, SceneErrors& errors) {
+  const Step& step = step_of(element);
+  bool good = element.allow_only(step.attributes, errors);
+  good = element.allow_nothing_inside(errors) && good && !element.broken;
+  for (const XmlAttribute& a : element.attributes) {
+    if (a.broken) continue;
+    if (a.name.size() == 1 || a.name == "angle")
+      good = errors.guard([&] { number_of(a); }) && good;
+    else if (a.name == "origin" || a.name == "target" || a.name == "up")
+      good = errors.guard([&] { triple_of(a); }) && good;
+  }
+  if (good) check_invertible(step.matrix(element), element.at);
+}
+
 Vec3 narrowed(glm::dvec3 v, Position at) {
   const Vec3 out(v);
   if (!(std::isfinite(out.x) && std::isfinite(out.y) && std::isfinite(out.z))) {
@@ -139,14 +172,21 @@ Vec3 narrowed(glm::dvec3 v, Position at) {
 
 }  // namespace
 
-glm::dmat4 parse_transform(const XmlElement& element) {
-  element.allow_only({"name"});
-  glm::dmat4 all(1);
-  for (const XmlElement& step : element.children) {
-    const glm::dmat4 next = parse_step(step);
-    check_invertible(next, step.at);
-    all = next * all;
+bool check_steps(const XmlElement& transform, SceneErrors& errors) {
+  const std::size_t before = errors.count();
+  transform.allow_only({"name"}, errors);
+  bool whole = true;  // as far as $parameters go, of which is told elsewhere
+  for (const XmlElement& step : transform.children) {
+    whole = whole && !step.broken;
+    errors.guard([&] { check_step(step, errors); });
   }
+  return whole && errors.count() == before;
+}
+
+glm::dmat4 parse_transform(const XmlElement& element) {
+  glm::dmat4 all(1);
+  for (const XmlElement& step : element.children)
+    all = step_of(step).matrix(step) * all;
   check_invertible(all, element.at);
   return all;
 }

@@ -5,9 +5,13 @@
 
 namespace carlo {
 
-/// The matrix of a <transform>: its steps (translate, rotate, scale, lookat, matrix) are applied in
-/// the order in which they stand. It is affine, finite and invertible; anything else is an Error at
-/// the step at fault. Points are column vectors; <matrix> is written row by row.
+/// Tells of all that is wrong with the steps of a <transform> (translate, rotate, scale, lookat,
+/// matrix), each by itself. Whether nothing is.
+bool check_steps(const XmlElement& transform, SceneErrors& errors);
+
+/// The matrix of a <transform> whose steps were checked: they are applied in the order in which
+/// they stand. It is affine and invertible; Error at the element if all of them together are not.
+/// Points are column vectors; <matrix> is written row by row.
 glm::dmat4 parse_transform(const XmlElement& element);
 
 /// Whether the transform mirrors: a counter-clockwise triangle becomes a clockwise one.

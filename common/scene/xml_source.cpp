@@ -24,33 +24,45 @@ bool starts_character(char c) {
 // their addresses tell where they stood in the file.
 class Converter {
  public:
-  Converter(const XmlSource& source, const std::string& buffer)
-      : source_(source), buffer_(buffer) {}
+  Converter(const XmlSource& source, const std::string& buffer, SceneErrors& errors)
+      : source_(source), buffer_(buffer), errors_(errors) {}
 
   XmlElement element(const pugi::xml_node& node, int depth) const {
     XmlElement out;
     out.name = node.name();
     out.at = before(node.name());
-    if (depth > deepest_nesting) {
-      fail(out.at, "elements are nested more than {} deep", deepest_nesting);
-    }
     for (const pugi::xml_attribute& a : node.attributes()) {
       if (out.find(a.name()) != nullptr) {
-        fail(at(a.name()), "attribute {} is given twice", in_quotes(a.name()));
+        errors_.guard(
+            [&] { fail(at(a.name()), "attribute {} is given twice", in_quotes(a.name())); });
+      } else {
+        out.attributes.push_back(
+            {a.name(), a.value(), a.value(), at(a.name()), at(a.value()), false});
       }
-      out.attributes.push_back({a.name(), a.value(), a.value(), at(a.name()), at(a.value())});
     }
     for (const pugi::xml_node& child : node.children()) {
       if (child.type() != pugi::node_element) {
-        fail(child.value()[0] != '\0' ? at(child.value()) : out.at,
-             "unexpected text inside <{}>: {}", out.name, in_quotes(child.value()));
+        tell_text(child, out);
+      } else if (depth == deepest_nesting) {
+        fail(before(child.name()), "elements are nested more than {} deep", deepest_nesting);
+      } else {
+        out.children.push_back(element(child, depth + 1));
       }
-      out.children.push_back(element(child, depth + 1));
     }
     return out;
   }
 
  private:
+  /// Most likely it is elements whose '<' is missing.
+  void tell_text(const pugi::xml_node& text, XmlElement& around) const {
+    around.broken = true;
+    errors_.lose_names();
+    errors_.guard([&] {
+      fail(text.value()[0] != '\0' ? at(text.value()) : around.at,
+           "unexpected text inside <{}>: {}", around.name, in_quotes(text.value()));
+    });
+  }
+
   Position at(const char* text) const {
     const std::less<> less;
     const char* const begin = buffer_.data();
@@ -66,6 +78,7 @@ class Converter {
 
   const XmlSource& source_;
   const std::string& buffer_;
+  SceneErrors& errors_;
 };
 
 void check_encoding(const XmlSource& source) {
@@ -97,16 +110,30 @@ const XmlAttribute* XmlElement::find(std::string_view attribute) const {
 
 const XmlAttribute& XmlElement::get(std::string_view attribute) const {
   const XmlAttribute* found = find(attribute);
-  if (found == nullptr) fail(at, "<{}> needs the attribute {}", name, in_quotes(attribute));
-  return *found;
+  if (found != nullptr) return *found;
+  for (const XmlAttribute& a : attributes) {
+    if (!is_near(a.name, attribute)) continue;
+    fail(a.name_at, "<{}> has no attribute {} (did you mean {}?)", name, in_quotes(a.name),
+         in_quotes(attribute));
+  }
+  fail(at, "<{}> needs the attribute {}", name, in_quotes(attribute));
 }
 
-void XmlElement::allow_only(const std::vector<std::string_view>& names) const {
+bool XmlElement::allow_only(const std::vector<std::string_view>& names, SceneErrors& errors) const {
+  const std::size_t before = errors.count();
   for (const XmlAttribute& a : attributes) {
     if (std::find(names.begin(), names.end(), a.name) != names.end()) continue;
-    fail(a.name_at, "<{}> has no attribute {}{}", name, in_quotes(a.name),
-         suggest(a.name, {names.begin(), names.end()}));
+    errors.guard([&] {
+      fail(a.name_at, "<{}> has no attribute {}{}", name, in_quotes(a.name),
+           suggest(a.name, {names.begin(), names.end()}));
+    });
   }
+  return errors.count() == before;
+}
+
+bool XmlElement::allow_nothing_inside(SceneErrors& errors) const {
+  return children.empty() ||
+         errors.guard([&] { fail(children.front().at, "<{}> takes no elements inside", name); });
 }
 
 void fail_at(Position at, const std::string& message) {
@@ -139,7 +166,7 @@ std::unique_ptr<XmlSource> read_xml_source(const fs::path& path, Position asked_
   return source;
 }
 
-XmlElement parse_xml(const XmlSource& source) {
+XmlElement parse_xml(const XmlSource& source, SceneErrors& errors) {
   check_encoding(source);
   std::string buffer = source.text;
   pugi::xml_document document;
@@ -158,12 +185,14 @@ XmlElement parse_xml(const XmlSource& source) {
   if (!encoding.empty() && encoding != "utf-8" && encoding != "UTF-8" && encoding != "us-ascii") {
     fail({&source, 0}, "encoding {} is not supported, expected utf-8", in_quotes(encoding));
   }
-  XmlElement root = Converter(source, buffer).element(document.document_element(), 1);
+  XmlElement root = Converter(source, buffer, errors).element(document.document_element(), 1);
   for (pugi::xml_node next = document.document_element().next_sibling(); next;
        next = next.next_sibling()) {
     if (next.type() == pugi::node_element) {
       const auto offset = static_cast<std::size_t>(next.name() - buffer.data()) - 1;
-      fail({&source, offset}, "a second root element <{}>, expected one", next.name());
+      errors.guard([&] {
+        fail({&source, offset}, "a second root element <{}>, expected one", next.name());
+      });
     }
   }
   return root;

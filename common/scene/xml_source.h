@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/error.h"
+#include "scene/errors.h"
 
 #include <fmt/format.h>
 
@@ -13,10 +13,15 @@
 
 namespace carlo {
 
+/// Whose scene format a file is in: Mitsuba 0.6's, or that of Mitsuba 2 and 3. Names of both are
+/// understood in every file (names.h); this decides where the same words mean different things.
+enum class Dialect { mitsuba06, mitsuba3 };
+
 /// The text of one XML file as it stands on disk, kept so that errors can point into it.
 struct XmlSource {
   std::filesystem::path path;
   std::string text;
+  Dialect dialect = Dialect::mitsuba06;  ///< by its version, once that was read
 };
 
 /// A byte of an XML file.
@@ -30,20 +35,29 @@ struct XmlAttribute {
   std::string value;    ///< with $parameters replaced, once parameters.h has seen it
   std::string written;  ///< as it stands in the file
   Position name_at, value_at;
+  bool broken = false;  ///< it has a $parameter that nobody knows
 };
+
+struct Plugin;
 
 /// An XML element; `at` is its '<'.
 struct XmlElement {
   std::string name;
   Position at;
+  /// An error of its own was told (not of what stands inside): it is given, but means nothing.
+  bool broken = false;
+  const Plugin* plugin = nullptr;  ///< of an object, once grammar.h has found it
   std::vector<XmlAttribute> attributes;
   std::vector<XmlElement> children;
 
   const XmlAttribute* find(std::string_view attribute) const;
-  /// Throws Error at the element when the attribute is missing.
+  /// Throws Error when the attribute is missing: at the element, or at one that looks as if it had
+  /// been meant.
   const XmlAttribute& get(std::string_view attribute) const;
-  /// Throws Error at the first attribute that is not among `names`.
-  void allow_only(const std::vector<std::string_view>& names) const;
+  /// Tells of each attribute that is not among `names`. Whether there was none.
+  bool allow_only(const std::vector<std::string_view>& names, SceneErrors& errors) const;
+  /// Tells of an element inside. Whether there was none.
+  bool allow_nothing_inside(SceneErrors& errors) const;
 };
 
 /// Throws PlacedError "FILE:LINE:COLUMN: error: message"; line and column count from 1, a column is
@@ -59,9 +73,9 @@ template <class... Args>
 /// itself when `asked_at` has no source.
 std::unique_ptr<XmlSource> read_xml_source(const std::filesystem::path& path, Position asked_at);
 
-/// The root element of a file. Only elements, attributes and comments may stand in it; anything
-/// else (text between elements, two roots, doubled attributes, deep nesting) throws Error. `source`
-/// must outlive the result.
-XmlElement parse_xml(const XmlSource& source);
+/// The root element of a file. Throws Error at what is no XML. Only elements, attributes and
+/// comments may stand in it; anything else (text between elements, two roots, doubled attributes,
+/// deep nesting) is left out and told of. `source` must outlive the result.
+XmlElement parse_xml(const XmlSource& source, SceneErrors& errors);
 
 }  // namespace carlo

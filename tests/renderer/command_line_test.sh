@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # command_line_test.sh RENDERER SOURCE [EVERY]: what `./carlo render` does with bad input. Each bad
-# argument gives one line on stderr, exit code 1, and no file; so does each broken scene, of which every
-# tenth (EVERY-th) is tried here: what their lines say is tested for all, without starting a program
-# (tests/common/scene_errors_test.cpp).
+# argument gives one line on stderr, exit code 1, and no file; so does each broken scene, a line for each
+# mistake. Every tenth (EVERY-th) of them is tried here: what their lines say is tested for all, without
+# starting a program (tests/common/scene_errors_test.cpp).
 set -euo pipefail
 renderer=$1 source=$2 every=${3:-10}
 . "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/expect_error.sh"
@@ -16,7 +16,8 @@ refused() {
 
 count=0
 for scene in "$source"/tests/common/broken_scenes/*.xml; do
-  [ $((count % every)) != 0 ] || refused '^[^ ]+:[0-9]+:[0-9]+: error: ' "$scene"
+  mistakes=$(grep -c "^${scene##*/} |" "$source/tests/common/broken_scenes/expected.txt")
+  [ $((count % every)) != 0 ] || lines=$mistakes refused '^[^ ]+:[0-9]+:[0-9]+: error: ' "$scene"
   count=$((count + 1))
 done
 [ "$count" -ge 20 ] || complain "only $count broken scenes"

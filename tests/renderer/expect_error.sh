@@ -9,15 +9,16 @@ complain() {
   failures=$((failures + 1))
 }
 
-# expect_error PATTERN PROGRAM ARGUMENTS...: one line on stderr, exit code 1, and no file.
+# [lines=N] expect_error PATTERN PROGRAM ARGUMENTS...: N lines on stderr (1), each of PATTERN, exit code 1,
+# and no file.
 expect_error() {
   local pattern=$1 program=$2 code=0 out=$scratch/out
   shift 2
   rm -rf "$out" && mkdir "$out"
   (cd "$out" && "$program" "$@") >"$scratch/stdout" 2>"$scratch/stderr" || code=$?
   [ "$code" = 1 ] || complain "exit code $code for: $*"
-  [ "$(wc -l <"$scratch/stderr")" = 1 ] || complain "not one line for: $*: $(cat "$scratch/stderr")"
-  grep -Eq "$pattern" "$scratch/stderr" || complain "'$(cat "$scratch/stderr")' is not '$pattern'"
+  [ "$(grep -Ec "$pattern" "$scratch/stderr")" = "${lines:-1}" ] || complain "'$(cat "$scratch/stderr")' is not '$pattern'"
+  [ "$(wc -l <"$scratch/stderr")" = "${lines:-1}" ] || complain "not ${lines:-1} lines for: $*: $(cat "$scratch/stderr")"
   [ ! -s "$scratch/stdout" ] || complain "output on stdout for: $*"
   [ -z "$(find "$out" -type f)" ] || complain "files were left by: $*"
 }

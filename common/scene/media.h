@@ -1,0 +1,16 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace carlo {
+
+/// The refractive index of a medium by its name in Mitsuba; nothing if there is no such medium.
+std::optional<float> medium_ior(std::string_view name);
+
+/// The names of all media.
+std::vector<std::string> media();
+
+}  // namespace carlo

@@ -1,0 +1,84 @@
+// Scenes as they are found: what they say beyond what an image needs is taken where it changes
+// nothing.
+
+#include "cli/error.h"
+#include "cli/source_folder.h"
+#include "scene_helpers.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace fs = std::filesystem;
+using namespace carlo;
+using scene_test::load_elements;
+using scene_test::load_text;
+
+TEST_CASE("an exponent that floats cannot tell from a smaller one is taken as that", "[scene]") {
+  const auto exponent = [](const std::string& value) {
+    const Scene scene = load_elements(
+        "<emitter type=\"constant\"/><shape type=\"sphere\"><bsdf type=\"phong\"><float "
+        "name=\"exponent\" value=\"" +
+        value + "\"/></bsdf></shape>");
+    return std::pair(std::get<Phong>(scene.materials.at(0).model).exponent, scene.notes.size());
+  };
+  CHECK(exponent("1e13") == std::pair(1e13f, std::size_t{0}));
+  CHECK(exponent("1e16") == std::pair(1e13f, std::size_t{1}));
+  CHECK(exponent("3e38") == std::pair(1e13f, std::size_t{1}));
+}
+
+TEST_CASE("near and far clip are taken where they cut nothing", "[scene]") {
+  // A room around the camera, a unit sphere three in front of it.
+  const auto loads = [](const std::string& clip) {
+    try {
+      load_text(
+          "<scene version=\"0.6.0\"><sensor type=\"perspective\"><float name=\"fov\" "
+          "value=\"90\"/>" +
+          clip +
+          "</sensor><shape type=\"cube\"><transform name=\"toWorld\"><scale value=\"5\"/>"
+          "</transform></shape><shape type=\"sphere\"><point name=\"center\" x=\"0\" y=\"0\" "
+          "z=\"3\"/></shape></scene>");
+    } catch (const PlacedError&) {
+      return false;
+    }
+    return true;
+  };
+  const auto near_clip = [](const std::string& depth) {
+    return "<float name=\"nearClip\" value=\"" + depth + "\"/>";
+  };
+  const auto far_clip = [](const std::string& depth) {
+    return "<float name=\"far_clip\" value=\"" + depth + "\"/>";
+  };
+  CHECK(loads(near_clip("0.1") + far_clip("100")));
+  // The image's corners are sqrt(1 + 1 + .75^2) times as far: 2 / 1.6.
+  CHECK(loads(near_clip("1.24")));
+  CHECK_FALSE(loads(near_clip("1.26")));
+  CHECK(loads(far_clip("5.001")));
+  CHECK_FALSE(loads(far_clip("4.99")));
+  CHECK_FALSE(loads(near_clip("0")));
+}
+
+TEST_CASE("scenes as they are published are read", "[scene]") {
+  for (const auto& entry : fs::directory_iterator(source_folder() / "tests/common/found_scenes")) {
+    INFO(entry.path());
+    CHECK(load_scene(entry.path()).lights.environment == Rgb(1));
+  }
+}
+
+TEST_CASE("more errors than anybody reads are counted", "[scene]") {
+  std::string wrong;
+  for (int i = 0; i < 70; ++i)
+    wrong += "\n<shape type=\"sphere\"><float name=\"radius\" value=\"-1\"/></shape>";
+  try {
+    load_elements(wrong);
+    FAIL("it loads");
+  } catch (const PlacedError& error) {
+    const std::string text = error.what();
+    CHECK(std::count(text.begin(), text.end(), '\n') == 50);
+    CHECK(text.ends_with("scene.xml:52:50: error: and 20 more errors"));
+  }
+}
