@@ -14,18 +14,8 @@
 namespace renderer {
 namespace {
 
+using carlo::Vec3;
 using Vec3d = glm::dvec3;
-
-/// The cosine of max(0, a - b), of angles in [0, pi] and [0, pi / 2].
-double cos_of_rest(double cos_a, double cos_b, double sin_b) {
-  if (cos_a >= cos_b) return 1;
-  return cos_a * cos_b + std::sqrt(std::max(0.0, 1 - cos_a * cos_a)) * sin_b;
-}
-
-/// Of max(0, a - b), where b may be up to pi.
-double cos_of_rest(double cos_a, double cos_b) {
-  return cos_of_rest(cos_a, cos_b, std::sqrt(std::max(0.0, 1 - cos_b * cos_b)));
-}
 
 /// The narrowest cone about both cones of normals.
 void widen(LightBounds& a, const LightBounds& b) {
@@ -76,21 +66,43 @@ Vec3d middle(const LightBounds& light) {
 
 }  // namespace
 
-double estimate_irradiance(const LightBounds& light, Vec3d p, Vec3d n) {
-  const Vec3d to_light = middle(light) - p, half = 0.5 * (light.upper - light.lower);
-  const double distance2 = glm::dot(to_light, to_light), radius2 = glm::dot(half, half);
-  if (!(distance2 > radius2)) return radius2 > 0 ? light.strength / radius2 : 0;
-  const Vec3d d = to_light / std::sqrt(distance2);
-  const double sin_seen = std::sqrt(radius2 / distance2),
-               cos_seen = std::sqrt(1 - radius2 / distance2);
-  const double cos_in = cos_of_rest(glm::dot(n, d), cos_seen, sin_seen);
-  if (!(cos_in > 0)) return 0;
-  double cos_out = 1;
-  if (light.cos_spread > -1) {
-    const double toward = cos_of_rest(-glm::dot(light.axis, d), cos_seen, sin_seen);
-    cos_out = cos_of_rest(toward, light.cos_spread);
+LightTree::Compact::Compact(const LightBounds& light, double of_strength)
+    : middle(renderer::middle(light)),
+      axis(light.axis),
+      cos_spread(static_cast<float>(light.cos_spread)),
+      sin_spread(
+          static_cast<float>(std::sqrt(std::max(0.0, 1 - light.cos_spread * light.cos_spread)))),
+      strength(static_cast<float>(of_strength)) {
+  const Vec3 rounded = glm::abs(middle) * 1e-7f;
+  reach = static_cast<float>(0.5 * glm::length(light.upper - light.lower) * (1 + 1e-6)) +
+          glm::length(rounded);
+}
+
+/// strength x cos x cos / distance^2, but that each point of the sphere around the light may face
+/// that side of the surface, or be faced, as much as any of them: so it is 0 only where the light
+/// cannot contribute. Inside of the sphere it stays finite.
+inline float LightTree::Compact::estimate(Vec3 p, Vec3 n) const {
+  const Vec3 d = middle - p;
+  const float distance2 = glm::dot(d, d);
+  const float inwards = glm::dot(n, d) + reach;
+  // The distance times the cosine at the light, of that normal which is nearest to p.
+  float outwards = -glm::dot(axis, d);
+  if (cos_spread < 1) {
+    const float distance = std::sqrt(distance2);
+    outwards = outwards >= distance * cos_spread
+                   ? distance
+                   : outwards * cos_spread +
+                         std::sqrt(std::max(distance2 - outwards * outwards, 0.0f)) * sin_spread;
   }
-  return cos_out > 0 ? light.strength * cos_in * cos_out / distance2 : 0;
+  outwards += reach;
+  if (!(inwards > 0) || !(outwards > 0)) return 0;
+  const float per = 1 / std::max(distance2 + reach * reach, 1e-30f);
+  return strength * (inwards * per) * (outwards * per);
+}
+
+double estimate_irradiance(const LightBounds& light, Vec3d p, Vec3d n) {
+  return light.strength *
+         static_cast<double>(LightTree::Compact(light, 1).estimate(Vec3(p), Vec3(n)));
 }
 
 /// Splits lights in two where the sum of strength x extent x directions is least, between bins.
@@ -103,7 +115,7 @@ struct LightTree::Builder {
   LightBounds build(std::span<std::uint32_t> which, std::uint32_t node, std::uint32_t parent) {
     tree.nodes_[node].parent = parent;
     if (which.size() == 1) {
-      tree.nodes_[node].bounds = lights[which[0]];
+      tree.bounds_of_[node] = lights[which[0]];
       tree.nodes_[node].light = which[0];
       tree.leaf_of_[which[0]] = node;
       return lights[which[0]];
@@ -111,10 +123,11 @@ struct LightTree::Builder {
     const std::size_t left = split(which);
     const auto child = static_cast<std::uint32_t>(tree.nodes_.size());
     tree.nodes_.resize(tree.nodes_.size() + 2);
+    tree.bounds_of_.resize(tree.nodes_.size());
     tree.nodes_[node].first_child = child;
     const LightBounds a = build(which.first(left), child, node);
     const LightBounds b = build(which.subspan(left), child + 1, node);
-    return tree.nodes_[node].bounds = together(a, b);
+    return tree.bounds_of_[node] = together(a, b);
   }
 
   /// Sorts them into two parts; the number of the first.
@@ -185,26 +198,33 @@ struct LightTree::Builder {
 LightTree::LightTree(const std::vector<LightBounds>& lights, std::optional<double> everywhere)
     : leaf_of_(lights.size() + (everywhere ? 1 : 0)) {
   nodes_.reserve(2 * leaf_of_.size() + 2);
+  bounds_of_.reserve(2 * leaf_of_.size() + 2);
   // Number 1 is nobody's: siblings are i and i ^ 1.
-  nodes_.resize(2);
+  nodes_.resize(2), bounds_of_.resize(2);
   if (everywhere) {
     const auto last = static_cast<std::uint32_t>(lights.size());
-    const bool alone = lights.empty();
-    if (!alone) {
-      nodes_[0].first_child = 2;
-      nodes_.resize(4);
-      root_ = 2;
+    everywhere_ = 0;
+    if (!lights.empty()) {
+      nodes_[0].first_child = root_ = 2;
+      nodes_.resize(4), bounds_of_.resize(4);
+      everywhere_ = 3;
     }
-    Node& around = nodes_[alone ? 0 : 3];
-    around.everywhere = true;
-    around.bounds.strength = *everywhere;
-    around.light = last;
-    leaf_of_[last] = alone ? 0 : 3;
+    nodes_[everywhere_].light = last;
+    leaf_of_[last] = everywhere_;
+    bounds_of_[everywhere_].strength = *everywhere;
   }
-  if (lights.empty()) return;
-  std::vector<std::uint32_t> which(lights.size());
-  std::iota(which.begin(), which.end(), 0U);
-  bounds_ = Builder{lights, *this}.build(which, root_, 0);
+  if (!lights.empty()) {
+    std::vector<std::uint32_t> which(lights.size());
+    std::iota(which.begin(), which.end(), 0U);
+    bounds_ = Builder{lights, *this}.build(which, root_, 0);
+  }
+  // Relative to all, so that strengths and their products stay floats.
+  const double all = std::max(bounds_.strength, everywhere.value_or(0));
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    Compact& compact =
+        compact_.emplace_back(bounds_of_[i], all > 0 ? bounds_of_[i].strength / all : 0);
+    compact.first_child = nodes_[i].first_child, compact.light = nodes_[i].light;
+  }
 }
 
 void LightTree::collect(std::uint32_t node, std::vector<std::uint32_t>& lights) const {
@@ -216,9 +236,9 @@ void LightTree::collect(std::uint32_t node, std::vector<std::uint32_t>& lights) 
 std::vector<std::vector<std::uint32_t>> LightTree::groups(std::size_t most) const {
   std::vector<std::uint32_t> cut{root_};
   const auto worth = [&](std::uint32_t i) {
-    const Node& node = nodes_[i];
-    const Vec3d extent = node.bounds.upper - node.bounds.lower;
-    return node.first_child == 0 ? -1 : node.bounds.strength * glm::dot(extent, extent);
+    const LightBounds& bounds = bounds_of_[i];
+    const Vec3d extent = bounds.upper - bounds.lower;
+    return nodes_[i].first_child == 0 ? -1 : bounds.strength * glm::dot(extent, extent);
   };
   while (cut.size() < most) {
     const auto widest = std::max_element(cut.begin(), cut.end(),
@@ -234,11 +254,17 @@ std::vector<std::vector<std::uint32_t>> LightTree::groups(std::size_t most) cons
   return groups;
 }
 
-double LightTree::estimate(const Node& node, Vec3d p, Vec3d n) {
-  return node.everywhere ? node.bounds.strength : estimate_irradiance(node.bounds, p, n);
+float LightTree::estimate(std::uint32_t node, Vec3 p, Vec3 n) const {
+  return node == everywhere_ ? compact_[node].strength : compact_[node].estimate(p, n);
 }
 
-std::optional<LightTree::Choice> LightTree::sample(Vec3d p, Vec3d n, double u) const {
+std::optional<double> LightTree::chance_of_left(std::uint32_t left, Vec3 p, Vec3 n) const {
+  const float a = estimate(left, p, n), b = estimate(left + 1, p, n);
+  if (!(a + b > 0)) return std::nullopt;
+  return static_cast<double>(a) / (static_cast<double>(a) + static_cast<double>(b));
+}
+
+std::optional<LightTree::Choice> LightTree::sample(Vec3 p, Vec3 n, double u) const {
   const auto count = static_cast<double>(leaf_of_.size());
   if (leaf_of_.size() == 1) return Choice{0, 1, u};
   if (u < floor) {
@@ -249,35 +275,31 @@ std::optional<LightTree::Choice> LightTree::sample(Vec3d p, Vec3d n, double u) c
   u = (u - floor) / (1 - floor);
   double by_descent = 1;
   std::uint32_t at = 0;
-  while (nodes_[at].first_child != 0) {
-    const std::uint32_t child = nodes_[at].first_child;
-    const double left = estimate(nodes_[child], p, n), right = estimate(nodes_[child + 1], p, n);
-    if (!(left + right > 0)) return std::nullopt;
-    const double chance = left / (left + right);
-    const bool goes_left = u < chance;
-    u = goes_left ? u / chance : (u - chance) / (1 - chance);
-    u = std::min(u, 1 - 0x1p-53);
-    by_descent *= goes_left ? chance : 1 - chance;
+  while (compact_[at].first_child != 0) {
+    const std::uint32_t child = compact_[at].first_child;
+    const std::optional<double> left = chance_of_left(child, p, n);
+    if (!left) return std::nullopt;
+    const bool goes_left = u < *left;
+    const double chance = goes_left ? *left : 1 - *left;
+    u = std::min((goes_left ? u : u - *left) / chance, 1 - 0x1p-53);
+    by_descent *= chance;
     at = goes_left ? child : child + 1;
   }
-  return Choice{nodes_[at].light, (1 - floor) * by_descent + floor / count, u};
+  return Choice{compact_[at].light, (1 - floor) * by_descent + floor / count, u};
 }
 
-double LightTree::chance(std::uint32_t light, Vec3d p, Vec3d n) const {
+double LightTree::chance(std::uint32_t light, Vec3 p, Vec3 n) const {
   if (leaf_of_.size() == 1) return 1;
   return (1 - floor) * chance_by_descent(light, p, n) +
          floor / static_cast<double>(leaf_of_.size());
 }
 
-double LightTree::chance_by_descent(std::uint32_t light, Vec3d p, Vec3d n) const {
+double LightTree::chance_by_descent(std::uint32_t light, Vec3 p, Vec3 n) const {
   double chance = 1;
   for (std::uint32_t at = leaf_of_[light]; at != 0; at = nodes_[at].parent) {
-    const bool is_left = at % 2 == 0;
-    const double left = estimate(nodes_[is_left ? at : at ^ 1], p, n);
-    const double right = estimate(nodes_[is_left ? at ^ 1 : at], p, n);
-    if (!(left + right > 0)) return 0;
-    const double of_left = left / (left + right);
-    chance *= is_left ? of_left : 1 - of_left;
+    const std::optional<double> left = chance_of_left(at & ~1U, p, n);
+    if (!left) return 0;
+    chance *= at % 2 == 0 ? *left : 1 - *left;
   }
   return chance;
 }

@@ -45,10 +45,10 @@ class LightTree {
   };
   /// u in [0, 1) with more digits than a float: of a chance of 1e-6 they leave but four bits.
   /// Nothing where no light of those that u leads to can contribute.
-  std::optional<Choice> sample(glm::dvec3 p, glm::dvec3 n, double u) const;
+  std::optional<Choice> sample(carlo::Vec3 p, carlo::Vec3 n, double u) const;
 
   /// With which sample() chooses a light.
-  double chance(std::uint32_t light, glm::dvec3 p, glm::dvec3 n) const;
+  double chance(std::uint32_t light, carlo::Vec3 p, carlo::Vec3 n) const;
 
   /// The lights in so many groups at most, each a part of the tree: the strongest of large extent
   /// are split first. Not what is everywhere.
@@ -58,22 +58,40 @@ class LightTree {
   const LightBounds& bounds() const { return bounds_; }
 
  private:
-  /// Siblings stand side by side: i and i ^ 1. The root, 0, has none.
+  /// Where a node stands. Siblings are side by side: i and i ^ 1. The root, 0, has none.
   struct Node {
-    LightBounds bounds;
-    bool everywhere = false;
     std::uint32_t parent = 0;
     std::uint32_t first_child = 0;  ///< 0: a leaf,
     std::uint32_t light = 0;        ///< of this light
   };
   struct Builder;
 
-  static double estimate(const Node& node, glm::dvec3 p, glm::dvec3 n);
+  static constexpr std::uint32_t nowhere = 0xFFFFFFFF;
+
+  float estimate(std::uint32_t node, carlo::Vec3 p, carlo::Vec3 n) const;
+  /// Of a pair of siblings; nothing if neither can contribute.
+  std::optional<double> chance_of_left(std::uint32_t left, carlo::Vec3 p, carlo::Vec3 n) const;
   void collect(std::uint32_t node, std::vector<std::uint32_t>& lights) const;
-  double chance_by_descent(std::uint32_t light, glm::dvec3 p, glm::dvec3 n) const;
+  double chance_by_descent(std::uint32_t light, carlo::Vec3 p, carlo::Vec3 n) const;
+
+  /// LightBounds as the descent reads them, a cache line a node: a sphere around the light, the
+  /// cone of its normals, and its strength over that of all.
+  struct alignas(64) Compact {
+    explicit Compact(const LightBounds& light, double strength);
+    Compact() = default;
+    [[gnu::always_inline]] float estimate(carlo::Vec3 p, carlo::Vec3 n) const;
+
+    carlo::Vec3 middle{0}, axis{0};
+    float reach = 0, cos_spread = -1, sin_spread = 0, strength = 0;
+    std::uint32_t first_child = 0, light = 0;  ///< the node's
+  };
+  friend double estimate_irradiance(const LightBounds& light, glm::dvec3 p, glm::dvec3 n);
 
   std::vector<Node> nodes_;
-  std::uint32_t root_ = 0;  ///< of all but what is everywhere
+  std::vector<Compact> compact_;        ///< the nodes'
+  std::uint32_t everywhere_ = nowhere;  ///< the node of what is
+  std::vector<LightBounds> bounds_of_;  ///< the nodes', while it is built and for groups()
+  std::uint32_t root_ = 0;              ///< of all but what is everywhere
   std::vector<std::uint32_t> leaf_of_;
   LightBounds bounds_;
 };

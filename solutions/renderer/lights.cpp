@@ -229,7 +229,7 @@ Lights::Entry Lights::shape_entry(std::uint32_t index) const {
 }
 
 std::optional<LightSample> Lights::sample(const Receiver& from, float u_light, Vec2 u) const {
-  const auto choice = tree_->sample(Vec3d(from.p), Vec3d(from.n), with_more_digits(u_light, u));
+  const auto choice = tree_->sample(from.p, from.n, with_more_digits(u_light, u));
   if (!choice) return std::nullopt;
   const Leaf& leaf = leaves_[choice->light];
   const auto chance = static_cast<float>(choice->chance);
@@ -271,7 +271,7 @@ EnvmapTable::Texel Lights::beyond(const Receiver& from, Vec3 d) const {
   EnvmapTable::Texel texel = envmap_->at(d);
   if (!envmap_is_sampled_) return {texel.radiance, 0};
   const auto last = static_cast<std::uint32_t>(leaves_.size() - 1);
-  texel.pdf *= static_cast<float>(tree_->chance(last, Vec3d(from.p), Vec3d(from.n)));
+  texel.pdf *= static_cast<float>(tree_->chance(last, from.p, from.n));
   return texel;
 }
 
@@ -308,7 +308,7 @@ float Lights::pdf(const Receiver& from, const carlo::Hit& hit) const {
   const std::uint32_t leaf = entry.first_leaf + (entry.mesh != nullptr ? hit.primitive : 0);
   const float density = shape_pdf(leaves_[leaf], from, {hit.p, hit.p_error}, hit.n);
   if (!(density > 0)) return 0;
-  return density * static_cast<float>(tree_->chance(leaf, Vec3d(from.p), Vec3d(from.n)));
+  return density * static_cast<float>(tree_->chance(leaf, from.p, from.n));
 }
 
 float Lights::shape_pdf(const Leaf& leaf, const Place& from, const Place& point, Vec3 n) const {

@@ -82,7 +82,7 @@ MeshLight::Sample MeshLight::sample(Vec2 u) const {
 }
 
 MeshLight::Sample MeshLight::sample(Vec3 p, Vec3 n, Vec2 u) const {
-  const auto choice = tree_.sample(Vec3d(p), Vec3d(n), with_more_digits(u.x, u));
+  const auto choice = tree_.sample(p, n, with_more_digits(u.x, u));
   if (!choice) return {};
   const std::uint32_t triangle = choice->light;
   return {sample_triangle(*mesh_, triangle, {below_one(choice->u), u.y}), triangle,
@@ -90,7 +90,7 @@ MeshLight::Sample MeshLight::sample(Vec3 p, Vec3 n, Vec2 u) const {
 }
 
 double MeshLight::density(Vec3 p, Vec3 n, std::uint32_t triangle) const {
-  return tree_.chance(triangle, Vec3d(p), Vec3d(n)) / triangle_area(*mesh_, triangle);
+  return tree_.chance(triangle, p, n) / triangle_area(*mesh_, triangle);
 }
 
 }  // namespace renderer

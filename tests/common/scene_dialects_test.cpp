@@ -29,10 +29,10 @@ using scene_test::write_bytes;
 
 namespace {
 
-const fs::path source_dir = source_folder();
+const fs::path tree = source_folder();
 
 std::string page() {
-  return read_file(source_dir / "common/scene/README.md");
+  return read_file(tree / "common/scene/README.md");
 }
 
 /// A line of the table.
@@ -148,7 +148,7 @@ class Scenery {
 class Files {
  public:
   Files() {
-    const fs::path tests = source_dir / "tests/common";
+    const fs::path tests = tree / "tests/common";
     for (const char* file : {"scenes/tetrahedron.obj", "scenes/tetrahedron_ascii.ply",
                              "broken_scenes/parts/white.hdr"}) {
       fs::copy_file(tests / file, folder_.path() / fs::path(file).filename());
