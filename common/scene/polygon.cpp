@@ -74,9 +74,9 @@ bool crosses_itself(const std::vector<Point>& points) {
 /// Cuts off ears: corners whose triangle holds nothing else of the polygon. Every polygon has two,
 /// and what cutting leaves is a polygon. Whether a corner is an ear changes only by its neighbours.
 /// Source: Meisters, "Polygons have ears", American Mathematical Monthly 82, 1975.
-/// Why not a library's: of those that Debian, Fedora, Arch and Homebrew all have, none cuts
-/// polygons without bringing a kernel of geometry (CGAL), OpenGL (GLU) or readers of 40 formats
-/// (Assimp, whose triangles of a polygon that crosses itself overlap).
+/// Why not a library's: Debian 12 has none that cuts polygons and does not bring OpenGL (GLU), a
+/// kernel of geometry (CGAL) or readers of scores of formats (Assimp); tinyobjloader's cutter
+/// leaves holes.
 class EarCutter {
  public:
   explicit EarCutter(const std::vector<Point>& points) : points_(points) {
