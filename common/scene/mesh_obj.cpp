@@ -167,12 +167,12 @@ class ObjReader {
     if (!corner_normals_.empty()) compare_normals();
   }
 
-  // "v", "v/vt", "v//vn" or "v/vt/vn".
+  // "v", "v/vt", "v//vn" or "v/vt/vn", where vt and vn may be missing.
   void read_corner(std::string_view word) {
     const std::size_t slash = std::min(word.find('/'), word.size());
     corners_.push_back(index(word, word.substr(0, slash), "vertex", mesh_.positions.size()));
     const std::size_t last = word.rfind('/');
-    if (last == slash || last == std::string_view::npos) return;
+    if (last == slash || last == std::string_view::npos || last + 1 == word.size()) return;
     mesh_.vertex_normals = true;
     corner_normals_.push_back(index(word, word.substr(last + 1), "normal", normals_.size()));
   }

@@ -155,7 +155,8 @@ bool fan_fits(const Points& points) {
     area += glm::length(glm::cross(a, b));
     extent = std::max({extent, glm::dot(a, a), glm::dot(b, b)});
   }
-  if (area <= nothing * extent) return true;
+  // Thinner than a float's rounding of its corners.
+  if (area <= 0x1p-22 * extent) return true;
   // Each triangle turns the same way, and all of them together not once around the corner.
   const double least = -nothing * area * glm::length(n);
   bool behind = false;

@@ -148,6 +148,12 @@ TEST_CASE("a polygon whose edges cross is refused by its line", "[scene]") {
   has(error_of(loop + "f 1 2 3 4 5 6 7 8 9 10 11 12\n"), "corners cross");
 }
 
+TEST_CASE("a polygon of no width is no error, however its corners are rounded", "[scene]") {
+  const Scene scene = load_obj("v 0 0 0\nv 1 1e-9 0\nv 2 -1e-9 0\nv 3 1e-9 0\nv 4 0 0\n" +
+                               std::string("v 0 1 0\nf 1 2 3 4 5\nf 1 5 6\n"));
+  CHECK(area(mesh_of(scene)) == Catch::Approx(2));
+}
+
 TEST_CASE("a polygon of many corners is filled, or refused when it would take minutes", "[scene]") {
   const auto gear = [](int corners, double inner) {
     std::string vertices, face = "f";
