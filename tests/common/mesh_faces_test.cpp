@@ -117,8 +117,9 @@ TEST_CASE("polygons in PLY files are filled too, whichever element comes first",
   const std::string face = "element face 1\nproperty list uchar int vertex_indices\n";
   const std::string head = "ply\nformat ascii 1.0\n", end = "end_header\n";
   const std::string corners = "6 4 5 0 1 2 3\n";
-  for (const std::string& text : {head + vertex + face + end + vertices + corners,
-                                  head + face + vertex + end + corners + vertices}) {
+  for (const std::string& text :
+       {fmt::format("{}{}{}{}{}{}", head, vertex, face, end, vertices, corners),
+        fmt::format("{}{}{}{}{}{}", head, face, vertex, end, corners, vertices)}) {
     const Scene scene = load_mesh("ply", text);
     CHECK(area(mesh_of(scene)) == Catch::Approx(3));
     CHECK(vector_area(mesh_of(scene)).z == Catch::Approx(3));
