@@ -282,7 +282,7 @@ ExrFile read_exr(const std::filesystem::path& path, const std::vector<std::strin
   }
   convert_colours(spec, file, path);
   for (std::string& note : file.notes)
-    note = path.filename().string() + ": " + note;
+    note.insert(0, path.filename().string() + ": ");
   return file;
 }
 

@@ -24,8 +24,7 @@ namespace {
 constexpr int least_packed = 8, most_packed = 32767;  ///< widths of rows that may come in runs
 using Rgbe = std::array<std::uint8_t, 4>;
 
-// Why a reader of our own: OpenImageIO 2.4.7 and 3.2.2 read pictures without dividing by EXPOSURE,
-// and know no COLORCORR.
+// Why a reader of our own: OpenImageIO 2.4.7 and 3.2.2 give pixels without dividing by EXPOSURE.
 class HdrReader {
  public:
   explicit HdrReader(const std::filesystem::path& path)

@@ -9,8 +9,8 @@
 namespace carlo {
 
 /// Whether the triangles (0, i - 1, i) are a polygon: so it is for convex ones, and for those all
-/// of which their first corner sees. Also true for polygons without an area, which become triangles
-/// without one.
+/// of which their first corner sees. Also true for polygons that have no area but that of rounding:
+/// it is not worth a refusal.
 bool fan_fits(const std::vector<glm::dvec3>& points);
 
 /// Cuts a polygon into points.size() - 2 triangles of its orientation, by its corners' numbers. One

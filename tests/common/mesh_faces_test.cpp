@@ -117,8 +117,9 @@ TEST_CASE("polygons in PLY files are filled too, whichever element comes first",
   const std::string face = "element face 1\nproperty list uchar int vertex_indices\n";
   const std::string head = "ply\nformat ascii 1.0\n", end = "end_header\n";
   const std::string corners = "6 4 5 0 1 2 3\n";
-  for (const std::string& text : {head + vertex + face + end + vertices + corners,
-                                  head + face + vertex + end + corners + vertices}) {
+  for (const std::string& text :
+       {fmt::format("{}{}{}{}{}{}", head, vertex, face, end, vertices, corners),
+        fmt::format("{}{}{}{}{}{}", head, face, vertex, end, corners, vertices)}) {
     const Scene scene = load_mesh("ply", text);
     CHECK(area(mesh_of(scene)) == Catch::Approx(3));
     CHECK(vector_area(mesh_of(scene)).z == Catch::Approx(3));
@@ -146,6 +147,12 @@ TEST_CASE("a polygon whose edges cross is refused by its line", "[scene]") {
     loop += fmt::format("v {} {} 0\n", r * std::cos(angle), r * std::sin(angle));
   }
   has(error_of(loop + "f 1 2 3 4 5 6 7 8 9 10 11 12\n"), "corners cross");
+}
+
+TEST_CASE("a polygon of no width is no error, however its corners are rounded", "[scene]") {
+  const Scene scene = load_obj("v 0 0 0\nv 1 1e-9 0\nv 2 -1e-9 0\nv 3 1e-9 0\nv 4 0 0\n" +
+                               std::string("v 0 1 0\nf 1 2 3 4 5\nf 1 5 6\n"));
+  CHECK(area(mesh_of(scene)) == Catch::Approx(2));
 }
 
 TEST_CASE("a polygon of many corners is filled, or refused when it would take minutes", "[scene]") {

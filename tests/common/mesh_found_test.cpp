@@ -26,7 +26,8 @@ void check_has(const std::string& text, const std::string& phrase) {
 
 TEST_CASE("a byte order mark before a mesh is passed over, that of UTF-16 is named", "[scene]") {
   for (const std::string first : {"", "# exported\n", "mtllib lamp.mtl\n", "\n"})
-    CHECK(area(mesh_of(load_obj(utf8_mark + first + unit_square + "f 1 2 3 4\n"))) == 1);
+    CHECK(area(mesh_of(
+              load_obj(fmt::format("{}{}{}f 1 2 3 4\n", utf8_mark, first, unit_square)))) == 1);
   CHECK(area(mesh_of(load_obj(utf8_mark + "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"))) == .5);
   const std::string wide("\xff\xfev\0 \0", 6);
   check_has(mesh_error("obj", wide), "mesh.obj:1: the file is in UTF-16, expected ASCII or UTF-8");
@@ -43,7 +44,7 @@ TEST_CASE("a statement of an OBJ goes on after a backslash", "[scene]") {
       text.replace(at, 1, end);
     CHECK(area(mesh_of(load_obj(text))) == 1);
     // Blanks may follow it, and the file may end.
-    CHECK(area(mesh_of(load_obj(unit_square + "f 1 2 \\ " + end + "3 4 \\"))) == 1);
+    CHECK(area(mesh_of(load_obj(fmt::format("{}f 1 2 \\ {}3 4 \\", unit_square, end)))) == 1);
   }
   // Not from a comment; the first line is the one that an error names, and lines go on counting.
   CHECK(area(mesh_of(load_obj("# C:\\\n" + unit_square + "f 1 2 3 4 # \\\n"))) == 1);
@@ -60,8 +61,7 @@ TEST_CASE("statements of an OBJ that change no polygon are passed over with one 
       "trace_obj b", "maplib a.map b.map", "ctech cparm 1", "stech cparma 1 1", "vp .3 .4"};
   for (const std::string& statement : statements) {
     INFO(statement);
-    std::string text = unit_square + statement + "\n" + face;
-    text += statement + "\n";
+    const std::string text = fmt::format("{0}{1}\n{2}{1}\n", unit_square, statement, face);
     const Scene scene = load_obj(text);
     CHECK(area(mesh_of(scene)) == 1);
     const std::string keyword = statement.substr(0, statement.find(' '));
@@ -69,7 +69,8 @@ TEST_CASE("statements of an OBJ that change no polygon are passed over with one 
   }
   CHECK(notes_with(load_obj(unit_square + "mg 0\nbevel on\n" + face), "mg, bevel changes") == 1);
   for (const std::string statement : {"vt 0 0", "vn 0 0 1", "o a", "g", "s off", "mtllib a.mtl"})
-    CHECK(load_obj(unit_square + statement + "\n" + face).notes.size() == 1);  // of no light
+    CHECK(load_obj(fmt::format("{}{}\n{}", unit_square, statement, face)).notes.size() ==
+          1);  // of no light
 }
 
 TEST_CASE("statements of an OBJ that make other geometry are refused by name", "[scene]") {

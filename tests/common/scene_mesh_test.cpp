@@ -76,7 +76,9 @@ TEST_CASE("vertex normals are refused unless faceNormals is asked for", "[scene]
   CHECK(mesh_of(scene).triangles.size() == 1);
   CHECK_THROWS(load_obj(scene_test::unit_square + "f 1 2 3\n",
                         "<boolean name=\"faceNormals\" value=\"false\"/>"));
-  // Texture coordinates alone are no normals.
+  // Texture coordinates alone are no normals, nor is what is left out.
+  for (const char* face : {"f 1/ 2/ 3/\n", "f 1// 2// 3//\n", "f 1/1/ 2/1/ 3/1/\n"})
+    CHECK(mesh_of(load_obj(scene_test::unit_square + "vt 0 0\n" + face)).triangles.size() == 1);
   CHECK(mesh_of(load_obj(scene_test::unit_square + "vt 0 0\nf 1/1 2/1 3/1\n")).triangles.size() ==
         1);
 }
