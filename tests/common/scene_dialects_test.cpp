@@ -193,6 +193,17 @@ void check_snippet(const Files& files, const std::string& in, const std::string&
   CHECK((what == "read" || what == "no effect" || what == "note"));
 }
 
+/// "int_ior" for "intIOR".
+std::string in_small_letters(std::string_view name) {
+  const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+  std::string out;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    if (is_capital(name[i]) && !is_capital(name[i - 1])) out += '_';
+    out += is_capital(name[i]) ? static_cast<char>(name[i] - 'A' + 'a') : name[i];
+  }
+  return out;
+}
+
 double red(const Scene& scene) {
   return static_cast<double>(scene.lights.environment.r);
 }
@@ -235,19 +246,11 @@ TEST_CASE("what the loader knows stands on the page", "[scene]") {
     for (const Rule& rule : plugin.rules) {
       INFO(rule.name);
       if (rule.treatment == Treatment::read)
-        CHECK(text.find("`" + std::string(rule.name) + "`") != std::string::npos);
+        CHECK((text.find("`" + std::string(rule.name) + "`") != std::string::npos ||
+               text.find("name=\"" + std::string(rule.name) + "\"") != std::string::npos));
       else
         CHECK(in_table(plugin, rule.name));
     }
-  }
-  for (const Name& name : property_names) {
-    const std::string pair =
-        "`" + std::string(name.mitsuba06) + "` `" + std::string(name.mitsuba3) + "`";
-    INFO(pair);
-    // Lines are broken anywhere.
-    std::string flat = text;
-    std::replace(flat.begin(), flat.end(), '\n', ' ');
-    CHECK(flat.find(pair) != std::string::npos);
   }
 }
 
@@ -261,6 +264,7 @@ TEST_CASE("a name of Mitsuba 3 is the property that it names, in every file", "[
     INFO(name.mitsuba06);
     CHECK(known.count(name.mitsuba06) == 1);
     CHECK(known.count(name.mitsuba3) == 0);
+    CHECK(in_small_letters(name.mitsuba06) == name.mitsuba3);
   }
   const std::string old_names =
       "<scene version=\"VERSION\"><integrator type=\"path\"><integer name=\"maxDepth\" value=\"3\"/>"
