@@ -149,7 +149,8 @@ void prove(bool all) {
   std::vector<double> errors;
   for (const Proof& proof : proofs) {
     if (!selected(proof.name, all)) continue;
-    const Readings readings = read_film(proof.scene, factor() * proof.spp, hash_of(proof.name));
+    const Readings readings = read_film(proof.scene, factor() * proof.spp, hash_of(proof.name),
+                                        proof.for_lab ? Lab::asked : Lab::not_asked);
     std::vector<Finding> found;
     judge_exact(proof, readings, found);
     // Who differs from the exact value differs from others too: once is enough.
