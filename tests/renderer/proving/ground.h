@@ -22,6 +22,8 @@ struct Proof {
   /// Floats cannot hold this scene, or rounding decides which of two surfaces is hit: to be looked
   /// at, not to be asserted.
   bool limit = false;
+  /// Lab 08 asks all lights alike: where few of many matter, it would take too long.
+  bool for_lab = true;
 };
 
 /// Floors, cards, slabs and convex solids under a uniform sky.
@@ -44,6 +46,13 @@ std::vector<Proof> lamp_proofs();
 std::vector<Proof> polished_proofs();
 /// Receiver x side x light x scale, turned and moved.
 std::vector<Proof> combination_proofs();
+
+/// A strong and a weak light of every two kinds.
+std::vector<Proof> light_pair_proofs();
+/// Up to 1e5 lamps of which few matter.
+std::vector<Proof> light_crowd_proofs();
+/// Lamps under images of a sky; strong lamps outside of Phong's lobe, weak ones in it.
+std::vector<Proof> light_choice_proofs();
 
 /// All of the above.
 std::vector<Proof> proving_ground();

@@ -1,6 +1,5 @@
 #include "proving/parts.h"
 
-#include "cli/error.h"
 #include "scene_tools.h"
 
 #include <cmath>
@@ -68,7 +67,7 @@ Scene placed(Scene scene, const Placement& placement) {
     std::visit(move, shape.geometry);
   auto& [points, environment, envmap] = scene.lights;
   (void)environment;  // is everywhere
-  if (envmap) throw carlo::Error("no family of scenes has an image for a lamp");
+  if (envmap) envmap->rotation = placement.turn * envmap->rotation;
   for (carlo::PointLight& light : points) {
     light.position = move.point(light.position);
     light.intensity *= static_cast<float>(placement.scale * placement.scale);

@@ -161,11 +161,13 @@ void prove(bool all) {
   std::vector<double> errors;
   for (const Proof& proof : proofs) {
     if (!selected(proof.name, all)) continue;
-    const Readings readings = read_film(proof.scene, factor() * proof.spp, hash_of(proof.name));
+    const Lab lab = proof.for_lab ? Lab::asked : Lab::not_asked;
+    const Readings readings =
+        read_film(proof.scene, factor() * proof.spp, hash_of(proof.name), lab);
     std::vector<Finding> found = judge(proof, readings);
     if (!found.empty() && !proof.limit) {
       const std::uint64_t other_seed = ~hash_of(proof.name);
-      found = judge(proof, read_film(proof.scene, 16 * factor() * proof.spp, other_seed));
+      found = judge(proof, read_film(proof.scene, 16 * factor() * proof.spp, other_seed, lab));
     }
     Tally& tally = tallies[family_of(proof.name)];
     count(tally, readings);

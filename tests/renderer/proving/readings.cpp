@@ -71,9 +71,10 @@ std::string wrong(const Proof& proof, const Reading& r, std::size_t c) {
 
 }  // namespace
 
-Readings read_film(const Scene& scene, std::uint32_t spp, std::uint64_t seed) {
+Readings read_film(const Scene& scene, std::uint32_t spp, std::uint64_t seed, Lab lab) {
   Readings readings;
-  for (std::size_t kernel = 0; kernel < readings.size(); ++kernel) {
+  const std::size_t kernels = readings.size() - (lab == Lab::asked ? 0 : 1);
+  for (std::size_t kernel = 0; kernel < kernels; ++kernel) {
     const auto integrator =
         make_kernel(scene, kernel, kernel_names.size() * seed + kernel + 1, spp);
     if (integrator) readings[kernel] = read_kernel(*integrator, scene, spp);

@@ -23,8 +23,10 @@ struct Reading {
 using Readings = std::array<std::optional<Reading>, kernel_names.size()>;
 
 /// Renders with all kernels on one thread. The numbers that kernels draw are independent: seeds
-/// come from `seed` and the kernel.
-Readings read_film(const carlo::Scene& scene, std::uint32_t spp, std::uint64_t seed);
+/// come from `seed` and the kernel. Lab 08 is left out if it is not asked for.
+enum class Lab { asked, not_asked };
+Readings read_film(const carlo::Scene& scene, std::uint32_t spp, std::uint64_t seed,
+                   Lab lab = Lab::asked);
 
 /// What is wrong with one scene, a line for each finding: "kernel got +- se, exact".
 struct Finding {

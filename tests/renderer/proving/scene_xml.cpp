@@ -1,6 +1,6 @@
 #include "proving/scene_xml.h"
 
-#include "cli/error.h"
+#include "image/exr.h"
 
 #include <fmt/core.h>
 
@@ -125,6 +125,15 @@ std::string sensor_text(const Scene& scene) {
              scene.width, scene.height, scene.spp);
 }
 
+std::string image_name(const std::string& name) {
+  return name + "_image.exr";
+}
+
+std::string image_text(const carlo::Envmap& map, const std::string& file) {
+  return fmt::format("  <emitter type=\"envmap\"><string name=\"filename\" value=\"{}\"/>", file) +
+         to_world(map.rotation[0], map.rotation[1], map.rotation[2], dvec3(0)) + "</emitter>\n";
+}
+
 std::string text_of(const Scene& scene, const std::string& comment, const std::string& name) {
   std::string text = fmt::format("<scene version=\"0.6.0\">  <!-- {} -->\n", comment);
   text += fmt::format(
@@ -136,7 +145,7 @@ std::string text_of(const Scene& scene, const std::string& comment, const std::s
   for (std::size_t i = 0; i < scene.shapes.size(); ++i)
     text += shape_text(scene.shapes[i], mesh_name(name, i));
   const auto& [points, environment, envmap] = scene.lights;
-  if (envmap) throw carlo::Error("no family of scenes has an image for a lamp");
+  if (envmap) text += image_text(*envmap, image_name(name));
   for (const carlo::PointLight& light : points) {
     text += "  <emitter type=\"point\">" + point("position", light.position) +
             colour("intensity", light.intensity) + "</emitter>\n";
@@ -161,6 +170,8 @@ std::filesystem::path write_scene(const Scene& scene, const std::filesystem::pat
     if (const auto* mesh = std::get_if<carlo::Mesh>(&scene.shapes[i].geometry))
       std::ofstream(folder / mesh_name(name, i)) << mesh_text(*mesh);
   }
+  if (scene.lights.envmap)
+    carlo::write_exr(folder / image_name(name), {scene.lights.envmap->image});
   return path;
 }
 

@@ -1,0 +1,169 @@
+// One to 1e5 lamps over a spot of a floor, of which few matter. Numbers are those at which the
+// renderer changes its ways (128 lamps in the vector kernel) and about them.
+//
+// Lamps stand in directions that are spread evenly over the sphere, each its own: none hides
+// another. Exact: albedo / pi times the sum over those above the horizon of what each brings: for
+// points I cos / d^2, for balls L pi sin^2 cos, for squares and triangles Lambert's formula.
+
+#include "closed_forms.h"
+#include "proving/ground.h"
+#include "proving/irradiance.h"
+#include "proving/parts.h"
+#include "proving/spots.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace proving {
+namespace {
+
+using carlo::Rgb, carlo::Scene, carlo::Vec3;
+using closed_forms::pi;
+using glm::dvec3;
+
+constexpr double crowd_albedo = .5;
+
+/// The i-th of `count` directions on a Fibonacci spiral, from +y to -y: about 3 / sqrt(count)
+/// apart.
+dvec3 spread(int i, int count) {
+  const double y = 1 - (2 * i + 1.0) / count, r = std::sqrt(1 - y * y);
+  const double turn = i * pi * (3 - std::sqrt(5.0)) + 2;
+  return {r * std::cos(turn), y, r * std::sin(turn)};
+}
+
+struct CrowdLamp {
+  dvec3 w;  ///< direction
+  double distance, size, irradiance_if_it_faced;
+};
+
+enum class CrowdKind { points, balls, squares, triangles };
+constexpr CrowdKind crowd_kinds[] = {CrowdKind::points, CrowdKind::balls, CrowdKind::squares,
+                                     CrowdKind::triangles};
+const char* name_of(CrowdKind kind) {
+  constexpr const char* names[] = {"points", "balls", "squares", "triangles"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+/// Three matter: they are near, and bring 1, 1/4 and 1/16 (times the cosine). The others are a
+/// hundred units away: if they are `around`, over the horizon, too, and each brings a little. If
+/// they are below it they are of up to 1e4 times the power; but not triangles, which get by with
+/// one radiance and would have to be that large.
+std::vector<CrowdLamp> crowd(CrowdKind kind, int count, bool around) {
+  Random random(static_cast<std::uint64_t>(count));
+  std::vector<CrowdLamp> lamps;
+  const double size = std::min(.05, .2 / std::sqrt(count));
+  const double strength = (around || kind == CrowdKind::triangles ? 1 : 100) / std::sqrt(count);
+  int near = 0;
+  for (int i = 0; i < count; ++i) {
+    dvec3 w = count == 1 ? dvec3(.48, .8, -.36) : spread(i, count);
+    const double brings = strength * std::pow(10.0, random.uniform(-4, -2));
+    // Numbers 1/8, 2/8 and 3/8 of all, which are above the horizon.
+    if (near < 3 && w.y > .1 && i >= (near + 1) * count / 8) {
+      lamps.push_back({w, 1.2, size, std::pow(4.0, -near++)});
+      continue;
+    }
+    if (!around && w.y > 0) w = -w;
+    // None is cut by the horizon: closed forms hold for what is above it or below it.
+    if (std::abs(w.y) < 3 * size) w = glm::normalize(dvec3(w.x, -1, w.z));
+    lamps.push_back({w, 100, size, brings});
+  }
+  return lamps;
+}
+
+/// Adds lamps that face the origin, triangles to one mesh; `sum` is the irradiance there.
+struct CrowdBuilder {
+  Scene& scene;
+  carlo::Mesh mesh{};
+  double sum = 0;
+
+  void add(CrowdKind kind, const CrowdLamp& lamp) {
+    const dvec3 at = lamp.distance * lamp.w;
+    const double up = std::max(0.0, lamp.w.y), half = lamp.size * lamp.distance;
+    const double sin2 = lamp.size * lamp.size;
+    const dvec3 x = half * glm::normalize(glm::cross(lamp.w, dvec3(.3, .2, .9)));
+    const dvec3 y = glm::cross(-lamp.w, x);
+    switch (kind) {
+      case CrowdKind::points: {
+        const auto intensity =
+            static_cast<float>(lamp.irradiance_if_it_faced * lamp.distance * lamp.distance);
+        scene.lights.points.push_back({Vec3(at), Rgb(intensity)});
+        sum += lamp.irradiance_if_it_faced * up;
+        return;
+      }
+      case CrowdKind::balls: {
+        const auto radiance = static_cast<float>(lamp.irradiance_if_it_faced / (pi * sin2));
+        scene.shapes.push_back(ball(at, half, {1, Rgb(radiance)}));
+        sum += lamp.irradiance_if_it_faced * up;
+        return;
+      }
+      case CrowdKind::squares: {
+        const auto radiance = static_cast<float>(lamp.irradiance_if_it_faced / (4 * sin2));
+        scene.shapes.push_back(panel(at, x, y, {1, Rgb(radiance)}));
+        if (up > 0)
+          sum += static_cast<double>(radiance) *
+                 polygon_irradiance({at - x - y, at + x - y, at + x + y, at - x + y});
+        return;
+      }
+      case CrowdKind::triangles: {
+        // One mesh has one radiance: sizes differ instead.
+        const double by = std::sqrt(lamp.irradiance_if_it_faced);
+        const dvec3 corner[] = {at - by * (x + y), at + by * (x - y), at + by * y};
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        for (const dvec3& p : corner)
+          mesh.positions.push_back(Vec3(p));
+        mesh.triangles.push_back({first, first + 1, first + 2});
+        if (up > 0) sum += polygon_irradiance({corner[0], corner[1], corner[2]}) / (2 * sin2);
+        return;
+      }
+    }
+  }
+  void finish(double size) {
+    if (mesh.triangles.empty()) return;
+    const auto radiance = static_cast<float>(1 / (2 * size * size));
+    scene.shapes.push_back({std::move(mesh), 1, Rgb(radiance)});
+  }
+};
+
+void add_crowd(std::vector<Proof>& proofs, CrowdKind kind, int count, bool around) {
+  Scene scene = empty();
+  scene.materials = {diffuse(Rgb(crowd_albedo), true), diffuse(Rgb(0), false)};
+  scene.shapes = {level(50, 0)};
+  scene.camera = spot_camera();
+  scene.max_depth = 2;
+  CrowdBuilder builder{scene};
+  const std::vector<CrowdLamp> lamps = crowd(kind, count, around);
+  for (const CrowdLamp& lamp : lamps)
+    builder.add(kind, lamp);
+  builder.finish(lamps[0].size);
+  Proof proof{fmt::format("crowds/{}/{}/{}", name_of(kind), count, around ? "around" : "below"),
+              std::move(scene), exact_of(crowd_albedo * builder.sum / pi),
+              count < 100 ? 1024U : 6144U};
+  // Small triangles that are far away lose digits: corners of 100 are known to 4e-6.
+  proof.rounding = kind == CrowdKind::points || kind == CrowdKind::balls ? 1e-5 : 5e-5;
+  proof.for_lab = count <= 10;
+  proofs.push_back(std::move(proof));
+}
+
+}  // namespace
+
+std::vector<Proof> light_crowd_proofs() {
+  std::vector<Proof> proofs;
+  for (const CrowdKind kind : crowd_kinds) {
+    for (const int count : {1, 2, 10, 100, 127, 128, 129, 1000, 10000, 100000}) {
+      // Each ball or square has a place of its own in the intersector: 1e5 take long to build.
+      const bool many = count == 100000;
+      if (many && (kind == CrowdKind::balls || kind == CrowdKind::squares)) continue;
+      add_crowd(proofs, kind, count, false);
+      if (!many) add_crowd(proofs, kind, count, true);
+    }
+  }
+  return proofs;
+}
+
+}  // namespace proving
