@@ -295,7 +295,8 @@ TEST_CASE("What groups of a tree are taken to bring is 0 only where that of all 
 
 TEST_CASE("The estimate is near the irradiance of lights that are small and far") {
   // Of extent a hundredth of the distance, 85 degrees at most to either normal. What is added for
-  // their extent is at most 2 x .01 / cos 85 = .23 of the value.
+  // their extent is at most 2 x .01 / cos 85 = .23 of the value. Estimates are floats: of a cosine of
+  // .09 some 1e-6 is rounding.
   Rng rng(76);
   for (int i = 0; i < 20000; ++i) {
     const double scale = magnitude(rng, -4, 6), radiance = 3, side = .01 * scale;
@@ -307,12 +308,12 @@ TEST_CASE("The estimate is near the irradiance of lights that are small and far"
     const LightBounds flat{at - half, at + half, axis, 1, radiance * side * side};
     const double exact = radiance * side * side * cos_in * cos_out / (scale * scale);
     const double ratio = renderer::estimate_irradiance(flat, dvec3(0), n) / exact;
-    CHECK(ratio >= 1 - 1e-9);
+    CHECK(ratio >= 1 - 1e-5);
     CHECK(ratio <= 1.6);
     const LightBounds point{at, at, {}, -1, radiance};
     CHECK(std::abs(renderer::estimate_irradiance(point, dvec3(0), n) /
                        (radiance * cos_in / (scale * scale)) -
-                   1) <= 1e-9);
+                   1) <= 1e-5);
   }
 }
 
