@@ -67,7 +67,7 @@ Discrete::Discrete(std::span<const double> weights) {
 }
 
 Discrete::Pick Discrete::sample(double u) const {
-  // 1. Find the first entry of cdf_ that is above u (not: at least u) by bisection.
+  // 1. Find the first entry of cdf_ that is above u (not: at least u) by bisection. u stays double.
   // 2. Where does u lie between the entry before it and this one? Keep the fraction below 1.
   carlo::not_implemented("Lab 5.4", "Generating Random Points");
 }

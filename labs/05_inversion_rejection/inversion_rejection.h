@@ -46,7 +46,8 @@ class Discrete {
   Discrete() = default;
   /// Any count >= 1 of finite weights >= 0, not all 0; throws carlo::Error otherwise. Where their
   /// sum is above the largest double it may throw as well, or give them the shares that they have.
-  /// 1e7 equal weights keep their probabilities to 1e-8 of their size; the last CDF entry is 1.
+  /// 1e7 equal weights keep their probabilities to 1e-8 of their size; the last CDF entry is 1. A
+  /// weight of 1e-9 of all is drawn once in 1e9 times, to 1e-5 of that: sums and u are double.
   explicit Discrete(std::span<const double> weights);
 
   /// What one u says: the number drawn, and where u lies in that number's share of [0, 1), as a

@@ -129,8 +129,9 @@ class ImageLamp {
     Vec3 wi;
     float pdf;  ///< that of the texel drawn: above 0, even where wi has rounded out of it
   };
-  /// By inversion, row first; never from a black texel.
-  Sample sample(Vec2 u) const;
+  /// By inversion, row first; never from a black texel. u is double: under a sun a texel of the sky
+  /// has 1e-9 of the power, and is drawn as often.
+  Sample sample(glm::dvec2 u) const;
   /// Density per solid angle, to 1e-5 of its value, but within 1e-6 of an edge between texels,
   /// where it may be either one's.
   float pdf(Vec3 wi) const;

@@ -43,7 +43,7 @@ using Brdf = std::function<Rgb(Vec3 wi)>;
 
 /// Lab 8.2. One estimate of the radiance that leaves `surface` towards surface.wo after a single
 /// reflection of light that comes straight from the world's lights (not from its environment). Area
-/// form: one light, all with equal chances, one point of it, one shadow ray.
+/// form: one light, by world.choose(), one point of it, one shadow ray.
 Rgb direct_by_area(const World& world, const Surface& surface, const Brdf& f, Rng& rng);
 
 /// Lab 8.2. The same integral in its hemisphere form: one cosine-weighted direction (lab 07), one
@@ -182,7 +182,8 @@ float light_pdf(const World& world, const Surface& from, const Surface& to);
 /// glass, and Russian roulette. A path has at most max_depth segments (1: emission only, 2: direct
 /// light); 0: as many as it takes, longest_path at most. Roulette: after its vertex a path survives
 /// with a probability that its throughput (the product of its weights so far) gives, above 0 as
-/// long as that is: min(1, 4 m), m its largest channel or its luminance, serves well.
+/// long as that is: min(1, 4 m), m its largest channel or its luminance, serves well, but at least
+/// 1/64: numbers are multiples of 2^-24, and one below 1e-9 is drawn 60 times too often.
 Rgb path_radiance(const World& world, const Ray& ray, int max_depth, Dimensions& dimensions);
 
 }  // namespace lab08

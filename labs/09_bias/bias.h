@@ -129,8 +129,8 @@ Emission emit_from_point(Vec3 p, Rgb intensity, Rng& rng);
 /// the same flux, the light's power. It starts beside the light, by leave() of given/lamps.h.
 Emission emit_from_light(const Light& light, Rng& rng);
 
-/// Lab 9.4. A photon of all lights together: one of them, with chances in proportion to the
-/// luminance() of their powers (given/lamps.h). The world has lights.
+/// Lab 9.4. A photon of all lights together: one of them, by world.choose(), which leaves none
+/// without photons, however weak it is beside the others. The world has lights.
 Emission emit_photon(const World& world, Rng& rng);
 
 /// Lab 9.4. Follows a photon until it leaves the world or is absorbed, and stores it at every Phong

@@ -205,8 +205,8 @@ float per_solid_angle(const lab05::Tabulated2d& table, Point p) {
 ImageLamp::ImageLamp(std::span<const double> luminances, std::size_t width, std::size_t height)
     : table_(powers(luminances, width, height), width, height) {}
 
-ImageLamp::Sample ImageLamp::sample(Vec2 u) const {
-  const Point p = table_.sample(static_cast<double>(u.y), static_cast<double>(u.x));
+ImageLamp::Sample ImageLamp::sample(glm::dvec2 u) const {
+  const Point p = table_.sample(u.y, u.x);
   const std::size_t row = lab05::bin_of(p.y, table_.rows());
   const auto [top, bottom] = heights_of(row, table_.rows());
   const double within = p.y * static_cast<double>(table_.rows()) - static_cast<double>(row);

@@ -30,7 +30,12 @@ const Diagnosis next_number{
     "neighbouring-number",
     "this belongs to the number next to it: number i has the share of [0, 1) "
     "from the CDF's entry before its own up to its own."};
-const Diagnosis float_cdf{"cdf-in-float", "millions of sums in float drift: add up in double."};
+const Diagnosis float_cdf{"cdf-in-float",
+                          "sums in float drift by the million, and lose weights that are small "
+                          "beside them: add up in double."};
+const Diagnosis float_u{"u-in-float",
+                        "u becomes a float: its steps of 6e-8 never find a share of 1e-9, and the "
+                        "fraction has few digits left. Keep it double."};
 const Diagnosis fraction_of_one{"fraction-reaches-one",
                                 "both differences of (u - C_(i-1))/(C_i - C_(i-1)) are rounded, "
                                 "and now and then they are equal "
@@ -60,7 +65,8 @@ const char* name_of(Weights kind) {
                              "300 rugged weights",
                              "131072 weights, every second 0",
                              "six equal weights and two zeros",
-                             "the weights 8e-17 1.168 0.183"};
+                             "the weights 8e-17 1.168 0.183",
+                             "the weights 3 1e-8 2 1e-5 5"};
   return names.at(static_cast<std::size_t>(kind));
 }
 
@@ -107,6 +113,38 @@ bool fractions_of_next_number(const std::vector<double>& u, const Rows& rows,
   return false;
 }
 
+/// Whether the numbers drawn are those of u as a float, and not all those of u.
+bool draws_by_float(const std::vector<double>& u, const Rows& rows,
+                    const std::vector<double>& cdf) {
+  bool differ = false;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    const auto v = static_cast<double>(std::min(static_cast<float>(u[i]), 0x1.fffffep-1f));
+    if (near_edge(v, cdf) || near_edge(u[i], cdf)) continue;
+    const double there = place_of(v, cdf).index;
+    if (rows.at(i, 0) != there) return false;
+    differ = differ || there != place_of(u[i], cdf).index;
+  }
+  return differ;
+}
+
+/// Whether the rare weights' probabilities are what rounding to float leaves of them, and those of
+/// the others are right.
+bool probabilities_by_float() {
+  const std::vector<double> weights = weights_of(Weights::rare);
+  const Rows rows = probe("Lab 5.4 probabilities", params_of(Weights::rare),
+                          {.rows = weights.size(), .finite = false, .of = name_of(Weights::rare)});
+  double all = 0;
+  for (const double weight : weights)
+    all += weight;
+  bool off = false, near = true;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const double error = std::abs(rows.at(i, 0) - weights[i] / all);
+    off = off || error > 1e-3 * weights[i] / all;
+    near = near && error < 2e-7;
+  }
+  return off && near;
+}
+
 /// What a wrong number is a sign of. `all_off`: all are one off; `zero`: it has weight 0.
 std::vector<Diagnosis> signs_of_pick(double u, double index, const std::vector<double>& cdf,
                                      bool all_off, bool zero) {
@@ -132,9 +170,15 @@ void judge_picks(Weights kind) {
     const bool zero = valid && weights[static_cast<std::size_t>(index)] == 0;
     const bool decided = exact_edges(kind) || !near_edge(u[i], cdf);
     if (!valid || zero || (decided && index != place.index)) {
+      std::vector<Diagnosis> signs = signs_of_pick(u[i], index, cdf, all_off, zero);
+      if (kind == Weights::rare && !all_off) {
+        if (probabilities_by_float())
+          signs = {float_cdf};
+        else if (draws_by_float(u, rows, cdf))
+          signs = {float_u};
+      }
       judge(holds(fmt::format("the number drawn from {} with u = {:.17g}", name, u[i]), false,
-                  fmt::format("{:g}", index), fmt::format("{:g}", place.index),
-                  signs_of_pick(u[i], index, cdf, all_off, zero)));
+                  fmt::format("{:g}", index), fmt::format("{:g}", place.index), signs));
       return;
     }
     below_one = below_one && fraction >= 0 && fraction < 1;
@@ -222,7 +266,8 @@ TEST_CASE("Lab 5.4: the number drawn is where u falls, and weight 0 is never dra
 }
 
 TEST_CASE("Lab 5.4: probabilities are the weights' shares", "[lab05][ex4]") {
-  for (const Weights kind : {Weights::eighths, Weights::gaps, Weights::rugged, Weights::tiny}) {
+  for (const Weights kind :
+       {Weights::eighths, Weights::gaps, Weights::rugged, Weights::tiny, Weights::rare}) {
     const std::vector<double> expected = probabilities(weights_of(kind));
     const Rows rows = probe("Lab 5.4 probabilities", params_of(kind),
                             {.rows = expected.size(), .finite = false, .of = name_of(kind)});
@@ -232,6 +277,8 @@ TEST_CASE("Lab 5.4: probabilities are the weights' shares", "[lab05][ex4]") {
     std::vector<Diagnosis> diagnoses;
     if (sums) diagnoses.push_back(cumulative);
     if (of_next_number(rows.values, expected)) diagnoses.push_back(next_number);
+    if (kind == Weights::rare && diagnoses.empty() && probabilities_by_float())
+      diagnoses.push_back(float_cdf);
     judge(all_equal(fmt::format("the probabilities of {}", name_of(kind)), rows.values, expected,
                     1e-14, diagnoses));
   }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 // What the probes of lab 05 feed the exercises with, and the checks compare against.
@@ -37,7 +38,8 @@ enum class Weights {
   comb = 5,     ///< 2^17 bins, every second 0
   sixths = 6,   ///< six equal weights, whose shares add up to less than 1 in double, and two zeros
   speck = 7,    ///< a tiny weight first: (u - C_(i-1))/(C_i - C_(i-1)) rounds to 1 just below C_i
-  count = 8
+  rare = 8,     ///< 1e-9 and 1e-6 of all, between large ones
+  count = 9
 };
 
 inline std::vector<double> weights_of(Weights kind) {
@@ -54,6 +56,8 @@ inline std::vector<double> weights_of(Weights kind) {
       return {1, 1, 1, 1, 1, 1, 0, 0};
     case Weights::speck:
       return {0x1.59d47572ecfc6p-54, 0x1.2afc230d15f83p+0, 0x1.76c2932eb8218p-3};
+    case Weights::rare:
+      return {3, 1e-8, 2, 1e-5, 5};
     case Weights::comb: {
       std::vector<double> weights(std::size_t{1} << 17);
       for (std::size_t i = 1; i < weights.size(); i += 2)
@@ -85,12 +89,28 @@ inline std::vector<double> exact_cdf(const std::vector<double>& weights) {
   return cdf;
 }
 
-/// Numbers to draw with: hard_numbers(), every edge of the CDF and the last double before it.
+/// Numbers within the shares that are rare, but wider than rounding: a number with 24 bits does not
+/// find the way into them.
+inline std::vector<double> within_rare(const std::vector<double>& cdf) {
+  std::vector<double> u;
+  for (std::size_t i = 0; i < cdf.size(); ++i) {
+    const double before = i == 0 ? 0 : cdf[i - 1], width = cdf[i] - before;
+    if (!(width > 1e-10 && width < 2e-6)) continue;
+    for (const double fraction : {0.05, 0.25, 0.5, 0.75, 0.95})
+      u.push_back(before + fraction * width);
+  }
+  return u;
+}
+
+/// Numbers to draw with: hard_numbers(), every edge of the CDF and the last double before it, and
+/// some within rare shares.
 inline std::vector<double> numbers_for(const std::vector<double>& weights) {
   std::vector<double> u = hard_numbers();
   for (const double edge : exact_cdf(weights)) {
     if (edge > 0 && edge < 1) u.insert(u.end(), {std::nextafter(edge, 0.0), edge});
   }
+  const std::vector<double> rare = within_rare(exact_cdf(weights));
+  u.insert(u.end(), rare.begin(), rare.end());
   std::sort(u.begin(), u.end());
   u.erase(std::unique(u.begin(), u.end()), u.end());
   return u;
@@ -119,6 +139,38 @@ inline Grid smooth_grid() {
     }
   }
   return grid;
+}
+
+/// A sky with a sun: rows without it have less than 1e-8 of all, texels beside it 1e-9 of their
+/// row.
+inline Grid sun_grid() {
+  return {4, 3, {1, 2, 1, 3, 1, 1, 1e9, 1, 2, 1, 1, 2}};
+}
+
+enum class GridKind { small = 0, smooth = 1, sun = 2, count = 3 };
+
+inline Grid grid_of(GridKind kind) {
+  return kind == GridKind::smooth ? smooth_grid()
+         : kind == GridKind::sun  ? sun_grid()
+                                  : small_grid();
+}
+
+/// Numbers for rows and for columns: hard_numbers() and some within what is rare.
+inline std::vector<double> numbers_for(const Grid& grid) {
+  std::vector<double> u = hard_numbers(), sums(grid.height);
+  const auto add = [&](const std::vector<double>& weights) {
+    const std::vector<double> rare = within_rare(exact_cdf(weights));
+    u.insert(u.end(), rare.begin(), rare.end());
+  };
+  for (std::size_t j = 0; j < grid.height; ++j) {
+    std::vector<double> row;
+    for (std::size_t i = 0; i < grid.width; ++i)
+      row.push_back(grid.at(i, j));
+    sums[j] = std::accumulate(row.begin(), row.end(), 0.0);
+    if (sums[j] > 0) add(row);
+  }
+  add(sums);
+  return u;
 }
 
 /// Functions that Lab 5.7 draws from. Each stays below its bound, also on [0, b - a).

@@ -50,7 +50,7 @@ std::vector<double> weights(const Params& params) {
 }
 
 Grid grid(const Params& params) {
-  return params.whole("smooth") == 1 ? smooth_grid() : small_grid();
+  return grid_of(static_cast<GridKind>(params.whole("grid")));
 }
 
 lab05::Tabulated2d table_of(const Grid& grid) {
@@ -202,12 +202,14 @@ PROBE("Lab 5.5 many bins", "x", "density at x",
 }
 
 PROBE("Lab 5.6 inverse", "x", "y", "density there",
-      "(for all pairs of u_row and u_column, from 0 to the last double below 1; u_column runs "
-      "faster)") {
-  const lab05::Tabulated2d table = table_of(grid(params));
+      "(for all pairs of u_row and u_column, from 0 to the last double below 1, then some within "
+      "rare shares; u_column runs faster)") {
+  const Grid g = grid(params);
+  const lab05::Tabulated2d table = table_of(g);
+  const std::vector<double> u = numbers_for(g);
   RowWriter rows;
-  for (const double u_row : hard_numbers()) {
-    for (const double u_column : hard_numbers()) {
+  for (const double u_row : u) {
+    for (const double u_column : u) {
       const lab05::Point p = table.sample(u_row, u_column);
       rows.add({p.x, p.y, table.pdf(p)});
     }

@@ -40,17 +40,21 @@ const Diagnosis heights_in_float{
 const Diagnosis fixed_place{
     "one-place-a-texel",
     "all directions of a texel are the same: where within it they lie has to be drawn as well."};
+const Diagnosis float_u{"u-in-float",
+                        "u becomes a float: its steps of 6e-8 never find a texel that has 1e-9 of "
+                        "the power. Keep it double."};
 const Diagnosis numbers_reused{
     "reused-number", "row and column come from one random number: only some texels ever occur."};
 
 const char* name_of(Sky sky) {
-  constexpr std::array<const char*, 7> names = {"one texel",
+  constexpr std::array<const char*, 8> names = {"one texel",
                                                 "12 x 6 texels with black ones",
                                                 "a sky over black ground",
                                                 "a sun in the first row",
                                                 "a sun in row 14 of 32",
                                                 "a sun in the last row",
-                                                "8 x 4000 texels, the first row alone bright"};
+                                                "8 x 4000 texels, the first row alone bright",
+                                                "a sky with a sun of 1e9 times its radiance"};
   return names[static_cast<std::size_t>(sky)];
 }
 
@@ -362,6 +366,28 @@ TEST_CASE("Lab 7.8: a sun of one texel is hit by every u, wherever it stands", "
               {.rows = edge_numbers().size(), .columns = 5, .finite = false, .of = name_of(sky)}));
     if (sky != Sky::spotted) judge_samples(sky, drawn_from(sky, 1000));
   }
+}
+
+// Where the sun is hidden, the sky is all the light.
+TEST_CASE("Lab 7.8: texels that a sun leaves 1e-9 of the power are drawn as often",
+          "[lab07][ex8]") {
+  const SkyImage image = sky_image(Sky::glare);
+  const std::vector<TexelNumber> numbers = numbers_of_texels(image);
+  const Rows rows =
+      probe("Lab 7.8 rare texels", of(Sky::glare),
+            {.rows = numbers.size(), .columns = 5, .finite = false, .of = name_of(Sky::glare)});
+  std::size_t wrong = 0, small = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const std::size_t texel =
+        texel_place(image, stands_at({rows.at(i, 0), rows.at(i, 1), rows.at(i, 2)})).index;
+    if (texel == numbers[i].texel && agree(rows.at(i, 3), density_of(image, texel), 1e-5)) continue;
+    ++wrong;
+    // A float near 0 has its digits, and near 1 it has not.
+    small += numbers[i].u.x < 0.9 && numbers[i].u.y < 0.9 ? 1 : 0;
+  }
+  judge(holds(fmt::format("the texels of {} that u is in the middle of", name_of(Sky::glare)),
+              wrong == 0, fmt::format("{} of {} wrong", wrong, numbers.size()), "all right",
+              small == 0 ? std::vector{float_u} : std::vector<Diagnosis>{}));
 }
 
 // E = pi / 2 (1 + cos(tilt)); what one direction contributes has its variance by quadrature.

@@ -18,7 +18,7 @@ SkyImage image_asked(const Params& params) {
   return sky_image(static_cast<Sky>(params.whole("sky")));
 }
 
-void add_drawn(RowWriter& rows, const lab07::ImageLamp& lamp, Vec2 u) {
+void add_drawn(RowWriter& rows, const lab07::ImageLamp& lamp, glm::dvec2 u) {
   const auto [wi, pdf] = lamp.sample(u);
   rows.add({wi.x, wi.y, wi.z, pdf, lamp.pdf(wi)});
 }
@@ -66,6 +66,16 @@ PROBE("Lab 7.8 directions", "x", "y", "z", "pdf of the sample", "pdf of wi") {
     const float y = rng.uniform_float();
     add_drawn(rows, lamp, {x, y});
   }
+  return rows.take();
+}
+
+PROBE("Lab 7.8 rare texels", "x", "y", "z", "pdf of the sample", "pdf of wi",
+      "(for u in the middle of what belongs to a texel)") {
+  const SkyImage image = image_asked(params);
+  const lab07::ImageLamp lamp = lamp_of(image);
+  RowWriter rows;
+  for (const TexelNumber& number : numbers_of_texels(image))
+    add_drawn(rows, lamp, number.u);
   return rows.take();
 }
 

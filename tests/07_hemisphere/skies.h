@@ -19,7 +19,8 @@ enum class Sky {
   sun_top = 3,    ///< one texel alone, in the first row, beside the seam,
   sun_middle = 4,
   sun_bottom = 5,  ///< in the last row, at the other side of the seam
-  cap = 6          ///< the first of 4000 rows
+  cap = 6,         ///< the first of 4000 rows
+  glare = 7        ///< 1 all over, and a sun of 1e9 in one texel
 };
 
 struct SkyImage {
@@ -72,6 +73,11 @@ inline SkyImage sky_image(Sky sky) {
       return lone_sun(41, 13);
     case Sky::sun_bottom:
       return lone_sun(63, 31);
+    case Sky::glare: {
+      std::vector<double> texels(32, 1);
+      texels[18] = 1e9;
+      return {8, 4, texels};
+    }
     case Sky::cap: {
       constexpr std::size_t width = 8, height = 4000;
       std::vector<double> texels(width * height);
@@ -80,6 +86,37 @@ inline SkyImage sky_image(Sky sky) {
     }
   }
   return {1, 1, {2.5}};
+}
+
+/// Where u finds a texel of an image.
+struct TexelNumber {
+  glm::dvec2 u;
+  std::size_t texel;
+};
+
+/// Numbers well within the shares of rows, and of columns in the brightest row.
+inline std::vector<TexelNumber> numbers_of_texels(const SkyImage& image) {
+  std::vector<TexelNumber> numbers;
+  const auto sun = static_cast<std::size_t>(
+      std::max_element(image.luminance.begin(), image.luminance.end()) - image.luminance.begin());
+  double before_row = 0, row_sum = 0;
+  for (std::size_t j = 0; j < image.height; ++j) {
+    const auto texel = [&](std::size_t i) { return j * image.width + i; };
+    double luminance = 0;
+    for (std::size_t i = 0; i < image.width; ++i)
+      luminance += image.luminance[texel(i)];
+    row_sum = luminance * image.solid_angle(j) / image.power;
+    const double middle = before_row + row_sum / 2;
+    double before = 0;
+    for (std::size_t i = 0; i < image.width; ++i) {
+      const double width = image.luminance[texel(i)] / luminance;
+      if (j == sun / image.width || i % 3 == 0)
+        numbers.push_back({{before + width / 2, middle}, texel(i)});
+      before += width;
+    }
+    before_row += row_sum;
+  }
+  return numbers;
 }
 
 /// A point of the image, in [0, 1]^2.

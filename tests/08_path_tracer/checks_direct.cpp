@@ -44,11 +44,16 @@ const Diagnosis in_its_own_way{
     "whether that seems nearer than the light's point. world.sees() leaves room for it."};
 const Diagnosis not_weighted{"light-choice-not-weighted",
                              "one of several lights was picked: divide by the probability of it, "
-                             "one over their number."};
+                             "its chance()."};
 const Diagnosis always_the_same{"always-the-same-light",
                                 "it is always the same light: with the first random number each of "
                                 "them is chosen equally often."};
-const Diagnosis uneven{"lights-not-equally-likely", "the lights do not have equal chances."};
+const Diagnosis other_chances{"lights-by-other-chances",
+                              "lights are chosen by other chances than world.choose() does."};
+const Diagnosis weak_unasked{
+    "weak-lamp-never-asked",
+    "a near lamp is never asked beside a far sun: by power alone its chance is one in 2e9, and the "
+    "error bar knows nothing of it. world.choose() leaves every light a chance."};
 const Diagnosis all_lights{"all-lights-asked",
                            "one estimate brings light of both lamps: choose one, and trace one "
                            "shadow ray."};
@@ -205,6 +210,20 @@ bool a_lone_lamp_is_dark() {
   return std::all_of(red.begin(), red.end(), [](double x) { return x == 0; });
 }
 
+bool a_lone_lamp_is_right() {
+  return Sample(column(estimates(Lamp::rectangle, 0), 0)).fits(by_area(Lamp::rectangle).mean);
+}
+
+/// Whether the lamp is never asked beside the sun.
+bool misses_the_weak() {
+  const Rows rows = estimates(Lamp::weak, 0);
+  const auto dark = [&](std::size_t channel) {
+    const std::vector<double> values = column(rows, channel);
+    return std::all_of(values.begin(), values.end(), [](double x) { return x == 0; });
+  };
+  return dark(1) && !dark(2);
+}
+
 }  // namespace
 
 TEST_CASE("Lab 8.2: direct light by area", "[lab08][ex2]") {
@@ -228,9 +247,12 @@ TEST_CASE("Lab 8.2: direct light by area", "[lab08][ex2]") {
 TEST_CASE("Lab 8.2: one of several lights by area", "[lab08][ex2]") {
   // Three lights, one of which is the floor itself, in blue: no point of it lights the floor. The
   // others are halves of the square, red of radiance 1 and green of radiance 3: values of
-  // `rectangle` times 3/2 and their radiance.
+  // `rectangle` times half of their radiance, over their chance.
   const Moments square = by_area(Lamp::rectangle);
-  const Moments m{2 * square.mean, 7.5 * square.square};
+  const std::vector<double> chances =
+      light_chances({1e4 * 0.0722 * static_cast<double>(floor_glow), 0.5 * 0.2126, 1.5 * 0.7152});
+  const double c_red = chances[1], c_green = chances[2];
+  const Moments m{2 * square.mean, square.square * (0.25 / c_red + 2.25 / c_green)};
   const Rows rows = estimates(Lamp::two, 0);
   double red = 0, green = 0, both = 0, blue = 0;
   std::vector<double> sums;
@@ -248,16 +270,33 @@ TEST_CASE("Lab 8.2: one of several lights by area", "[lab08][ex2]") {
               fmt::format("{:g} of {}", both, rows.count()), "none", {all_lights}));
   Verdict verdict = mean_is("light by area from two lamps", sums, m.theory());
   if (!verdict.passed && both == 0) {
-    // Each lamp's share is 1/3 ± .0015.
+    // Each lamp's share is 1/6 ± .0012.
     const auto n = static_cast<double>(rows.count());
-    if (red == 0 || green == 0) {
+    const auto chosen = [&](double power) {
+      return square.mean * (0.5 * std::pow(c_red, power) + 1.5 * std::pow(c_green, power));
+    };
+    if (misses_the_weak()) {
+      verdict.diagnoses = {weak_unasked};
+    } else if (red == 0 || green == 0) {
       verdict.diagnoses = {a_lone_lamp_is_dark() ? always_dark : always_the_same};
-    } else if (std::abs(red / n - 1 / 3.0) > 0.01 || std::abs(green / n - 1 / 3.0) > 0.01) {
-      verdict.diagnoses = {uneven};
-    } else if (Sample(sums).fits(m.mean / 3) || Sample(sums).fits(m.mean / 9)) {
+    } else if (std::abs(red / n - c_red) > 0.01 || std::abs(green / n - c_green) > 0.01) {
+      verdict.diagnoses = {other_chances};
+    } else if (a_lone_lamp_is_right() &&
+               (Sample(sums).fits(chosen(1)) || Sample(sums).fits(chosen(2)))) {
       verdict.diagnoses = {not_weighted};
     }
   }
+  judge(verdict);
+}
+
+TEST_CASE("Lab 8.2: a weak lamp beside a far, strong sun", "[lab08][ex2]") {
+  // rho/pi (3 + 3) = .95493 with rho = 1/2; without the lamp half of it, 100 standard errors less.
+  // By power the lamp has next to no chance, so that what it has is half of an even one.
+  const Moments lamp = ball_by_area(near_lamp), sun = ball_by_area(far_sun);
+  const Moments m{lamp.mean + sun.mean, lamp.square / 0.25 + sun.square / 0.75};
+  Verdict verdict = mean_is("light by area from a lamp and a sun",
+                            column(estimates(Lamp::weak, 0), 0), m.theory());
+  if (!verdict.passed && misses_the_weak()) verdict.diagnoses = {weak_unasked};
   judge(verdict);
 }
 

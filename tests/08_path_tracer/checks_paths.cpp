@@ -139,6 +139,14 @@ TEST_CASE("Lab 8.8: a lamp, a glossy ball, glass", "[lab08][ex8]") {
       column(trace_all(with(with_glass, {{"r", 0.5}, {"g", 0.5}, {"b", 0.5}}), 0), 0), {2, 2}));
 }
 
+TEST_CASE("Lab 8.8: a weak lamp beside a far, strong sun", "[lab08][ex8]") {
+  // rho/pi (3 + 3) with rho = 1/2. The sd is a bound, a quarter more than that of light by area
+  // alone: directions seldom meet what a light's point does not, and weigh little there.
+  const std::vector<double> seen =
+      column(trace_all(with(on_floor, {{"lamp", static_cast<double>(Lamp::weak)}}), 0), 0);
+  judge_paths(mean_is("light from a lamp and a sun", seen, {3 / pi, 6 / pi}));
+}
+
 TEST_CASE("Lab 8.8: a lamp in a mirror and behind glass, seen by a rough surface", "[lab08][ex8]") {
   // A path brings the lamp's radiance 1 or nothing, and more than 1 where roulette might have ended
   // it: the sd is a bound, twice that of a path that it spares. Less than 1 is a weight: the one

@@ -18,7 +18,7 @@ const Diagnosis squares_overflow{
     "p^2 and q^2 overflow, or vanish, where p and q are large or small: "
     "square their ratio."};
 const Diagnosis light_choice{"light-choice-not-in-pdf",
-                             "one of several lights is chosen: the density is divided among them."};
+                             "one of several lights is chosen: the density holds its chance()."};
 const Diagnosis no_cosine{"cosine-missing-in-light-pdf",
                           "distance^2/(cos area): the cosine at the light is missing."};
 const Diagnosis no_distance_in_pdf{"distance-missing-in-light-pdf",
@@ -74,7 +74,7 @@ TEST_CASE("Lab 8.8: the density of light points", "[lab08][ex8]") {
     double wrong = 0, lit = 0;
     // What each mistake makes of the density, and how many values are that.
     struct Other {
-      std::function<double(double d2, double cosine, double area, double lights)> factor;
+      std::function<double(double d2, double cosine, double area, double chance)> factor;
       Diagnosis diagnosis;
       double fits = 0;
     };
@@ -84,12 +84,13 @@ TEST_CASE("Lab 8.8: the density of light points", "[lab08][ex8]") {
         {[](double d2, double cosine, double, double) { return cosine / d2; }, per_area},
         {[](double d2, double cosine, double, double) { return cosine * cosine / d2 / d2; },
          turned_over},
-        {[](double d2, double cosine, double area, double n) {
-           return std::pow(cosine * area * n / d2, 2);
+        {[](double d2, double cosine, double area, double chance) {
+           return std::pow(cosine * area / (d2 * chance), 2);
          },
          turned_over}};
     if (lamp == Lamp::two) {
-      others.push_back({[](double, double, double, double n) { return n; }, light_choice});
+      others.push_back(
+          {[](double, double, double, double chance) { return 1 / chance; }, light_choice});
     }
     if (lamp != Lamp::rectangle) {
       others.push_back({[](double, double, double area, double) { return area; }, no_area_in_pdf});
@@ -98,7 +99,7 @@ TEST_CASE("Lab 8.8: the density of light points", "[lab08][ex8]") {
     }
     for (std::size_t i = 0; i < rows.count(); ++i) {
       const double d2 = rows.at(i, 1), cosine = rows.at(i, 2), area = rows.at(i, 3);
-      const double exact = area == 0 ? 0 : d2 / (cosine * area * rows.at(i, 4));
+      const double exact = area == 0 ? 0 : d2 * rows.at(i, 4) / (cosine * area);
       const auto is = [&](double value) {
         return std::abs(rows.at(i, 0) - value) <= 1e-4 * std::abs(value) ? 1 : 0;
       };
@@ -116,6 +117,6 @@ TEST_CASE("Lab 8.8: the density of light points", "[lab08][ex8]") {
                                              : lamp == Lamp::sphere ? "a ball"
                                                                     : "a square lamp"),
                 wrong == 0 && lit > 0, fmt::format("{:g} of {} differ", wrong, rows.count()),
-                "distance^2/(cos area lights); 0 for what does not emit", diagnoses));
+                "distance^2 chance/(cos area); 0 for what does not emit", diagnoses));
   }
 }

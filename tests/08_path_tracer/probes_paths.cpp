@@ -189,8 +189,9 @@ PROBE("Lab 8.8 heuristic", "weight") {
 }
 
 // The density at the floor's origin of the points that rays in a few directions meet; and the same
-// from the geometry alone: distance^2, cosine at what was met, its area if it is a light.
-PROBE("Lab 8.8 light pdf", "light_pdf", "distance^2", "cosine there", "area of the light", "lights",
+// from the geometry alone: distance^2, cosine at what was met, its area if it is a light, and with
+// which chance that is chosen.
+PROBE("Lab 8.8 light pdf", "light_pdf", "distance^2", "cosine there", "area of the light", "chance",
       "(a row a ray from the floor; area 0: it meets no light)") {
   const lab08::World world(lamp_scene(static_cast<Lamp>(params.whole("lamp"))));
   const auto from = world.intersect({Vec3(0.3f, 0, 0.9f), glm::normalize(Vec3(-0.3f, 0, -0.9f))});
@@ -208,7 +209,7 @@ PROBE("Lab 8.8 light pdf", "light_pdf", "distance^2", "cosine there", "area of t
     const bool emits = light != nullptr && to->front;
     rows.add({number(lab08::light_pdf(world, *from, *to)), number(glm::dot(way, way)),
               number(glm::dot(to->n, to->wo)), emits ? number(light->area()) : 0,
-              static_cast<double>(world.lights().size())});
+              light != nullptr ? number(light->chance()) : 1});
   }
   return rows.take();
 }

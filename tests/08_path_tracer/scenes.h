@@ -30,7 +30,8 @@ enum class Lamp {
   covered = 5,    ///< `rectangle`, half of it behind a black screen
   behind = 6,     ///< `rectangle`, facing up, over a floor that emits, under a sky
   none = 7,       ///< no light but a sky
-  count = 8
+  weak = 8,       ///< `near_lamp` and, with 2e9 times its power, `far_sun`: 3 of irradiance each
+  count = 9
 };
 
 inline const char* name_of(Lamp lamp) {
@@ -41,9 +42,19 @@ inline const char* name_of(Lamp lamp) {
                                    "two lamps",
                                    "a lamp half hidden",
                                    "a lamp that faces away, and a sky",
-                                   "a sky"};
+                                   "a sky",
+                                   "a weak lamp and a far sun"};
   return names[static_cast<int>(lamp)];
 }
+
+/// Balls of light whose irradiance is pi radiance (radius/distance)^2 times the cosine, 3 for both.
+/// The sun is overhead, and the lamp not in its way.
+struct LitBall {
+  carlo::Sphere ball;
+  float radiance;
+};
+inline const LitBall near_lamp{{{0.6f, 0, 0.8f}, 0.1f}, 3 / (3.14159265f * 0.008f)};
+inline const LitBall far_sun{{{0, 0, 1e5f}, 1e3f}, 3 / (3.14159265f * 1e-4f)};
 
 /// What floors emit that glow, and the skies: no estimate of direct light has any of it.
 constexpr float floor_glow = 16, sky_glow = 3;
@@ -116,6 +127,11 @@ inline carlo::Scene lamp_scene(Lamp lamp) {
       break;
     case Lamp::none:
       scene.lights.environment = Rgb(sky_glow);
+      break;
+    case Lamp::weak:
+      // Green comes from the lamp alone, blue from the sun.
+      emit(near_lamp.ball, near_lamp.radiance * Rgb(1, 1, 0));
+      emit(far_sun.ball, far_sun.radiance * Rgb(1, 0, 1));
       break;
     case Lamp::count:
       break;

@@ -129,6 +129,36 @@ inline Moments by_area(Lamp lamp, Slip slip = Slip::none) {
   return m;
 }
 
+/// The same of a ball of light that lies above the horizon and casts no shadow.
+inline Moments ball_by_area(const LitBall& light) {
+  Moments m;
+  const auto radius = static_cast<double>(light.ball.radius);
+  const auto radiance = static_cast<double>(light.radiance);
+  over_turns(600, [&](double u, double cosine, double sine, double weight) {
+    const double z = 1 - 2 * u, r = std::sqrt(1 - z * z);
+    const Double3 n(r * cosine, r * sine, z), p = Double3(light.ball.center) + radius * n;
+    const double d = glm::length(p), cos_light = -glm::dot(n, p) / d;
+    if (!(cos_light > 0)) return;
+    const double area = 4 * pi * radius * radius;
+    const double value = radiance * area_term(Slip::none, p.z / d, cos_light, d, area);
+    m.mean += value * weight;
+    m.square += value * value * weight;
+    m.lit += weight;
+  });
+  return m;
+}
+
+/// World::choose()'s chances, for lights that are no meshes.
+inline std::vector<double> light_chances(const std::vector<double>& powers) {
+  double all = 0;
+  for (const double power : powers)
+    all += power;
+  std::vector<double> chances;
+  for (const double power : powers)
+    chances.push_back((power / all + 1 / static_cast<double>(powers.size())) / 2);
+  return chances;
+}
+
 /// The part of cosine-weighted directions that meets the lamp of mirrored_lamp(): it stands behind
 /// the mirror as far as in front of it.
 inline double mirrored_share() {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,98 +20,120 @@ const Diagnosis not_divided{"chance-not-divided",
                             "the lamp was chosen with a chance: the flux is to be divided by it."};
 const Diagnosis multiplied{"chance-multiplied", "divide by the lamp's chance, do not multiply."};
 const Diagnosis evenly{"lamps-chosen-evenly",
-                       "all lamps have the same chance: they should have it in proportion to the "
-                       "luminance of their powers."};
+                       "all lamps have the same chance: half of the time world.choose() goes by "
+                       "their powers."};
 const Diagnosis never_chosen{"lamp-never-chosen", "a lamp is never chosen."};
-const Diagnosis by_radiance{"lamps-chosen-by-radiance",
-                            "lamps are chosen by their radiance: a large one has more power than "
-                            "a small one."};
-const Diagnosis by_mean{"lamps-chosen-by-channel-mean",
-                        "lamps are chosen by the mean of the channels, not by luminance()."};
+const Diagnosis by_power{"lamps-chosen-by-power-alone",
+                         "lamps are chosen by their powers alone, and a weak one beside a strong "
+                         "one has no photons: world.choose() leaves every lamp a chance."};
 
-}  // namespace
+using Lamps = std::span<const ColouredLamp>;
 
-namespace {
+PhotonVec power_of(const ColouredLamp& lamp) {
+  const auto side = static_cast<double>(lamp.side);
+  return std::numbers::pi * side * side * PhotonVec(lamp.radiance);
+}
 
-using Shares = std::array<double, 3>;
-
-/// What decides how often each lamp is chosen.
-Shares shares_by(double (*weight)(double area, PhotonVec radiance)) {
-  Shares shares{};
+/// What each lamp's power is of all, by luminance.
+std::vector<double> shares_by_power(Lamps lamps) {
+  std::vector<double> shares;
   double all = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto side = static_cast<double>(coloured_lamps[i].side);
-    shares[i] = weight(side * side, PhotonVec(coloured_lamps[i].radiance));
-    all += shares[i];
+  for (const ColouredLamp& lamp : lamps) {
+    shares.push_back(glm::dot(power_of(lamp), PhotonVec(0.2126, 0.7152, 0.0722)));
+    all += shares.back();
   }
   for (double& share : shares)
     share /= all;
   return shares;
 }
 
-double luminance_of(PhotonVec c) {
-  return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
+/// World::choose()'s chances.
+std::vector<double> chances_of(Lamps lamps) {
+  std::vector<double> chances = shares_by_power(lamps);
+  for (double& chance : chances)
+    chance = (chance + 1 / static_cast<double>(lamps.size())) / 2;
+  return chances;
 }
 
 /// Whether these shares are nearer to `expected` than chance would bring others.
-bool look_like(const Shares& measured, const Shares& expected) {
+bool look_like(const std::vector<double>& measured, const std::vector<double>& expected) {
   double most = 0;
-  for (std::size_t i = 0; i < 3; ++i)
+  for (std::size_t i = 0; i < measured.size(); ++i)
     most = std::max(most, std::abs(measured[i] - expected[i]));
   return most < 0.03;
 }
 
-PhotonVec power_of(std::size_t lamp) {
-  const auto side = static_cast<double>(coloured_lamps[lamp].side);
-  return std::numbers::pi * side * side * PhotonVec(coloured_lamps[lamp].radiance);
-}
+/// Which lamp each of many photons has left, and what flux they carry.
+struct Emitted {
+  static constexpr std::size_t photons = 20'000;
+  std::vector<double> shares;
+  std::vector<std::vector<PhotonVec>> flux;
 
-/// `flux`: of a photon of the second lamp.
-std::vector<Diagnosis> of_shares(const Shares& measured, PhotonVec flux) {
+  Emitted(Lamps lamps, bool weak) : shares(lamps.size()), flux(lamps.size()) {
+    const Rows rows = probe("Lab 9.4 lamps", {.n = photons, .numbers = {{"weak", weak ? 1 : 0}}},
+                            {.rows = photons, .columns = 4});
+    for (std::size_t i = 0; i < photons; ++i) {
+      const double lamp =
+          std::clamp(rows.at(i, 0) / lamp_step, 0.0, static_cast<double>(lamps.size() - 1));
+      const auto index = static_cast<std::size_t>(lamp);
+      shares[index] += 1.0 / photons;
+      flux[index].push_back(vec(rows, i, 1));
+    }
+  }
+};
+
+std::vector<Diagnosis> of_shares(const std::vector<double>& measured) {
   if (std::find(measured.begin(), measured.end(), 0) != measured.end()) return {never_chosen};
   if (look_like(measured, {1 / 3.0, 1 / 3.0, 1 / 3.0})) return {evenly};
-  const Shares radiance = shares_by([](double, PhotonVec c) { return luminance_of(c); });
-  // Or is it that power knows nothing of the area?
-  const bool power_is_right = off(flux * radiance[1], power_of(1)) < 0.01;
-  if (look_like(measured, radiance) && power_is_right) return {by_radiance};
-  if (look_like(measured,
-                shares_by([](double area, PhotonVec c) { return area * (c.r + c.g + c.b); })))
-    return {by_mean};
+  if (look_like(measured, shares_by_power(coloured_lamps))) return {by_power};
   return {};
+}
+
+/// Returns whether lamps are chosen as they should.
+bool judge_shares(const std::string& what, const Emitted& emitted,
+                  const std::vector<double>& chances, const std::vector<Diagnosis>& diagnoses) {
+  double statistic = 0;
+  for (std::size_t i = 0; i < chances.size(); ++i) {
+    const double difference = emitted.shares[i] - chances[i];
+    statistic += difference * difference / chances[i] * Emitted::photons;
+  }
+  const auto freedom = static_cast<double>(chances.size() - 1);
+  Verdict verdict = chi_square_fits(what, statistic, freedom);
+  verdict.effect = effect_on_cells(statistic, freedom, Emitted::photons);
+  if (!verdict.passed) verdict.diagnoses = diagnoses;
+  const bool passed = verdict.passed;
+  judge(verdict);
+  return passed;
+}
+
+void judge_fluxes(const std::string& of, Lamps lamps, const Emitted& emitted) {
+  const std::vector<double> chances = chances_of(lamps);
+  for (std::size_t i = 0; i < lamps.size(); ++i) {
+    const PhotonVec power = power_of(lamps[i]);
+    judge_flux(fmt::format("the flux of a photon of lamp {} of {}", i + 1, of), emitted.flux[i],
+               power / chances[i], {{power, not_divided}, {power * chances[i], multiplied}});
+  }
 }
 
 }  // namespace
 
-TEST_CASE("Lab 9.4: lamps by the luminance of their powers", "[lab09][ex4]") {
-  constexpr std::size_t photons = 20'000;
-  const Rows rows = probe("Lab 9.4 lamps", {.n = photons}, {.rows = photons, .columns = 4});
-  const Shares chances = shares_by([](double area, PhotonVec c) { return area * luminance_of(c); });
-  Shares counts{};
-  std::array<std::vector<PhotonVec>, 3> flux;
-  for (std::size_t i = 0; i < photons; ++i) {
-    const double lamp = std::clamp(rows.at(i, 0) / lamp_step, 0.0, 2.0);
-    const auto index = static_cast<std::size_t>(lamp);
-    counts[index] += 1;
-    flux[index].push_back(vec(rows, i, 1));
-  }
-  double statistic = 0;
-  Shares measured{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double expected = chances[i] * photons;
-    statistic += (counts[i] - expected) * (counts[i] - expected) / expected;
-    measured[i] = counts[i] / photons;
-  }
-  Verdict verdict = chi_square_fits("how often each of three lamps is chosen", statistic, 2);
-  verdict.effect = effect_on_cells(statistic, 2, photons);
-  if (!verdict.passed)
-    verdict.diagnoses = of_shares(measured, flux[1].empty() ? PhotonVec(0) : flux[1].front());
-  const bool chosen_well = verdict.passed;
-  judge(verdict);
-  for (std::size_t i = 0; chosen_well && i < 3; ++i) {
-    judge_flux(fmt::format("the flux of a photon of lamp {} of three", i + 1), flux[i],
-               power_of(i) / chances[i],
-               {{power_of(i), not_divided}, {power_of(i) * chances[i], multiplied}});
-  }
+// 20 000 photons tell chances that are off by a fiftieth with power .999.
+TEST_CASE("Lab 9.4: lamps half by their powers, half evenly", "[lab09][ex4]") {
+  const Emitted emitted(coloured_lamps, false);
+  if (judge_shares("how often each of three lamps is chosen", emitted, chances_of(coloured_lamps),
+                   of_shares(emitted.shares)))
+    judge_fluxes("three", coloured_lamps, emitted);
+}
+
+// Without its photons the weak lamp's surroundings are dark, whatever the error bar says.
+TEST_CASE("Lab 9.4: a weak lamp beside a strong one has its photons", "[lab09][ex4]") {
+  const Emitted emitted(weak_and_strong, true);
+  std::vector<Diagnosis> diagnoses;
+  if (!look_like(emitted.shares, chances_of(weak_and_strong)))
+    diagnoses = of_shares(Emitted(coloured_lamps, false).shares);
+  if (judge_shares("how often a weak lamp and a strong one are chosen", emitted,
+                   chances_of(weak_and_strong), diagnoses))
+    judge_fluxes("two", weak_and_strong, emitted);
 }
 
 namespace {

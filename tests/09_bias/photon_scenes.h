@@ -4,6 +4,7 @@
 #include "scene/scene.h"
 
 #include <cmath>
+#include <span>
 
 // The worlds into which lab 09's probes send photons, and what the checks know of them.
 
@@ -45,17 +46,20 @@ inline constexpr ColouredLamp coloured_lamps[] = {
     {1, {4, 0, 0}}, {2, {0, 0.5f, 0}}, {0.5f, {0, 0, 16}}};
 inline constexpr double lamp_step = 10;
 
-inline carlo::Scene three_lamps() {
+inline carlo::Scene row_of(std::span<const ColouredLamp> lamps) {
   carlo::Scene scene;
   const std::uint32_t black = add_phong(scene, Rgb(0));
   float x = 0;
-  for (const ColouredLamp& lamp : coloured_lamps) {
+  for (const ColouredLamp& lamp : lamps) {
     scene.shapes.push_back({carlo::Parallelogram{{x, 0, 0}, {lamp.side, 0, 0}, {0, lamp.side, 0}},
                             black, lamp.radiance});
     x += static_cast<float>(lamp_step);
   }
   return scene;
 }
+
+/// Two squares that face up: a weak one from x = 0 on, and one of 1e8 times its power from 10 on.
+inline constexpr ColouredLamp weak_and_strong[] = {{1, {3, 2, 1}}, {100, {3e4f, 2e4f, 1e4f}}};
 
 /// A black floor, z = 0; over it, at height 1, a square lamp of side 1 that faces down, or nothing.
 inline carlo::Scene landing_place(bool with_lamp) {

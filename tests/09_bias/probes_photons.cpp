@@ -44,7 +44,8 @@ PROBE("Lab 9.4 light", "o.x", "o.y", "o.z", "d.x", "d.y", "d.z", "flux.r", "flux
 }
 
 PROBE("Lab 9.4 lamps", "o.x", "flux.r", "flux.g", "flux.b") {
-  const lab08::World world(three_lamps());
+  const bool weak = params.whole("weak") == 1;
+  const lab08::World world(weak ? row_of(weak_and_strong) : row_of(coloured_lamps));
   carlo::Rng rng(params.seed);
   RowWriter rows;
   for (std::int64_t i = 0; i < params.n; ++i) {

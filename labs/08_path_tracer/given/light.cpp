@@ -4,7 +4,6 @@
 #include "numeric/robust.h"
 #include "scene/match.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace lab08 {
@@ -26,19 +25,14 @@ Vec3 normal_of(Vec3 u, Vec3 v) {
   return Vec3(glm::normalize(glm::cross(Vec3d(u), Vec3d(v))));
 }
 
-float triangle_area(const Mesh& mesh, glm::uvec3 corner) {
-  const Vec3 a = mesh.positions[corner.x];
-  return 0.5f * area_between(mesh.positions[corner.y] - a, mesh.positions[corner.z] - a);
-}
-
-std::vector<double> running_areas(const Mesh& mesh) {
-  std::vector<double> areas;
-  double sum = 0;
-  for (const glm::uvec3 corner : mesh.triangles) {
-    sum += static_cast<double>(triangle_area(mesh, corner));
-    areas.push_back(sum);
-  }
-  return areas;
+/// The edges of a mesh's triangle from its first corner.
+struct Edges {
+  Vec3 corner, ab, ac;
+};
+Edges edges_of(const Mesh& mesh, std::uint32_t triangle) {
+  const glm::uvec3 corners = mesh.triangles[triangle];
+  const Vec3 a = mesh.positions[corners.x];
+  return {a, mesh.positions[corners.y] - a, mesh.positions[corners.z] - a};
 }
 
 LightPoint point_on(const Parallelogram& s, Vec2 u) {
@@ -60,30 +54,23 @@ LightPoint point_on(const Disk& s, Vec2 u) {
           carlo::rounding_bound(12) * (glm::abs(s.center) + Vec3(s.radius))};
 }
 
-LightPoint point_on(const Mesh& mesh, std::span<const double> areas, Vec2 u) {
-  const double place = static_cast<double>(u.x) * areas.back();
-  const auto found = std::upper_bound(areas.begin(), areas.end() - 1, place);
-  const auto i = static_cast<std::size_t>(found - areas.begin());
-  const double before = i == 0 ? 0 : areas[i - 1];
-  const auto rest = static_cast<float>((place - before) / (areas[i] - before));
-  const Vec3 a = mesh.positions[mesh.triangles[i].x];
-  const Vec3 ab = mesh.positions[mesh.triangles[i].y] - a;
-  const Vec3 ac = mesh.positions[mesh.triangles[i].z] - a;
-  const float root = std::sqrt(std::clamp(rest, 0.0f, 1.0f));
-  return {a + root * (1 - u.y) * ab + root * u.y * ac, normal_of(ab, ac), Rgb(0),
-          carlo::rounding_bound(12) * (glm::abs(a) + glm::abs(ab) + glm::abs(ac))};
+LightPoint point_on(const Edges& t, Vec2 u) {
+  const float root = std::sqrt(u.x);
+  return {t.corner + root * (1 - u.y) * t.ab + root * u.y * t.ac, normal_of(t.ab, t.ac), Rgb(0),
+          carlo::rounding_bound(12) * (glm::abs(t.corner) + glm::abs(t.ab) + glm::abs(t.ac))};
 }
 
 }  // namespace
 
-Light::Light(const carlo::Shape& shape) : shape_(&shape) {
+Light::Light(const carlo::Shape& shape, std::uint32_t triangle)
+    : shape_(&shape), triangle_(triangle) {
   area_ = carlo::match(
       shape.geometry, [](const Parallelogram& s) { return area_between(s.u, s.v); },
       [](const Sphere& s) { return 4 * carlo::pi_f * carlo::sqr(s.radius); },
       [](const Disk& s) { return carlo::pi_f * carlo::sqr(s.radius); },
       [&](const Mesh& s) {
-        triangle_areas_ = running_areas(s);
-        return static_cast<float>(triangle_areas_.back());
+        const Edges edges = edges_of(s, triangle);
+        return 0.5f * area_between(edges.ab, edges.ac);
       },
       [](const Sdf&) -> float { throw carlo::Error("an sdf cannot emit"); });
 }
@@ -93,7 +80,7 @@ LightPoint Light::sample(Vec2 u) const {
       shape_->geometry, [&](const Parallelogram& s) { return point_on(s, u); },
       [&](const Sphere& s) { return point_on(s, u); },
       [&](const Disk& s) { return point_on(s, u); },
-      [&](const Mesh& s) { return point_on(s, triangle_areas_, u); },
+      [&](const Mesh& s) { return point_on(edges_of(s, triangle_), u); },
       [](const Sdf&) { return LightPoint{}; });  // there is no such light
   point.radiance = shape_->radiance;
   return point;

@@ -5,6 +5,7 @@
 #include "numeric/robust.h"
 #include "scene/match.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace lab08 {
@@ -45,6 +46,18 @@ carlo::Scene checked(carlo::Scene scene) {
 
 const Material black = carlo::Phong{Rgb(0), Rgb(0), 0};
 
+/// Source: ITU-R BT.709.
+double luminance(Rgb c) {
+  const glm::dvec3 exact(c);
+  return 0.2126 * exact.r + 0.7152 * exact.g + 0.0722 * exact.b;
+}
+
+/// How many lights a shape that emits is.
+std::uint32_t pieces_of(const carlo::Shape& shape) {
+  const auto* mesh = std::get_if<carlo::Mesh>(&shape.geometry);
+  return mesh != nullptr ? static_cast<std::uint32_t>(mesh->triangles.size()) : 1;
+}
+
 }  // namespace
 
 const carlo::Phong& Surface::phong() const {
@@ -55,10 +68,32 @@ const carlo::Phong& Surface::phong() const {
 World::World(carlo::Scene scene) : scene_(checked(std::move(scene))), intersector_(scene_) {
   for (const carlo::Material& material : scene_.materials)
     materials_.push_back(material_of(material));
+  find_lights();
+}
+
+void World::find_lights() {
+  double emitters = 0;
+  std::vector<double> siblings;  // of each light: how many of its shape's lights have an area
+  const auto has_area = [](const Light& light) { return light.area() > 0; };
   for (const carlo::Shape& shape : scene_.shapes) {
-    light_of_shape_.push_back(shape.emits() ? static_cast<std::int32_t>(lights_.size()) : -1);
-    if (shape.emits()) lights_.emplace_back(shape);
+    const std::size_t first = lights_.size();
+    light_of_shape_.push_back(shape.emits() ? static_cast<std::int64_t>(first) : -1);
+    for (std::uint32_t piece = 0; shape.emits() && piece < pieces_of(shape); ++piece)
+      lights_.emplace_back(shape, piece);
+    const auto begin = lights_.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto lit = std::count_if(begin, lights_.end(), has_area);
+    siblings.resize(lights_.size(), static_cast<double>(lit));
+    emitters += lit > 0 ? 1 : 0;
   }
+  std::vector<LightWeight> weights;
+  for (std::size_t i = 0; i < lights_.size(); ++i) {
+    const Light& light = lights_[i];
+    const double power = static_cast<double>(light.area()) * luminance(light.shape_->radiance);
+    weights.push_back({std::max(power, 0.0), has_area(light) ? 1 / (emitters * siblings[i]) : 0.0});
+  }
+  choice_ = LightChoice(weights);
+  for (std::size_t i = 0; i < lights_.size(); ++i)
+    lights_[i].chance_ = choice_.chance(i);
 }
 
 std::optional<Surface> World::intersect(const Ray& ray) const {
@@ -89,8 +124,8 @@ bool World::sees(const Surface& surface, const LightPoint& light) const {
 }
 
 const Light* World::light_of(const Surface& surface) const {
-  const std::int32_t light = light_of_shape_[surface.hit.shape];
-  return light < 0 ? nullptr : &lights_[static_cast<std::size_t>(light)];
+  const std::int64_t first = light_of_shape_[surface.hit.shape];
+  return first < 0 ? nullptr : &lights_[static_cast<std::size_t>(first) + surface.hit.primitive];
 }
 
 }  // namespace lab08

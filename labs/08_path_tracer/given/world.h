@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geometry/intersector.h"
+#include "given/light_choice.h"
 #include "numeric/vec.h"
 #include "scene/scene.h"
 
@@ -43,18 +44,21 @@ struct LightPoint {
   Vec3 p_error;  ///< bound on the rounding error of each coordinate of p
 };
 
-/// A shape that emits.
+/// A shape that emits; of a mesh one triangle.
 class Light {
  public:
-  explicit Light(const carlo::Shape& shape);
+  explicit Light(const carlo::Shape& shape, std::uint32_t triangle = 0);
   /// A point of it, uniform by area: its density is 1 / area().
   LightPoint sample(Vec2 u) const;
   float area() const { return area_; }
+  /// The probability with which World::choose() takes this light.
+  float chance() const { return chance_; }
 
  private:
+  friend class World;
   const carlo::Shape* shape_;
-  float area_ = 0;
-  std::vector<double> triangle_areas_;  ///< of a mesh: their running sum
+  std::uint32_t triangle_;
+  float area_ = 0, chance_ = 0;
 };
 
 /// The scene that rays are traced in.
@@ -75,19 +79,27 @@ class World {
   /// Whether nothing stands between a surface point and a point of a light.
   bool sees(const Surface& surface, const LightPoint& light) const;
 
-  /// The shapes that emit; may be none.
+  /// What emits; may be nothing.
   std::span<const Light> lights() const { return lights_; }
+  /// One of the lights, if there are any, by a number u of [0, 1): with probability 1/2 by power
+  /// (its luminance), else all n shapes that emit have equal chances, and a mesh's triangles among
+  /// them. So no light has a chance below 1/2n, or 1/2nm as one of m triangles. Divide by its
+  /// chance().
+  const Light& choose(double u) const { return lights_[choice_(u)]; }
   /// The light that a surface belongs to, or null.
   const Light* light_of(const Surface& surface) const;
 
   const carlo::Scene& scene() const { return scene_; }
 
  private:
+  void find_lights();
+
   carlo::Scene scene_;
   carlo::Intersector intersector_;
   std::vector<Material> materials_;
   std::vector<Light> lights_;
-  std::vector<std::int32_t> light_of_shape_;  ///< -1: none
+  LightChoice choice_;
+  std::vector<std::int64_t> light_of_shape_;  ///< its only light, or the first; -1: none
 };
 
 }  // namespace lab08

@@ -3,7 +3,6 @@
 #include "numeric/robust.h"
 #include "path_tracer.h"
 
-#include <algorithm>
 #include <cmath>
 
 // Lab 08, step b: light that comes straight from a light. path_tracer.h says what each function
@@ -15,8 +14,8 @@ namespace lab08 {
 
 Rgb direct_by_area(const World& world, const Surface& surface, const Brdf& f, Rng& rng) {
   // 1. Without lights it is dark.
-  // 2. Choose one of the lights with equal chances, then a point of it: two more numbers, a
-  //    statement each. A rounded index must not run off the end.
+  // 2. One number for world.choose(), which says what light, then a point of it: two more numbers,
+  //    a statement each.
   // 3. The direction to the point, its distance, and two cosines: at the surface and at the light.
   //    Where one of them is not above 0, nothing arrives.
   // 4. One shadow ray: does the surface see the point?

@@ -18,7 +18,7 @@ float power_heuristic(float p, float q) {
 
 float light_pdf(const World& world, const Surface& from, const Surface& to) {
   // 1. Not a light, or its dark side: 0.
-  // 2. Density per area, of this light among all; then from area to solid angle.
+  // 2. Density per area, times the chance of this light; then from area to solid angle.
   carlo::not_implemented("Lab 8.8", "Monte Carlo Path Tracer");
 }
 

@@ -21,15 +21,14 @@ Emission emit_from_light(const Light& light, Rng& rng) {
   // 2. Radiance is the same in all directions, but a slanted pencil of light is thinner. Which of
   //    lab 07's samplers has a density that makes up for that?
   // 3. The ray starts beside the light: leave(point, d), given/lamps.h.
-  // 4. The flux is the light's power: radiance, integrated over its area and the hemisphere.
+  // 4. The flux is the light's power: radiance, integrated over its area and the hemisphere. The
+  //    radiance is the same at all points: any light.sample() tells it.
   carlo::not_implemented("Lab 9.4", "Summary");
 }
 
 Emission emit_photon(const World& world, Rng& rng) {
-  // 1. luminance() (given/lamps.h) of each light's power, and their sum. A light's radiance is the
-  //    same at all of its points: any light.sample() tells it.
-  // 2. One number chooses the light, whose share of that sum is its chance.
-  // 3. What is chosen with a chance is divided by it.
+  // 1. One number for world.choose(), which says what light.
+  // 2. What is chosen with a chance is divided by it.
   carlo::not_implemented("Lab 9.4", "Summary");
 }
 

@@ -2,7 +2,6 @@
 #include "numeric/robust.h"
 #include "path_tracer.h"
 
-#include <algorithm>
 #include <cmath>
 
 // Lab 08, step b: light that comes straight from a light. Solved.
@@ -12,10 +11,8 @@ namespace lab08 {
 // Lab 8.2 -----------------------------------------------------------------------------------------
 
 Rgb direct_by_area(const World& world, const Surface& surface, const Brdf& f, Rng& rng) {
-  const auto lights = world.lights();
-  if (lights.empty()) return Rgb(0);
-  const float chosen = rng.uniform_float() * static_cast<float>(lights.size());
-  const Light& light = lights[std::min(static_cast<std::size_t>(chosen), lights.size() - 1)];
+  if (world.lights().empty()) return Rgb(0);
+  const Light& light = world.choose(rng.uniform_float());
   const float u = rng.uniform_float();
   const float v = rng.uniform_float();
   const LightPoint point = light.sample({u, v});
@@ -24,7 +21,7 @@ Rgb direct_by_area(const World& world, const Surface& surface, const Brdf& f, Rn
   const Vec3 wi = d / std::sqrt(distance2);
   const float cos_surface = glm::dot(surface.n, wi), cos_light = -glm::dot(point.n, wi);
   if (!(cos_surface > 0 && cos_light > 0) || !world.sees(surface, point)) return Rgb(0);
-  const float inverse_density = light.area() * static_cast<float>(lights.size());
+  const float inverse_density = light.area() / light.chance();
   return f(wi) * point.radiance * (cos_surface * cos_light / distance2 * inverse_density);
 }
 

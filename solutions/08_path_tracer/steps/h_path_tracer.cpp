@@ -19,18 +19,16 @@ struct Path {
 
 /// Light from a point of a light, weighed against sample()'s directions.
 Rgb direct(const World& world, const Surface& surface, Dimensions& dimensions) {
-  const auto lights = world.lights();
-  const float chosen = dimensions.next_1d() * static_cast<float>(lights.size());
+  if (world.lights().empty()) return Rgb(0);
+  const Light& light = world.choose(dimensions.next_1d());
   const Vec2 u = dimensions.next_2d();
-  if (lights.empty()) return Rgb(0);
-  const Light& light = lights[std::min(static_cast<std::size_t>(chosen), lights.size() - 1)];
   const LightPoint point = light.sample(u);
   const Vec3 d = point.p - surface.p;
   const float distance2 = glm::dot(d, d);
   const Vec3 wi = d / std::sqrt(distance2);
   const float cos_surface = glm::dot(surface.n, wi), cos_light = -glm::dot(point.n, wi);
   if (!(cos_surface > 0 && cos_light > 0) || !world.sees(surface, point)) return Rgb(0);
-  const float density = distance2 / (cos_light * light.area() * static_cast<float>(lights.size()));
+  const float density = distance2 * light.chance() / (cos_light * light.area());
   const Rgb f = evaluate(surface.phong(), surface.n, surface.wo, wi);
   const float other = pdf(surface.phong(), surface.n, surface.wo, wi);
   return f * point.radiance * (cos_surface * power_heuristic(density, other) / density);
@@ -61,6 +59,13 @@ std::optional<BsdfSample> scatter(const World& world, Path& path, const Surface&
   return sample(surface.phong(), surface.n, surface.wo, u_lobe, u);
 }
 
+/// The roulette's chance. A number below 1e-9 is drawn 60 times too often, for u is a multiple of
+/// 2^-24: so no path that brings anything has a chance below 1/64.
+float survival_of(Rgb beta) {
+  const float most = std::max({beta.r, beta.g, beta.b});
+  return most > 0 ? std::max(4 * most, 1 / 64.0f) : 0;
+}
+
 }  // namespace
 
 // Lab 8.8 -----------------------------------------------------------------------------------------
@@ -76,7 +81,7 @@ float light_pdf(const World& world, const Surface& from, const Surface& to) {
   const Vec3 d = to.p - from.p;
   const float distance2 = glm::dot(d, d);
   const float cos_light = glm::dot(to.n, to.wo);
-  return distance2 / (cos_light * light->area() * static_cast<float>(world.lights().size()));
+  return distance2 * light->chance() / (cos_light * light->area());
 }
 
 Rgb path_radiance(const World& world, const Ray& ray, int max_depth, Dimensions& dimensions) {
@@ -93,7 +98,7 @@ Rgb path_radiance(const World& world, const Ray& ray, int max_depth, Dimensions&
     path.beta *= next->weight;
     path.pdf = next->pdf;
     path.ray = world.leave(*surface, next->wi);
-    const float survival = 4 * std::max({path.beta.r, path.beta.g, path.beta.b});
+    const float survival = survival_of(path.beta);
     if (survival >= 1) continue;
     dimensions.seek(place + roulette_place);
     if (!(dimensions.next_1d() < survival)) return path.radiance;

@@ -53,19 +53,10 @@ Emission emit_from_light(const Light& light, Rng& rng) {
 }
 
 Emission emit_photon(const World& world, Rng& rng) {
-  double all = 0;
-  for (const Light& light : world.lights())
-    all += static_cast<double>(luminance(power(light)));
-  double place = rng.uniform() * all;
-  for (const Light& light : world.lights()) {
-    const double share = static_cast<double>(luminance(power(light)));
-    place -= share;
-    if (place >= 0 && &light != &world.lights().back()) continue;
-    Emission emission = emit_from_light(light, rng);
-    emission.flux *= static_cast<float>(all / share);
-    return emission;
-  }
-  return {};
+  const Light& light = world.choose(rng.uniform());
+  Emission emission = emit_from_light(light, rng);
+  emission.flux /= light.chance();
+  return emission;
 }
 
 void trace_photon(const World& world, const Emission& emission, Rng& rng,
