@@ -66,7 +66,7 @@ Vec3d middle(const LightBounds& light) {
 
 }  // namespace
 
-LightTree::Compact::Compact(const LightBounds& light, double of_strength)
+LightTree::Node::Node(const LightBounds& light, double of_strength)
     : middle(renderer::middle(light)),
       axis(light.axis),
       cos_spread(static_cast<float>(light.cos_spread)),
@@ -81,7 +81,7 @@ LightTree::Compact::Compact(const LightBounds& light, double of_strength)
 /// strength x cos x cos / distance^2, but that each point of the sphere around the light may face
 /// that side of the surface, or be faced, as much as any of them: so it is 0 only where the light
 /// cannot contribute. Inside of the sphere it stays finite.
-inline float LightTree::Compact::estimate(Vec3 p, Vec3 n) const {
+inline float LightTree::Node::estimate(Vec3 p, Vec3 n) const {
   const Vec3 d = middle - p;
   const float distance2 = glm::dot(d, d);
   const float inwards = glm::dot(n, d) + reach;
@@ -101,8 +101,7 @@ inline float LightTree::Compact::estimate(Vec3 p, Vec3 n) const {
 }
 
 double estimate_irradiance(const LightBounds& light, Vec3d p, Vec3d n) {
-  return light.strength *
-         static_cast<double>(LightTree::Compact(light, 1).estimate(Vec3(p), Vec3(n)));
+  return light.strength * static_cast<double>(LightTree::Node(light, 1).estimate(Vec3(p), Vec3(n)));
 }
 
 /// Splits lights in two where the sum of strength x extent x directions is least, between bins.
@@ -110,24 +109,25 @@ struct LightTree::Builder {
   static constexpr std::size_t bins = 12;
 
   const std::vector<LightBounds>& lights;
+  double all;  ///< strengths are relative to this, so that their products stay floats
   LightTree& tree;
 
   LightBounds build(std::span<std::uint32_t> which, std::uint32_t node, std::uint32_t parent) {
-    tree.nodes_[node].parent = parent;
+    LightBounds bounds;
+    std::uint32_t child = 0;
     if (which.size() == 1) {
-      tree.bounds_of_[node] = lights[which[0]];
-      tree.nodes_[node].light = which[0];
+      bounds = lights[which[0]];
       tree.leaf_of_[which[0]] = node;
-      return lights[which[0]];
+    } else {
+      const std::size_t left = split(which);
+      child = static_cast<std::uint32_t>(tree.nodes_.size());
+      tree.nodes_.resize(tree.nodes_.size() + 2);
+      bounds = build(which.first(left), child, node);
+      bounds = together(bounds, build(which.subspan(left), child + 1, node));
     }
-    const std::size_t left = split(which);
-    const auto child = static_cast<std::uint32_t>(tree.nodes_.size());
-    tree.nodes_.resize(tree.nodes_.size() + 2);
-    tree.bounds_of_.resize(tree.nodes_.size());
-    tree.nodes_[node].first_child = child;
-    const LightBounds a = build(which.first(left), child, node);
-    const LightBounds b = build(which.subspan(left), child + 1, node);
-    return tree.bounds_of_[node] = together(a, b);
+    Node& built = tree.nodes_[node] = Node(bounds, all > 0 ? bounds.strength / all : 0);
+    built.parent = parent, built.first_child = child, built.light = which[0];
+    return bounds;
   }
 
   /// Sorts them into two parts; the number of the first.
@@ -198,33 +198,27 @@ struct LightTree::Builder {
 LightTree::LightTree(const std::vector<LightBounds>& lights, std::optional<double> everywhere)
     : leaf_of_(lights.size() + (everywhere ? 1 : 0)) {
   nodes_.reserve(2 * leaf_of_.size() + 2);
-  bounds_of_.reserve(2 * leaf_of_.size() + 2);
   // Number 1 is nobody's: siblings are i and i ^ 1.
-  nodes_.resize(2), bounds_of_.resize(2);
+  nodes_.resize(2);
+  double all = everywhere.value_or(0);
+  for (const LightBounds& light : lights)
+    all += light.strength;
   if (everywhere) {
     const auto last = static_cast<std::uint32_t>(lights.size());
     everywhere_ = 0;
     if (!lights.empty()) {
       nodes_[0].first_child = root_ = 2;
-      nodes_.resize(4), bounds_of_.resize(4);
+      nodes_.resize(4);
       everywhere_ = 3;
     }
     nodes_[everywhere_].light = last;
+    nodes_[everywhere_].strength = all > 0 ? static_cast<float>(*everywhere / all) : 0;
     leaf_of_[last] = everywhere_;
-    bounds_of_[everywhere_].strength = *everywhere;
   }
-  if (!lights.empty()) {
-    std::vector<std::uint32_t> which(lights.size());
-    std::iota(which.begin(), which.end(), 0U);
-    bounds_ = Builder{lights, *this}.build(which, root_, 0);
-  }
-  // Relative to all, so that strengths and their products stay floats.
-  const double all = std::max(bounds_.strength, everywhere.value_or(0));
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    Compact& compact =
-        compact_.emplace_back(bounds_of_[i], all > 0 ? bounds_of_[i].strength / all : 0);
-    compact.first_child = nodes_[i].first_child, compact.light = nodes_[i].light;
-  }
+  if (lights.empty()) return;
+  std::vector<std::uint32_t> which(lights.size());
+  std::iota(which.begin(), which.end(), 0U);
+  bounds_ = Builder{lights, all, *this}.build(which, root_, 0);
 }
 
 void LightTree::collect(std::uint32_t node, std::vector<std::uint32_t>& lights) const {
@@ -236,9 +230,8 @@ void LightTree::collect(std::uint32_t node, std::vector<std::uint32_t>& lights) 
 std::vector<std::vector<std::uint32_t>> LightTree::groups(std::size_t most) const {
   std::vector<std::uint32_t> cut{root_};
   const auto worth = [&](std::uint32_t i) {
-    const LightBounds& bounds = bounds_of_[i];
-    const Vec3d extent = bounds.upper - bounds.lower;
-    return nodes_[i].first_child == 0 ? -1 : bounds.strength * glm::dot(extent, extent);
+    const Node& node = nodes_[i];
+    return node.first_child == 0 ? -1 : node.strength * node.reach * node.reach;
   };
   while (cut.size() < most) {
     const auto widest = std::max_element(cut.begin(), cut.end(),
@@ -255,7 +248,7 @@ std::vector<std::vector<std::uint32_t>> LightTree::groups(std::size_t most) cons
 }
 
 float LightTree::estimate(std::uint32_t node, Vec3 p, Vec3 n) const {
-  return node == everywhere_ ? compact_[node].strength : compact_[node].estimate(p, n);
+  return node == everywhere_ ? nodes_[node].strength : nodes_[node].estimate(p, n);
 }
 
 std::optional<double> LightTree::chance_of_left(std::uint32_t left, Vec3 p, Vec3 n) const {
@@ -275,8 +268,8 @@ std::optional<LightTree::Choice> LightTree::sample(Vec3 p, Vec3 n, double u) con
   u = (u - floor) / (1 - floor);
   double by_descent = 1;
   std::uint32_t at = 0;
-  while (compact_[at].first_child != 0) {
-    const std::uint32_t child = compact_[at].first_child;
+  while (nodes_[at].first_child != 0) {
+    const std::uint32_t child = nodes_[at].first_child;
     const std::optional<double> left = chance_of_left(child, p, n);
     if (!left) return std::nullopt;
     const bool goes_left = u < *left;
@@ -285,7 +278,7 @@ std::optional<LightTree::Choice> LightTree::sample(Vec3 p, Vec3 n, double u) con
     by_descent *= chance;
     at = goes_left ? child : child + 1;
   }
-  return Choice{compact_[at].light, (1 - floor) * by_descent + floor / count, u};
+  return Choice{nodes_[at].light, (1 - floor) * by_descent + floor / count, u};
 }
 
 double LightTree::chance(std::uint32_t light, Vec3 p, Vec3 n) const {

@@ -58,13 +58,22 @@ class LightTree {
   const LightBounds& bounds() const { return bounds_; }
 
  private:
-  /// Where a node stands. Siblings are side by side: i and i ^ 1. The root, 0, has none.
-  struct Node {
+  /// A cache line: LightBounds as the descent reads them, a sphere around the light, the cone of
+  /// its normals, and its strength over that of all. Siblings are side by side: i and i ^ 1. The
+  /// root, 0, has none.
+  struct alignas(64) Node {
+    Node() = default;
+    Node(const LightBounds& light, double strength);
+    [[gnu::always_inline]] float estimate(carlo::Vec3 p, carlo::Vec3 n) const;
+
+    carlo::Vec3 middle{0}, axis{0};
+    float reach = 0, cos_spread = -1, sin_spread = 0, strength = 0;
     std::uint32_t parent = 0;
     std::uint32_t first_child = 0;  ///< 0: a leaf,
     std::uint32_t light = 0;        ///< of this light
   };
   struct Builder;
+  friend double estimate_irradiance(const LightBounds& light, glm::dvec3 p, glm::dvec3 n);
 
   static constexpr std::uint32_t nowhere = 0xFFFFFFFF;
 
@@ -74,24 +83,9 @@ class LightTree {
   void collect(std::uint32_t node, std::vector<std::uint32_t>& lights) const;
   double chance_by_descent(std::uint32_t light, carlo::Vec3 p, carlo::Vec3 n) const;
 
-  /// LightBounds as the descent reads them, a cache line a node: a sphere around the light, the
-  /// cone of its normals, and its strength over that of all.
-  struct alignas(64) Compact {
-    explicit Compact(const LightBounds& light, double strength);
-    Compact() = default;
-    [[gnu::always_inline]] float estimate(carlo::Vec3 p, carlo::Vec3 n) const;
-
-    carlo::Vec3 middle{0}, axis{0};
-    float reach = 0, cos_spread = -1, sin_spread = 0, strength = 0;
-    std::uint32_t first_child = 0, light = 0;  ///< the node's
-  };
-  friend double estimate_irradiance(const LightBounds& light, glm::dvec3 p, glm::dvec3 n);
-
   std::vector<Node> nodes_;
-  std::vector<Compact> compact_;        ///< the nodes'
   std::uint32_t everywhere_ = nowhere;  ///< the node of what is
-  std::vector<LightBounds> bounds_of_;  ///< the nodes', while it is built and for groups()
-  std::uint32_t root_ = 0;              ///< of all but what is everywhere
+  std::uint32_t root_ = 0;              ///< of all but that
   std::vector<std::uint32_t> leaf_of_;
   LightBounds bounds_;
 };

@@ -295,8 +295,8 @@ TEST_CASE("What groups of a tree are taken to bring is 0 only where that of all 
 
 TEST_CASE("The estimate is near the irradiance of lights that are small and far") {
   // Of extent a hundredth of the distance, 85 degrees at most to either normal. What is added for
-  // their extent is at most 2 x .01 / cos 85 = .23 of the value. Estimates are floats: of a cosine of
-  // .09 some 1e-6 is rounding.
+  // their extent is at most 2 x .01 / cos 85 = .23 of the value. Estimates are floats: of a cosine
+  // of .09 some 1e-6 is rounding.
   Rng rng(76);
   for (int i = 0; i < 20000; ++i) {
     const double scale = magnitude(rng, -4, 6), radiance = 3, side = .01 * scale;
