@@ -143,7 +143,7 @@ void add_crowd(std::vector<Proof>& proofs, CrowdKind kind, int count, bool aroun
   builder.finish(lamps[0].size);
   Proof proof{fmt::format("crowds/{}/{}/{}", name_of(kind), count, around ? "around" : "below"),
               std::move(scene), exact_of(crowd_albedo * builder.sum / pi),
-              count < 100 ? 1024U : 6144U};
+              count < 100 ? 1024U : 8192U};
   // Small triangles that are far away lose digits: corners of 100 are known to 4e-6.
   proof.rounding = kind == CrowdKind::points || kind == CrowdKind::balls ? 1e-5 : 5e-5;
   proof.for_lab = count <= 10;

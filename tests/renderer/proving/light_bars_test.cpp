@@ -4,7 +4,7 @@
 // more.
 //
 // With 256 renders the quotient is known to 9 % where values are normal, less well where few
-// samples bring much: its own error goes by the fourth moment. Below .8 by 4 such errors and in
+// samples bring much: its own error goes by the fourth moment. Below .8 by 4 such errors, and in
 // more than 1 % of scenes is a failure: by chance in none of some 300.
 //
 // CARLO_PROVING_ONLY: scenes whose name has this in it, of all instead of one in eight.
