@@ -142,10 +142,10 @@ function(carlo_lab_patched_worker lab folder name kind patch others)
   endif()
   carlo_lab_program(${worker} ${lab}_probes ${worker}_code)
   target_link_libraries(${worker} PRIVATE ${others})
-  if(CARLO_MOLD)
-    # mold 1.10 begins the region that is read-only after relocation with .tbss, be it of one byte
-    # in the page before the first one that is mapped: such a program, one of some 500, cannot start.
-    target_link_options(${worker} PRIVATE -fuse-ld=mold -Wl,-z,norelro)
+  if(CARLO_GOLD)
+    # Not mold 1.10, a little faster: about one of some thousand such links never ended, in its
+    # allocator, and one of some 500 programs could not start.
+    target_link_options(${worker} PRIVATE -fuse-ld=gold)
   endif()
   add_dependencies(${lab}_${kind}s ${worker})
 endfunction()
@@ -164,7 +164,7 @@ function(carlo_lab_patched_workers lab folder name)
   if(NOT CARLO_PATCH)
     message(FATAL_ERROR "patch was not found: ${carlo_hint} patch")
   endif()
-  find_program(CARLO_MOLD mold)
+  find_program(CARLO_GOLD ld.gold)
   carlo_lab_sources(solution "${PROJECT_SOURCE_DIR}/solutions/${folder}" ${name})
   carlo_lab_headers_once(${lab}_worker_code_solution ${name} "${solution}")
   set(others "")

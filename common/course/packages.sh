@@ -35,7 +35,6 @@ develop  clang-format          clang-tools-extra      clang          clang-forma
 develop  clang-tidy            clang-tools-extra      clang          llvm
 develop  libclang-rt-dev       compiler-rt            compiler-rt    llvm
 develop  llvm                  llvm                   llvm           llvm
-develop  mold                  mold                   mold           mold
 develop  shellcheck            ShellCheck             shellcheck     shellcheck
 cluster  slurmctld             slurm-slurmctld        !              !
 cluster  slurmd                slurm-slurmd           !              !

@@ -224,7 +224,7 @@ void convert_colours(const OIIO::ImageSpec& spec, ExrFile& file,
   const Primaries primaries{pair(0), pair(2), pair(4), pair(6)};
   std::optional<glm::dmat3> matrix;
   try {
-    matrix = to_rec709(primaries);
+    matrix = to_rec709(primaries, White::kept);
   } catch (const Error& error) {
     throw Error("cannot read {}: {}", path.string(), error.what());
   }

@@ -139,7 +139,7 @@ class HdrReader {
   void convert_from(const Primaries& primaries, Image& image) {
     std::optional<glm::dmat3> matrix;
     try {
-      matrix = to_rec709(primaries);
+      matrix = to_rec709(primaries, White::adapted);
     } catch (const Error& error) {
       fail(error.what());
     }

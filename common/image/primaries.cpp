@@ -54,12 +54,13 @@ bool is_finite(const glm::dmat3& m) {
 
 }  // namespace
 
-std::optional<glm::dmat3> to_rec709(const Primaries& p) {
+std::optional<glm::dmat3> to_rec709(const Primaries& p, White white) {
   if (near(p.red, rec709.red) && near(p.green, rec709.green) && near(p.blue, rec709.blue) &&
       near(p.white, rec709.white))
     return std::nullopt;
-  const glm::dmat3 matrix =
-      glm::inverse(xyz_from(rec709)) * bradford(white_of(p), white_of(rec709)) * xyz_from(p);
+  const glm::dmat3 adaptation =
+      white == White::adapted ? bradford(white_of(p), white_of(rec709)) : glm::dmat3(1);
+  const glm::dmat3 matrix = glm::inverse(xyz_from(rec709)) * adaptation * xyz_from(p);
   if (!is_finite(matrix)) throw Error("its primaries span no colours: {}", text_of(p));
   return matrix;
 }

@@ -13,11 +13,16 @@ struct Primaries {
   std::array<double, 2> red, green, blue, white;
 };
 
-/// From such colours to those of Rec. 709 (white: D65), linearly; the white of the one becomes that
-/// of the other by the Bradford transform. Nothing for Rec. 709 itself, as rounded to three digits.
+/// What becomes of a white that is not Rec. 709's, D65. OpenEXR's colours are X, Y, Z, whatever the
+/// primaries: its project's images of one picture in several of them are to look alike. What a
+/// Radiance picture has as R = G = B is meant to be grey.
+enum class White { kept, adapted };
+
+/// From such colours to those of Rec. 709, linearly; an adapted white becomes D65 by the Bradford
+/// transform. Nothing for Rec. 709 itself, as rounded to three digits.
 /// Throws Error if they span no colours.
 /// Source: ICC.1:2022, annex E (Bradford); SMPTE RP 177 (primaries to XYZ).
-std::optional<glm::dmat3> to_rec709(const Primaries& primaries);
+std::optional<glm::dmat3> to_rec709(const Primaries& primaries, White white);
 
 /// Takes each pixel through the matrix.
 void convert(Image& image, const glm::dmat3& matrix);

@@ -47,7 +47,7 @@ ImageFile read_image(const fs::path& path) {
 
 // What is wrong inside an image is reported where the scene names it, like all else.
 ImageFile read_image(const std::string& filename, Position at) {
-  const fs::path path = at.source->path.parent_path() / filename;
+  const fs::path path = find_file(at, filename);
   std::error_code ec;
   if (!fs::exists(path, ec)) fail(at, "the image {} does not exist", path_in_quotes(path));
   if (!fs::is_regular_file(path, ec)) fail(at, "{} is not a file", path_in_quotes(path));

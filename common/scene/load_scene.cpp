@@ -110,7 +110,7 @@ class Loader {
   void include_file(const XmlElement& element) {
     const XmlAttribute& filename = element.get("filename");
     if (element.broken) return errors_.lose_names();
-    load_file(element.at.source->path.parent_path() / filename.value, filename.value_at);
+    load_file(find_file(element.at, filename.value), filename.value_at);
   }
 
   static void once(const XmlSource*& seen, const XmlElement& element) {

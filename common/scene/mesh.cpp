@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 // What is wrong inside a mesh file is reported where the scene names it, like all else.
 MeshFile read_mesh_file(const Properties& shape, const std::string& filename) {
   const Position at = shape.at("filename");
-  const fs::path path = at.source->path.parent_path() / filename;
+  const fs::path path = find_file(at, filename);
   std::error_code ec;
   if (!fs::exists(path, ec)) fail(at, "the mesh file {} does not exist", path_in_quotes(path));
   if (!fs::is_regular_file(path, ec)) fail(at, "{} is not a file", path_in_quotes(path));

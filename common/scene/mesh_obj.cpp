@@ -98,6 +98,10 @@ class ObjReader {
       mesh_.notes.push_back(fmt::format("{}: {} changes no polygon and is not used", name_,
                                         fmt::join(unused_, ", ")));
     }
+    if (missing_normals_ > 0) {
+      mesh_.notes.push_back(
+          fmt::format("{}: {} corners name normals that are not there", name_, missing_normals_));
+    }
     if (strays_ > 0) {
       mesh_.notes.push_back(fmt::format("{}: {} lines and points left out", name_, strays_));
     }
@@ -164,7 +168,7 @@ class ObjReader {
     if (corners_.size() < 3)
       wrong(fmt::format("a face has 3 corners or more, got {}", corners_.size()));
     add_face(mesh_, corners_, lines_.line());
-    if (!corner_normals_.empty()) compare_normals();
+    if (corner_normals_.size() == corners_.size()) compare_normals();
   }
 
   // "v", "v/vt", "v//vn" or "v/vt/vn", where vt and vn may be missing.
@@ -174,7 +178,14 @@ class ObjReader {
     const std::size_t last = word.rfind('/');
     if (last == slash || last == std::string_view::npos || last + 1 == word.size()) return;
     mesh_.vertex_normals = true;
-    corner_normals_.push_back(index(word, word.substr(last + 1), "normal", normals_.size()));
+    // Exporters name normals that they leave out. Nothing is shaded by them.
+    const auto number = parse_integer(word.substr(last + 1));
+    if (!number) wrong(fmt::format("expected a normal number, got {}", in_quotes(word)));
+    const auto place = place_of(*number, normals_.size());
+    if (place)
+      corner_normals_.push_back(*place);
+    else
+      ++missing_normals_;
   }
 
   /// Negative numbers count back from the newest.
@@ -182,10 +193,16 @@ class ObjReader {
                       std::size_t size) const {
     const auto index = parse_integer(number);
     if (!index) wrong(fmt::format("expected a {} number, got {}", what, in_quotes(word)));
+    const auto place = place_of(*index, size);
+    if (!place) wrong(fmt::format("{} {} is out of range: {} stand above", what, *index, size));
+    return *place;
+  }
+
+  /// Nothing out of range.
+  static std::optional<std::uint32_t> place_of(std::ptrdiff_t index, std::size_t size) {
     const auto count = static_cast<std::ptrdiff_t>(size);
-    const std::ptrdiff_t place = *index > 0 ? *index - 1 : count + *index;
-    if (*index == 0 || place < 0 || place >= count)
-      wrong(fmt::format("{} {} is out of range: {} stand above", what, *index, count));
+    const std::ptrdiff_t place = index > 0 ? index - 1 : count + index;
+    if (index == 0 || place < 0 || place >= count) return std::nullopt;
     return static_cast<std::uint32_t>(place);
   }
 
@@ -209,6 +226,7 @@ class ObjReader {
   std::string name_;
   ObjLines lines_;
   int strays_ = 0;
+  std::size_t missing_normals_ = 0;
   bool materials_ = false;
   std::vector<std::string> unused_;
   std::vector<glm::dvec3> normals_;

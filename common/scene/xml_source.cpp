@@ -147,9 +147,18 @@ void fail_at(Position at, const std::string& message) {
   throw PlacedError(at.source->path.string(), line, column, message);
 }
 
+fs::path find_file(Position at, const fs::path& name) {
+  const fs::path here = at.source->path.parent_path() / name;
+  const fs::path beside_main = at.source->main_folder / name;
+  std::error_code ec;
+  return !fs::exists(here, ec) && fs::exists(beside_main, ec) ? beside_main : here;
+}
+
 std::unique_ptr<XmlSource> read_xml_source(const fs::path& path, Position asked_at) {
   auto source = std::make_unique<XmlSource>();
   source->path = path;
+  source->main_folder =
+      asked_at.source != nullptr ? asked_at.source->main_folder : path.parent_path();
   const Position blame = asked_at.source != nullptr ? asked_at : Position{source.get(), 0};
   std::error_code ec;
   const fs::file_status status = fs::status(path, ec);

@@ -20,6 +20,7 @@ enum class Dialect { mitsuba06, mitsuba3 };
 /// The text of one XML file as it stands on disk, kept so that errors can point into it.
 struct XmlSource {
   std::filesystem::path path;
+  std::filesystem::path main_folder;  ///< of the scene that includes it, or its own
   std::string text;
   Dialect dialect = Dialect::mitsuba06;  ///< by its version, once that was read
 };
@@ -68,6 +69,10 @@ template <class... Args>
 [[noreturn]] void fail(Position at, fmt::format_string<Args...> format, Args&&... args) {
   fail_at(at, fmt::format(format, std::forward<Args>(args)...));
 }
+
+/// Where a file stands that is named at this place: beside the file that names it or, as Mitsuba
+/// looks, beside the scene that includes that one.
+std::filesystem::path find_file(Position at, const std::filesystem::path& name);
 
 /// Reads a file. Throws Error at `asked_at` (where the file is named), or at line 1 of the file
 /// itself when `asked_at` has no source.

@@ -215,6 +215,10 @@ LightTree::LightTree(const std::vector<LightBounds>& lights, std::optional<doubl
     nodes_[everywhere_].strength = all > 0 ? static_cast<float>(*everywhere / all) : 0;
     leaf_of_[last] = everywhere_;
   }
+  double shares = 0;
+  for (const LightBounds& light : lights)
+    floor_shares_.push_back(shares += light.floor_share);
+  if (everywhere) floor_shares_.push_back(shares + 1);
   if (lights.empty()) return;
   std::vector<std::uint32_t> which(lights.size());
   std::iota(which.begin(), which.end(), 0U);
@@ -258,12 +262,11 @@ std::optional<double> LightTree::chance_of_left(std::uint32_t left, Vec3 p, Vec3
 }
 
 std::optional<LightTree::Choice> LightTree::sample(Vec3 p, Vec3 n, double u) const {
-  const auto count = static_cast<double>(leaf_of_.size());
   if (leaf_of_.size() == 1) return Choice{0, 1, u};
   if (u < floor) {
-    const double place = u / floor * count;
-    const auto light = static_cast<std::uint32_t>(std::min(place, count - 1));
-    return Choice{light, chance(light, p, n), std::min(place - light, 1 - 0x1p-53)};
+    u /= floor;
+    const auto light = static_cast<std::uint32_t>(pick(floor_shares_, u));
+    return Choice{light, chance(light, p, n), u};
   }
   u = (u - floor) / (1 - floor);
   double by_descent = 1;
@@ -278,13 +281,18 @@ std::optional<LightTree::Choice> LightTree::sample(Vec3 p, Vec3 n, double u) con
     by_descent *= chance;
     at = goes_left ? child : child + 1;
   }
-  return Choice{nodes_[at].light, (1 - floor) * by_descent + floor / count, u};
+  const std::uint32_t light = nodes_[at].light;
+  return Choice{light, (1 - floor) * by_descent + floor_chance(light), u};
 }
 
 double LightTree::chance(std::uint32_t light, Vec3 p, Vec3 n) const {
   if (leaf_of_.size() == 1) return 1;
-  return (1 - floor) * chance_by_descent(light, p, n) +
-         floor / static_cast<double>(leaf_of_.size());
+  return (1 - floor) * chance_by_descent(light, p, n) + floor_chance(light);
+}
+
+double LightTree::floor_chance(std::uint32_t light) const {
+  const double before = light == 0 ? 0 : floor_shares_[light - 1];
+  return floor * (floor_shares_[light] - before) / floor_shares_.back();
 }
 
 double LightTree::chance_by_descent(std::uint32_t light, Vec3 p, Vec3 n) const {
@@ -295,6 +303,15 @@ double LightTree::chance_by_descent(std::uint32_t light, Vec3 p, Vec3 n) const {
     chance *= at % 2 == 0 ? *left : 1 - *left;
   }
   return chance;
+}
+
+std::size_t pick(std::span<const double> sums, double& u) {
+  const double x = u * sums.back();
+  const auto it = std::upper_bound(sums.begin(), sums.end() - 1, x);
+  const auto i = static_cast<std::size_t>(it - sums.begin());
+  const double lower = i == 0 ? 0 : sums[i - 1];
+  u = std::clamp((x - lower) / (sums[i] - lower), 0.0, 1 - 0x1p-53);
+  return i;
 }
 
 double with_more_digits(float u, carlo::Vec2 others) {

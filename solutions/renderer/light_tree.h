@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace renderer {
@@ -17,6 +18,9 @@ struct LightBounds {
   double cos_spread = -1;  ///< of that half-angle (pi at most: -1); it emits in front of them
   /// Radiant intensity along the normals, R + G + B: radiance times area of what is flat.
   double strength = 0;
+  /// Of the choices that are for all lights alike (LightTree::floor) in relation to others': a
+  /// triangle of a lamp has its part of the lamp's.
+  double floor_share = 1;
 };
 
 /// The irradiance (R + G + B) that a light brings, unoccluded, to the point p of a surface whose
@@ -25,7 +29,8 @@ double estimate_irradiance(const LightBounds& light, glm::dvec3 p, glm::dvec3 n)
 
 /// Chooses one of many lights with a chance that grows with what it can bring to a point, in a time
 /// that grows with the logarithm of their number: a binary tree, descended by the estimates of both
-/// sides. No light's chance is below `floor` over their number.
+/// sides. No light's chance is below its share of `floor`: that over their number, where all have
+/// the same.
 /// Sources: Conty Estevez, Kulla, "Importance sampling of many lights with adaptive tree
 /// splitting", HPG 2018; Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed.,
 /// section 12.6.3.
@@ -81,14 +86,19 @@ class LightTree {
   /// Of a pair of siblings; nothing if neither can contribute.
   std::optional<double> chance_of_left(std::uint32_t left, carlo::Vec3 p, carlo::Vec3 n) const;
   void collect(std::uint32_t node, std::vector<std::uint32_t>& lights) const;
+  double floor_chance(std::uint32_t light) const;
   double chance_by_descent(std::uint32_t light, carlo::Vec3 p, carlo::Vec3 n) const;
 
   std::vector<Node> nodes_;
   std::uint32_t everywhere_ = nowhere;  ///< the node of what is
   std::uint32_t root_ = 0;              ///< of all but that
   std::vector<std::uint32_t> leaf_of_;
+  std::vector<double> floor_shares_;  ///< their running sum
   LightBounds bounds_;
 };
+
+/// The element of a running sum that u, in [0, 1), falls into; u becomes its place within.
+std::size_t pick(std::span<const double> sums, double& u);
 
 /// A u of 24 bits as one of 53: the digits below are a hash of this u and of the others that the
 /// same sample uses, so that they are uniform and the sample needs no further random number.

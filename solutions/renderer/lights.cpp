@@ -176,7 +176,7 @@ Lights::Lights(const Scene& scene) : scene_(scene) {
   envmap_is_sampled_ = envmap && !scene.shapes.empty();
   std::optional<double> around;
   if (envmap_is_sampled_) {
-    far_ = static_cast<float>(2 * carlo::diameter(scene));
+    far_ = static_cast<float>(std::min(2 * carlo::diameter(scene), 1e18));  // its square is a float
     entries_.push_back({Entry::Kind::envmap, 0});
     leaves_.push_back({static_cast<std::uint32_t>(entries_.size() - 1), 0, 0});
     // The mean over all orientations of the surface.
@@ -202,8 +202,15 @@ void Lights::add_shape(std::uint32_t index, std::vector<LightBounds>& all) {
       shape.geometry, [&](const Parallelogram& s) { add(s); }, [&](const Sphere& s) { add(s); },
       [&](const Disk& s) { add(s); },
       [&](const Mesh& s) {
+        double whole = 0;
         for (std::uint32_t i = 0; i < s.triangles.size(); ++i)
-          add_leaf(triangle_area(s, i), triangle_bounds(s, i, radiance), all, i);
+          whole += triangle_area(s, i);
+        for (std::uint32_t i = 0; i < s.triangles.size(); ++i) {
+          LightBounds bounds = triangle_bounds(s, i, radiance);
+          // Of many triangles a lamp has no more of the least chances than another.
+          bounds.floor_share = triangle_area(s, i) / whole;
+          add_leaf(triangle_area(s, i), bounds, all, i);
+        }
       },
       [](const Sdf& s) { refuse(s); });
 }

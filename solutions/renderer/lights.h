@@ -49,9 +49,9 @@ class Lights {
 
   bool empty() const { return leaves_.empty(); }
 
-  /// With which any of them is asked; 1 where there is no choice.
+  /// With which any of them, a mesh as a whole, is asked; 1 where there is no choice.
   double least_chance() const {
-    return leaves_.size() > 1 ? LightTree::floor / static_cast<double>(leaves_.size()) : 1;
+    return entries_.size() > 1 ? LightTree::floor / static_cast<double>(entries_.size()) : 1;
   }
 
   /// Nothing when the light sends no radiance to `from`, or when rounding hides whether it does: a

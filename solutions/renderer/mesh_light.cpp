@@ -29,22 +29,6 @@ LightTree tree_of(const carlo::Mesh& mesh) {
 
 }  // namespace
 
-std::vector<double> running_sum(std::vector<double> values) {
-  double sum = 0;
-  for (double& v : values)
-    v = sum += v;
-  return values;
-}
-
-std::size_t pick(std::span<const double> sums, double& u) {
-  const double x = u * sums.back();
-  const auto it = std::upper_bound(sums.begin(), sums.end() - 1, x);
-  const auto i = static_cast<std::size_t>(it - sums.begin());
-  const double lower = i == 0 ? 0 : sums[i - 1];
-  u = std::clamp((x - lower) / (sums[i] - lower), 0.0, 1 - 0x1p-53);
-  return i;
-}
-
 double triangle_area(const carlo::Mesh& mesh, std::uint32_t triangle) {
   return 0.5 * glm::length(long_normal(mesh, mesh.triangles[triangle]));
 }
@@ -68,11 +52,9 @@ carlo::TrianglePoint sample_triangle(const carlo::Mesh& mesh, std::uint32_t tria
 }
 
 MeshLight::MeshLight(const carlo::Mesh& mesh) : mesh_(&mesh), tree_(tree_of(mesh)) {
-  std::vector<double> areas;
-  areas.reserve(mesh.triangles.size());
+  double sum = 0;
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
-    areas.push_back(triangle_area(mesh, i));
-  areas_ = running_sum(std::move(areas));
+    areas_.push_back(sum += triangle_area(mesh, i));
 }
 
 MeshLight::Sample MeshLight::sample(Vec2 u) const {

@@ -5,18 +5,10 @@
 #include "renderer/light_tree.h"
 #include "scene/scene.h"
 
-#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace renderer {
-
-/// a_0, a_0 + a_1, ...
-std::vector<double> running_sum(std::vector<double> values);
-
-/// The element of a running sum that u, in [0, 1), falls into; u becomes its place within.
-std::size_t pick(std::span<const double> sums, double& u);
 
 double triangle_area(const carlo::Mesh& mesh, std::uint32_t triangle);
 

@@ -130,6 +130,36 @@ TEST_CASE("The target is met in nine pixels of ten, and noisy pixels get the sam
   CHECK(ratio <= 7 * 1.5);
 }
 
+/// White everywhere, as far as the samples tell that have not asked some light.
+class Unasked final : public common_test::NoiseIntegrator {
+ public:
+  explicit Unasked(double chance) : chance_(chance) {}
+  double least_light_chance() const override { return chance_; }
+
+ private:
+  void sample(const Tile& tile, int, int, BlockSum& sum, Counts& counts) const override {
+    for (std::uint32_t s = 0; s < tile.samples; ++s)
+      sum.add(Rgb(1), counts);
+  }
+
+  double chance_;
+};
+
+TEST_CASE("No pixel is done before each light has been asked ten times around it") {
+  // 144 pixels of n samples a half, n = 32, 48, 64 ...: a light of chance 1/1600 has been asked ten
+  // times when n is 128, whatever the noise. One of 1e-9 is too rare to wait for: that is told.
+  const auto finished = [](double chance) {
+    return render(Unasked(chance), 16, 16,
+                  {.spp = 1 << 16, .threads = 1, .progress = false, .target_error = .01})
+        .adaptive.value();
+  };
+  CHECK(finished(1).least == 64);
+  CHECK(finished(1.0 / 1600).least == 256);
+  CHECK(finished(1.0 / 1600).asks >= 10);
+  CHECK(finished(1e-9).least == 2048);
+  CHECK(finished(1e-9).asks < 10);
+}
+
 TEST_CASE("No pixel gets more samples than spp, whatever the target") {
   for (const std::uint32_t spp : {32u, 100u, 1000u}) {
     const RenderResult result = run(Spikes(1), 1e-6, spp);

@@ -158,7 +158,7 @@ TEST_CASE("Rec. 709 that is stated changes no bit") {
   }
 }
 
-TEST_CASE("Chromaticities are taken to those of Rec. 709, white to white") {
+TEST_CASE("Chromaticities are taken to those of Rec. 709: the same X, Y, Z") {
   const auto close = [](Rgb a, Rgb b) {
     INFO(a.r << ' ' << a.g << ' ' << a.b);
     for (int c = 0; c < 3; ++c)
@@ -171,11 +171,22 @@ TEST_CASE("Chromaticities are taken to those of Rec. 709, white to white") {
   close(wide.image.at(1, 0), .5f * Rgb(-.5876f, 1.1329f, -.1006f));
   REQUIRE(wide.notes.size() == 1);
   CHECK_THAT(wide.notes[0], ContainsSubstring("a.exr: its chromaticities, red (0.708, 0.292)"));
+  // X, Y, Z themselves, whose white is that of equal energy: IEC 61966-2-1's matrix. D65 is white.
+  const ExrFile xyz = read_bytes(
+      with_chromaticities({1, 0, 0, 1, 0, 0, 1 / 3.f, 1 / 3.f}, {{1, 0, 0}, {.9505f, 1, 1.089f}}));
+  close(xyz.image.at(0, 0), {3.2410f, -.9692f, .0556f});
+  for (int c = 0; c < 3; ++c)
+    CHECK(std::abs(xyz.image.at(1, 0)[c] - 1) <= 1e-3f);
+}
+
+TEST_CASE("A white that is adapted becomes white") {
   // ACES AP1, by the Bradford transform: OpenColorIO's built-in configuration.
-  const ExrFile aces = read_bytes(with_chromaticities(
-      {.713f, .293f, .165f, .83f, .128f, .044f, .32168f, .33767f}, {{1, 0, 0}, {2, 2, 2}}));
-  close(aces.image.at(0, 0), {1.70505f, -.13026f, -.02400f});
-  close(aces.image.at(1, 0), Rgb(2));
+  const auto matrix =
+      to_rec709({{.713, .293}, {.165, .83}, {.128, .044}, {.32168, .33767}}, White::adapted);
+  REQUIRE(matrix);
+  const glm::dvec3 red = *matrix * glm::dvec3(1, 0, 0), white = *matrix * glm::dvec3(1);
+  CHECK(glm::length(red - glm::dvec3(1.70505, -.13026, -.02400)) <= 1e-4);
+  CHECK(glm::length(white - glm::dvec3(1)) <= 1e-4);
 }
 
 TEST_CASE("Chromaticities that span no colours are refused") {

@@ -286,6 +286,22 @@ TEST_CASE("an included file shares ids and parameters and finds files beside it"
   CHECK(std::holds_alternative<Phong>(scene.materials.at(scene.shapes[1].material).model));
 }
 
+TEST_CASE("what an included file names may stand beside the scene that includes it", "[scene]") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "parts");
+  write_bytes(folder.path() / "scene.xml",
+              "<scene version=\"0.6.0\"><include filename=\"parts/part.xml\"/></scene>");
+  write_bytes(folder.path() / "parts/part.xml",
+              "<scene version=\"0.6.0\"><include filename=\"parts/other.xml\"/><sensor "
+              "type=\"perspective\">" +
+                  fov90 + "</sensor></scene>");
+  write_bytes(folder.path() / "parts/other.xml",
+              "<scene version=\"0.6.0\"><shape type=\"obj\"><string name=\"filename\" "
+              "value=\"mesh.obj\"/></shape></scene>");
+  write_bytes(folder.path() / "mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  CHECK(load_scene(folder.path() / "scene.xml").shapes.size() == 1);
+}
+
 TEST_CASE("needs count what stands in the scene, and say it in a line", "[scene]") {
   const Scene scene = load_elements(
       "<bsdf type=\"phong\" id=\"unused\"/>"

@@ -83,6 +83,14 @@ TEST_CASE("vertex normals are refused unless faceNormals is asked for", "[scene]
         1);
 }
 
+TEST_CASE("normals that a file names and does not have are noted", "[scene]") {
+  const Scene scene = load_obj(scene_test::unit_square + "f 1//1 2//2 3//9\n",
+                               "<boolean name=\"faceNormals\" value=\"true\"/>");
+  CHECK(mesh_of(scene).triangles.size() == 1);
+  REQUIRE_FALSE(scene.notes.empty());
+  CHECK(scene.notes[0] == "mesh.obj: 3 corners name normals that are not there");
+}
+
 TEST_CASE("degenerate triangles are left out with a note", "[scene]") {
   const Scene scene = load_obj(scene_test::unit_square + "f 1 2 3\nf 1 1 2\n");
   CHECK(mesh_of(scene).triangles.size() == 1);

@@ -101,14 +101,17 @@ class LampWalk : Steps<Needs> {
     if (hn::AllFalse(d_, clear)) return;
     tie(paths, vertex.direct, clear);
     alignas(64) std::array<float, lanes> r, g, b;
-    alignas(64) std::array<std::uint32_t, lanes> pixel;
+    alignas(64) std::array<std::uint32_t, lanes> pixel, word;
+    hn::Store(mix(hn::Add(hn::Xor(paths.key, paths.reversed_index), paths.depth)), du_,
+              word.data());
     hn::Store(vertex.direct.x, d_, r.data());
     hn::Store(vertex.direct.y, d_, g.data());
     hn::Store(vertex.direct.z, d_, b.data());
     hn::Store(paths.pixel, du_, pixel.data());
     for (std::uint32_t left = bits(clear); left != 0; left &= left - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(left));
-      splats_.add(pixel[i], {units(r[i]), units(g[i]), units(b[i])});
+      const double up = word[i] * 0x1p-32;
+      splats_.add(pixel[i], {units(r[i], up), units(g[i], up), units(b[i], up)});
     }
   }
 
@@ -228,10 +231,12 @@ class LampWalk : Steps<Needs> {
     paths.brought = hn::Add(paths.brought, more);
   }
 
-  std::int64_t units(float value) const {
+  /// Whole units, one more as often as the rest asks for (`up` is uniform in [0, 1)): beside a lamp
+  /// 1e12 times as bright what a weak one brings may be less than a unit, and must not be lost.
+  std::int64_t units(float value, double up) const {
     const double x = static_cast<double>(value) * scale_;
     constexpr double most = 0x1p62;
-    if (x >= 0 && x < most) return std::llrint(x);
+    if (x >= 0 && x < most) return static_cast<std::int64_t>(x + up);
     ++counts_.bad;
     return 0;
   }

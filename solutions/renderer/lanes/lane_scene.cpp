@@ -120,7 +120,7 @@ class Writer {
     const auto& [points, environment, envmap] = scene.lights;
     (void)points, (void)environment;  // environment is left to rays that meet no surface
     if (!envmap) return;
-    lanes.sky_far = f(2 * carlo::diameter(scene));
+    lanes.sky_far = f(std::min(2 * carlo::diameter(scene), 1e18));  // its square is a float
     lanes.sky.emplace(*envmap);
   }
 

@@ -137,7 +137,9 @@ HWY_INLINE void sample_balls(const Balls& ball, V3 p, V2 u, M chosen, LightPoint
   points.n = select(chosen, hn::CopySign(set(1), ball.radius) * n, points.n);
   points.by_direction = hn::And(chosen, outwards);
   const V cosine_by_distance = dot(points.n, p - points.p);
-  const M faces = hn::Gt(cosine_by_distance, blur(ball, p));
+  // From outside its near half is in the way of all that faces p.
+  const M inside = hn::Le(hn::Sub(cone.distance, hn::Abs(ball.radius)), blur(ball, p));
+  const M faces = hn::And(inside, hn::Gt(cosine_by_distance, blur(ball, p)));
   points.seen = hn::Or(hn::Not(chosen), select_mask(outwards, cone.seen, faces));
   points.solid_angle = hn::Mul(points.area, cone.one_minus_cos);
 }
