@@ -82,10 +82,10 @@ struct SamePlace {
     return near(a.radius, b.radius, error) && near(Vec3d(a.center), Vec3d(b.center), error) &&
            near(Vec3d(a.normal), Vec3d(b.normal), 2 * rounding);
   }
+  bool operator()(const Mesh&, const Mesh&) const { return false; }  // by their triangles
+  bool operator()(const Sdf&, const Sdf&) const { return false; }    // no lamps
   template <class A, class B>
-  bool operator()(const A&, const B&) const {
-    return false;
-  }
+  requires(!std::is_same_v<A, B>) bool operator()(const A&, const B&) const { return false; }
 };
 
 class DuplicateLamps {
