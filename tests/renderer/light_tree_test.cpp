@@ -98,7 +98,8 @@ TEST_CASE("Lights are chosen as often as their chances say, and what is left of 
   Rng rng(71);
   constexpr int draws = 200000, cells = 64;
   for (int set = 0; set < 24; ++set) {
-    const std::size_t count = std::array{1, 2, 3, 10, 128, 1000}[static_cast<std::size_t>(set % 6)];
+    const std::size_t count =
+        std::array<std::size_t, 6>{1, 2, 3, 10, 128, 1000}[static_cast<std::size_t>(set % 6)];
     const SomeLights some(rng, count,
                           std::array{1e-4, 1.0, 1e6}[static_cast<std::size_t>(set % 3)]);
     const LightTree tree(some.lights, some.around);
