@@ -269,6 +269,15 @@ TEST_CASE("No light is taken to bring nothing of which a part faces the point fr
   CHECK(facing > 50000);
 }
 
+/// Whether the middle of a light is above the horizon and sends light there. (The sphere around a
+/// light that is below may reach above it, and that around its group need not.)
+bool middle_faces(const LightBounds& light, const Here& here) {
+  const dvec3 d = .5 * (light.lower + light.upper) - here.p;
+  const double least = 1e-5 * glm::length(d);
+  return glm::dot(here.n, d) > least &&
+         (light.cos_spread <= -1 || -glm::dot(light.axis, d) > least);
+}
+
 TEST_CASE("What groups of a tree are taken to bring is 0 only where that of all members is") {
   // A tree that descends by estimates loses a light where a group's estimate is 0: then its chance
   // is no more than the floor.
@@ -285,7 +294,7 @@ TEST_CASE("What groups of a tree are taken to bring is 0 only where that of all 
         all += renderer::estimate_irradiance(light, here.p, here.n);
       for (std::uint32_t i = 0; i < some.lights.size(); ++i) {
         const double brings = renderer::estimate_irradiance(some.lights[i], here.p, here.n);
-        if (!(brings > 1e-3 * all)) continue;
+        if (!(brings > 1e-3 * all) || !middle_faces(some.lights[i], here)) continue;
         ++bright;
         CHECK(tree.chance(i, here.p, here.n) > floor);
       }
