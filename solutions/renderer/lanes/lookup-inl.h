@@ -70,8 +70,7 @@ class Numbers {
     return found;
   }
 
-  /// A gather of 16 takes as long as reading eight registers.
-  static constexpr std::size_t most = lanes == 16 ? 8 : 4;
+  static constexpr std::size_t most = 4;
   U numbers_;
   decltype(hn::IndicesFromVec(d_, hn::Zero(du_))) within_;
   std::size_t registers_;
