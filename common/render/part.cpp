@@ -87,6 +87,9 @@ void require_possible(const PartHeader& part, const fs::path& path) {
     fail(fmt::format("its {} blocks of {} samples are not the {} that were planned", grid.passes,
                      grid.block, part.settings.at("planned_spp")));
   }
+  if (!(part.least_light_chance >= 0 && part.least_light_chance <= 1)) {
+    fail(fmt::format("its chance to ask a light is {}", part.least_light_chance));
+  }
   if (part.blocks.end() > grid.blocks()) {
     fail(fmt::format("it has blocks up to {} of {}", part.blocks.end(), grid.blocks()));
   }
@@ -148,6 +151,7 @@ static void fields(JsonFields& json, PartHeader& part) {
   json("settings", part.settings);
   json("grid", part.grid);
   json("lamps", part.lamps);
+  json("least_light_chance", part.least_light_chance);
   json("shard", part.shard);
   json.as_text("parts", part.parts);
   as_words(

@@ -19,10 +19,11 @@ namespace carlo {
 struct PartHeader {
   /// Those of the whole render (resume.h), and the program's "version". Parts of one render agree.
   RenderSettings settings;
-  std::string scene;   ///< its file
-  std::string needs;   ///< describe() of its needs
-  BlockGrid grid;      ///< of the whole render
-  bool lamps = false;  ///< whether paths from lamps are traced
+  std::string scene;              ///< its file
+  std::string needs;              ///< describe() of its needs
+  BlockGrid grid;                 ///< of the whole render
+  bool lamps = false;             ///< whether paths from lamps are traced
+  double least_light_chance = 1;  ///< the integrator's
   /// How the samples were shared out; nothing for parts that were merged from different N. `index`
   /// is 0 where shares of the same N were merged.
   std::optional<Shard> shard;

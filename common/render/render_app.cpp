@@ -6,7 +6,6 @@
 #include "image/exr.h"
 #include "render/driver.h"
 #include "render/interrupt.h"
-#include "render/light_asks.h"
 #include "render/outputs.h"
 #include "render/render_arguments.h"
 #include "render/render_page.h"
@@ -188,10 +187,7 @@ int run(RenderArguments a, const IntegratorFactory& factory, const std::string& 
     report.scene = a.scene;
     report.kernel = integrator->name();
     report.seed = seed;
-    if (!result.adaptive) {
-      report.light_asks =
-          expected_asks(integrator->least_light_chance(), report.spp, scene.width, scene.height);
-    }
+    if (!result.adaptive) report.expect_asks(integrator->least_light_chance());
     if (reference) report.reference = compare_with_reference(result, a.reference, *reference);
     return report;
   };

@@ -178,6 +178,10 @@ RenderReport make_report(const RenderResult& result) {
   return report;
 }
 
+void RenderReport::expect_asks(double least_light_chance) {
+  light_asks = expected_asks(least_light_chance, spp, width, height);
+}
+
 ReferenceReport compare_with_reference(const RenderResult& result, const std::string& path,
                                        const ExrFile& reference) {
   ReferenceReport report;

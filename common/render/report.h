@@ -42,6 +42,10 @@ struct RenderReport {
   double finished = 1;  ///< fraction of the pixels that have samples; the means are over these
   std::optional<AdaptiveSummary> adaptive;
   std::optional<ReferenceReport> reference;
+
+  /// Tells light_asks of the same number of samples in all pixels, by
+  /// Integrator::least_light_chance.
+  void expect_asks(double least_light_chance);
 };
 
 /// The image's mean and its standard error, with what paths that reach several pixels add to it.

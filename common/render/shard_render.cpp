@@ -40,6 +40,7 @@ PartHeader header_of(const Scene& scene, const Integrator& integrator, const Sha
   const std::uint32_t block = block_size(render.spp);
   part.grid = {scene.width, scene.height, block, render.spp / block};
   part.lamps = integrator.lamp_paths() > 0;
+  part.least_light_chance = integrator.least_light_chance();
   part.shard = render.shard;
   return part;
 }
@@ -96,6 +97,7 @@ void tell(const Scene& scene, const ShardRender& render, const PartHeader& part,
   RenderReport report = make_report(scene, result);
   report.scene = render.scene;
   report.kernel = part.settings.at("kernel");
+  report.expect_asks(part.least_light_chance);
   report.seed = std::stoull(part.settings.at("seed"));
   fmt::print("{}", to_text(report));
   for (const std::string& note : scene.notes)
