@@ -121,9 +121,9 @@ TEST_CASE("triangles of lamps of different meshes coincide", "[scene]") {
 
 TEST_CASE("many lamps are compared in little time", "[scene]") {
   // Processor time of 16 times as many: some 16 times as much; by pairs it would be 256 times.
-  const auto clock_ticks = [](int count) {
+  const auto clock_ticks = [](std::size_t count) {
     std::string text;
-    for (int i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
       text += lamp("rectangle",
                    at_place(fmt::format("<translate x=\"{}\" y=\"{}\"/>", i % 50, i / 50)));
     }
