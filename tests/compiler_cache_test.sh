@@ -6,7 +6,7 @@ set -euo pipefail
 compiler=$1
 shift
 [ $# != 0 ] || { echo "there is no compiler cache" && exit 77; }
-compile_header=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../common/cmake/compile_header.sh
+compile_header=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../common/course/cmake/compile_header.sh
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export CCACHE_DIR=$work/cache

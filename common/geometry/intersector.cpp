@@ -1,6 +1,5 @@
 #include "geometry/intersector.h"
 
-#include "cli/error.h"
 #include "geometry/analytic.h"
 #include "geometry/embree.h"
 #include "geometry/mesh_tracer.h"
@@ -8,6 +7,7 @@
 #include "geometry/sphere_tracer.h"
 #include "numeric/robust.h"
 #include "scene/match.h"
+#include "support/error.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "geometry/mesh_tracer.h"
 
-#include "cli/error.h"
 #include "geometry/embree.h"
 #include "numeric/robust.h"
+#include "support/error.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,10 +1,10 @@
 #include "image/exr.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
 #include "image/exr_header.h"
 #include "image/exr_window.h"
 #include "image/primaries.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "image/exr_header.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <array>
 #include <cstddef>

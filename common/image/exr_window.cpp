@@ -1,7 +1,7 @@
 #include "image/exr_window.h"
 
-#include "cli/error.h"
 #include "image/image.h"
+#include "support/error.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "image/film.h"
 
-#include "cli/error.h"
 #include "numeric/compensated.h"
+#include "support/error.h"
 
 #include <cmath>
 #include <limits>

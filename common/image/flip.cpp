@@ -1,6 +1,6 @@
 #include "image/flip.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,10 @@
 #include "image/hdr.h"
 
-#include "cli/atomic_file.h"
-#include "cli/byte_order_mark.h"
-#include "cli/error.h"
-#include "cli/number.h"
 #include "image/primaries.h"
+#include "support/atomic_file.h"
+#include "support/byte_order_mark.h"
+#include "support/error.h"
+#include "support/number.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "image/metrics.h"
 
-#include "cli/error.h"
 #include "numeric/compensated.h"
+#include "support/error.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "image/png.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <stb/stb_image_write.h>
 

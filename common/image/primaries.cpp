@@ -1,6 +1,6 @@
 #include "image/primaries.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <fmt/format.h>
 

@@ -1,12 +1,12 @@
 #include "render/adaptive.h"
 
-#include "cli/error.h"
-#include "cli/wall_clock.h"
 #include "numeric/compensated.h"
 #include "render/adaptive_state.h"
 #include "render/interrupt.h"
 #include "render/lamp_pass.h"
 #include "render/light_asks.h"
+#include "support/error.h"
+#include "support/wall_clock.h"
 
 #include <tbb/parallel_for_each.h>
 #include <tbb/task_arena.h>

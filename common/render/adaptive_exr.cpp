@@ -1,7 +1,7 @@
 #include "render/adaptive_exr.h"
 
-#include "cli/error.h"
-#include "cli/number.h"
+#include "support/error.h"
+#include "support/number.h"
 
 #include <fmt/core.h>
 

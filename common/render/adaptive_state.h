@@ -1,8 +1,8 @@
 #pragma once
 
-#include "cli/error.h"
 #include "image/film.h"
 #include "render/half_sums.h"
+#include "support/error.h"
 
 #include <algorithm>
 #include <array>

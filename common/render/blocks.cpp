@@ -1,8 +1,8 @@
 #include "render/blocks.h"
 
-#include "cli/error.h"
-#include "cli/number.h"
 #include "render/driver.h"
+#include "support/error.h"
+#include "support/number.h"
 
 #include <fmt/core.h>
 

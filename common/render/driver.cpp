@@ -1,10 +1,10 @@
 #include "render/driver.h"
 
-#include "cli/error.h"
-#include "cli/progress.h"
-#include "cli/wall_clock.h"
 #include "render/interrupt.h"
 #include "render/lamp_pass.h"
+#include "support/error.h"
+#include "support/progress.h"
+#include "support/wall_clock.h"
 
 #include <tbb/global_control.h>
 #include <tbb/info.h>

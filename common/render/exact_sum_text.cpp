@@ -1,6 +1,6 @@
 #include "render/exact_sum_text.h"
 
-#include "cli/number.h"
+#include "support/number.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
 #include "render/merge.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 

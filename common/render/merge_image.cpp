@@ -1,11 +1,11 @@
 #include "render/merge_image.h"
 
-#include "cli/number.h"
-#include "cli/progress.h"
 #include "image/exr.h"
 #include "image/metrics.h"
 #include "render/outputs.h"
 #include "render/report.h"
+#include "support/number.h"
+#include "support/progress.h"
 
 #include <fmt/core.h>
 

@@ -1,12 +1,12 @@
 // `./carlo merge`: parts of a render become its image, or one part.
 
-#include "cli/arguments.h"
-#include "cli/error.h"
-#include "cli/main_guard.h"
-#include "cli/progress.h"
+#include "course/cli/arguments.h"
+#include "course/cli/main_guard.h"
 #include "render/merge.h"
 #include "render/merge_image.h"
 #include "render/part.h"
+#include "support/error.h"
+#include "support/progress.h"
 
 #include <fmt/core.h>
 

@@ -1,9 +1,9 @@
 #include "render/outputs.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
 #include "image/png.h"
 #include "render/pixel_maps.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 

@@ -1,13 +1,13 @@
 #include "render/part.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
-#include "cli/number.h"
-#include "cli/program.h"
-#include "json/json_fields.h"
+#include "course/cli/program.h"
+#include "course/json/json_fields.h"
 #include "render/checksum.h"
 #include "render/exact_sum_text.h"
 #include "render/part_tile.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
+#include "support/number.h"
 
 #include <fmt/core.h>
 

@@ -1,8 +1,6 @@
 #include "render/render_app.h"
 
-#include "cli/arguments.h"
-#include "cli/atomic_file.h"
-#include "cli/error.h"
+#include "course/cli/arguments.h"
 #include "image/exr.h"
 #include "render/driver.h"
 #include "render/interrupt.h"
@@ -15,6 +13,8 @@
 #include "render/slurm_job.h"
 #include "render/slurm_render.h"
 #include "scene/load_scene.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 

@@ -1,12 +1,12 @@
 #include "render/render_arguments.h"
 
-#include "cli/arguments.h"
-#include "cli/error.h"
-#include "cli/number.h"
+#include "course/cli/arguments.h"
 #include "render/blocks.h"
 #include "render/outputs.h"
 #include "render/scene_film.h"
 #include "scene/sampler_kind.h"
+#include "support/error.h"
+#include "support/number.h"
 
 #include <algorithm>
 #include <string_view>

@@ -1,9 +1,9 @@
 #include "render/render_page.h"
 
+#include "course/report/format.h"
+#include "course/report/machine.h"
+#include "course/report/viewer.h"
 #include "image/flip.h"
-#include "report/format.h"
-#include "report/machine.h"
-#include "report/viewer.h"
 
 #include <fmt/core.h>
 

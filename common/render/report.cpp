@@ -1,12 +1,12 @@
 #include "render/report.h"
 
-#include "cli/progress.h"
-#include "json/json_fields.h"
+#include "course/json/json_fields.h"
 #include "numeric/compensated.h"
 #include "render/half_sums.h"
 #include "render/light_asks.h"
 #include "scene/needs.h"
 #include "scene/sampler_kind.h"
+#include "support/progress.h"
 
 #include <fmt/core.h>
 

@@ -1,15 +1,15 @@
 #include "render/resume.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
-#include "cli/number.h"
-#include "json/json_fields.h"
+#include "course/json/json_fields.h"
 #include "render/adaptive_exr.h"
 #include "render/blocks.h"
 #include "render/driver.h"
 #include "render/exact_sum_text.h"
 #include "scene/fingerprint.h"
 #include "scene/sampler_kind.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
+#include "support/number.h"
 
 #include <fmt/core.h>
 

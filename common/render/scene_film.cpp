@@ -1,6 +1,6 @@
 #include "render/scene_film.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 namespace carlo {
 void resize(Scene& scene, int width, int height) {

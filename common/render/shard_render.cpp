@@ -1,12 +1,12 @@
 #include "render/shard_render.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
 #include "render/driver.h"
 #include "render/outputs.h"
 #include "render/part.h"
 #include "render/report.h"
 #include "scene/needs.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 

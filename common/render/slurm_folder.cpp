@@ -1,13 +1,13 @@
 #include "render/slurm_folder.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
-#include "cli/number.h"
-#include "json/json_fields.h"
+#include "course/json/json_fields.h"
 #include "render/adaptive_state.h"
 #include "render/driver.h"
 #include "render/outputs.h"
 #include "render/part.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
+#include "support/number.h"
 
 #include <fmt/core.h>
 

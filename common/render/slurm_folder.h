@@ -11,7 +11,7 @@
 
 // A render on a cluster is a folder beside its image, IMAGE.slurm, on a file system that all nodes
 // share. What is done is what its files say; what is at work is what Slurm says
-// (slurm/array_job.h).
+// (course/slurm/array_job.h).
 //
 //   plan.json     what is rendered, and how it was asked for last
 //   carlo_render  the program as it was then: a later build would have other bits

@@ -1,7 +1,5 @@
 #include "render/slurm_job.h"
 
-#include "cli/error.h"
-#include "cli/number.h"
 #include "image/exr.h"
 #include "render/adaptive_state.h"
 #include "render/merge.h"
@@ -10,6 +8,8 @@
 #include "render/report.h"
 #include "render/slurm_render.h"
 #include "render/slurm_round.h"
+#include "support/error.h"
+#include "support/number.h"
 
 #include <fmt/core.h>
 

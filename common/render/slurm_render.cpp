@@ -1,10 +1,10 @@
 #include "render/slurm_render.h"
 
-#include "cli/error.h"
-#include "cli/progress.h"
+#include "course/slurm/array_job.h"
+#include "course/slurm/folder_lock.h"
 #include "render/interrupt.h"
-#include "slurm/array_job.h"
-#include "slurm/folder_lock.h"
+#include "support/error.h"
+#include "support/progress.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>

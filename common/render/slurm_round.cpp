@@ -1,11 +1,11 @@
 #include "render/slurm_round.h"
 
-#include "cli/error.h"
-#include "cli/program.h"
+#include "course/cli/program.h"
 #include "image/exr.h"
 #include "render/adaptive_state.h"
 #include "render/interrupt.h"
 #include "render/resume.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 

@@ -1,11 +1,11 @@
 #include "scene/envmap_file.h"
 
-#include "cli/byte_order_mark.h"
-#include "cli/error.h"
 #include "image/exr.h"
 #include "image/hdr.h"
 #include "scene/similarity.h"
 #include "scene/text.h"
+#include "support/byte_order_mark.h"
+#include "support/error.h"
 
 #include <fmt/format.h>
 

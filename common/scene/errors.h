@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <string>
 #include <vector>

@@ -1,9 +1,9 @@
-#include "cli/error.h"
 #include "scene/duplicate_faces.h"
 #include "scene/mesh_file.h"
 #include "scene/shapes.h"
 #include "scene/text.h"
 #include "scene/transforms.h"
+#include "support/error.h"
 
 #include <fmt/format.h>
 

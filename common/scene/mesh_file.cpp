@@ -1,7 +1,7 @@
 #include "scene/mesh_file.h"
 
-#include "cli/error.h"
 #include "scene/polygon.h"
+#include "support/error.h"
 
 namespace carlo {
 

@@ -1,8 +1,8 @@
-#include "cli/atomic_file.h"
-#include "cli/byte_order_mark.h"
-#include "cli/error.h"
 #include "scene/mesh_file.h"
 #include "scene/text.h"
+#include "support/atomic_file.h"
+#include "support/byte_order_mark.h"
+#include "support/error.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "scene/ply_data.h"
 
-#include "cli/error.h"
-#include "cli/number.h"
 #include "scene/text.h"
+#include "support/error.h"
+#include "support/number.h"
 
 #include <fmt/format.h>
 

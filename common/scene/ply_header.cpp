@@ -1,7 +1,7 @@
 #include "scene/ply_header.h"
 
-#include "cli/error.h"
 #include "scene/text.h"
+#include "support/error.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "scene/sampler_kind.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <fmt/ranges.h>
 

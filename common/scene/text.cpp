@@ -1,6 +1,6 @@
 #include "scene/text.h"
 
-#include "cli/number.h"
+#include "support/number.h"
 
 #include <fmt/format.h>
 

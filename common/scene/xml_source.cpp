@@ -1,8 +1,8 @@
 #include "scene/xml_source.h"
 
-#include "cli/atomic_file.h"
 #include "scene/text.h"
 #include "scene/xml_tags.h"
+#include "support/atomic_file.h"
 
 #include <pugixml.hpp>
 

@@ -1,6 +1,6 @@
 #include "stats/fit.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <boost/math/distributions/students_t.hpp>
 

@@ -1,6 +1,6 @@
+#include "course/report/format.h"
 #include "experiments.h"
 #include "integrands.h"
-#include "report/format.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
-#include "cli/wall_clock.h"
 #include "experiments.h"
 #include "integrands.h"
+#include "support/wall_clock.h"
 
 #include <fmt/core.h>
 

@@ -1,8 +1,8 @@
-#include "cli/wall_clock.h"
+#include "course/report/page.h"
+#include "course/report/table.h"
 #include "experiments.h"
 #include "integration.h"
-#include "report/page.h"
-#include "report/table.h"
+#include "support/wall_clock.h"
 
 #include <cmath>
 #include <functional>

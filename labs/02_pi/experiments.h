@@ -1,7 +1,7 @@
 #pragma once
 
-#include "report/measure.h"
-#include "report/notebook.h"
+#include "course/report/measure.h"
+#include "course/report/notebook.h"
 
 namespace lab02 {
 

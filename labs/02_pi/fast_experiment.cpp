@@ -1,7 +1,7 @@
-#include "cli/wall_clock.h"
+#include "course/report/format.h"
 #include "experiments.h"
 #include "pi.h"
-#include "report/format.h"
+#include "support/wall_clock.h"
 
 #include <fmt/core.h>
 

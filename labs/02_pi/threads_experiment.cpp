@@ -1,6 +1,6 @@
-#include "cli/wall_clock.h"
 #include "experiments.h"
 #include "pi.h"
+#include "support/wall_clock.h"
 
 #include <fmt/core.h>
 

@@ -1,9 +1,9 @@
 #include "battery.h"
-#include "cli/wall_clock.h"
+#include "course/report/format.h"
+#include "course/report/html.h"
+#include "course/report/page.h"
 #include "experiments.h"
-#include "report/format.h"
-#include "report/html.h"
-#include "report/page.h"
+#include "support/wall_clock.h"
 
 #include <fmt/core.h>
 

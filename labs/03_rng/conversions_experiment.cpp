@@ -1,7 +1,7 @@
-#include "cli/wall_clock.h"
 #include "experiments.h"
 #include "random/rng.h"
 #include "rng.h"
+#include "support/wall_clock.h"
 
 #include <fmt/core.h>
 

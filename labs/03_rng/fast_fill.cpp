@@ -1,9 +1,9 @@
 #include "fast_fill.h"
 
-#include "cli/error.h"
 #include "generators.h"
 #include "random/hash.h"
 #include "random/philox.h"
+#include "support/error.h"
 
 #include <cstring>
 

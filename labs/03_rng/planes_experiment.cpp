@@ -1,8 +1,8 @@
-#include "cli/wall_clock.h"
+#include "course/report/turntable.h"
 #include "experiments.h"
 #include "generators.h"
-#include "report/turntable.h"
 #include "spectral.h"
+#include "support/wall_clock.h"
 
 #include <algorithm>
 #include <array>

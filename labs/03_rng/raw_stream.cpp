@@ -1,7 +1,7 @@
 #include "raw_stream.h"
 
-#include "cli/error.h"
 #include "generators.h"
+#include "support/error.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

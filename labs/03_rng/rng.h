@@ -3,7 +3,7 @@
 // Lab 03: random numbers. The contract: what each exercise takes and returns. Do not edit this
 // file; your work goes into rng.cpp.
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <cstddef>
 #include <cstdint>

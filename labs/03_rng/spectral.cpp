@@ -1,6 +1,6 @@
 #include "spectral.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <array>
 #include <cmath>

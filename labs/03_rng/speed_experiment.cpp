@@ -1,7 +1,7 @@
-#include "cli/wall_clock.h"
 #include "experiments.h"
 #include "fast_fill.h"
 #include "generators.h"
+#include "support/wall_clock.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "course/report/measure.h"
+#include "course/report/notebook.h"
 #include "point_sets.h"
-#include "report/measure.h"
-#include "report/notebook.h"
 
 namespace lab04 {
 

@@ -1,7 +1,7 @@
 #include "pictures.h"
 
+#include "course/report/tiles.h"
 #include "point_sets.h"
-#include "report/tiles.h"
 
 #include <fmt/core.h>
 

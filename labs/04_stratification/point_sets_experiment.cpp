@@ -1,6 +1,6 @@
+#include "course/report/tiles.h"
 #include "experiments.h"
 #include "pictures.h"
-#include "report/tiles.h"
 
 #include <fmt/core.h>
 

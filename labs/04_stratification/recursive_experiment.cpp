@@ -1,7 +1,7 @@
+#include "course/report/format.h"
+#include "course/report/tiles.h"
 #include "experiments.h"
 #include "pictures.h"
-#include "report/format.h"
-#include "report/tiles.h"
 
 #include <fmt/core.h>
 

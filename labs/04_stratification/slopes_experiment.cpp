@@ -1,5 +1,5 @@
+#include "course/report/format.h"
 #include "experiments.h"
-#include "report/format.h"
 
 #include <fmt/core.h>
 

@@ -1,9 +1,9 @@
+#include "course/report/format.h"
+#include "course/report/slider.h"
+#include "course/report/tiles.h"
 #include "experiments.h"
 #include "goodness.h"
 #include "pictures.h"
-#include "report/format.h"
-#include "report/slider.h"
-#include "report/tiles.h"
 
 #include <fmt/core.h>
 

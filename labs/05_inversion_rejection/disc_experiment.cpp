@@ -1,8 +1,8 @@
+#include "course/report/format.h"
+#include "course/report/tiles.h"
 #include "experiments.h"
 #include "goodness.h"
 #include "pictures.h"
-#include "report/format.h"
-#include "report/tiles.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
+#include "course/report/slider.h"
+#include "course/report/tiles.h"
 #include "pictures.h"
-#include "report/slider.h"
-#include "report/tiles.h"
 
 #include <fmt/core.h>
 

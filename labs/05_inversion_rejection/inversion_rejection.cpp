@@ -1,8 +1,8 @@
 #include "inversion_rejection.h"
 
 #include "bins.h"
-#include "cli/error.h"
 #include "course/not_implemented.h"
+#include "support/error.h"
 
 // Lab 05: inversion and rejection. This is your file. inversion_rejection.h says what each function
 // takes and returns; README.md says why; bins.h has two functions for the tables. An exercise is

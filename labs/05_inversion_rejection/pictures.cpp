@@ -1,7 +1,7 @@
 #include "pictures.h"
 
-#include "report/picture.h"
-#include "report/tiles.h"
+#include "course/report/picture.h"
+#include "course/report/tiles.h"
 
 #include <fmt/core.h>
 

@@ -1,8 +1,8 @@
 #include "alias.h"
-#include "cli/wall_clock.h"
 #include "experiments.h"
 #include "goodness.h"
 #include "inversion_rejection.h"
+#include "support/wall_clock.h"
 
 #include <fmt/core.h>
 

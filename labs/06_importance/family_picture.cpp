@@ -1,7 +1,7 @@
+#include "course/report/chart.h"
+#include "course/report/slider.h"
+#include "course/report/tiles.h"
 #include "pictures.h"
-#include "report/chart.h"
-#include "report/slider.h"
-#include "report/tiles.h"
 
 #include <fmt/core.h>
 

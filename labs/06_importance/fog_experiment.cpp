@@ -1,7 +1,7 @@
+#include "course/report/tiles.h"
 #include "experiments.h"
 #include "importance.h"
 #include "pictures.h"
-#include "report/tiles.h"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <fmt/core.h>

@@ -4,7 +4,7 @@
 
 // Lab 06: importance sampling. This is your file. importance.h says what each function takes and
 // returns; README.md says why. An exercise is done when its not_implemented line is gone. Errors
-// for the user are carlo::Error ("cli/error.h").
+// for the user are carlo::Error ("support/error.h").
 
 namespace lab06 {
 

@@ -1,5 +1,5 @@
+#include "course/report/lab_app.h"
 #include "experiments.h"
-#include "report/lab_app.h"
 
 int main(int argc, char** argv) {
   const carlo::LabApp lab{

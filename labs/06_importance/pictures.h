@@ -1,6 +1,6 @@
 #pragma once
 
-#include "report/page.h"
+#include "course/report/page.h"
 
 #include <functional>
 #include <string>

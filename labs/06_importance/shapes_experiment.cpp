@@ -1,9 +1,9 @@
+#include "course/report/slider.h"
+#include "course/report/tiles.h"
 #include "experiments.h"
 #include "importance.h"
 #include "pictures.h"
 #include "power_family.h"
-#include "report/slider.h"
-#include "report/tiles.h"
 
 #include <fmt/core.h>
 

@@ -1,8 +1,8 @@
+#include "course/report/tiles.h"
 #include "experiments.h"
 #include "importance.h"
 #include "pictures.h"
 #include "power_family.h"
-#include "report/tiles.h"
 
 #include <fmt/core.h>
 

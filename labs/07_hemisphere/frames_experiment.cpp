@@ -1,5 +1,5 @@
+#include "course/report/stopwatch.h"
 #include "experiments.h"
-#include "report/stopwatch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
+#include "course/report/stopwatch.h"
 #include "experiments.h"
 #include "numeric/robust.h"
-#include "report/stopwatch.h"
 
 #include <cmath>
 #include <functional>

@@ -1,10 +1,10 @@
+#include "course/report/format.h"
+#include "course/report/stopwatch.h"
+#include "course/report/tiles.h"
+#include "course/report/turntable.h"
 #include "experiments.h"
 #include "goodness.h"
 #include "numeric/robust.h"
-#include "report/format.h"
-#include "report/stopwatch.h"
-#include "report/tiles.h"
-#include "report/turntable.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
+#include "course/report/tiles.h"
 #include "experiments.h"
 #include "images/images.h"
 #include "numeric/robust.h"
-#include "report/tiles.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
+#include "course/report/tiles.h"
 #include "experiments.h"
 #include "hemisphere.h"
 #include "images/images.h"
 #include "numeric/robust.h"
-#include "report/tiles.h"
 #include "stats/running_mean.h"
 
 #include <fmt/core.h>

@@ -1,7 +1,7 @@
+#include "course/report/tiles.h"
 #include "experiments.h"
 #include "images/views.h"
 #include "recap.h"
-#include "report/tiles.h"
 
 #include <fmt/core.h>
 

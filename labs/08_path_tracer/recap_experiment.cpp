@@ -1,9 +1,9 @@
+#include "course/report/format.h"
+#include "course/report/stopwatch.h"
 #include "experiments.h"
 #include "images/images.h"
 #include "numeric/robust.h"
 #include "recap_room.h"
-#include "report/format.h"
-#include "report/stopwatch.h"
 #include "stats/running_mean.h"
 
 #include <fmt/core.h>

@@ -1,5 +1,5 @@
-#include "cli/error.h"
 #include "recap.h"
+#include "support/error.h"
 
 // The Recap with four things changed. Emission is added, not chosen. Each ray is divided by its
 // density. One of the two rays is traced, divided by the chance of the choice. And that chance is

@@ -1,7 +1,7 @@
+#include "course/report/tiles.h"
 #include "experiments.h"
 #include "images/views.h"
 #include "numeric/robust.h"
-#include "report/tiles.h"
 #include "stats/running_mean.h"
 
 #include <fmt/core.h>

@@ -1,7 +1,7 @@
+#include "course/report/stopwatch.h"
+#include "course/report/tiles.h"
 #include "experiments.h"
 #include "images/views.h"
-#include "report/stopwatch.h"
-#include "report/tiles.h"
 
 #include <algorithm>
 #include <cmath>

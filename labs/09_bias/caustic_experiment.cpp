@@ -1,8 +1,8 @@
+#include "course/report/format.h"
+#include "course/report/stopwatch.h"
+#include "course/report/tiles.h"
 #include "experiments.h"
 #include "photon_run.h"
-#include "report/format.h"
-#include "report/stopwatch.h"
-#include "report/tiles.h"
 #include "shown_error.h"
 
 #include <fmt/core.h>

@@ -1,6 +1,6 @@
+#include "course/report/format.h"
 #include "experiments.h"
 #include "numeric/robust.h"
-#include "report/format.h"
 #include "shown_error.h"
 
 #include <fmt/core.h>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "bias.h"
-#include "report/measure.h"
-#include "report/notebook.h"
+#include "course/report/measure.h"
+#include "course/report/notebook.h"
 
 #include <string>
 #include <vector>

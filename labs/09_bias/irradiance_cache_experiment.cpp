@@ -1,10 +1,10 @@
+#include "course/report/format.h"
+#include "course/report/stopwatch.h"
+#include "course/report/tiles.h"
 #include "experiments.h"
 #include "images/views.h"
 #include "indirect.h"
 #include "photon_run.h"
-#include "report/format.h"
-#include "report/stopwatch.h"
-#include "report/tiles.h"
 #include "shown_error.h"
 
 #include <fmt/core.h>

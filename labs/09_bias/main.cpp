@@ -1,6 +1,6 @@
-#include "cli/arguments.h"
+#include "course/cli/arguments.h"
+#include "course/report/lab_app.h"
 #include "experiments.h"
-#include "report/lab_app.h"
 
 #include <vector>
 

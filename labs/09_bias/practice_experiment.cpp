@@ -1,6 +1,6 @@
+#include "course/report/format.h"
+#include "course/report/tiles.h"
 #include "practice.h"
-#include "report/format.h"
-#include "report/tiles.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
-#include "cli/source_folder.h"
+#include "course/cli/source_folder.h"
+#include "course/report/stopwatch.h"
 #include "image/exr.h"
 #include "practice.h"
-#include "report/stopwatch.h"
 #include "scene/load_scene.h"
 
 #include <tbb/parallel_for.h>

@@ -1,8 +1,8 @@
+#include "course/report/format.h"
 #include "experiments.h"
 #include "given/sampled.h"
 #include "mirrored_lamp.h"
 #include "photon_run.h"
-#include "report/format.h"
 #include "sampling/samplers.h"
 #include "shown_error.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bias.h"
-#include "report/table.h"
+#include "course/report/table.h"
 
 #include <algorithm>
 #include <cmath>

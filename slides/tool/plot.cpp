@@ -1,11 +1,11 @@
 // Draws one plot of a slide: JSON from plot.mjs on stdin, SVG on stdout.
 
-#include "report/plot.h"
+#include "course/report/plot.h"
 
-#include "cli/error.h"
-#include "cli/main_guard.h"
-#include "json/json_fields.h"
-#include "report/html.h"
+#include "course/cli/main_guard.h"
+#include "course/json/json_fields.h"
+#include "course/report/html.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 

@@ -26,7 +26,7 @@ export function writeTheme(root) {
       .map((rule) => inlined(`/* ${rule}`, path.dirname(file)));
   });
   const theme = path.join(root, "build/slides/theme.css");
-  const [own, pages] = ["slides/theme.css", "common/report/web/page.css"].map((file) =>
+  const [own, pages] = ["slides/theme.css", "common/course/report/web/page.css"].map((file) =>
     fs.readFileSync(path.join(root, file), "utf8"),
   );
   fs.writeFileSync(theme, [own, ...drawingRules(pages), ...rules].join("\n"));

@@ -1,11 +1,11 @@
-#include "cli/arguments.h"
-#include "cli/atomic_file.h"
-#include "cli/main_guard.h"
-#include "cli/wall_clock.h"
+#include "course/cli/arguments.h"
+#include "course/cli/main_guard.h"
+#include "course/report/format.h"
+#include "course/report/table.h"
 #include "gsl_methods.h"
 #include "point_sets.h"
-#include "report/format.h"
-#include "report/table.h"
+#include "support/atomic_file.h"
+#include "support/wall_clock.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

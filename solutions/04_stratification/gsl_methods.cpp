@@ -1,6 +1,6 @@
 #include "gsl_methods.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_monte_miser.h>

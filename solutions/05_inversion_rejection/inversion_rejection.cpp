@@ -1,7 +1,7 @@
 #include "inversion_rejection.h"
 
 #include "bins.h"
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <algorithm>
 #include <cmath>

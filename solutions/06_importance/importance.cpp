@@ -1,6 +1,6 @@
 #include "importance.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 #include "lights.h"
 
-#include "cli/error.h"
 #include "frame.h"
 #include "mesh_light.h"
 #include "numeric/robust.h"
 #include "scene/center.h"
 #include "scene/match.h"
 #include "spherical_rectangle.h"
+#include "support/error.h"
 #include "warp.h"
 
 #include <algorithm>

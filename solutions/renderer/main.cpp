@@ -1,7 +1,7 @@
 // `./carlo render`: the reference renderer.
 
-#include "cli/arguments.h"
-#include "cli/main_guard.h"
+#include "course/cli/arguments.h"
+#include "course/cli/main_guard.h"
 #include "render/render_app.h"
 #include "renderer/path_integrator.h"
 

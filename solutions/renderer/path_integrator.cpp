@@ -1,7 +1,6 @@
 #include "path_integrator.h"
 
 #include "bsdf.h"
-#include "cli/error.h"
 #include "geometry/intersector.h"
 #include "geometry/shadow_ray.h"
 #include "lanes/lane_integrator.h"
@@ -12,6 +11,7 @@
 #include "scene/match.h"
 #include "scene/needs.h"
 #include "scene/sampler_kind.h"
+#include "support/error.h"
 
 #include <algorithm>
 #include <variant>

@@ -2,8 +2,8 @@
 
 #include "spectral.h"
 
-#include "cli/error.h"
 #include "rng.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 

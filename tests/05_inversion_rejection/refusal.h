@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cli/error.h"
 #include "grader/protocol/frame.h"
+#include "support/error.h"
 
 #include <cstddef>
 #include <cstdint>

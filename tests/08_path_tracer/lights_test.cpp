@@ -2,9 +2,9 @@
 // that Rng::uniform_float() gives, so many belong to a light as its chance says.
 
 #include "08_path_tracer/scenes.h"
-#include "cli/error.h"
 #include "given/light_choice.h"
 #include "given/world.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 

@@ -5,8 +5,8 @@
 // bias of 8.6 standard errors with power .999: of 2.7 % in the worst case below, where one path's
 // standard deviation is 1.4 times its mean and n = 200 000.
 
-#include "cli/error.h"
 #include "recap_room.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "09_bias/irradiance_cases.h"
-#include "verdict/verdict.h"
+#include "course/verdict/verdict.h"
 
 #include <algorithm>
 #include <optional>

@@ -3,8 +3,8 @@
 
 #include "given/photon_map.h"
 
-#include "cli/error.h"
 #include "random/rng.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 

@@ -1,9 +1,9 @@
-#include "cli/error.h"
 #include "noise_integrator.h"
 #include "random/rng.h"
 #include "render/driver.h"
 #include "render/half_sums.h"
 #include "render/pixel_maps.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 

@@ -1,6 +1,6 @@
-#include "cli/arguments.h"
+#include "course/cli/arguments.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 

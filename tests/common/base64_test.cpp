@@ -1,6 +1,6 @@
-#include "report/base64.h"
+#include "course/report/base64.h"
 
-#include "report/picture.h"
+#include "course/report/picture.h"
 
 #include <catch2/catch_test_macros.hpp>
 

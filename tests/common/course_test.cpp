@@ -1,7 +1,7 @@
-#include "cli/atomic_file.h"
-#include "cli/error.h"
-#include "course/exercises.h"
-#include "course/hints.h"
+#include "course/guide/exercises.h"
+#include "course/guide/hints.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 #include "texts.h"
 
 #include <catch2/catch_test_macros.hpp>

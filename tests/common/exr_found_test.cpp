@@ -1,12 +1,12 @@
 // OpenEXR files as other programs write them: windows, parts, tiles, colours.
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
-#include "cli/source_folder.h"
+#include "course/cli/source_folder.h"
 #include "exr_bytes.h"
 #include "image/exr.h"
 #include "image/primaries.h"
 #include "mesh_helpers.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>

@@ -1,8 +1,8 @@
 #include "stats/fit.h"
 
-#include "cli/error.h"
 #include "random/rng.h"
 #include "stats/running_mean.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 

@@ -1,7 +1,7 @@
 #include "image/flip.h"
 
-#include "cli/error.h"
 #include "random/rng.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 

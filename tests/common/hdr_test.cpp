@@ -2,8 +2,8 @@
 
 #include "image/hdr.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 #include "temporary_folder.h"
 
 #include <catch2/catch_test_macros.hpp>

@@ -1,11 +1,11 @@
-#include "cli/atomic_file.h"
-#include "cli/error.h"
 #include "image/exr.h"
 #include "image/film.h"
 #include "image/metrics.h"
 #include "image/png.h"
 #include "numeric/exact_sum.h"
 #include "random/rng.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 #include "temporary_folder.h"
 
 #include <catch2/catch_test_macros.hpp>

@@ -1,5 +1,5 @@
-#include "cli/error.h"
-#include "json/json_fields.h"
+#include "course/json/json_fields.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers.hpp>

@@ -1,6 +1,6 @@
 // Meshes as other programs write them: what is passed over, what is noted and what is refused.
 
-#include "cli/source_folder.h"
+#include "course/cli/source_folder.h"
 #include "mesh_helpers.h"
 
 #include <fmt/format.h>

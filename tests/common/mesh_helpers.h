@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cli/error.h"
 #include "scene_helpers.h"
+#include "support/error.h"
 
 #include <string>
 #include <variant>

@@ -1,4 +1,4 @@
-#include "cli/number.h"
+#include "support/number.h"
 
 #include "random/rng.h"
 

@@ -1,12 +1,12 @@
 #include "render/part.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
 #include "random/rng.h"
 #include "render/exact_sum_text.h"
 #include "render/merge.h"
 #include "render/part_tile.h"
 #include "shard_noise.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 #include "temporary_folder.h"
 
 #include <catch2/catch_test_macros.hpp>

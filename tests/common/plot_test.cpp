@@ -1,4 +1,4 @@
-#include "report/plot.h"
+#include "course/report/plot.h"
 
 #include <catch2/catch_test_macros.hpp>
 

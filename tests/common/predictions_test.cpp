@@ -1,7 +1,7 @@
-#include "report/predictions.h"
+#include "course/report/predictions.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 #include "texts.h"
 
 #include <catch2/catch_test_macros.hpp>

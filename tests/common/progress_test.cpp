@@ -1,6 +1,6 @@
 // What a progress line tells a terminal.
 
-#include "cli/progress.h"
+#include "support/progress.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <pty.h>

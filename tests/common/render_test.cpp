@@ -1,7 +1,7 @@
-#include "cli/error.h"
 #include "noise_integrator.h"
 #include "random/rng.h"
 #include "render/driver.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 

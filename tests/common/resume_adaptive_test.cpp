@@ -1,10 +1,10 @@
-#include "cli/error.h"
 #include "noise_integrator.h"
 #include "random/rng.h"
 #include "render/adaptive_state.h"
 #include "render/driver.h"
 #include "render/resume.h"
 #include "render/splats.h"
+#include "support/error.h"
 #include "temporary_folder.h"
 
 #include <catch2/catch_test_macros.hpp>

@@ -1,11 +1,11 @@
 #include "render/resume.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
 #include "noise_integrator.h"
 #include "random/rng.h"
 #include "render/driver.h"
 #include "scene/fingerprint.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 #include "temporary_folder.h"
 
 #include <catch2/catch_test_macros.hpp>

@@ -1,13 +1,13 @@
 // What of Mitsuba's and Nori's scenes is read: each line of the table in common/scene/README.md is
 // loaded, and the page has whatever the loader knows.
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
-#include "cli/source_folder.h"
+#include "course/cli/source_folder.h"
 #include "scene/fingerprint.h"
 #include "scene/names.h"
 #include "scene/plugins.h"
 #include "scene_helpers.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 

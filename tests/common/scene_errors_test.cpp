@@ -1,11 +1,11 @@
 // Scenes that must be refused: each file of broken_scenes/ stands in expected.txt, in a line for
 // each of its mistakes, with the place and a phrase of the message.
 
-#include "cli/error.h"
-#include "cli/source_folder.h"
+#include "course/cli/source_folder.h"
 #include "random/rng.h"
 #include "scene/load_scene.h"
 #include "scene_helpers.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 // Scenes as they are found: what they say beyond what an image needs is taken where it changes
 // nothing.
 
-#include "cli/error.h"
-#include "cli/source_folder.h"
+#include "course/cli/source_folder.h"
 #include "scene_helpers.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 

@@ -1,6 +1,6 @@
 // Materials, lights, camera, film, sampler, parameters, includes, needs and the scenes we bring.
 
-#include "cli/source_folder.h"
+#include "course/cli/source_folder.h"
 #include "scene/needs.h"
 #include "scene_helpers.h"
 

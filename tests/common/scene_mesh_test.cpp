@@ -1,6 +1,6 @@
 // Mesh files: OBJ and both kinds of PLY.
 
-#include "cli/source_folder.h"
+#include "course/cli/source_folder.h"
 #include "mesh_helpers.h"
 #include "scene/mesh_file.h"
 #include "scene/needs.h"

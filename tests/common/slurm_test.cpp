@@ -1,6 +1,6 @@
-#include "cli/atomic_file.h"
-#include "slurm/array_job.h"
-#include "slurm/folder_lock.h"
+#include "course/slurm/array_job.h"
+#include "course/slurm/folder_lock.h"
+#include "support/atomic_file.h"
 #include "temporary_folder.h"
 
 #include <catch2/catch_test_macros.hpp>

@@ -1,13 +1,13 @@
 // How far a student is, what is kept of verdicts, and what is told of a compiler's words.
 
-#include "course/status.h"
+#include "course/guide/status.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
-#include "cli/wrap.h"
-#include "course/compiler_messages.h"
-#include "course/own_files.h"
-#include "course/verdicts.h"
+#include "course/cli/wrap.h"
+#include "course/guide/compiler_messages.h"
+#include "course/guide/own_files.h"
+#include "course/guide/verdicts.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 #include "texts.h"
 
 #include <catch2/catch_test_macros.hpp>

@@ -1,6 +1,6 @@
-#include "cli/error.h"
-#include "verdict/verdict_json.h"
-#include "verdict/verdict_text.h"
+#include "course/verdict/verdict_json.h"
+#include "course/verdict/verdict_text.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <nlohmann/json.hpp>

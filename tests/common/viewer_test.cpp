@@ -1,7 +1,7 @@
-#include "report/viewer.h"
+#include "course/report/viewer.h"
 
-#include "cli/error.h"
-#include "report/packed.h"
+#include "course/report/packed.h"
+#include "support/error.h"
 #include "texts.h"
 
 #include <catch2/catch_test_macros.hpp>

@@ -2,8 +2,8 @@
 // CARLO_FUZZ_FOLDER where files may be put: what we write ourselves goes to its `seeds`, to begin
 // with.
 
-#include "cli/error.h"
 #include "fuzz/target.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 

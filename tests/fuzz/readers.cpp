@@ -1,5 +1,4 @@
-#include "cli/error.h"
-#include "course/compiler_messages.h"
+#include "course/guide/compiler_messages.h"
 #include "fuzz/target.h"
 #include "grader/grade/archive.h"
 #include "grader/grade/foreign_symbols.h"
@@ -17,6 +16,7 @@
 #include "scene/mesh_file.h"
 #include "scene/needs.h"
 #include "scene/text.h"
+#include "support/error.h"
 
 #include <algorithm>
 #include <cmath>

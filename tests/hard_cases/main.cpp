@@ -1,6 +1,6 @@
 // `./carlo test --hard`: the table of hard cases. Exit code 0 when all bounds hold.
 
-#include "cli/main_guard.h"
+#include "course/cli/main_guard.h"
 #include "hard_case.h"
 
 #include <fmt/core.h>

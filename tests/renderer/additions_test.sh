@@ -70,7 +70,7 @@ done <<<"$reasons"
 
 {
   grep -rnE '\b(match|std::visit)\(' common solutions labs | grep -v '^common/scene/match.h:' |
-    grep -v '^common/verdict/' # kinds of figures are none of the renderer's
+    grep -v '^common/course/verdict/' # kinds of figures are none of the renderer's
   grep -rnE 'auto& \[(.*\benvironment|parallelograms)\b' common solutions labs
   grep -rnE -A1 'switch \(' common solutions labs | sed -nE '/case [A-Za-z:]*Kind::/{s/^([^ ]*)-([0-9]+)-.*/\1 \2/p}' |
     while read -r file line; do printf '%s:%d:\n' "$file" "$((line - 1))"; done

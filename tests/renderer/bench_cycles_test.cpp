@@ -1,10 +1,10 @@
 // What `./carlo bench` tells Blender, and how it judges the answer; bench_cycles_test.sh runs it.
 
-#include "cli/error.h"
 #include "random/rng.h"
 #include "renderer/bench/cycles_check.h"
 #include "renderer/bench/peer_scene.h"
 #include "scene_tools.h"
+#include "support/error.h"
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>

@@ -2,15 +2,15 @@
 // this machine has, and by the scalar kernel. Every machine, compiler and standard library must
 // reach those in tests/references/bits.txt (tests/references/bits.sh makes that file again).
 
-#include "cli/arguments.h"
-#include "cli/atomic_file.h"
-#include "cli/error.h"
-#include "cli/main_guard.h"
+#include "course/cli/arguments.h"
+#include "course/cli/main_guard.h"
 #include "grader/grade/sha256.h"
 #include "lane_scenes.h"
 #include "render/driver.h"
 #include "render/render_app.h"
 #include "renderer/path_integrator.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 

@@ -4,9 +4,9 @@
 // another seed would fail with probability 2.7e-3 a render. What files mean is tested in
 // tests/common.
 
-#include "cli/source_folder.h"
 #include "common/exr_bytes.h"
 #include "common/temporary_folder.h"
+#include "course/cli/source_folder.h"
 #include "scene/load_scene.h"
 #include "scene_tools.h"
 

@@ -3,9 +3,9 @@
 
 #include "scene_renderer/lab_integrator.h"
 
-#include "cli/error.h"
 #include "lab_scenes.h"
 #include "scene_tools.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 

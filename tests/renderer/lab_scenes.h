@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/source_folder.h"
+#include "course/cli/source_folder.h"
 #include "scene/load_scene.h"
 
 #include <algorithm>

@@ -7,12 +7,12 @@
 // probability .07 at most, and the seeds are fixed. Power: 10 and 7 standard errors are seen with
 // probability .99.
 
-#include "cli/error.h"
 #include "lab_scenes.h"
 #include "lane_scenes.h"
 #include "oracle.h"
 #include "scene/needs.h"
 #include "scene_tools.h"
+#include "support/error.h"
 #include "tiles.h"
 
 #include <catch2/catch_test_macros.hpp>

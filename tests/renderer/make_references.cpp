@@ -1,9 +1,8 @@
 // carlo_references (tests/references/make.sh): renders the reference images of common/scenes, looks
 // at them from another side, and prints the table of tests/references/README.md.
 
-#include "cli/arguments.h"
-#include "cli/error.h"
-#include "cli/main_guard.h"
+#include "course/cli/arguments.h"
+#include "course/cli/main_guard.h"
 #include "image/metrics.h"
 #include "lab_scenes.h"
 #include "numeric/robust.h"
@@ -11,6 +10,7 @@
 #include "scene/needs.h"
 #include "scene_renderer/lab_integrator.h"
 #include "scene_tools.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 

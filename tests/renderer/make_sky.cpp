@@ -1,7 +1,7 @@
 // carlo_sky FILE: writes the sky of common/scenes/image_light.xml (tests/references/README.md).
 
-#include "cli/arguments.h"
-#include "cli/main_guard.h"
+#include "course/cli/arguments.h"
+#include "course/cli/main_guard.h"
 #include "image/exr.h"
 #include "sky.h"
 

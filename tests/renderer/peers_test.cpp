@@ -1,6 +1,6 @@
 // Agreement with an independent renderer (tests/references/README.md).
 
-#include "cli/source_folder.h"
+#include "course/cli/source_folder.h"
 #include "image/exr.h"
 #include "image/metrics.h"
 #include "scene/load_scene.h"

@@ -7,7 +7,7 @@
 // samples that make their tiles normal (agreement_test.cpp counts them). Power: a deviation of 7.1
 // standard errors of an image's mean, which are printed, is seen with probability .999.
 
-#include "cli/source_folder.h"
+#include "course/cli/source_folder.h"
 #include "image/metrics.h"
 #include "lab_scenes.h"
 #include "reference_image.h"

@@ -1,4 +1,4 @@
-#include "cli/source_folder.h"
+#include "course/cli/source_folder.h"
 #include "scene/load_scene.h"
 #include "scene/sampler_kind.h"
 #include "scene_tools.h"

@@ -1,6 +1,6 @@
 #include "course/watch/child.h"
 
-#include "cli/program.h"
+#include "course/cli/program.h"
 
 #include <fcntl.h>
 #include <sys/wait.h>

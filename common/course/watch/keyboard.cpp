@@ -1,6 +1,6 @@
 #include "course/watch/keyboard.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <sys/ioctl.h>
 #include <termios.h>

@@ -1,7 +1,7 @@
 // carlo_watch: ./carlo watch. A program of its own, so that nobody waits for it who does not watch.
 
-#include "cli/arguments.h"
-#include "cli/main_guard.h"
+#include "course/cli/arguments.h"
+#include "course/cli/main_guard.h"
 #include "course/watch/watch.h"
 
 int main(int argc, char** argv) {

@@ -1,9 +1,9 @@
 #include "course/watch/session.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
-#include "cli/wall_clock.h"
-#include "verdict/verdict_json.h"
+#include "course/verdict/verdict_json.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
+#include "support/wall_clock.h"
 
 #include <fmt/core.h>
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "cli/wall_clock.h"
-#include "course/compiler_messages.h"
-#include "course/hints.h"
-#include "course/status.h"
-#include "course/verdicts.h"
+#include "course/guide/compiler_messages.h"
+#include "course/guide/hints.h"
+#include "course/guide/status.h"
+#include "course/guide/verdicts.h"
 #include "course/watch/child.h"
+#include "support/wall_clock.h"
 
 #include <filesystem>
 #include <memory>

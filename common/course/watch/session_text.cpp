@@ -1,8 +1,8 @@
 // What a session says.
 
-#include "cli/terminal.h"
+#include "course/verdict/verdict_text.h"
 #include "course/watch/session.h"
-#include "verdict/verdict_text.h"
+#include "support/terminal.h"
 
 #include <fmt/core.h>
 

@@ -1,13 +1,13 @@
 #include "course/watch/watch.h"
 
-#include "cli/descriptor.h"
-#include "cli/error.h"
-#include "cli/scratch_folder.h"
-#include "cli/terminal.h"
-#include "cli/wrap.h"
+#include "course/cli/descriptor.h"
+#include "course/cli/scratch_folder.h"
+#include "course/cli/wrap.h"
 #include "course/watch/file_events.h"
 #include "course/watch/keyboard.h"
 #include "course/watch/session.h"
+#include "support/error.h"
+#include "support/terminal.h"
 
 #include <fcntl.h>
 #include <fmt/core.h>

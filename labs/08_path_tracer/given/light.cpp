@@ -1,8 +1,8 @@
-#include "cli/error.h"
 #include "given/world.h"
 #include "hemisphere.h"
 #include "numeric/robust.h"
 #include "scene/match.h"
+#include "support/error.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "given/light_choice.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "given/world.h"
 
-#include "cli/error.h"
 #include "geometry/shadow_ray.h"
 #include "numeric/robust.h"
 #include "scene/match.h"
+#include "support/error.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,8 +1,8 @@
 #include "images/images.h"
 
-#include "report/format.h"
-#include "report/stopwatch.h"
-#include "report/tiles.h"
+#include "course/report/format.h"
+#include "course/report/stopwatch.h"
+#include "course/report/tiles.h"
 
 #include <fmt/core.h>
 #include <tbb/parallel_for.h>

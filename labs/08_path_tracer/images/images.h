@@ -1,9 +1,9 @@
 #pragma once
 
+#include "course/report/measure.h"
+#include "course/report/notebook.h"
 #include "image/image.h"
 #include "path_tracer.h"
-#include "report/measure.h"
-#include "report/notebook.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,6 +1,6 @@
 #include "images/views.h"
 
-#include "cli/source_folder.h"
+#include "course/cli/source_folder.h"
 #include "numeric/robust.h"
 #include "scene/load_scene.h"
 

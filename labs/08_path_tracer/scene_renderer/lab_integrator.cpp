@@ -1,12 +1,12 @@
 #include "scene_renderer/lab_integrator.h"
 
-#include "cli/error.h"
 #include "given/sampled.h"
 #include "given/world.h"
 #include "path_tracer.h"
 #include "random/hash.h"
 #include "scene/match.h"
 #include "scene/sampler_kind.h"
+#include "support/error.h"
 
 #include <algorithm>
 #include <string>

@@ -1,7 +1,7 @@
 // `./carlo render` in a student's tree, and `./carlo render --mine`: scenes by lab 08's tracers.
 
-#include "cli/arguments.h"
-#include "cli/main_guard.h"
+#include "course/cli/arguments.h"
+#include "course/cli/main_guard.h"
 #include "render/render_app.h"
 #include "scene_renderer/lab_integrator.h"
 

@@ -1,6 +1,6 @@
 #include "given/photon_map.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 

@@ -1,10 +1,10 @@
 #include "beside.h"
 
-#include "cli/error.h"
 #include "image/metrics.h"
 #include "render/render_app.h"
 #include "renderer/path_integrator.h"
 #include "scene/load_scene.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

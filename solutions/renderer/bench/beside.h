@@ -1,11 +1,11 @@
 #pragma once
 
 #include "context.h"
+#include "course/report/viewer.h"
 #include "cycles_check.h"
 #include "image/exr.h"
 #include "peer_program.h"
 #include "peer_scene.h"
-#include "report/viewer.h"
 #include "scene/scene.h"
 
 #include <cstdint>

@@ -1,13 +1,13 @@
 #include "context.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
-#include "cli/terminal.h"
+#include "course/report/format.h"
+#include "course/report/machine.h"
+#include "course/report/stopwatch.h"
 #include "render/interrupt.h"
 #include "render/render_app.h"
-#include "report/format.h"
-#include "report/machine.h"
-#include "report/stopwatch.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
+#include "support/terminal.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

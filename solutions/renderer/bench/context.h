@@ -1,11 +1,11 @@
 #pragma once
 
-#include "cli/progress.h"
+#include "course/report/page.h"
+#include "course/report/table.h"
 #include "render/driver.h"
 #include "renderer/bench/spread.h"
-#include "report/page.h"
-#include "report/table.h"
 #include "scene/scene.h"
+#include "support/progress.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
 #include "beside.h"
-#include "cli/error.h"
 #include "context.h"
+#include "course/report/viewer.h"
 #include "render/interrupt.h"
-#include "report/viewer.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>

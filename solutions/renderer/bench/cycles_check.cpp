@@ -1,7 +1,7 @@
 #include "cycles_check.h"
 
-#include "cli/error.h"
 #include "image/metrics.h"
+#include "support/error.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-#include "cli/atomic_file.h"
-#include "cli/error.h"
 #include "context.h"
-#include "report/measure.h"
+#include "course/report/measure.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 

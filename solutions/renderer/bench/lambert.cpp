@@ -2,12 +2,12 @@
 // parallelograms needs. `./carlo bench` starts it in turns with the whole renderer
 // (lean_build.cpp).
 
-#include "cli/error.h"
-#include "cli/main_guard.h"
+#include "course/cli/main_guard.h"
 #include "render_cost.h"
 #include "renderer/lanes/lane_integrator.h"
 #include "renderer/lanes/lane_scene.h"
 #include "scene/needs.h"
+#include "support/error.h"
 
 #include <cstdlib>
 

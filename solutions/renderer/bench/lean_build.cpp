@@ -1,8 +1,8 @@
-#include "cli/error.h"
-#include "cli/program.h"
 #include "context.h"
+#include "course/cli/program.h"
 #include "program.h"
 #include "render_cost.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 

@@ -1,12 +1,12 @@
 // `./carlo bench`: one run over everything, on one page.
 
-#include "cli/arguments.h"
-#include "cli/atomic_file.h"
-#include "cli/main_guard.h"
 #include "context.h"
+#include "course/cli/arguments.h"
+#include "course/cli/main_guard.h"
 #include "render/interrupt.h"
 #include "render_cost.h"
 #include "renderer/path_integrator.h"
+#include "support/atomic_file.h"
 
 #include <algorithm>
 #include <string>

@@ -1,6 +1,6 @@
 #include "mesh.h"
 
-#include "cli/atomic_file.h"
+#include "support/atomic_file.h"
 
 #include <fmt/core.h>
 

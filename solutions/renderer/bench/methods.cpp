@@ -1,9 +1,9 @@
 #include "methods.h"
 
-#include "cli/error.h"
 #include "renderer/path_integrator.h"
 #include "scene/sampler_kind.h"
 #include "scene_renderer/lab_integrator.h"
+#include "support/error.h"
 
 namespace bench {
 

@@ -1,9 +1,7 @@
 // `./carlo bench paths`: very many paths through every scene, each of which must bring a radiance.
 
-#include "cli/arguments.h"
-#include "cli/error.h"
-#include "cli/main_guard.h"
-#include "cli/progress.h"
+#include "course/cli/arguments.h"
+#include "course/cli/main_guard.h"
 #include "random/rng.h"
 #include "render/driver.h"
 #include "render/interrupt.h"
@@ -11,6 +9,8 @@
 #include "renderer/path_integrator.h"
 #include "scene/load_scene.h"
 #include "scene/sampler_kind.h"
+#include "support/error.h"
+#include "support/progress.h"
 
 #include <fmt/core.h>
 

@@ -1,9 +1,9 @@
 #include "peer_program.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
 #include "course/watch/child.h"
 #include "image/exr.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <nlohmann/json.hpp>
 #include <poll.h>

@@ -1,8 +1,8 @@
 #include "peer_scene.h"
 
-#include "cli/error.h"
 #include "scene/match.h"
 #include "scene/needs.h"
+#include "support/error.h"
 
 #include <nlohmann/json.hpp>
 

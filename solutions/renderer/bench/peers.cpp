@@ -1,8 +1,8 @@
 #include "beside.h"
-#include "cli/error.h"
 #include "context.h"
 #include "render/interrupt.h"
 #include "scene/needs.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>

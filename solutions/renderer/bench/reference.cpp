@@ -1,7 +1,7 @@
 #include "reference.h"
 
-#include "cli/error.h"
 #include "image/exr.h"
+#include "support/error.h"
 
 namespace bench {
 

@@ -1,7 +1,8 @@
 // `./carlo bench render`: error against time of the reference renderer, on one thread.
 
-#include "cli/arguments.h"
-#include "cli/main_guard.h"
+#include "course/cli/arguments.h"
+#include "course/cli/main_guard.h"
+#include "course/report/stopwatch.h"
 #include "image/exr.h"
 #include "image/metrics.h"
 #include "render/driver.h"
@@ -9,7 +10,6 @@
 #include "renderer/bench/spread.h"
 #include "renderer/lanes/lane_kernel.h"
 #include "renderer/path_integrator.h"
-#include "report/stopwatch.h"
 #include "scene/load_scene.h"
 
 #include <fmt/core.h>

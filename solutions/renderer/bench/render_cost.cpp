@@ -1,9 +1,9 @@
 #include "render_cost.h"
 
+#include "course/report/stopwatch.h"
 #include "random/hash.h"
 #include "render/driver.h"
 #include "render/render_app.h"
-#include "report/stopwatch.h"
 #include "scene/load_scene.h"
 
 #include <fmt/core.h>

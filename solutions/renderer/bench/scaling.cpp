@@ -1,11 +1,11 @@
-#include "cli/error.h"
 #include "context.h"
+#include "course/report/stopwatch.h"
 #include "image/metrics.h"
 #include "methods.h"
 #include "reference.h"
 #include "render/render_app.h"
-#include "report/stopwatch.h"
 #include "scene/load_scene.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 

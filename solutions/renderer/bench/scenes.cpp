@@ -1,13 +1,13 @@
-#include "cli/error.h"
 #include "context.h"
+#include "course/report/format.h"
+#include "course/report/measure.h"
+#include "course/report/viewer.h"
 #include "image/metrics.h"
 #include "methods.h"
 #include "reference.h"
 #include "render/render_app.h"
-#include "report/format.h"
-#include "report/measure.h"
-#include "report/viewer.h"
 #include "scene/load_scene.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 

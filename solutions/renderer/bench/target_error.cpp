@@ -1,15 +1,15 @@
 // `./carlo bench target-error`: does adaptive sampling keep its promise, and what does it save?
 
-#include "cli/arguments.h"
-#include "cli/error.h"
-#include "cli/main_guard.h"
+#include "course/cli/arguments.h"
+#include "course/cli/main_guard.h"
+#include "course/report/stopwatch.h"
 #include "render/driver.h"
 #include "render/half_sums.h"
 #include "render/render_app.h"
 #include "renderer/bench/spread.h"
 #include "renderer/path_integrator.h"
-#include "report/stopwatch.h"
 #include "scene/load_scene.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 

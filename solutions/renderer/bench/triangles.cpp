@@ -1,14 +1,14 @@
-#include "cli/error.h"
-#include "cli/program.h"
-#include "cli/wall_clock.h"
 #include "context.h"
+#include "course/cli/program.h"
+#include "course/report/format.h"
+#include "course/report/stopwatch.h"
 #include "geometry/embree.h"
 #include "mesh.h"
 #include "program.h"
 #include "renderer/path_integrator.h"
-#include "report/format.h"
-#include "report/stopwatch.h"
 #include "scene/load_scene.h"
+#include "support/error.h"
+#include "support/wall_clock.h"
 
 #include <fmt/core.h>
 #include <sys/resource.h>

@@ -1,8 +1,8 @@
 #include "renderer/lanes/lane_integrator.h"
 
-#include "cli/error.h"
 #include "renderer/lanes/lane_kernel.h"
 #include "renderer/lanes/lane_pilot.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
 #include "renderer/lanes/lane_kernel.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <fmt/format.h>
 

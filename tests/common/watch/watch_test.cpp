@@ -1,9 +1,9 @@
 // ./carlo watch, with a build and a judge that we play: on a terminal of our own (keys, crashes)
 // and without one. Nothing here depends on how long anything takes.
 
-#include "cli/atomic_file.h"
 #include "course/watch/child.h"
 #include "course/watch/file_events.h"
+#include "support/atomic_file.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <fmt/core.h>

@@ -1,8 +1,8 @@
 #include "grader/calibrate/findings.h"
 
+#include "course/verdict/verdict_text.h"
 #include "grader/judge/compare.h"
 #include "stats/distributions.h"
-#include "verdict/verdict_text.h"
 
 #include <fmt/core.h>
 

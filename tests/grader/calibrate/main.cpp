@@ -1,13 +1,13 @@
 // Calibrates the grader: judges right and wrong answers with many seeds, and says how often it
 // errs.
 
-#include "cli/arguments.h"
-#include "cli/atomic_file.h"
-#include "cli/main_guard.h"
-#include "cli/progress.h"
+#include "course/cli/arguments.h"
+#include "course/cli/main_guard.h"
 #include "grader/calibrate/page.h"
 #include "grader/calibrate/runner.h"
 #include "grader/calibrate/store.h"
+#include "support/atomic_file.h"
+#include "support/progress.h"
 
 #include <fmt/core.h>
 

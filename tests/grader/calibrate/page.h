@@ -1,7 +1,7 @@
 #pragma once
 
+#include "course/report/page.h"
 #include "grader/calibrate/tables.h"
-#include "report/page.h"
 
 #include <string>
 

@@ -1,9 +1,9 @@
 #include "grader/calibrate/plan.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
-#include "course/exercises.h"
+#include "course/guide/exercises.h"
 #include "random/hash.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,7 +1,7 @@
 #include "grader/calibrate/rates.h"
 
-#include "cli/error.h"
 #include "stats/distributions.h"
+#include "support/error.h"
 
 #include <boost/math/special_functions/beta.hpp>
 

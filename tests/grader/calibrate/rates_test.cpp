@@ -1,8 +1,8 @@
 #include "grader/calibrate/rates.h"
 
-#include "cli/error.h"
 #include "random/rng.h"
 #include "stats/distributions.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 

@@ -1,7 +1,7 @@
 #include "grader/calibrate/record.h"
 
-#include "cli/error.h"
-#include "verdict/verdict_json.h"
+#include "course/verdict/verdict_json.h"
+#include "support/error.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "course/verdict/verdict.h"
 #include "grader/calibrate/plan.h"
-#include "verdict/verdict.h"
 
 #include <optional>
 #include <string>

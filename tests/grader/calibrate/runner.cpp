@@ -1,11 +1,11 @@
 #include "grader/calibrate/runner.h"
 
-#include "cli/atomic_file.h"
-#include "cli/descriptor.h"
-#include "cli/error.h"
-#include "cli/program.h"
-#include "cli/scratch_folder.h"
-#include "verdict/verdict_json.h"
+#include "course/cli/descriptor.h"
+#include "course/cli/program.h"
+#include "course/cli/scratch_folder.h"
+#include "course/verdict/verdict_json.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <fcntl.h>
 #include <sys/resource.h>

@@ -1,7 +1,7 @@
 #include "grader/calibrate/store.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <fcntl.h>
 #include <unistd.h>

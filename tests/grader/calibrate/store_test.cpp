@@ -1,8 +1,8 @@
 #include "grader/calibrate/store.h"
 
-#include "cli/atomic_file.h"
 #include "grader/calibrate/findings.h"
 #include "grader/calibrate/power.h"
+#include "support/atomic_file.h"
 
 #include <catch2/catch_test_macros.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "course/report/table.h"
 #include "grader/calibrate/power.h"
-#include "report/table.h"
 
 #include <vector>
 

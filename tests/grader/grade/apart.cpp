@@ -1,12 +1,12 @@
 #include "grader/grade/apart.h"
 
-#include "cli/descriptor.h"
-#include "cli/error.h"
+#include "course/cli/descriptor.h"
 #include "grader/judge/bubblewrap.h"
 #include "grader/judge/kinship.h"
 #include "grader/judge/landlock.h"
 #include "grader/judge/process.h"
 #include "grader/judge/syscall_filter.h"
+#include "support/error.h"
 
 #include <fcntl.h>
 #include <poll.h>

@@ -1,11 +1,11 @@
 #include "grader/grade/apart.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
-#include "cli/scratch_folder.h"
+#include "course/cli/scratch_folder.h"
 #include "grader/judge/landlock.h"
 #include "grader/judge/process.h"
 #include "grader/unit/memory_limits.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>

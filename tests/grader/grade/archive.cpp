@@ -1,6 +1,6 @@
 #include "grader/grade/archive.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <archive.h>
 #include <archive_entry.h>

@@ -1,9 +1,9 @@
 #include "grader/grade/class.h"
 
-#include "cli/error.h"
-#include "cli/wall_clock.h"
 #include "grader/grade/outputs.h"
 #include "grader/judge/guardian.h"
+#include "support/error.h"
+#include "support/wall_clock.h"
 
 #include <fmt/core.h>
 #include <sys/wait.h>

@@ -1,8 +1,8 @@
 #include "grader/grade/clean_tree.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
 #include "grader/grade/sha256.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

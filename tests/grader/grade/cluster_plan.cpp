@@ -1,8 +1,8 @@
 #include "grader/grade/cluster_plan.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
-#include "json/json_fields.h"
+#include "course/json/json_fields.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <algorithm>
 #include <chrono>

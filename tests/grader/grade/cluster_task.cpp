@@ -1,7 +1,7 @@
-#include "cli/error.h"
 #include "grader/grade/class.h"
 #include "grader/grade/on_cluster.h"
 #include "grader/grade/summary.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 #include <unistd.h>

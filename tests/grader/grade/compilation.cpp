@@ -1,11 +1,11 @@
 #include "grader/grade/compilation.h"
 
-#include "cli/atomic_file.h"
-#include "cli/descriptor.h"
-#include "cli/error.h"
+#include "course/cli/descriptor.h"
+#include "course/verdict/printed.h"
 #include "grader/grade/blame.h"
 #include "grader/grade/precompiled_header.h"
-#include "verdict/printed.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <fcntl.h>
 #include <fmt/core.h>

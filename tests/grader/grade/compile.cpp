@@ -1,9 +1,9 @@
 #include "grader/grade/compile.h"
 
-#include "cli/error.h"
-#include "cli/wall_clock.h"
 #include "grader/grade/compilation.h"
 #include "grader/grade/own_names.h"
+#include "support/error.h"
+#include "support/wall_clock.h"
 
 #include <algorithm>
 #include <optional>

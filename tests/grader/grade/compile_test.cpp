@@ -2,9 +2,9 @@
 
 #include "grader/grade/compile.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
-#include "cli/scratch_folder.h"
+#include "course/cli/scratch_folder.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 

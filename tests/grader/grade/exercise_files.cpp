@@ -1,6 +1,6 @@
 #include "grader/grade/exercise_files.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As add_lab() in common/cmake: steps/*.cpp, or else NAME.cpp.
+/// As add_lab() in common/course/cmake: steps/*.cpp, or else NAME.cpp.
 std::vector<std::string> files_of(const fs::path& folder, const std::string& name) {
   std::vector<std::string> files;
   std::error_code ec;

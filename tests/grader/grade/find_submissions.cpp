@@ -1,8 +1,8 @@
-#include "cli/error.h"
 #include "grader/grade/apart.h"
 #include "grader/grade/archive.h"
 #include "grader/grade/handed_in.h"
 #include "grader/grade/intake.h"
+#include "support/error.h"
 
 #include <algorithm>
 #include <cctype>

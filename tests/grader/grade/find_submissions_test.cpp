@@ -1,7 +1,7 @@
-#include "cli/error.h"
-#include "cli/scratch_folder.h"
+#include "course/cli/scratch_folder.h"
 #include "grader/grade/handed_in.h"
 #include "grader/grade/packed.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 

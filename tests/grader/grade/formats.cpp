@@ -1,5 +1,5 @@
+#include "course/json/json_fields.h"
 #include "grader/grade/outputs.h"
-#include "json/json_fields.h"
 
 #include <fmt/core.h>
 #include <pugixml.hpp>

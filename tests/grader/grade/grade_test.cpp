@@ -1,8 +1,8 @@
-#include "cli/error.h"
 #include "grader/grade/outputs.h"
 #include "grader/grade/recipe.h"
 #include "grader/grade/record.h"
 #include "grader/grade/sha256.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <nlohmann/json.hpp>

@@ -1,12 +1,12 @@
 #include "grader/grade/intake.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
+#include "course/verdict/printed.h"
 #include "grader/grade/apart.h"
 #include "grader/grade/archive.h"
 #include "grader/grade/handed_in.h"
 #include "grader/grade/sha256.h"
-#include "verdict/printed.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

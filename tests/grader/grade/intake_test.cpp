@@ -1,9 +1,9 @@
 #include "grader/grade/intake.h"
 
-#include "cli/error.h"
-#include "cli/scratch_folder.h"
+#include "course/cli/scratch_folder.h"
 #include "grader/grade/archive.h"
 #include "grader/grade/packed.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <sys/wait.h>

@@ -1,13 +1,13 @@
 #include "grader/grade/judging.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
+#include "course/verdict/printed.h"
+#include "course/verdict/verdict_json.h"
 #include "grader/grade/compile.h"
 #include "grader/grade/own_disk.h"
 #include "grader/grade/precompiled_header.h"
 #include "grader/grade/sha256.h"
-#include "verdict/printed.h"
-#include "verdict/verdict_json.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 

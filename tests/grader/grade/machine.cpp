@@ -1,11 +1,11 @@
 #include "grader/grade/machine.h"
 
-#include "cli/error.h"
-#include "cli/scratch_folder.h"
+#include "course/cli/scratch_folder.h"
 #include "grader/grade/own_disk.h"
 #include "grader/judge/landlock.h"
 #include "grader/judge/process_list.h"
 #include "grader/judge/sandbox.h"
+#include "support/error.h"
 
 #include <sys/statvfs.h>
 #include <unistd.h>

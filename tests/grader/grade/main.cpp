@@ -1,16 +1,16 @@
 // Grades submissions: one student's or a class's.
 
-#include "cli/arguments.h"
-#include "cli/error.h"
-#include "cli/main_guard.h"
-#include "cli/progress.h"
+#include "course/cli/arguments.h"
+#include "course/cli/main_guard.h"
+#include "course/slurm/array_job.h"
+#include "course/slurm/folder_lock.h"
 #include "grader/grade/class.h"
 #include "grader/grade/machine.h"
 #include "grader/grade/on_cluster.h"
 #include "grader/grade/settings.h"
 #include "grader/grade/summary.h"
-#include "slurm/array_job.h"
-#include "slurm/folder_lock.h"
+#include "support/error.h"
+#include "support/progress.h"
 
 #include <fmt/core.h>
 #include <sys/stat.h>

@@ -1,9 +1,9 @@
 #include "grader/grade/on_cluster.h"
 
-#include "cli/error.h"
-#include "cli/progress.h"
+#include "course/slurm/array_job.h"
 #include "grader/grade/class.h"
-#include "slurm/array_job.h"
+#include "support/error.h"
+#include "support/progress.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>

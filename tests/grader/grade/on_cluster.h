@@ -1,7 +1,7 @@
 #pragma once
 
+#include "course/slurm/folder_lock.h"
 #include "grader/grade/cluster_plan.h"
-#include "slurm/folder_lock.h"
 
 #include <filesystem>
 #include <optional>

@@ -1,9 +1,9 @@
 #include "grader/grade/outputs.h"
 
-#include "cli/atomic_file.h"
+#include "course/verdict/printed.h"
 #include "grader/grade/handed_in.h"
 #include "grader/page/grade_page.h"
-#include "verdict/printed.h"
+#include "support/atomic_file.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
 #include "grader/grade/own_disk.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <fcntl.h>
 #include <sched.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cli/atomic_file.h"
 #include "grader/grade/intake.h"
+#include "support/atomic_file.h"
 
 #include <archive.h>
 #include <archive_entry.h>

@@ -1,6 +1,6 @@
 #include "grader/grade/precompiled_header.h"
 
-#include "cli/descriptor.h"
+#include "course/cli/descriptor.h"
 #include "grader/grade/compilation.h"
 #include "grader/judge/process.h"
 

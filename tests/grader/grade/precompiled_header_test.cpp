@@ -2,9 +2,9 @@
 
 #include "grader/grade/precompiled_header.h"
 
-#include "cli/atomic_file.h"
-#include "cli/scratch_folder.h"
+#include "course/cli/scratch_folder.h"
 #include "grader/grade/compilation.h"
+#include "support/atomic_file.h"
 
 #include <catch2/catch_test_macros.hpp>
 

@@ -1,7 +1,7 @@
 #include "grader/grade/recipe.h"
 
-#include "cli/error.h"
 #include "grader/judge/process.h"
+#include "support/error.h"
 
 #include <unistd.h>
 

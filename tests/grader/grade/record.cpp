@@ -1,8 +1,8 @@
 #include "grader/grade/record.h"
 
-#include "cli/error.h"
-#include "cli/wrap.h"
-#include "verdict/verdict_text.h"
+#include "course/cli/wrap.h"
+#include "course/verdict/verdict_text.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "course/exercises.h"
-#include "verdict/verdict.h"
+#include "course/guide/exercises.h"
+#include "course/verdict/verdict.h"
 
 #include <filesystem>
 #include <optional>

@@ -1,7 +1,7 @@
-#include "cli/atomic_file.h"
-#include "cli/error.h"
+#include "course/verdict/verdict_json.h"
 #include "grader/grade/record.h"
-#include "verdict/verdict_json.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 namespace carlo::grader {
 

@@ -1,10 +1,10 @@
 #include "grader/grade/summary.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
-#include "cli/progress.h"
+#include "course/verdict/printed.h"
 #include "grader/grade/outputs.h"
-#include "verdict/printed.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
+#include "support/progress.h"
 
 #include <fmt/core.h>
 

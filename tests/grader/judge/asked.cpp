@@ -1,6 +1,6 @@
 #include "grader/judge/asked.h"
 
-#include "json/json_fields.h"
+#include "course/json/json_fields.h"
 
 namespace carlo::grader {
 

@@ -1,6 +1,6 @@
 #include "grader/judge/bubblewrap.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <sys/mman.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "course/exercises.h"
+#include "course/guide/exercises.h"
 
 #include <string>
 #include <vector>

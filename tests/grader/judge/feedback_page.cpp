@@ -1,8 +1,8 @@
 #include "grader/judge/feedback_page.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
 #include "grader/page/grade_page.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 

@@ -1,8 +1,8 @@
 #include "grader/judge/guardian.h"
 
-#include "cli/error.h"
 #include "grader/judge/kinship.h"
 #include "grader/judge/survivors.h"
+#include "support/error.h"
 
 #include <sys/wait.h>
 #include <unistd.h>

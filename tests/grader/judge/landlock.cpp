@@ -1,6 +1,6 @@
 #include "grader/judge/landlock.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

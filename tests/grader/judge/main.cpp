@@ -1,18 +1,18 @@
 // The judge of one lab: a Catch2 program of checks that starts workers and holds no student code.
 
-#include "cli/arguments.h"
-#include "cli/atomic_file.h"
-#include "cli/error.h"
-#include "cli/main_guard.h"
-#include "cli/number.h"
-#include "cli/wrap.h"
+#include "course/cli/arguments.h"
+#include "course/cli/main_guard.h"
+#include "course/cli/wrap.h"
+#include "course/verdict/verdict_json.h"
+#include "course/verdict/verdict_text.h"
 #include "grader/judge/consistency.h"
 #include "grader/judge/current_run.h"
 #include "grader/judge/feedback_page.h"
 #include "grader/judge/results.h"
 #include "random/hash.h"
-#include "verdict/verdict_json.h"
-#include "verdict/verdict_text.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
+#include "support/number.h"
 
 #include <catch2/catch_session.hpp>
 #include <catch2/catch_test_case_info.hpp>

@@ -1,6 +1,6 @@
 #include "grader/judge/numbers.h"
 
-#include "report/format.h"
+#include "course/report/format.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #include "grader/judge/own_user.h"
 
-#include "cli/error.h"
 #include "grader/judge/process_list.h"
+#include "support/error.h"
 
 #include <pwd.h>
 #include <sys/socket.h>

@@ -1,10 +1,10 @@
 #include "grader/judge/process.h"
 
-#include "cli/error.h"
 #include "grader/judge/spawn.h"
 #include "grader/judge/survivors.h"
 #include "grader/judge/waits.h"
 #include "grader/judge/watch.h"
+#include "support/error.h"
 
 #include <poll.h>
 #include <sys/resource.h>

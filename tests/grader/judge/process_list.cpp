@@ -1,7 +1,7 @@
 #include "grader/judge/process_list.h"
 
-#include "cli/descriptor.h"
-#include "cli/number.h"
+#include "course/cli/descriptor.h"
+#include "support/number.h"
 
 #include <fcntl.h>
 #include <fmt/core.h>

@@ -1,6 +1,6 @@
 #include "grader/judge/results.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,11 +1,11 @@
 #include "grader/judge/run.h"
 
-#include "cli/error.h"
+#include "course/verdict/printed.h"
 #include "grader/judge/compare.h"
 #include "grader/judge/crash.h"
 #include "grader/judge/numbers.h"
 #include "random/hash.h"
-#include "verdict/printed.h"
+#include "support/error.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,9 +1,9 @@
 #include "grader/judge/sandbox.h"
 
-#include "cli/error.h"
-#include "cli/scratch_folder.h"
+#include "course/cli/scratch_folder.h"
 #include "grader/judge/bubblewrap.h"
 #include "grader/judge/landlock.h"
+#include "support/error.h"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -1,10 +1,10 @@
 #include "grader/judge/spawn.h"
 
-#include "cli/descriptor.h"
-#include "cli/error.h"
-#include "cli/program.h"
+#include "course/cli/descriptor.h"
+#include "course/cli/program.h"
 #include "grader/judge/kinship.h"
 #include "grader/judge/landlock.h"
+#include "support/error.h"
 
 #include <fcntl.h>
 #include <grp.h>

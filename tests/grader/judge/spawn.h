@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/descriptor.h"
+#include "course/cli/descriptor.h"
 #include "grader/judge/process.h"
 
 #include <sys/types.h>

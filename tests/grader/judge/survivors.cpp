@@ -1,8 +1,8 @@
 #include "grader/judge/survivors.h"
 
-#include "cli/error.h"
 #include "grader/judge/kinship.h"
 #include "grader/judge/process_list.h"
+#include "support/error.h"
 
 #include <sys/resource.h>
 #include <sys/wait.h>

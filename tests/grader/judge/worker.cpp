@@ -1,6 +1,6 @@
 #include "grader/judge/worker.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <unistd.h>
 

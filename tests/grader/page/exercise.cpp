@@ -1,8 +1,8 @@
 #include "grader/page/exercise.h"
 
+#include "course/verdict/crash_line.h"
 #include "grader/page/figure_svg.h"
 #include "grader/page/text.h"
-#include "verdict/crash_line.h"
 
 #include <fmt/core.h>
 

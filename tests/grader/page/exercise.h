@@ -1,6 +1,6 @@
 #pragma once
 
-#include "verdict/verdict.h"
+#include "course/verdict/verdict.h"
 
 #include <string>
 

@@ -1,11 +1,11 @@
 #include "grader/page/figure_svg.h"
 
+#include "course/report/chart.h"
+#include "course/report/format.h"
+#include "course/report/html.h"
+#include "course/report/plot.h"
+#include "course/report/table.h"
 #include "grader/page/text.h"
-#include "report/chart.h"
-#include "report/format.h"
-#include "report/html.h"
-#include "report/plot.h"
-#include "report/table.h"
 
 #include <fmt/core.h>
 

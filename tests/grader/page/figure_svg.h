@@ -1,6 +1,6 @@
 #pragma once
 
-#include "verdict/figure.h"
+#include "course/verdict/figure.h"
 
 #include <string>
 

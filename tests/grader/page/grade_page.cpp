@@ -1,9 +1,9 @@
 #include "grader/page/grade_page.h"
 
+#include "course/json/json_fields.h"
+#include "course/report/page.h"
 #include "grader/page/exercise.h"
 #include "grader/page/text.h"
-#include "json/json_fields.h"
-#include "report/page.h"
 
 #include <fmt/core.h>
 

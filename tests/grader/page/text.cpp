@@ -1,6 +1,6 @@
 #include "grader/page/text.h"
 
-#include "report/page.h"
+#include "course/report/page.h"
 
 namespace carlo::grader {
 

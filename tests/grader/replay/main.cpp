@@ -1,16 +1,16 @@
 // carlo_replay: shows what the judge asked one exercise, and puts one of its questions again,
 // without sandbox and limits, so that the values can be seen and the code be followed.
 
-#include "cli/arguments.h"
-#include "cli/atomic_file.h"
-#include "cli/error.h"
-#include "cli/main_guard.h"
-#include "cli/wrap.h"
-#include "course/exercises.h"
+#include "course/cli/arguments.h"
+#include "course/cli/main_guard.h"
+#include "course/cli/wrap.h"
+#include "course/guide/exercises.h"
 #include "grader/judge/numbers.h"
 #include "grader/judge/run.h"
 #include "grader/replay/pick.h"
 #include "grader/replay/rerun.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #include "grader/replay/pick.h"
 
-#include "cli/error.h"
-#include "cli/number.h"
+#include "support/error.h"
+#include "support/number.h"
 
 #include <fmt/core.h>
 

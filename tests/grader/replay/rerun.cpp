@@ -1,10 +1,10 @@
 #include "grader/replay/rerun.h"
 
-#include "cli/descriptor.h"
-#include "cli/error.h"
-#include "cli/program.h"
+#include "course/cli/descriptor.h"
+#include "course/cli/program.h"
 #include "grader/judge/crash.h"
 #include "grader/judge/process.h"
+#include "support/error.h"
 
 #include <fcntl.h>
 #include <sys/wait.h>

@@ -2,8 +2,8 @@
 
 // What tests of deadlines do on a machine that others keep busy.
 
-#include "cli/error.h"
 #include "grader/judge/run.h"
+#include "support/error.h"
 #include "texts.h"
 
 #include <catch2/catch_test_macros.hpp>

@@ -1,9 +1,9 @@
 // Deadlines on machines that are busy or stand still, and those of an exercise.
 
 #include "busy.h"
-#include "cli/error.h"
 #include "grader/judge/run.h"
 #include "places.h"
+#include "support/error.h"
 #include "texts.h"
 
 #include <catch2/catch_test_macros.hpp>

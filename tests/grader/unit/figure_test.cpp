@@ -1,8 +1,8 @@
-#include "cli/error.h"
+#include "course/verdict/figure_json.h"
 #include "grader/judge/compare.h"
 #include "grader/judge/figures.h"
 #include "random/rng.h"
-#include "verdict/figure_json.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <nlohmann/json.hpp>

@@ -1,9 +1,9 @@
 #include "grader/protocol/frame.h"
 
-#include "cli/error.h"
 #include "grader/protocol/params.h"
 #include "grader/protocol/rows_text.h"
 #include "random/rng.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 

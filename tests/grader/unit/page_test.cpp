@@ -1,10 +1,10 @@
+#include "course/verdict/verdict_json.h"
 #include "grader/judge/compare.h"
 #include "grader/judge/figures.h"
 #include "grader/judge/results.h"
 #include "grader/page/figure_svg.h"
 #include "grader/page/grade_page.h"
 #include "texts.h"
-#include "verdict/verdict_json.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <nlohmann/json.hpp>

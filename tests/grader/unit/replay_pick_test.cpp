@@ -1,5 +1,5 @@
-#include "cli/error.h"
 #include "grader/replay/pick.h"
+#include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
 

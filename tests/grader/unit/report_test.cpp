@@ -1,10 +1,10 @@
-#include "cli/error.h"
+#include "course/verdict/verdict_text.h"
 #include "grader/judge/compare.h"
 #include "grader/judge/results.h"
 #include "grader/judge/run.h"
 #include "places.h"
+#include "support/error.h"
 #include "texts.h"
-#include "verdict/verdict_text.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <fmt/core.h>

@@ -1,6 +1,6 @@
 // A scratch folder goes with all that is in it, whatever was left there.
 
-#include "cli/scratch_folder.h"
+#include "course/cli/scratch_folder.h"
 
 #include "grader/judge/watch.h"
 

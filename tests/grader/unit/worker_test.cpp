@@ -2,11 +2,11 @@
 // every level of the sandbox.
 
 #include "busy.h"
-#include "cli/atomic_file.h"
-#include "cli/error.h"
 #include "grader/judge/run.h"
 #include "memory_limits.h"
 #include "places.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 #include "texts.h"
 
 #include <catch2/catch_test_macros.hpp>

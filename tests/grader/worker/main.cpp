@@ -1,13 +1,13 @@
 // The worker: one lab's probes linked with one implementation. Runs one probe and sends what it
 // returned as one frame. It judges nothing and writes no file.
 
-#include "cli/arguments.h"
-#include "cli/error.h"
-#include "cli/main_guard.h"
-#include "cli/wrap.h"
+#include "course/cli/arguments.h"
+#include "course/cli/main_guard.h"
+#include "course/cli/wrap.h"
 #include "course/not_implemented.h"
 #include "grader/protocol/rows_text.h"
 #include "grader/worker/probe.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 #include <unistd.h>

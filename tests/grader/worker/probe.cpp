@@ -1,6 +1,6 @@
 #include "grader/worker/probe.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <utility>
 

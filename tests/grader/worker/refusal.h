@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cli/error.h"
 #include "course/not_implemented.h"
+#include "support/error.h"
 
 namespace carlo::grader {
 

@@ -1,7 +1,7 @@
 # carlo::exr where LLVM's standard library meets OpenImageIO of GCC's (exr_boundary.h).
 set(here "${PROJECT_SOURCE_DIR}/tests/machines/libcxx")
 add_library(carlo_exr_there MODULE "${here}/exr_there.cpp" exr.cpp exr_header.cpp exr_window.cpp primaries.cpp
-            ../cli/atomic_file.cpp)
+            ../support/atomic_file.cpp)
 set_target_properties(carlo_exr_there PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON UNITY_BUILD OFF)
 # After CMAKE_CXX_FLAGS, so the last word.
 target_compile_options(carlo_exr_there PRIVATE -stdlib=libstdc++ -DFMT_HEADER_ONLY)

@@ -1,6 +1,6 @@
-#include "cli/error.h"
 #include "exr_boundary.h"
 #include "image/exr.h"
+#include "support/error.h"
 
 #include <dlfcn.h>
 

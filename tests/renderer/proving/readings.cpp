@@ -1,10 +1,10 @@
 #include "proving/readings.h"
 
-#include "cli/error.h"
 #include "renderer/lanes/lane_scene.h"
 #include "scene/needs.h"
 #include "scene_renderer/lab_integrator.h"
 #include "scene_tools.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 

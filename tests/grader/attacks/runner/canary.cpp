@@ -1,6 +1,6 @@
 #include "canary.h"
 
-#include "cli/error.h"
+#include "support/error.h"
 
 #include <fmt/core.h>
 #include <sys/prctl.h>

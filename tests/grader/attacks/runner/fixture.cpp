@@ -1,8 +1,8 @@
 #include "fixture.h"
 
-#include "cli/atomic_file.h"
-#include "cli/error.h"
-#include "cli/program.h"
+#include "course/cli/program.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <nlohmann/json.hpp>
 

@@ -2,15 +2,15 @@
 // with what they must be.
 
 #include "canary.h"
-#include "cli/arguments.h"
-#include "cli/atomic_file.h"
-#include "cli/descriptor.h"
-#include "cli/error.h"
-#include "cli/main_guard.h"
-#include "cli/program.h"
+#include "course/cli/arguments.h"
+#include "course/cli/descriptor.h"
+#include "course/cli/main_guard.h"
+#include "course/cli/program.h"
 #include "fixture.h"
 #include "grader/grade/record.h"
 #include "grader/judge/sandbox.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
 
 #include <fcntl.h>
 #include <fmt/core.h>

@@ -1,9 +1,0 @@
-#include "cli/source_folder.h"
-
-namespace carlo {
-
-std::filesystem::path source_folder() {
-  return CARLO_SOURCE_FOLDER;
-}
-
-}  // namespace carlo

@@ -1,0 +1,337 @@
+#include "course/guide/compiler_messages.h"
+
+#include "course/cli/wrap.h"
+#include "course/guide/own_files.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string_view>
+
+namespace carlo {
+namespace {
+
+namespace fs = std::filesystem;
+using Whose = CompilerMessage::Whose;
+
+/// "FILE:LINE:COLUMN: rest" or "FILE:LINE: rest".
+struct Located {
+  std::string file;
+  std::size_t line = 0, column = 0;
+  std::string rest;
+};
+
+/// Takes a number and the colon behind it; 0 when there are none.
+std::size_t take_number(std::string_view& text) {
+  std::size_t number = 0;
+  const auto [end, ec] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const auto digits = static_cast<std::size_t>(end - text.data());
+  if (ec != std::errc() || digits >= text.size() || text[digits] != ':') return 0;
+  text.remove_prefix(digits + 1);
+  return number;
+}
+
+std::optional<Located> located(std::string_view line) {
+  Located place;
+  const std::size_t colon = line.find(':', 1);
+  if (colon == std::string_view::npos || line.front() == ' ') return std::nullopt;
+  place.file = line.substr(0, colon);
+  std::string_view rest = line.substr(colon + 1);
+  place.line = take_number(rest);
+  if (place.line == 0) return std::nullopt;
+  place.column = take_number(rest);
+  while (!rest.empty() && rest.front() == ' ')
+    rest.remove_prefix(1);
+  place.rest = rest;
+  return place;
+}
+
+/// Takes `word` from the front.
+bool take(std::string& text, std::string_view word) {
+  if (text.rfind(word, 0) != 0) return false;
+  text.erase(0, word.size());
+  return true;
+}
+
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+}
+
+/// Removes "LEAD...>" with all that the brackets hold: template arguments that nobody wrote.
+void drop_argument(std::string& text, std::string_view lead) {
+  for (std::size_t at = 0; (at = text.find(lead, at)) != std::string::npos;) {
+    int depth = 1;
+    std::size_t end = at + lead.size();
+    for (; end < text.size() && depth > 0; ++end)
+      depth += text[end] == '<' ? 1 : text[end] == '>' ? -1 : 0;
+    if (depth > 0) return;
+    text.erase(at, end - at);
+  }
+}
+
+/// Without the noise of the library's templates, and no longer than a few lines.
+std::string calm(std::string text) {
+  replace_all(text, "std::__cxx11::", "std::");
+  replace_all(text, "std::basic_string<char>", "std::string");
+  replace_all(text, "std::basic_string_view<char>", "std::string_view");
+  replace_all(text, "long unsigned int", "unsigned long");
+  replace_all(text, "long int", "long");
+  for (const std::string_view lead :
+       {", std::allocator<", ", std::char_traits<", ", std::less<", ", std::default_delete<"})
+    drop_argument(text, lead);
+  replace_all(text, " >", ">");
+  constexpr std::size_t most = 400;
+  const std::size_t with = text.find(" [with ");
+  if (text.size() > 160 && with != std::string::npos) text.erase(with);
+  if (text.size() > most) {
+    std::size_t end = most;
+    while ((text[end] & 0xC0) == 0x80)
+      --end;  // not within a character
+    text = text.substr(0, end) + " ...";
+  }
+  return text;
+}
+
+bool has(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// GCC's two phrases and Clang's: what such a function returns is anything, so nothing that is said
+/// of other warnings matters before it.
+bool lacks_return(const std::string& text) {
+  return has(text, "no return statement in function") ||
+         has(text, "control reaches end of non-void") ||
+         has(text, "non-void function does not return");
+}
+
+/// What follows from a function that is not closed: all below it stands inside of it.
+bool stands_inside(const std::string& text) {
+  return has(text, "function-definition is not allowed here") ||
+         has(text, "function definition is not allowed here") ||
+         has(text, "qualified-id in declaration before");
+}
+
+/// Leaves of what a missing } leads to, which is a complaint about each function below it, the
+/// first, and says what it means.
+void explain_missing_brace(std::vector<CompilerMessage>& messages) {
+  const auto first = std::find_if(messages.begin(), messages.end(), [](const CompilerMessage& m) {
+    return m.whose == Whose::own && stands_inside(m.text);
+  });
+  if (first == messages.end()) return;
+  const std::string file = first->file;
+  const auto is_end = [&](const CompilerMessage& m) {
+    return m.file == file && (has(m.text, "at end of input") || m.text == "expected '}'");
+  };
+  if (std::none_of(messages.begin(), messages.end(), is_end)) return;
+  first->text = "this function begins inside the one above it, where a } is missing";
+  const std::size_t line = first->line;
+  const auto follows = [&](const CompilerMessage& m) {
+    return m.file == file && m.line > line &&
+           (is_end(m) || stands_inside(m.text) || has(m.text, "expected identifier before"));
+  };
+  messages.erase(std::remove_if(messages.begin(), messages.end(), follows), messages.end());
+}
+
+/// "   12 |   code" or "      |   ^~~~", or Clang's lines without numbers.
+bool is_excerpt(const std::string& line) {
+  const std::size_t first = line.find_first_not_of(' ');
+  if (first == 0 || first == std::string::npos) return false;
+  const std::size_t bar = line.find_first_not_of("0123456789 ");
+  return bar != std::string::npos && (line[bar] == '|' || line[bar] == '^' || line[bar] == '~');
+}
+
+bool is_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// `text` from its first word on. What stands before it are quotes, which the compiler's language
+/// has: one byte or several.
+std::string_view from_word(std::string_view text) {
+  return {std::find_if(text.begin(), text.end(), is_word), text.end()};
+}
+
+std::string_view first_word(std::string_view text) {
+  return {text.begin(), std::find_if_not(text.begin(), text.end(), is_word)};
+}
+
+/// The name that is told to be missing in namespace std, else "": ‘NAME’ is not a member of ‘std’
+/// by GCC, no member named 'NAME' in namespace 'std' by Clang.
+std::string_view missing_in_std(std::string_view text) {
+  constexpr std::string_view clang = "no member named ";
+  const bool by_clang = text.starts_with(clang);
+  text = from_word(by_clang ? text.substr(clang.size()) : text);
+  const std::string_view name = first_word(text);
+  const std::string_view phrase = by_clang ? " in namespace " : " is not a member of ";
+  const std::size_t at = text.find(phrase);
+  if (at == std::string_view::npos || from_word(text.substr(name.size())).data() < text.data() + at)
+    return "";
+  text = from_word(text.substr(at + phrase.size()));
+  if (first_word(text) != "std" || text.size() == 3 || text[3] == ':') return "";
+  return name;
+}
+
+/// Of mathematics, which everybody needs and no header of a lab brings along.
+std::string with_missing_header(const std::string& text) {
+  constexpr std::array<std::string_view, 26> of_cmath = {
+      "sqrt",   "cbrt",  "exp",  "expm1", "log",      "log1p",    "pow",   "sin",  "cos",
+      "tan",    "asin",  "acos", "atan",  "atan2",    "fabs",     "floor", "ceil", "round",
+      "lround", "hypot", "fma",  "isnan", "isfinite", "copysign", "ldexp", "frexp"};
+  const std::string_view name = missing_in_std(text);
+  if (std::find(of_cmath.begin(), of_cmath.end(), name) == of_cmath.end()) return text;
+  return fmt::format("std::{} is not known here: #include <cmath>", name);
+}
+
+/// The name that `line` puts between ` or ' and '.
+std::string quoted(const std::string& line, std::size_t from) {
+  const std::size_t open = line.find_first_of("`'", from);
+  if (open == std::string::npos) return line.substr(from);
+  const std::size_t close = line.find('\'', open + 1);
+  return line.substr(open + 1, close == std::string::npos ? close : close - open - 1);
+}
+
+class Reader {
+ public:
+  explicit Reader(const fs::path& root) : root_(root.lexically_normal()) {}
+
+  std::vector<CompilerMessage> read(std::string_view log) {
+    std::istringstream lines{std::string(log)};
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.empty() && line.back() == '\r') line.pop_back();
+      take_line(without_escapes(line));
+    }
+    explain_missing_brace(messages_);
+    const auto rank = [](const CompilerMessage& m) {
+      const int kind = m.error ? 0 : lacks_return(m.text) ? 10 : 20;
+      return kind + static_cast<int>(m.whose);
+    };
+    std::stable_sort(
+        messages_.begin(), messages_.end(),
+        [&](const CompilerMessage& a, const CompilerMessage& b) { return rank(a) < rank(b); });
+    return std::move(messages_);
+  }
+
+ private:
+  std::string relative(const std::string& file) const {
+    const fs::path path = fs::path(file).lexically_normal();
+    // ccache may have made it relative to the build's folder.
+    if (*path.begin() == "..") {
+      fs::path rest;
+      for (const fs::path& part : path) {
+        if (part != "..") rest /= part;
+      }
+      return rest.string();
+    }
+    const fs::path inside = path.lexically_relative(root_);
+    const bool in_tree = path.is_absolute() && !inside.empty() && *inside.begin() != "..";
+    return in_tree ? inside.string() : path.string();
+  }
+
+  void take_line(const std::string& line) {
+    if (line.empty() || linker(line)) return;
+    if (is_excerpt(line)) {
+      // Of a note there is none: the place of the complaint itself is what counts.
+      if (wants_excerpt_ && messages_.back().excerpt.size() < 2)
+        messages_.back().excerpt.push_back(line);
+      return;
+    }
+    wants_excerpt_ = false;
+    std::optional<Located> place = located(line);
+    if (!place) {
+      // "In file included from FILE:LINE:" and "FILE: In function ...": nothing is found there.
+      if (line.rfind("In file included from", 0) == 0) led_here_.clear();
+      return;
+    }
+    place->file = relative(place->file);
+    const bool error = take(place->rest, "error: ") || take(place->rest, "fatal error: ");
+    if (error || take(place->rest, "warning: ")) {
+      complaint(*place, error);
+    } else if (take(place->rest, "note: ")) {
+      // Clang says below the complaint which line led to it.
+      if (!messages_.empty() && place->rest.find("requested here") != std::string::npos)
+        blame(messages_.back(), *place);
+    } else {
+      led_here_.push_back(*place);  // GCC says so above it: "required from here"
+    }
+  }
+
+  void complaint(const Located& place, bool error) {
+    CompilerMessage message;
+    message.error = error;
+    message.file = place.file;
+    message.line = place.line;
+    message.column = place.column;
+    message.text = with_missing_header(calm(place.rest));
+    if (is_own_file(place.file)) message.whose = Whose::own;
+    for (const Located& leading : led_here_)
+      blame(message, leading);
+    led_here_.clear();
+    add(std::move(message));
+    wants_excerpt_ = !duplicate_;
+  }
+
+  /// Moves a complaint about our files or the library's to the student's line that led to it.
+  static void blame(CompilerMessage& message, const Located& place) {
+    if (message.whose != Whose::elsewhere || !is_own_file(place.file)) return;
+    message.found_in = fmt::format("{}:{}", message.file, message.line);
+    message.whose = Whose::caused;
+    message.file = place.file;
+    message.line = place.line;
+    message.column = place.column;
+    message.excerpt.clear();
+  }
+
+  bool linker(const std::string& line) {
+    for (const std::string_view what : {"undefined reference to ", "undefined symbol: "}) {
+      const std::size_t at = line.find(what);
+      if (at == std::string::npos) continue;
+      const std::string name =
+          what.back() == ' ' && what[10] == 's' ? line.substr(at + what.size()) : quoted(line, at);
+      link_error(
+          fmt::format("{} is called but not defined: is it written, with the header's "
+                      "parameters and in the header's namespace?",
+                      calm(name)));
+      return true;
+    }
+    const std::size_t at = line.find("multiple definition of ");
+    if (at == std::string::npos) return false;
+    link_error(fmt::format("{} is defined twice", calm(quoted(line, at))));
+    return true;
+  }
+
+  void link_error(std::string text) {
+    CompilerMessage message;
+    message.text = std::move(text);
+    message.whose = Whose::caused;
+    add(std::move(message));
+  }
+
+  /// The same file is compiled for the lab and for the judge: each complaint counts once.
+  void add(CompilerMessage message) {
+    duplicate_ = !said_
+                      .insert(fmt::format("{}:{}:{}:{}", message.file, message.line, message.column,
+                                          message.text))
+                      .second;
+    if (!duplicate_) messages_.push_back(std::move(message));
+  }
+
+  fs::path root_;
+  std::vector<CompilerMessage> messages_;
+  std::vector<Located> led_here_;
+  std::set<std::string> said_;
+  bool wants_excerpt_ = false, duplicate_ = false;
+};
+
+}  // namespace
+
+std::vector<CompilerMessage> compiler_messages(std::string_view log, const fs::path& root) {
+  return Reader(root).read(log);
+}
+
+}  // namespace carlo

@@ -1,0 +1,229 @@
+#include "course/report/lab_app.h"
+
+#include "course/cli/arguments.h"
+#include "course/cli/main_guard.h"
+#include "course/cli/wrap.h"
+#include "course/report/crash_note.h"
+#include "course/report/machine.h"
+#include "course/report/page.h"
+#include "course/report/predictions.h"
+#include "course/report/stop_note.h"
+#include "support/atomic_file.h"
+#include "support/error.h"
+#include "support/terminal.h"
+#include "support/wall_clock.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace carlo {
+namespace {
+
+struct Arguments {
+  LabOptions options;
+  std::string page, json, step;
+  bool no_page = false, no_predict = false, predict = false;
+};
+
+/// What of a lab runs.
+struct Selection {
+  std::vector<Experiment> experiments;
+  std::vector<std::string> what_you_should_see;
+  int before = 0;  ///< of the lab's experiments
+};
+
+/// All of it, or a step alone.
+Selection selected(const LabApp& lab, const std::string& name) {
+  if (lab.steps.empty()) return {lab.experiments, lab.what_you_should_see};
+  Selection selection;
+  for (const Step& step : lab.steps) {
+    if (name.empty() || name == step.name) {
+      selection.experiments.insert(selection.experiments.end(), step.experiments.begin(),
+                                   step.experiments.end());
+      selection.what_you_should_see.push_back(step.seen);
+    } else if (selection.experiments.empty()) {
+      selection.before += static_cast<int>(step.experiments.size());
+    }
+  }
+  return selection;
+}
+
+void add_step_option(CommandLine& app, const LabApp& lab, std::string& step) {
+  if (lab.steps.empty()) return;
+  std::vector<std::string> names;
+  for (const Step& one : lab.steps)
+    names.push_back(one.name);
+  app.option("--step", step, "one step alone, " + lab.step_names).one_of(names);
+}
+
+void ask(Predictions& predictions, bool again) {
+  predictions.ask(
+      [](const std::string& text) {
+        fmt::print("{}", wrapped(text));
+        (void)std::fflush(stdout);
+      },
+      []() -> std::optional<std::string> {
+        std::string line;
+        if (!std::getline(std::cin, line)) return std::nullopt;
+        return line;
+      },
+      again);
+}
+
+/// Where a student runs the lab, ./carlo says which tree it is.
+bool of_student() {
+  const char* tree = std::getenv("CARLO_COURSE");
+  return tree != nullptr && *tree != '\0';
+}
+
+/// What was predicted is kept in the student's tree.
+std::optional<Predictions> predictions_of(const LabApp& lab, const Arguments& arguments) {
+  const bool student = of_student();
+  const bool somebody = ::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1;
+  if (arguments.predict && (!student || !somebody || !arguments.step.empty())) {
+    throw Error("--predict asks you at a terminal, about the whole lab on your own code");
+  }
+  if (!student || arguments.no_predict) return std::nullopt;
+  std::optional<Predictions> predictions(std::in_place, std::getenv("CARLO_COURSE"), lab.number);
+  if (somebody && arguments.step.empty()) ask(*predictions, arguments.predict);
+  return predictions;
+}
+
+void show_predictions(const Predictions& predictions, Notebook& notebook) {
+  const Table table = predictions.table(notebook.results());
+  if (table.rows().empty()) return;
+  notebook.begin("What you predicted");
+  notebook.table("predictions", table,
+                 "Predictions, and what this run gave (--predict asks again)");
+}
+
+/// Who stops an experiment may have waited for a loop without end.
+std::string advice_when_stopped(const LabApp& lab) {
+  if (!of_student()) return "";
+  return fmt::format("If it came to no end: ./carlo test {} says in which exercise.\n", lab.number);
+}
+
+/// The command as one could type it again.
+std::string command_line(int number, int argc, char** argv) {
+  std::string command = fmt::format("./carlo lab {}", number);
+  if (std::filesystem::path(argv[0]).filename().string().ends_with("_solution")) {
+    command += " --solutions";
+  }
+  for (int i = 1; i < argc; ++i)
+    command += fmt::format(" {}", argv[i]);
+  return command;
+}
+
+void run_experiments(const Selection& lab, const std::optional<Predictions>& predictions,
+                     Notebook& notebook) {
+  for (std::size_t i = 0; i < lab.experiments.size(); ++i) {
+    notebook.set_experiment(static_cast<int>(i), static_cast<int>(lab.experiments.size()),
+                            lab.before);
+    lab.experiments[i](notebook);
+  }
+  notebook.finish();
+  if (predictions) show_predictions(*predictions, notebook);
+  notebook.begin("What you should see");
+  if (!notebook.left_out().empty()) {
+    notebook.say("It is told here once all exercises are done.");
+    return;
+  }
+  for (const std::string& paragraph : lab.what_you_should_see)
+    notebook.say(paragraph);
+}
+
+/// Which exercises wait to be done; each experiment that misses one has said what to do.
+std::string left_out_text(const std::set<std::string>& tags) {
+  return fmt::format("Left out, as not implemented yet: {}", fmt::join(tags, ", "));
+}
+
+nlohmann::json results(const LabApp& lab, const Notebook& notebook, double seconds) {
+  return {{"lab", lab.number},
+          {"n", notebook.options().n},
+          {"seed", std::to_string(notebook.options().seed)},
+          {"quick", notebook.options().quick},
+          {"machine", machine_text()},
+          {"compiler", compiler_text()},
+          {"seconds", seconds},
+          {"left_out", notebook.left_out()},
+          {"tables", notebook.results()}};
+}
+
+void run(const LabApp& lab, const Arguments& arguments, const std::string& command) {
+  std::optional<StopNote> note(std::in_place, advice_when_stopped(lab));
+  // A file that cannot be written is better known before the experiments than after them.
+  if (!arguments.json.empty()) (void)AtomicFile(arguments.json);
+  const std::optional<Predictions> predictions = predictions_of(lab, arguments);
+  Page page(lab.title, lab.subtitle);
+  Notebook notebook(fmt::format("lab {:02}", lab.number), arguments.options, page);
+  if (of_student()) notebook.tell_stalls();
+  tell_crashes();
+  const WallClock clock;
+  run_experiments(selected(lab, arguments.step), predictions, notebook);
+  const double seconds = clock.seconds();
+
+  note.reset();  // from here on files are written
+
+  page.fact("Command", command);
+  page.fact("Seed", std::to_string(arguments.options.seed));
+  page.fact("Machine", machine_text());
+  page.fact("Compiler", compiler_text());
+  if (!notebook.left_out().empty()) {
+    fmt::print("{}\n", wrapped(coloured(Colour::yellow, left_out_text(notebook.left_out()))));
+  }
+  if (!arguments.json.empty()) {
+    write_file(arguments.json, results(lab, notebook, seconds).dump(2) + "\n");
+  }
+  fmt::print("{:.1f} s in all.\n", seconds);
+  if (!arguments.no_page) {
+    page.write(arguments.page);
+    fmt::print("The page with the plots: {}\n",
+               std::filesystem::absolute(arguments.page).lexically_normal().string());
+  }
+}
+
+}  // namespace
+
+int run_lab(const LabApp& lab, int argc, char** argv) {
+  return run_main([&] {
+    Arguments arguments;
+    arguments.options.n = lab.n;
+    arguments.page = fmt::format("out/lab{:02}.html", lab.number);
+    CommandLine app(lab.title + ". Runs the lab's experiments on the exercises done so far.",
+                    fmt::format("./carlo lab {}", lab.number));
+    auto n = app.option("--n", arguments.options.n, "largest number of points, >= 1024");
+    n.range(std::int64_t{1024}, std::int64_t{1} << 30).show_default();
+    app.option("--seed", arguments.options.seed, "seed of all random numbers").show_default();
+    app.flag("--quick", arguments.options.quick, "fewer points and repetitions");
+    app.option("--json", arguments.json, "write all tables to this file");
+    auto page = app.option("--page", arguments.page, "where the page goes");
+    page.show_default();
+    app.flag("--no-page", arguments.no_page, "write no page");
+    const Argument no_predict =
+        app.flag("--no-predict", arguments.no_predict, "ask for no predictions, and show none");
+    app.flag("--predict", arguments.predict, "ask for all predictions again").excludes(no_predict);
+    add_step_option(app, lab, arguments.step);
+    if (lab.add_options) lab.add_options(app);
+    if (const auto code = app.parse(argc, argv)) return *code;
+    if (arguments.options.quick && !n.given()) arguments.options.n = lab.quick_n;
+    if (lab.instead) {
+      if (const auto code = lab.instead(arguments.options)) return *code;
+    }
+    if (!page.given() && !arguments.step.empty()) {
+      arguments.page = fmt::format("out/lab{:02}_{}.html", lab.number, arguments.step);
+    }
+    run(lab, arguments, command_line(lab.number, argc, argv));
+    return 0;
+  });
+}
+
+}  // namespace carlo

@@ -1,0 +1,85 @@
+#include "course/report/notebook.h"
+
+#include "course/cli/wrap.h"
+#include "course/report/crash_note.h"
+#include "support/terminal.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <utility>
+
+namespace carlo {
+
+Notebook::Notebook(std::string label, const LabOptions& options, Page& page)
+    : options_(options),
+      page_(page),
+      bar_(std::move(label), true),
+      results_(std::make_unique<nlohmann::json>(nlohmann::json::object())) {}
+
+Notebook::~Notebook() = default;
+
+void Notebook::begin(std::string_view title) {
+  bar_.clear();
+  note_experiment(title);
+  fmt::print("\n{}\n\n", coloured(Colour::bold, title));
+  page_.section(title);
+  left_out_here_.clear();
+}
+
+void Notebook::say(std::string_view paragraph) {
+  bar_.clear();
+  constexpr int readable = 88;
+  fmt::print("{}\n\n", wrapped(std::string(paragraph), readable));
+  page_.prose(paragraph);
+}
+
+void Notebook::table(const std::string& key, const Table& table, std::string_view caption) {
+  if (table.rows().empty()) return;
+  print_table(key, table, caption);
+  page_.table(table, caption);
+}
+
+void Notebook::table(const std::string& key, const Table& table, std::string_view caption,
+                     std::string_view html) {
+  print_table(key, table, caption);
+  page_.raw_html(html);
+}
+
+void Notebook::data(const std::string& key, const Table& table, std::string_view caption) {
+  page_.raw_html(fmt::format("<details><summary>{}</summary>", html_typeset(caption)));
+  page_.table(table);
+  page_.raw_html("</details>");
+  (*results_)[key] = table.json();
+}
+
+void Notebook::print_table(const std::string& key, const Table& table, std::string_view caption) {
+  bar_.clear();
+  fmt::print("{}:\n{}\n", wrapped(std::string(caption)), table.text());
+  (void)std::fflush(stdout);
+  (*results_)[key] = table.json();
+}
+
+void Notebook::leave_out(const NotImplemented& missing) {
+  left_out_.insert(missing.tag());
+  if (!left_out_here_.insert(missing.tag()).second) return;
+  const std::string reason = missing.what();
+  bar_.clear();
+  fmt::print("{}\n\n", wrapped(coloured(Colour::yellow, reason)));
+  page_.note(reason);
+}
+
+void Notebook::set_experiment(int index, int count, int before) {
+  experiment_ = index;
+  // What an experiment draws does not depend on which ones were run before it, nor on the exercises
+  // that those found done.
+  next_stream_ = static_cast<std::uint64_t>(before + index) << 32;
+  experiments_ = count;
+}
+
+void Notebook::progress(double done, double total) {
+  bar_.update((experiment_ + done / total) / experiments_);
+}
+
+}  // namespace carlo

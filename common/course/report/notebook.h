@@ -1,0 +1,95 @@
+#pragma once
+
+#include "course/not_implemented.h"
+#include "course/report/page.h"
+#include "course/report/table.h"
+#include "random/rng.h"
+#include "support/progress.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace carlo {
+
+/// What every lab's executable can be told.
+struct LabOptions {
+  std::int64_t n = 1 << 18;  ///< the largest number of points an experiment uses
+  std::uint64_t seed = 1;
+  bool quick = false;  ///< fewer points and repetitions; the same experiments
+};
+
+/// Where a lab's experiments write: each heading, sentence and table goes to the console and to the
+/// page, charts go to the page, tables to the JSON file as well.
+class Notebook {
+ public:
+  Notebook(std::string label, const LabOptions& options, Page& page);
+  ~Notebook();
+
+  const LabOptions& options() const { return options_; }
+
+  /// A stream of random numbers that no other call of rng() returns.
+  Rng rng() { return Rng(options_.seed, next_stream_++); }
+
+  /// `full` repetitions; fewer in a quick run.
+  int repetitions(int full) const { return options_.quick ? full / 4 : full; }
+
+  void begin(std::string_view title);
+  void say(std::string_view paragraph);
+  void table(const std::string& key, const Table& table, std::string_view caption);
+  /// The same, but the page gets `html` (trusted) in the table's place.
+  void table(const std::string& key, const Table& table, std::string_view caption,
+             std::string_view html);
+  /// Numbers that would only be in the way: folded away on the page, in the JSON file as any table.
+  void data(const std::string& key, const Table& table, std::string_view caption);
+  void charts(const std::vector<Chart>& row) { page_.charts(row); }
+  /// Trusted HTML and JavaScript for the page (page.h); nothing on the console.
+  void raw_html(std::string_view html) { page_.raw_html(html); }
+  void script(std::string_view code) { page_.script(code); }
+
+  /// Does `work`, which calls exercises. Where one of them has not been done, says so (once a
+  /// section) and returns false.
+  template <class Work>
+  bool attempt(const Work& work) {
+    try {
+      work();
+      return true;
+    } catch (const NotImplemented& missing) {
+      leave_out(missing);
+      return false;
+    }
+  }
+
+  /// How far the run is: `done` of `total` steps of the current one of all experiments.
+  void progress(double done, double total);
+  /// Of `count` that are run, behind `before` of the whole lab that are left out.
+  void set_experiment(int index, int count, int before = 0);
+  /// For code that may never come back: the line of progress says when it stands still.
+  void tell_stalls() { bar_.tell_stalls(); }
+  void finish() { bar_.finish(); }
+
+  /// The tags of exercises that were left out, for the last lines of the run; and everything
+  /// measured.
+  const std::set<std::string>& left_out() const { return left_out_; }
+  const nlohmann::json& results() const { return *results_; }
+
+ private:
+  void leave_out(const NotImplemented& missing);
+  void print_table(const std::string& key, const Table& table, std::string_view caption);
+
+  LabOptions options_;
+  Page& page_;
+  Progress bar_;
+  std::unique_ptr<nlohmann::json> results_;
+  std::set<std::string> left_out_;
+  std::set<std::string> left_out_here_;
+  std::uint64_t next_stream_ = 0;
+  int experiment_ = 0, experiments_ = 1;
+};
+
+}  // namespace carlo

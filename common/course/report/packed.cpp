@@ -1,0 +1,59 @@
+#include "course/report/packed.h"
+
+#include "course/report/base64.h"
+#include "support/error.h"
+
+#include <zlib.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace carlo {
+namespace {
+
+/// The upper 24 bits of the nearest float that has no others.
+std::uint32_t upper_bits(float value) {
+  if (std::isnan(value)) return 0x7FC000;
+  const auto bits = std::bit_cast<std::uint32_t>(value);
+  return std::isinf(value) ? bits >> 8 : (bits + 0x80) >> 8;
+}
+
+std::string deflated(const std::vector<Bytef>& bytes) {
+  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
+  std::string result(size, '\0');
+  // zlib's bytes are unsigned.
+  auto* const room = reinterpret_cast<Bytef*>(result.data());
+  if (compress2(room, &size, bytes.data(), static_cast<uLong>(bytes.size()), 6) != Z_OK) {
+    throw Error("cannot compress an image for the page: out of memory");
+  }
+  result.resize(size);
+  return result;
+}
+
+}  // namespace
+
+std::string packed(std::span<const float> values) {
+  const std::size_t n = values.size();
+  std::vector<Bytef> planes(3 * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint32_t bits = upper_bits(values[i]);
+    planes[i] = static_cast<Bytef>(bits >> 16);
+    planes[i + n] = static_cast<Bytef>(bits >> 8 & 0xFF);
+    planes[i + 2 * n] = static_cast<Bytef>(bits & 0xFF);
+  }
+  return base64(deflated(planes));
+}
+
+std::string packed(const Image& image) {
+  std::vector<float> values;
+  values.reserve(3 * image.pixels.size());
+  for (int c = 0; c < 3; ++c) {
+    for (const Rgb& pixel : image.pixels)
+      values.push_back(pixel[c]);
+  }
+  return packed(values);
+}
+
+}  // namespace carlo

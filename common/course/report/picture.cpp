@@ -1,0 +1,14 @@
+#include "course/report/picture.h"
+
+#include "course/report/base64.h"
+#include "image/png.h"
+
+#include <cmath>
+
+namespace carlo {
+
+std::string picture_url(const Image& image, double white) {
+  return "data:image/png;base64," + base64(png(image, static_cast<float>(-std::log2(white))));
+}
+
+}  // namespace carlo

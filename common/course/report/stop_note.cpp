@@ -1,0 +1,50 @@
+#include "course/report/stop_note.h"
+
+#include "course/report/crash_note.h"
+#include "course/report/say_in_handler.h"
+
+#include <atomic>
+#include <csignal>
+#include <string>
+
+namespace carlo {
+namespace {
+
+struct sigaction before {};
+std::string advice;  // of the note that lives: it does not change while a handler may read it
+
+std::atomic<bool> stopping;
+static_assert(std::atomic<bool>::is_always_lock_free);  // or no handler may ask it
+
+extern "C" void stopped(int signal) {
+  // Another signal, caught by another thread, must not end the program before the note is written.
+  if (stopping.exchange(true)) return;
+  // Behind the ^C, or a progress bar. Only calls that a handler may make.
+  say_in_handler("\nStopped");
+  if (!noted_experiment().empty()) {
+    say_in_handler(" in the experiment \"");
+    say_in_handler(noted_experiment());
+    say_in_handler("\"");
+  }
+  say_in_handler(".\nNo results were written.\n");
+  say_in_handler(advice);
+  ::signal(signal, SIG_DFL);
+  ::raise(signal);  // when this one returns: the system ends the program
+}
+
+}  // namespace
+
+StopNote::StopNote(const std::string& what_now) {
+  advice = what_now;
+  struct sigaction action {};
+  action.sa_handler = stopped;
+  action.sa_flags = SA_RESTART;
+  ::sigaction(SIGINT, nullptr, &before);
+  if (before.sa_handler != SIG_IGN) ::sigaction(SIGINT, &action, nullptr);
+}
+
+StopNote::~StopNote() {
+  ::sigaction(SIGINT, &before, nullptr);
+}
+
+}  // namespace carlo

@@ -1,0 +1,298 @@
+#include "course/verdict/verdict_text.h"
+
+#include "course/cli/wrap.h"
+#include "course/verdict/crash_line.h"
+#include "course/verdict/printed.h"
+#include "support/terminal.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+namespace carlo {
+namespace {
+
+/// Of many failures the first few tell the story: tests shown in full, comparisons of each, and the
+/// diagnoses that fit best. Of what a program printed, the first lines do; more when all is asked
+/// for.
+constexpr std::size_t shown_tests = 2;
+constexpr int shown_comparisons = 2;
+constexpr std::size_t shown_diagnoses = 2;
+constexpr std::size_t shown_lines = 3, shown_lines_verbose = 20;
+
+std::string comparison(const Verdict& verdict) {
+  std::string out = fmt::format("      {}: {}\n        expected {}\n", verdict.what,
+                                verdict.measured, verdict.expected);
+  if (!verdict.certainty.empty()) out += fmt::format("        {}\n", verdict.certainty);
+  return out;
+}
+
+/// What kept the values from coming, if anything did. `locate`: the number of the exercise, where
+/// it is to be said how the line of a crash is found.
+std::string problem(const TestRecord& test, std::size_t lines, const std::string& locate) {
+  std::string out;
+  if (!test.problem.empty()) out += fmt::format("      {}\n", harmless(test.problem));
+  if (!locate.empty()) {
+    out += fmt::format("      {}: {}\n", which_line, line_command(locate));
+  }
+  if (!test.printed.empty()) {
+    out += "      your program printed:\n" + printed_lines(test, lines, "        | ");
+  }
+  return out;
+}
+
+/// One test with all that it compared.
+std::string whole_test(const TestRecord& test, const std::string& locate) {
+  const bool passed = test.status == Status::passed;
+  const char* mark = passed ? "✓" : test.skipped ? "–" : "✗";
+  std::string out = fmt::format("    {} {}\n", mark, test.sentence);
+  out += problem(test, shown_lines_verbose, locate);
+  for (const Verdict& verdict : test.verdicts)
+    out += comparison(verdict);
+  return out;
+}
+
+/// All tests, in their order.
+std::string whole_tests(const ExerciseResult& result) {
+  const auto lost = std::find_if(result.tests.begin(), result.tests.end(),
+                                 [](const TestRecord& test) { return test.lacks_line; });
+  std::string out;
+  for (auto test = result.tests.begin(); test != result.tests.end(); ++test) {
+    out += whole_test(*test, test == lost ? result.number() : "");
+  }
+  return out;
+}
+
+std::string failed_test(const TestRecord& test, const std::string& locate) {
+  std::string out = fmt::format("    {} {}\n", coloured(Colour::red, "✗"), test.sentence);
+  out += problem(test, shown_lines, locate);
+  int failures = 0;
+  for (const Verdict& verdict : test.verdicts) {
+    if (!verdict.passed && ++failures <= shown_comparisons) out += comparison(verdict);
+  }
+  if (failures > shown_comparisons) {
+    const int more = failures - shown_comparisons;
+    out += fmt::format("      and {} more {}\n", more,
+                       more == 1 ? "comparison that fails" : "comparisons that fail");
+  }
+  return out;
+}
+
+std::string heading(const ExerciseResult& result, std::size_t titles) {
+  const bool passed = result.status == Status::passed;
+  const bool open = result.status == Status::not_implemented;
+  const std::string mark = passed ? coloured(Colour::green, "✓")
+                           : open ? coloured(Colour::yellow, "–")
+                                  : coloured(Colour::red, "✗");
+  const std::string title = shortened(result.title, titles);
+  const std::string gap(titles - display_width(title), ' ');
+  const std::string points = fmt::format("{} of {} points", points_text(result.points), result.max);
+  return fmt::format("{} {}  {}{}  {}", mark, result.number(), title, gap, points);
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+/// How to come to an exercise's hint.
+std::string hint_by(Help help, const std::string& number) {
+  return help == Help::by_key ? "press h" : "./carlo hint " + number;
+}
+
+/// Why an exercise is not implemented: it is not done, or another is not that its code calls.
+std::string open_text(const ExerciseResult& result, Help help) {
+  for (const TestRecord& test : result.tests) {
+    if (test.needs.rfind("Lab ", 0) != 0) continue;
+    const std::string needs = harmless(test.needs);
+    return fmt::format("calls {}, which is not implemented yet: ./carlo hint {}", needs,
+                       needs.substr(4));
+  }
+  return "not implemented yet: " + hint_by(help, result.number());
+}
+
+bool failed(const TestRecord& test) {
+  return test.status != Status::passed && test.status != Status::not_implemented && !test.skipped;
+}
+
+/// The tests that failed, those that tell most first: one that crashed, for what goes wrong there
+/// is not to be guessed from numbers; then those that have numbers; then the other crashes, which
+/// are mostly the same again.
+std::vector<const TestRecord*> by_what_they_tell(const ExerciseResult& result) {
+  std::vector<const TestRecord*> list;
+  for (const TestRecord& test : result.tests) {
+    if (failed(test)) list.push_back(&test);
+  }
+  const auto crashed = [](const TestRecord* test) { return test->status == Status::crashed; };
+  std::stable_partition(list.begin(), list.end(), [&](const auto* test) { return !crashed(test); });
+  auto first = std::find_if(list.begin(), list.end(),
+                            [](const TestRecord* test) { return test->lacks_line; });
+  if (first == list.end()) first = std::find_if(list.begin(), list.end(), crashed);
+  if (first != list.end()) std::rotate(list.begin(), first, std::next(first));
+  return list;
+}
+
+/// How many tests were not run, or not judged, for each reason why.
+std::string skipped_tests(const ExerciseResult& result) {
+  std::map<std::string, int> reasons;
+  for (const TestRecord& test : result.tests) {
+    if (test.skipped) ++reasons[test.problem];
+  }
+  std::string out;
+  for (const auto& [why, count] : reasons) {
+    out += fmt::format("    {} more {} {}\n", count, count == 1 ? "test" : "tests", harmless(why));
+  }
+  return out;
+}
+
+/// The tests that failed, the first ones in full; and those that were not run after a deadline. Not
+/// those that wait for something to be written.
+std::string failed_tests(const ExerciseResult& result) {
+  std::string out;
+  const std::vector<const TestRecord*> tests = by_what_they_tell(result);
+  for (std::size_t i = 0; i < tests.size(); ++i) {
+    const TestRecord& test = *tests[i];
+    const bool locate = i == 0 && test.lacks_line;
+    out += i < shown_tests ? failed_test(test, locate ? result.number() : "")
+                           : fmt::format("    also {}: {}\n", test.lacks_line ? "crashes" : "fails",
+                                         test.sentence);
+  }
+  return out + skipped_tests(result);
+}
+
+/// Exercises that this one builds on and that are not right yet.
+std::string unsound_ground(const ExerciseResult& result) {
+  std::string out;
+  for (const std::string& tag : result.unsound) {
+    out += fmt::format("    {} is not right yet: where your code calls it, mend that first\n", tag);
+  }
+  return out;
+}
+
+/// What keeps right values from all the points.
+std::string right_but(const ExerciseResult& result) {
+  if (!result.passed(Aspect::correctness)) return "";
+  // What crashed, or was stopped, has shown no variance and no cost.
+  const auto unmeasured = [](const TestRecord& test) {
+    return test.status == Status::crashed || test.status == Status::timeout;
+  };
+  if (std::any_of(result.tests.begin(), result.tests.end(), unmeasured)) return "";
+  const bool variance = result.has(Aspect::variance) && !result.passed(Aspect::variance);
+  const bool cost = result.has(Aspect::efficiency) && !result.passed(Aspect::efficiency);
+  return fmt::format("    right, but {}{}{}: {} of {} points\n",
+                     variance ? "its variance is too large" : "", variance && cost ? " and " : "",
+                     cost ? "it costs too much" : "", points_text(result.points), result.max);
+}
+
+/// What the values look like, first of all: it says most in the fewest lines.
+std::string likely_causes(const ExerciseResult& result) {
+  std::string out;
+  for (std::size_t i = 0; i < std::min(result.diagnoses.size(), shown_diagnoses); ++i) {
+    out += fmt::format("    {} {}\n", coloured(Colour::bold, "It looks like this:"),
+                       result.diagnoses[i].sentence);
+  }
+  return out;
+}
+
+/// Of an exercise of which some is written: what is missing, what already works, what to do next.
+/// `tests`: with the tests.
+std::string begun_text(const ExerciseResult& result, bool tests, Help help) {
+  std::string passed, waiting;
+  for (const TestRecord& test : result.tests) {
+    if (test.skipped) continue;
+    if (test.status == Status::passed) passed += fmt::format("    ✓ {}\n", test.sentence);
+    if (test.status == Status::not_implemented) waiting += fmt::format("    – {}\n", test.sentence);
+  }
+  const std::vector<std::string>& missing = result.missing;
+  std::string out = missing.empty() ? "    " + open_text(result, help) + "\n"
+                                    : fmt::format("    still to write: {}\n", joined(missing));
+  out += unsound_ground(result) + likely_causes(result);
+  if (tests) out += passed + waiting + failed_tests(result);
+  const std::string hint = hint_by(help, result.number());
+  return out + (missing.empty()
+                    ? fmt::format("    Next: {}\n", hint)
+                    : fmt::format("    Next: write {}; for help: {}\n", missing.front(), hint));
+}
+
+/// What keeps an exercise from all its points; `tests`: with the tests that failed.
+std::string details(const ExerciseResult& result, bool tests, Help help) {
+  std::string out = right_but(result) + unsound_ground(result) + likely_causes(result);
+  if (tests) out += failed_tests(result);
+  return out + fmt::format("    For help: {}\n", hint_by(help, result.number()));
+}
+
+std::string exercise_text(const ExerciseResult& result, std::size_t titles, bool verbose) {
+  std::string out = heading(result, titles);
+  const bool open = result.status == Status::not_implemented;
+  if (open && !result.begun) return fmt::format("{}  {}\n", out, open_text(result, Help::typed));
+  out += "\n";
+  if (result.status != Status::passed) {
+    out +=
+        open ? begun_text(result, !verbose, Help::typed) : details(result, !verbose, Help::typed);
+  }
+  if (verbose) out += whole_tests(result);
+  if (result.status == Status::passed) return out;
+  return out + fmt::format("    The raw values: ./carlo replay {}\n", result.number());
+}
+
+/// What to do next, below the total.
+std::string advice(const LabResult& result) {
+  if (result.earned() == result.possible()) return "";
+  const bool untouched = std::all_of(
+      result.exercises.begin(), result.exercises.end(), [](const ExerciseResult& entry) {
+        return entry.status == Status::not_implemented && !entry.begun;
+      });
+  if (untouched) {
+    const ExerciseResult& first = result.exercises.front();
+    return fmt::format("Nothing done yet: start with {}, ./carlo hint {}\n", first.tag,
+                       first.number());
+  }
+  // Without --seed they are the same each time.
+  if (result.usual_seed) return "";
+  return fmt::format("The same numbers again: --seed {}, after ./carlo test and ./carlo replay\n",
+                     result.seed);
+}
+
+}  // namespace
+
+std::string shortfall(const ExerciseResult& result, Help help) {
+  if (result.status == Status::passed) return "";
+  if (result.begun) return begun_text(result, true, help);
+  if (result.status == Status::not_implemented) return "    " + open_text(result, help) + "\n";
+  return details(result, true, help);
+}
+
+std::string message(const ExerciseResult& result) {
+  for (const TestRecord& test : result.tests) {
+    if (test.status == Status::passed) continue;
+    if (!test.problem.empty()) return test.sentence + ": " + test.problem;
+    for (const Verdict& verdict : test.verdicts) {
+      if (verdict.passed) continue;
+      return fmt::format("{}: {}: {}; expected {}", test.sentence, verdict.what, verdict.measured,
+                         verdict.expected);
+    }
+  }
+  return "";
+}
+
+std::string report_text(const LabResult& result, bool verbose) {
+  std::size_t titles = 0;
+  for (const ExerciseResult& entry : result.exercises) {
+    titles = std::max(titles, display_width(entry.title));
+  }
+  constexpr std::size_t mark_number_points = 25;
+  titles = std::min(titles, room_beside(mark_number_points, 16));
+  std::string out =
+      fmt::format("Lab {:02}  {}\n(sandbox: {})\n", result.lab, result.title, result.sandbox);
+  for (const ExerciseResult& entry : result.exercises)
+    out += exercise_text(entry, titles, verbose);
+  const bool full = result.earned() == result.possible();
+  const std::string total = fmt::format("Lab {:02}{}: {} of {} points", result.lab,
+                                        result.whole ? "" : ", this exercise alone",
+                                        points_text(result.earned()), result.possible());
+  out += coloured(full ? Colour::green : Colour::bold, total) + "\n";
+  return out + advice(result);
+}
+
+}  // namespace carlo

@@ -1,0 +1,92 @@
+#include "support/progress.h"
+
+#include "support/terminal.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace carlo {
+
+Progress::Progress(std::string label, bool enabled)
+    : label_(std::move(label)), enabled_(enabled && stderr_is_interactive()) {}
+
+Progress::~Progress() {
+  finish();
+  if (watcher_.joinable()) watcher_.join();
+}
+
+void Progress::draw(const std::string& more, int width) {
+  last_draw_ = Clock::now();
+  drawn_ = true;
+  const int filled = static_cast<int>(std::lround(fraction_ * width));
+  // Not fmt::print(), which throws where the terminal is gone: the watcher has nobody to catch it.
+  std::fputs(fmt::format("\r\x1b[K{} [{:=<{}}{: <{}}] {:3.0f} %  {}", label_, "", filled, "",
+                         width - filled, 100 * fraction_, more)
+                 .c_str(),
+             stderr);
+  std::fflush(stderr);
+}
+
+void Progress::erase() {
+  if (!drawn_) return;
+  std::fputs("\r\x1b[K", stderr);
+  std::fflush(stderr);
+  drawn_ = false;
+}
+
+void Progress::update(double fraction) {
+  if (!enabled_) return;
+  const std::lock_guard lock(mutex_);
+  const auto now = Clock::now();
+  last_report_ = now;
+  fraction_ = std::clamp(fraction, 0.0, 1.0);
+  if (drawn_ && now - last_draw_ < std::chrono::milliseconds(100)) return;
+  const double elapsed = std::chrono::duration<double>(now - start_).count();
+  draw(fraction_ > 0.01 ? format_seconds(elapsed * (1 - fraction_) / fraction_) + " left"
+                        : "estimating");
+}
+
+void Progress::clear() {
+  if (!enabled_) return;
+  const std::lock_guard lock(mutex_);
+  last_report_ = Clock::now();
+  erase();
+}
+
+void Progress::tell_stalls() {
+  if (enabled_ && !watcher_.joinable()) watcher_ = std::thread([this] { watch(); });
+}
+
+void Progress::finish() {
+  {
+    const std::lock_guard lock(mutex_);
+    finished_ = true;
+    erase();
+  }
+  woken_.notify_all();
+}
+
+void Progress::watch() {
+  constexpr std::chrono::seconds patience{4};
+  std::unique_lock lock(mutex_);
+  while (!woken_.wait_for(lock, std::chrono::seconds(1), [this] { return finished_; })) {
+    const auto still = Clock::now() - last_report_;
+    if (still < patience) continue;
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(still).count();
+    // With a short bar, so that it fits 80 columns.
+    draw(fmt::format("nothing new for {} s: a loop without end?", seconds), 10);
+  }
+}
+
+std::string format_seconds(double seconds) {
+  if (seconds < 1) return fmt::format("{:.0f} ms", 1000 * seconds);
+  if (seconds < 100) return fmt::format("{:.3g} s", seconds);
+  const auto whole = static_cast<long>(std::lround(seconds));
+  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  return fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
+}
+
+}  // namespace carlo
