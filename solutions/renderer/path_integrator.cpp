@@ -4,6 +4,7 @@
 #include "geometry/intersector.h"
 #include "geometry/shadow_ray.h"
 #include "lanes/lane_integrator.h"
+#include "lanes/lane_kernel.h"
 #include "lanes/lane_scene.h"
 #include "lights.h"
 #include "numeric/robust.h"
@@ -269,12 +270,12 @@ class PathIntegrator final : public carlo::Integrator {
 }  // namespace
 
 bool lamp_paths_suit(const Scene& scene) {
-  return LaneScene::suits(carlo::needs(scene), scene);
+  return lanes_suit_machine() && LaneScene::suits(carlo::needs(scene), scene);
 }
 
 std::unique_ptr<carlo::Integrator> make_path_integrator(const Scene& scene,
                                                         const PathOptions& options) {
-  if (options.kernel == Kernel::best && LaneScene::suits(carlo::needs(scene), scene)) {
+  if (options.kernel == Kernel::best && lamp_paths_suit(scene)) {
     LaneChoices choices = options.choices;
     if (options.technique == Technique::bidirectional) choices.lamp_paths = 1;
     std::optional<std::uint32_t> pilot_spp;

@@ -1,6 +1,6 @@
 // The vector kernel's arithmetic on all instruction sets of this machine: products and sums are
-// rounded once, as the standard library's fma is, where there is no instruction for it, too; and
-// elementary functions are as exact as they say, beside the standard library's of double.
+// rounded once, as the standard library's fma is; and elementary functions are as exact as they
+// say, beside the standard library's of double.
 
 #include "lane_math.h"
 

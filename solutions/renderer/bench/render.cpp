@@ -134,7 +134,7 @@ int run(int argc, char** argv) {
   app.option("--spp", a.spp, "samples a pixel").range(8u, 1u << 20).show_default();
   app.option("--threads", a.threads, "threads").range(1, 1024).show_default();
   app.option("--kernel", a.kernels,
-             "best, scalar, or instruction sets: AVX3 (AVX-512), AVX2, SSSE3; several: AVX3,AVX2")
+             "best, scalar, or instruction sets: AVX3 (AVX-512), AVX2; several: AVX3,AVX2")
       .list(',')
       .show_default();
   app.flag("--ablation", a.ablation, "also with other choices, each by itself");

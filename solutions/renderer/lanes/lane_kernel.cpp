@@ -16,9 +16,9 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-// Highway insists on the oldest set. Compiled for this machine alone, there is nothing in it.
+// Highway insists on the oldest set, which has no FMA: nothing renders by it.
 #undef CARLO_EMPTY_SET
-#if defined(CARLO_WIDEST_SET_ALONE) && HWY_TARGET == HWY_STATIC_TARGET
+#if !HWY_NATIVE_FMA
 #define CARLO_EMPTY_SET
 #else
 // After the two above, which compile it anew.
@@ -50,11 +50,6 @@ HWY_ATTR void with_needs(const LaneJob& job, const F& f) {
   // A program to compare with, which has one kernel: diffuse surfaces, no spheres.
   (void)s, (void)lamps, (void)close, (void)lean;
   f(Features<false, false>());
-#elif HWY_TARGET == HWY_SSSE3
-  // Machines of before 2013 pay for what their scene does not need, so that nobody waits for six
-  // more kernels.
-  (void)close, (void)lean;
-  lamps ? f(Features<true, true, true, true>()) : f(Features<true, true, true>());
 #else
   if (lamps) {
     if (!lean)
@@ -120,6 +115,14 @@ std::vector<std::string> lane_instruction_sets() {
     names.emplace_back(hwy::TargetName(target));
   }
   return names;
+}
+
+bool lanes_suit_machine() {
+#if defined(CARLO_WIDEST_SET_ALONE)
+  return true;
+#else
+  return !lane_instruction_sets().empty();
+#endif
 }
 
 void use_instruction_set(const std::string& name) {

@@ -67,6 +67,11 @@ std::string lane_instruction_set();
 /// widest of another machine alone (CARLO_EVERY_INSTRUCTION_SET, CMakeLists.txt).
 std::vector<std::string> lane_instruction_sets();
 
+/// False on a processor without FMA (built before 2013), for which there is no kernel. True where
+/// the program was compiled for another machine alone: to say so is better than to be slow in
+/// silence.
+bool lanes_suit_machine();
+
 /// From now on render_lanes() runs on this instruction set, for measurements and tests; "" is the
 /// widest again. Throws carlo::Error when this machine lacks it. Not while a render is running.
 void use_instruction_set(const std::string& name);
