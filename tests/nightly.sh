@@ -16,6 +16,7 @@
 #                alarm of one in a thousand gradings shows within the week), 5 of every mistake
 #   fuzz         ten minutes for each reader of foreign bytes
 #   paths        1e9 paths through every scene: is one of them not finite, or negative?
+#   target_error does --target-error keep its promise, what does it save? (minutes)
 #   shards       renders in 1 to 64 shards, killed and gone on with, merged in 20 random orders each: one
 #                SHA-256; what eight cost, and what merging 1000 parts of 512 x 512 takes (half an hour)
 #   classes      a class of 200 on this machine, and ten times on a cluster whose tasks and nodes die: the same
@@ -28,7 +29,7 @@ set -uo pipefail
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/..")
 cd "$root" || exit 1
 
-all=(thorough sanitizers apart tidy build calibration fuzz paths shards slurm classes machines)
+all=(thorough sanitizers apart tidy build calibration fuzz paths target_error shards slurm classes machines)
 
 thorough() {
   ./carlo test --solutions -C thorough
@@ -62,7 +63,11 @@ fuzz() {
 }
 
 paths() {
-  ./carlo bench paths --paths 1e9
+  ninja -C build/release --quiet carlo_many_paths && build/release/bin/carlo_many_paths --paths 1e9
+}
+
+target_error() {
+  ninja -C build/release --quiet carlo_target_error && build/release/bin/carlo_target_error
 }
 
 shards() {

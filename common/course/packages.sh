@@ -44,7 +44,6 @@ cluster  iproute2              iproute                iproute2       !
 browser  nodejs                nodejs                 nodejs         node
 browser  npm                   npm                    npm            node
 browser  chromium              chromium               chromium       !
-bench    libgsl-dev            gsl-devel              gsl            gsl
 peers    python3-venv          python3                python         python
 peers    libllvm19             llvm-libs              llvm-libs      llvm
 other    zip                   zip                    zip            =

@@ -34,20 +34,5 @@ done
 grep -q 'class="viewer"' "$scratch/new/page.html" || fail 'the page shows no images'
 grep -q 'bench --only equal-time --seed 1' "$scratch/new/page.html" || fail 'the page has no command'
 
-# The lean build renders what the whole renderer renders, and refuses what it does not hold.
-box=$source/common/scenes/cornell_lambert.xml lean=$(dirname "$bench")/carlo_bench_lambert
-image() { grep -o '"image":[0-9]*' "$1"; }
-"$bench" --render-cost "$box" --seed 3 >"$scratch/whole" || fail "exit code $?"
-"$lean" "$box" 3 >"$scratch/lean" || fail "exit code $?"
-[ "$(image "$scratch/whole")" = "$(image "$scratch/lean")" ] ||
-  fail "two builds, two images: $(cat "$scratch/whole" "$scratch/lean")"
-"$lean" "$box" 4 >"$scratch/other" || fail "exit code $?"
-[ "$(image "$scratch/lean")" != "$(image "$scratch/other")" ] || fail 'another seed, the same image'
-for scene in cornell_phong caustics; do
-  ! "$lean" "$source/common/scenes/$scene.xml" 3 >"$scratch/lean" 2>&1 || fail "it renders $scene"
-done
-
 expect_error 'nonsense' "${tree[@]}" --only nonsense
 expect_error 'no_such' --only equal-time --scenes "$scratch/no_such"
-printf '{' >"$scratch/broken.json"
-expect_error 'broken.json is no JSON' "${tree[@]}" --only labs --integrators "$scratch/broken.json"

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "agreement.h"
 #include "context.h"
 #include "course/report/viewer.h"
-#include "cycles_check.h"
 #include "image/exr.h"
 #include "peer_program.h"
 #include "peer_scene.h"

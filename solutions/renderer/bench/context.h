@@ -23,11 +23,9 @@ struct Options {
   bool full = false;  ///< all scenes, larger films, more samples and runs
   std::uint64_t seed = 1;
   std::filesystem::path scenes, references, scratch;
-  std::filesystem::path integrators, generators;  ///< what the labs' programs wrote; may be empty
   std::filesystem::path page;
-  std::string blender = "blender";     ///< a path, or a name to be found in PATH
   std::string peers;                   ///< the Python that has them; empty: none are measured
-  std::filesystem::path peer_scripts;  ///< what it and Blender run
+  std::filesystem::path peer_scripts;  ///< what it runs
   std::vector<std::string> only;       ///< parts of the page; empty: all
 };
 
@@ -81,14 +79,11 @@ Rendered render_timed(const carlo::Integrator& integrator, const carlo::Scene& s
 /// The parts, in the page's order.
 void bench_scenes(Context& context);
 void bench_equal_time(Context& context);
-void bench_labs(Context& context);
 void bench_threads(Context& context);
 void bench_triangles(Context& context);
 void bench_lights(Context& context);
 void bench_depth(Context& context);
 void bench_needs(Context& context);
-void bench_lean_build(Context& context);
-void bench_cycles(Context& context);
 /// Nothing without a Python that has them.
 void bench_peers(Context& context);
 

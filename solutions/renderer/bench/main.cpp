@@ -4,8 +4,6 @@
 #include "course/cli/arguments.h"
 #include "course/cli/main_guard.h"
 #include "render/interrupt.h"
-#include "render_cost.h"
-#include "renderer/path_integrator.h"
 #include "support/atomic_file.h"
 
 #include <algorithm>
@@ -23,26 +21,20 @@ struct Part {
 };
 
 /// In the page's order.
-const std::vector<Part> parts = {{"scenes", 75, bench::bench_scenes},
-                                 {"equal-time", 6, bench::bench_equal_time},
-                                 {"labs", 1, bench::bench_labs},
-                                 {"threads", 4, bench::bench_threads},
-                                 {"triangles", 8, bench::bench_triangles},
-                                 {"lights", 5, bench::bench_lights},
-                                 {"depth", 3, bench::bench_depth},
-                                 {"needs", 3, bench::bench_needs},
-                                 {"lean-build", 12, bench::bench_lean_build},
-                                 {"cycles", 45, bench::bench_cycles},
-                                 {"peers", 900, bench::bench_peers}};
+const std::vector<Part> parts = {
+    {"scenes", 75, bench::bench_scenes},  {"equal-time", 6, bench::bench_equal_time},
+    {"threads", 4, bench::bench_threads}, {"triangles", 8, bench::bench_triangles},
+    {"lights", 5, bench::bench_lights},   {"depth", 3, bench::bench_depth},
+    {"needs", 3, bench::bench_needs},     {"peers", 900, bench::bench_peers}};
 
 int run(int argc, char** argv) {
   bench::Options options;
-  std::string mesh, cost;
+  std::string mesh;
   std::vector<std::string> names;
   for (const Part& part : parts)
     names.push_back(part.name);
   carlo::CommandLine app(
-      "Error against time of everything: integrators, samplers, estimators, generators.",
+      "Error against time: integrators and samplers on scenes, scaling, other renderers.",
       "./carlo bench");
   app.flag("--full", options.full, "all scenes, larger films, more samples (an hour or two)");
   app.option("--only", options.only, "parts of the page, such as scenes,threads")
@@ -55,23 +47,12 @@ int run(int argc, char** argv) {
   app.option("--scenes", options.scenes).default_value("common/scenes").hidden();
   app.option("--references", options.references).default_value("tests/references/scenes").hidden();
   app.option("--scratch", options.scratch).default_value("build/bench").hidden();
-  app.option("--integrators", options.integrators).hidden();
-  app.option("--generators", options.generators).hidden();
-  app.option("--blender", options.blender, "Blender's program, for the part cycles").show_default();
   app.option("--peers", options.peers).hidden();
   app.option("--peer-scripts", options.peer_scripts)
       .default_value("solutions/renderer/bench/peers")
       .hidden();
   app.option("--mesh-costs", mesh).hidden();
-  app.option("--render-cost", cost).hidden();
   if (const auto code = app.parse(argc, argv)) return *code;
-  if (!cost.empty()) {
-    const carlo::Scene scene = bench::load_cost_scene(cost);
-    bench::print_render_cost(
-        *renderer::make_path_integrator(scene, {.seed = options.seed, .spp = bench::cost_samples}),
-        scene);
-    return 0;
-  }
   if (!mesh.empty()) {
     bench::print_mesh_costs(mesh);
     return 0;

@@ -56,13 +56,6 @@ Lines read(const std::string& text) {
 
 }  // namespace
 
-PeerProgram blender(const std::string& program, const fs::path& script, const fs::path& scratch) {
-  return {"Blender",
-          {program, "-b", "--factory-startup", "-noaudio", "-t", "1", "--python-exit-code", "3",
-           "--python", script.string(), "--"},
-          scratch};
-}
-
 bool starts(const std::vector<std::string>& command) {
   try {
     return run(command, [] {}).exit_code == 0;

@@ -18,10 +18,6 @@ struct PeerProgram {
   std::filesystem::path scratch;
 };
 
-/// Blender with cycles_peer.py.
-PeerProgram blender(const std::string& program, const std::filesystem::path& script,
-                    const std::filesystem::path& scratch);
-
 /// One image by a peer.
 struct PeerImage {
   carlo::Image image;

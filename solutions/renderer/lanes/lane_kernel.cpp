@@ -46,11 +46,6 @@ template <class F>
 HWY_ATTR void with_needs(const LaneJob& job, const F& f) {
   const LaneScene& s = job.scene;
   const bool lamps = job.choices.lamp_paths > 0, close = s.close(), lean = !s.full();
-#if defined(CARLO_LAMBERT_ONLY)
-  // A program to compare with, which has one kernel: diffuse surfaces, no spheres.
-  (void)s, (void)lamps, (void)close, (void)lean;
-  f(Features<false, false>());
-#else
   if (lamps) {
     if (!lean)
       f(Features<true, true, true, true>());
@@ -63,7 +58,6 @@ HWY_ATTR void with_needs(const LaneJob& job, const F& f) {
   } else {
     close ? f(Features<false, true>()) : f(Features<false, false>());
   }
-#endif
 }
 
 HWY_ATTR void render_tile(const LaneJob& job, std::span<std::array<double, 3>> means,

@@ -1,8 +1,7 @@
-"""Renders one of our scenes by Blender's Cycles, for `./carlo bench --only cycles`:
+"""Renders one of our scenes by Blender's Cycles, for `./carlo bench peers`:
 
-    blender -b --factory-startup -t 1 --python-exit-code 3 --python cycles_peer.py -- SCENE.json
+    python3 cycles_peer.py -- SCENE.json
 
-or, where Blender is a Python module, by `python3 cycles_peer.py -- SCENE.json` for `./carlo bench peers`.
 The JSON file is what peer_scene.cpp writes. The image goes to the EXR file it names, and one line
 "carlo: {...}" with the seconds to stdout.
 """

@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
-# bench_paths_test.sh BENCH SOURCE: `./carlo bench paths` has a row for every scene, and Ctrl-C prints
-# what was done.
+# many_paths_test.sh PROGRAM SOURCE: has a row for every scene, and Ctrl-C prints what was done.
 set -euo pipefail
-bench=$1 scenes=$2/common/scenes
+program=$1 scenes=$2/common/scenes
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
@@ -11,7 +10,7 @@ fail() {
   exit 1
 }
 
-"$bench" --folder "$scenes" --paths 5000 >"$scratch/table" || fail "exit code $?"
+"$program" --folder "$scenes" --paths 5000 >"$scratch/table" || fail "exit code $?"
 for scene in "$scenes"/*.xml; do
   awk -v name="$(basename "$scene" .xml)" '$1 == name && $2 >= 5000 && $6 == 0 { found = 1 }
     END { exit !found }' "$scratch/table" || fail "no row for $scene: $(cat "$scratch/table")"
@@ -22,7 +21,7 @@ awk '$1 == "all" && $3 > 0 { found = 1 } END { exit !found }' "$scratch/table" |
 # On a busy machine two seconds may bring no path.
 for seconds in 2 8 32; do
   code=0
-  timeout --signal=INT "$seconds" "$bench" --folder "$scenes" --paths 1e12 >"$scratch/table" || code=$?
+  timeout --signal=INT "$seconds" "$program" --folder "$scenes" --paths 1e12 >"$scratch/table" || code=$?
   [ "$code" = 124 ] || fail "Ctrl-C did not end it: exit code $code"
   ! grep -q '^all .*[1-9]' "$scratch/table" || break
 done

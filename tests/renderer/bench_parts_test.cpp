@@ -1,7 +1,7 @@
-// What `./carlo bench` tells Blender, and how it judges the answer; bench_cycles_test.sh runs it.
+// What `./carlo bench` tells Blender, and how it judges the answer; bench_parts_test.sh runs it.
 
 #include "random/rng.h"
-#include "renderer/bench/cycles_check.h"
+#include "renderer/bench/agreement.h"
 #include "renderer/bench/peer_scene.h"
 #include "scene_tools.h"
 #include "support/error.h"

@@ -1,4 +1,4 @@
-#include "cycles_check.h"
+#include "agreement.h"
 
 #include "image/metrics.h"
 #include "support/error.h"

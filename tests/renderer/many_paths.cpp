@@ -1,4 +1,5 @@
-// `./carlo bench paths`: very many paths through every scene, each of which must bring a radiance.
+// Traces very many paths through every scene; each must bring a finite radiance that is not
+// negative.
 
 #include "course/cli/arguments.h"
 #include "course/cli/main_guard.h"
@@ -127,7 +128,7 @@ int main(int argc, char** argv) {
         "Traces paths through every scene, on films of random sizes with ever new seeds and all "
         "samplers, every other film with paths from lamps, and counts those that bring no "
         "radiance. Exit code 1 if there is one.",
-        "./carlo bench paths");
+        "carlo_many_paths");
     app.option("--paths", a.paths, "paths a scene, such as 1e9").range(1.0, 1e15).show_default();
     app.option("--scene", a.scenes, "scene files (default: all in the folder)").existing_file();
     app.option("--folder", a.folder, "folder of scenes").existing_folder().show_default();
