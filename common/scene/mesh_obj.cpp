@@ -80,11 +80,10 @@ class ObjLines {
 };
 
 // Why a reader of our own: of the files of tests/common/mesh_found_test.cpp and
-// tests/renderer/found_files
-// tinyobjloader 2.0.0rc10 reads, without a word, a coordinate that is no number as 0, a vertex that
-// a \ continues wrongly, 5 of the 8 triangles of a square with a hole, and curves as nothing; so
-// does Assimp 5.2.5 with the first and the last, and it refuses ".5". Both fill polygons whose
-// edges cross.
+// tests/renderer/found_files.txt tinyobjloader 2.0.0rc10 reads, without a word, a coordinate that
+// is no number as 0, a vertex that a \ continues wrongly, 5 of the 8 triangles of a square with a
+// hole, and curves as nothing; so does Assimp 5.2.5 with the first and the last, and it refuses
+// ".5". Both fill polygons whose edges cross.
 class ObjReader {
  public:
   ObjReader(std::string name, std::string_view text) : name_(std::move(name)), lines_(text) {}

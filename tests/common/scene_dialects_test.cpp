@@ -148,11 +148,11 @@ class Scenery {
 class Files {
  public:
   Files() {
-    const fs::path tests = tree / "tests/common";
-    for (const char* file : {"scenes/tetrahedron.obj", "scenes/tetrahedron_ascii.ply",
-                             "broken_scenes/parts/white.hdr"}) {
-      fs::copy_file(tests / file, folder_.path() / fs::path(file).filename());
-    }
+    for (const char* file : {"tetrahedron.obj", "tetrahedron_ascii.ply"})
+      fs::copy_file(tree / "tests/common/scenes" / file, folder_.path() / file);
+    write_bytes(
+        folder_.path() / "white.hdr",
+        "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n\x80\x80\x80\x81\x80\x80\x80\x81");
   }
   Scene load(const std::string& text) const {
     write_bytes(folder_.path() / "scene.xml", text);

@@ -1,6 +1,5 @@
 // libFuzzer's two functions. CARLO_FUZZ_TARGET says which of the readers is meant,
-// CARLO_FUZZ_FOLDER where files may be put: what we write ourselves goes to its `seeds`, to begin
-// with.
+// CARLO_FUZZ_FOLDER where files may be put: the target's seeds go to its `seeds`, to begin with.
 
 #include "fuzz/target.h"
 #include "support/error.h"
@@ -24,10 +23,10 @@ std::vector<std::string> no_seeds() {
 
 constexpr std::array<Target, 14> all{{
     {"archive", "zip and tar archives that are handed in", read_archive, no_seeds},
-    {"exr", "images, and renders to go on with", read_exr, no_seeds},
+    {"exr", "images, and renders to go on with", read_exr, exr_seeds},
     {"frame", "what a worker sends back", read_frame, frame_seeds},
     {"hdr", "images around scenes", read_hdr, no_seeds},
-    {"messages", "a compiler's output", read_messages, no_seeds},
+    {"messages", "a compiler's output", read_messages, messages_seeds},
     {"numbers", "numbers in scenes and arguments", read_numbers, no_seeds},
     {"obj", "meshes", read_obj, no_seeds},
     {"params", "a probe's parameters", read_params, params_seeds},
@@ -36,7 +35,7 @@ constexpr std::array<Target, 14> all{{
     {"questions", "what a judge has asked, as JSON", read_questions, questions_seeds},
     {"record", "a graded submission, as JSON", read_record, record_seeds},
     {"scene", "scene files", read_scene, no_seeds},
-    {"symbols", "what nm prints", read_symbols, no_seeds},
+    {"symbols", "what nm prints", read_symbols, symbols_seeds},
 }};
 
 const Target* chosen = nullptr;

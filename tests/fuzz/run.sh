@@ -42,25 +42,25 @@ base=/tmp
 work=$(mktemp -d "$base/carlo_fuzz_XXXXXX")
 trap 'rm -rf "$work"' EXIT
 
+"$build/bin/carlo_test_files" "$root"/tests/common/broken_scenes "$root"/tests/common/found_scenes.txt \
+  "$root"/tests/common/images.txt "$root"/tests/renderer/found_files.txt "$work/files" >/dev/null
+
 # Good and bad ones of each kind, small.
 seeds() {
   local to=$1 scene=$root/common/scenes/cornell_phong.xml
   case $2 in
-    scene) cp "$root"/tests/common/broken_scenes/*.xml "$root"/common/scenes/*.xml "$to" ;;
-    obj) cp "$root"/tests/common/scenes/*.obj "$to" ;;
-    ply) cp "$root"/tests/common/scenes/*.ply "$to" ;;
+    scene) cp "$work"/files/*.xml "$root"/common/scenes/*.xml "$to" ;;
+    obj | ply) cp "$work"/files/{,parts/}*."$2" "$root"/tests/common/scenes/*."$2" "$to" ;;
     exr)
       "$build/bin/carlo_render" "$scene" --size 2x2 --spp 32 --quiet -o "$work/plain"
       "$build/bin/carlo_render" "$scene" --size 2x2 --target-error .5 --spp 64 --quiet -o "$work/adaptive"
-      cp "$work"/plain.exr "$work"/adaptive.exr "$here"/corpus/exr/* "$to" ;;
-    hdr) cp "$root"/tests/common/broken_scenes/parts/*.hdr "$to" ;;
+      cp "$work"/plain.exr "$work"/adaptive.exr "$work"/files/{,parts/}*.exr "$here"/corpus/*.exr "$to" ;;
+    hdr) cp "$work"/files/{,parts/}*.hdr "$to" ;;
     archive)
       mkdir -p "$work/in/a"
       printf 'int main() {}\n' | tee "$work/in/a/integration.cpp" >"$work/in/pi.cpp"
       (cd "$work/in" && cmake -E tar cf "$to/one.zip" --format=zip . && tar cf "$to/one.tar" . && tar czf "$to/one.tar.gz" .) ;;
-    messages) cp "$here"/corpus/messages/* "$to" ;;
     numbers) for number in 1 -2.5e-3 .5 1e38 1e39 5e-324 0x10 nan 2147483648 1,5; do printf '%s' "$number" >"$to/$number"; done ;;
-    symbols) cp "$here"/corpus/symbols/* "$to" ;;
   esac
 }
 

@@ -1,4 +1,4 @@
-// What we write ourselves, for the readers to begin with.
+// What we write ourselves, and words of compilers, linkers and nm, for the readers to begin with.
 
 #include "fuzz/target.h"
 #include "grader/grade/record.h"
@@ -7,6 +7,7 @@
 #include "grader/protocol/params.h"
 
 #include <limits>
+#include <string>
 
 namespace carlo::fuzz {
 
@@ -18,6 +19,14 @@ const Params params{.seed = 7, .n = 100, .numbers = {{"k", 2.5}, {"tiny", 5e-324
 
 }  // namespace
 
+std::vector<std::string> exr_seeds() {
+  // Of no image's format: once every reader that OpenImageIO has was asked for it.
+  using namespace std::string_literals;
+  return {
+      "\x2f\x76\x31\x01\x17\x3f\x67\xb9\xa0\x90\x39\x1b\x1b"
+      "\xfe\xdf\xf1\x2b\x08\x98\xcc\x1a\x34\x92\xf4\x85\x90"s};
+}
+
 std::vector<std::string> frame_seeds() {
   constexpr double inf = std::numeric_limits<double>::infinity();
   return {encode({.rows = {2, {1, 2, inf, -0.0}}, .text = {}}),
@@ -28,6 +37,27 @@ std::vector<std::string> frame_seeds() {
                   .text = "it is not done",
                   .tag = "Lab 1.1",
                   .function = "average"})};
+}
+
+std::vector<std::string> messages_seeds() {
+  return {
+      R"(labs/01_integration/integration.cpp: In function 'double lab01::midpoint(const Function&, double, double, int)':
+labs/01_integration/integration.cpp:12:3: error: 'sum' was not declared in this scope
+   12 |   sum += f(x);
+      |   ^~~
+labs/01_integration/integration.cpp:15:1: warning: no return statement in function returning non-void [-Wreturn-type]
+In file included from common/sampling/stats.h:9,
+                 from labs/01_integration/integration.cpp:3:
+/usr/include/c++/12/bits/stl_algo.h:1950:50: error: no match for 'operator-' (operand types are 'std::_List_iterator<int>' and 'std::_List_iterator<int>')
+labs/01_integration/integration.cpp:20:12:   required from here
+cc1plus: all warnings being treated as errors
+)",
+      R"(/usr/bin/ld: integration.cpp.o: in function `main':
+integration.cpp:(.text+0x5): undefined reference to `lab01::simpson(double)'
+collect2: error: ld returned 1 exit status
+ninja: build stopped: subcommand failed.
+clang: error: linker command failed with exit code 1 (use -v to see invocation)
+)"};
 }
 
 std::vector<std::string> params_seeds() {
@@ -71,6 +101,17 @@ std::vector<std::string> record_seeds() {
   judged.note = "a note";
   unjudged.unjudged = Status::does_not_compile;
   return {to_json(Record{"alice", "key", {"other.txt"}, {judged, unjudged}})};
+}
+
+std::vector<std::string> symbols_seeds() {
+  return {R"(integration.o:
+_ZN5lab018midpointERKSt8functionIFddEEddi T 0 1a0
+_ZNSt6vectorIdSaIdEE17_M_realloc_insertIJRKdEEEvN9__gnu_cxx17__normal_iteratorIPdS1_EEDpOT_ W 0 10
+memcpy U
+main T 0 10
+_ZZ4testvE1x_0 b 8 4
+__cxa_throw U
+)"};
 }
 
 }  // namespace carlo::fuzz

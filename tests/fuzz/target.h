@@ -17,7 +17,7 @@ struct Target {
   std::string_view name;
   std::string_view reads;  ///< in words
   void (*run)(std::string_view bytes);
-  std::vector<std::string> (*seeds)();  ///< what we write ourselves
+  std::vector<std::string> (*seeds)();  ///< what to begin with, beside files (run.sh)
 };
 
 /// Stops the program, as a finding, unless it holds.
@@ -41,10 +41,13 @@ void read_record(std::string_view bytes);
 void read_scene(std::string_view bytes);
 void read_symbols(std::string_view bytes);
 
+std::vector<std::string> exr_seeds();
 std::vector<std::string> frame_seeds();
+std::vector<std::string> messages_seeds();
 std::vector<std::string> params_seeds();
 std::vector<std::string> part_seeds();
 std::vector<std::string> questions_seeds();
 std::vector<std::string> record_seeds();
+std::vector<std::string> symbols_seeds();
 
 }  // namespace carlo::fuzz

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# command_line_test.sh RENDERER SOURCE [EVERY]: what `./carlo render` does with bad input. Each bad
+# command_line_test.sh RENDERER TEST_FILES SOURCE [EVERY]: what `./carlo render` does with bad input. Each bad
 # argument gives one line on stderr, exit code 1, and no file; so does each broken scene, a line for each
 # mistake. Every tenth (EVERY-th) of them is tried here: what their lines say is tested for all, without
 # starting a program (tests/common/scene_errors_test.cpp).
 set -euo pipefail
-renderer=$1 source=$2 every=${3:-10}
+renderer=$1 test_files=$2 source=$3 every=${4:-10}
 . "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/expect_error.sh"
 
 # refused PATTERN ARGUMENTS...
@@ -15,11 +15,10 @@ refused() {
 }
 
 count=0
-for scene in "$source"/tests/common/broken_scenes/*.xml; do
-  mistakes=$(grep -c "^${scene##*/} |" "$source/tests/common/broken_scenes/expected.txt")
-  [ $((count % every)) != 0 ] || lines=$mistakes refused '^[^ ]+:[0-9]+:[0-9]+: error: ' "$scene"
+while read -r mistakes scene; do
+  [ $((count % every)) != 0 ] || lines=$mistakes refused '^[^ ]+:[0-9]+:[0-9]+: error: ' "$scratch/scenes/$scene"
   count=$((count + 1))
-done
+done < <("$test_files" "$source/tests/common/broken_scenes" "$scratch/scenes" | sort -k 2)
 [ "$count" -ge 20 ] || complain "only $count broken scenes"
 
 good=$source/common/scenes/cornell_phong.xml

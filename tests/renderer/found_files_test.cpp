@@ -5,6 +5,7 @@
 // tests/common.
 
 #include "common/exr_bytes.h"
+#include "common/file_table.h"
 #include "common/temporary_folder.h"
 #include "course/cli/source_folder.h"
 #include "scene/load_scene.h"
@@ -26,7 +27,15 @@ namespace {
 using namespace scene_tools;
 namespace fs = std::filesystem;
 
-const fs::path found = source_folder() / "tests/renderer/found_files";
+/// The files of found_files.txt, in a folder.
+struct FoundFiles {
+  FoundFiles() { common_test::write_files(files, path); }
+
+  std::vector<common_test::TableFile> files =
+      common_test::read_file_table(source_folder() / "tests/renderer/found_files.txt");
+  common_test::TemporaryFolder folder;
+  fs::path path = folder.path();
+};
 
 MeanRadiance mean_by(const Scene& scene, renderer::Kernel kernel) {
   constexpr std::uint32_t spp = 1024;
@@ -52,44 +61,34 @@ void check_radiance(Scene scene, const std::array<double, 3>& exact) {
   }
 }
 
-std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> parts;
-  for (std::size_t at = 0; at != std::string::npos;) {
-    const std::size_t end = line.find(" | ", at);
-    parts.push_back(line.substr(at, end == std::string::npos ? end : end - at));
-    at = end == std::string::npos ? end : end + 3;
-  }
-  return parts;
-}
-
 TEST_CASE("Files as other programs write them have the radiance of their closed forms") {
-  std::ifstream table(found / "expected.txt");
+  const FoundFiles found;
   int rows = 0;
-  for (std::string line; std::getline(table, line);) {
-    if (line.empty() || line[0] == '#') continue;
-    INFO(line);
-    const std::vector<std::string> parts = split(line);
-    REQUIRE(parts.size() == 4);
+  for (const common_test::TableFile& file : found.files) {
+    if (file.expected.empty()) continue;
+    INFO(file.name << " | " << file.expected);
+    std::istringstream words(file.expected);
+    std::string scene;
     std::array<double, 3> exact{};
-    std::istringstream(parts[3]) >> exact[0] >> exact[1] >> exact[2];
-    std::map<std::string, std::string> parameters{{"file", parts[1]}};
-    if (parts[0] == "lit") parameters["type"] = parts[2];
-    check_radiance(load_scene(found / (parts[0] + ".xml"), parameters), exact);
+    words >> scene >> exact[0] >> exact[1] >> exact[2];
+    REQUIRE(words);
+    std::map<std::string, std::string> parameters{{"file", file.name}};
+    if (scene == "lit") parameters["type"] = fs::path(file.name).extension().string().substr(1);
+    check_radiance(load_scene(found.path / (scene + ".xml"), parameters), exact);
     ++rows;
   }
-  CHECK(rows >= 27);
+  CHECK(rows >= 26);
 }
 
-/// The floor of found_files/under_lamp.xml under these lamps.
-Scene under(const std::string& lamps) {
-  const common_test::TemporaryFolder folder;
-  std::ifstream in(found / "under_lamp.xml");
+/// The floor of found_files.txt's under_lamp.xml under these lamps.
+Scene under(const FoundFiles& found, const std::string& lamps) {
+  std::ifstream in(found.path / "under_lamp.xml");
   std::stringstream text;
   text << in.rdbuf();
   std::string scene = text.str();
   scene.resize(scene.find("  <shape type=\"obj\">"));
-  std::ofstream(folder.path() / "scene.xml") << scene << lamps << "</scene>";
-  return load_scene(folder.path() / "scene.xml");
+  std::ofstream(found.path / "scene.xml") << scene << lamps << "</scene>";
+  return load_scene(found.path / "scene.xml");
 }
 
 std::string lamp_of(const std::string& type, const std::string& steps) {
@@ -104,11 +103,9 @@ TEST_CASE("Two lamps in one place shine as one") {
       "<scale value=\".5\"/><rotate x=\"1\" angle=\"90\"/><translate y=\"1\"/>";
   const std::string turned = "<rotate z=\"1\" angle=\"90\"/>" + down;
   const std::string ball = "<scale value=\".5\"/><translate y=\"1.5\"/>";
-  const std::string mesh =
-      "<string name=\"filename\" value=\"" + (found / "once.obj").string() + "\"/>";
-  const std::string mesh_lamp = "<shape type=\"obj\">" + mesh +
-                                "<emitter type=\"area\"><rgb name=\"radiance\" value=\"1\"/>"
-                                "</emitter></shape>";
+  const std::string mesh_lamp =
+      "<shape type=\"obj\"><string name=\"filename\" value=\"once.obj\"/><emitter type=\"area\"><rgb "
+      "name=\"radiance\" value=\"1\"/></emitter></shape>";
   // A square of side 1, a disk of radius 1/2 and a sphere of radius 1/2: rho / pi E.
   const double square = .119725, disk = .1, sphere = .5 / 9;
   struct Case {
@@ -123,36 +120,39 @@ TEST_CASE("Two lamps in one place shine as one") {
       {lamp_of("sphere", ball) + lamp_of("sphere", ball), sphere},
       {mesh_lamp + mesh_lamp, square},
       {mesh_lamp + lamp_of("rectangle", down), square}};
+  const FoundFiles found;
   for (const Case& c : cases) {
     INFO(c.lamps);
-    check_radiance(under(c.lamps), {c.exact, c.exact, c.exact});
+    check_radiance(under(found, c.lamps), {c.exact, c.exact, c.exact});
   }
 }
 
 TEST_CASE("A sky is black outside of its image's data window") {
   using common_test::Box;
+  constexpr Box small{0, 0, 3, 1}, large{0, 0, 63, 31};
   struct Case {
-    Box data;
+    Box display, data;
     double exact;
   };
-  const std::vector<Case> cases = {{{0, 0, 3, 1}, .5},  {{0, 0, 3, 0}, .5},   {{0, 0, 1, 0}, .25},
-                                   {{1, 0, 2, 1}, .25}, {{3, 0, 3, 0}, .125}, {{-2, -1, 1, 0}, .25},
-                                   {{-9, -9, 9, 9}, .5}};
+  const std::vector<Case> cases = {{small, {0, 0, 3, 1}, .5},   {small, {0, 0, 3, 0}, .5},
+                                   {small, {0, 0, 1, 0}, .25},  {small, {1, 0, 2, 1}, .25},
+                                   {small, {3, 0, 3, 0}, .125}, {small, {-2, -1, 1, 0}, .25},
+                                   {small, {-9, -9, 9, 9}, .5}, {large, {0, 0, 31, 15}, .25}};
+  const FoundFiles found;
   for (const Case& c : cases) {
     INFO(c.data.left << ' ' << c.data.top << ' ' << c.data.right << ' ' << c.data.bottom);
-    const common_test::TemporaryFolder folder;
     // 1 in the display window, and 9 outside.
     std::vector<std::array<float, 3>> pixels;
     for (int y = c.data.top; y <= c.data.bottom; ++y) {
       for (int x = c.data.left; x <= c.data.right; ++x) {
-        const float value = x >= 0 && x < 4 && y >= 0 && y < 2 ? 1 : 9;
+        const bool shown = x >= 0 && x <= c.display.right && y >= 0 && y <= c.display.bottom;
+        const float value = shown ? 1 : 9;
         pixels.push_back({value, value, value});
       }
     }
-    std::ofstream(folder.path() / "sky.exr", std::ios::binary)
-        << common_test::exr_bytes({0, 0, 3, 1}, c.data, pixels);
-    fs::copy_file(found / "under_sky.xml", folder.path() / "under_sky.xml");
-    check_radiance(load_scene(folder.path() / "under_sky.xml", {{"file", "sky.exr"}}),
+    std::ofstream(found.path / "sky.exr", std::ios::binary)
+        << common_test::exr_bytes(c.display, c.data, pixels);
+    check_radiance(load_scene(found.path / "under_sky.xml", {{"file", "sky.exr"}}),
                    {c.exact, c.exact, c.exact});
   }
 }

@@ -18,29 +18,77 @@ using Sections = std::map<std::string, std::string>;
 
 constexpr const char* lab_folder = "01_integration";
 constexpr const char* exercise_file = "integration.cpp";
+constexpr const char* honest_exercise = "1.1";
 
-Fixture load_fixture(const fs::path& folder) {
-  Fixture fixture;
-  fixture.name = folder.filename();
-  fixture.folder = folder;
-  try {
-    const json document = json::parse(read_file(folder / "expected.json"));
-    document.at("about").get_to(fixture.about);
-    document.at("points").get_to(fixture.points);
-    const auto optional = [&](const char* name, auto& value) {
-      if (document.contains(name)) document.at(name).get_to(value);
-    };
-    optional("honest", fixture.honest);
-    optional("status", fixture.status);
-    optional("state", fixture.state);
-    optional("seconds", fixture.seconds);
-    optional("levels", fixture.levels);
-    optional("absent", fixture.absent);
-  } catch (const json::exception& error) {
-    throw Error("{}: {}", (folder / "expected.json").string(), error.what());
+void expect(Fixture& fixture, const std::string& what, const json& value) {
+  if (what == "points") {
+    value.get_to(fixture.points);
+  } else if (what == "status") {
+    value.get_to(fixture.status);
+  } else if (what == "state") {
+    value.get_to(fixture.state);
+  } else if (what == "seconds") {
+    value.get_to(fixture.seconds);
+  } else if (what == "levels") {
+    value.get_to(fixture.levels);
+  } else if (what == "absent") {
+    value.get_to(fixture.absent);
+  } else {
+    throw Error("nothing is expected by the name \"{}\"", what);
   }
-  return fixture;
 }
+
+/// Attacks by name, from files in which each begins with a title.
+class Corpus {
+ public:
+  void read(const fs::path& file) {
+    const bool is_script = file.extension() == ".sh";
+    mark_ = is_script ? "#" : "//";
+    current_ = nullptr;
+    std::istringstream lines(read_file(file));
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) {
+      ++number;
+      try {
+        take(line);
+      } catch (const std::exception& error) {
+        throw Error("{}:{}: {}", file.string(), number, error.what());
+      }
+      if (is_script && current_ != nullptr) current_->script = file;
+    }
+  }
+
+  std::vector<Fixture> result() const {
+    std::vector<Fixture> list;
+    for (const auto& [name, fixture] : fixtures_) {
+      list.push_back(fixture);
+      if (fixture.code.ends_with("\n\n")) list.back().code.pop_back();  // before the next title
+    }
+    return list;
+  }
+
+ private:
+  void take(const std::string& line) {
+    if (line.starts_with(mark_ + "= ")) {
+      const std::string name = line.substr(mark_.size() + 2);
+      current_ = &fixtures_[name];
+      if (!current_->code.empty() && mark_ == "//") throw Error("{} is there twice", name);
+      current_->name = name;
+    } else if (current_ == nullptr) {
+      return;
+    } else if (line.starts_with(mark_ + ": ")) {
+      const auto begin = mark_.size() + 2, end = line.find(' ', begin);
+      expect(*current_, line.substr(begin, end - begin),
+             json::parse(end == std::string::npos ? "" : line.substr(end)));
+    } else if (mark_ == "//" && (line.starts_with("//@ ") || !current_->code.empty())) {
+      current_->code += line + "\n";
+    }
+  }
+
+  std::string mark_;  ///< What a comment begins with.
+  std::map<std::string, Fixture> fixtures_;
+  Fixture* current_ = nullptr;
+};
 
 /// A text cut where `title` finds a heading in a line; what stands before the first one is "".
 template <class Title>
@@ -110,12 +158,12 @@ bool Fixture::is_for(const std::string& level) const {
 }
 
 std::vector<Fixture> load_fixtures(const fs::path& folder) {
-  std::vector<Fixture> fixtures;
+  Corpus corpus;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    if (fs::exists(entry.path() / "expected.json")) fixtures.push_back(load_fixture(entry.path()));
+    const fs::path kind = entry.path().extension();
+    if (kind == ".inc" || kind == ".sh") corpus.read(entry.path());
   }
-  std::sort(fixtures.begin(), fixtures.end(),
-            [](const Fixture& a, const Fixture& b) { return a.name < b.name; });
+  std::vector<Fixture> fixtures = corpus.result();
   if (fixtures.empty()) throw Error("{}: no attack in it", folder.string());
   return fixtures;
 }
@@ -126,17 +174,12 @@ std::string assemble(const Fixture& fixture, const Places& places) {
   };
   Sections stub = cut(text_in("labs"), exercise_ruler);
   Sections solution = cut(text_in("solutions"), exercise_ruler);
-  Sections attack;
-  if (fs::exists(fixture.folder / "attack.inc")) {
-    attack = cut(read_file(fixture.folder / "attack.inc"), attack_ruler);
-  }
+  Sections attack = cut(fixture.code, attack_ruler);
   std::string text = attack["top"] + "#include \"course/not_implemented.h\"\n" + solution[""];
   for (const auto& [number, section] : stub) {
     if (number.empty()) continue;
-    const auto& honest = fixture.honest;
-    const bool solved = std::find(honest.begin(), honest.end(), number) != honest.end();
-    text += solved ? without_end(solution.at(number))
-                   : put_into_functions(without_end(section), number, attack);
+    text += number == honest_exercise ? without_end(solution.at(number))
+                                      : put_into_functions(without_end(section), number, attack);
   }
   text += "}  // namespace lab01\n" + attack["end"];
   replace_all(text, "@TREE@", places.tree.string());
@@ -150,8 +193,7 @@ std::string assemble(const Fixture& fixture, const Places& places) {
 
 void hand_in(const Fixture& fixture, const Places& places) {
   const fs::path target = places.submissions / fixture.name;
-  const fs::path script = fixture.folder / "make.sh";
-  if (!fs::exists(script)) {
+  if (fixture.script.empty()) {
     fs::create_directories(target);
     write_file(target / exercise_file, assemble(fixture, places));
     return;
@@ -159,7 +201,7 @@ void hand_in(const Fixture& fixture, const Places& places) {
   const fs::path draft = places.submissions.parent_path() / "drafts" / fixture.name;
   fs::create_directories(draft);
   write_file(draft / exercise_file, assemble(fixture, places));
-  run_script(script, {draft.string(), target.string(), places.tree.string()});
+  run_script(fixture.script, {fixture.name, draft.string(), target.string(), places.tree.string()});
 }
 
 }  // namespace carlo::grader

@@ -14,9 +14,9 @@ struct Places {
 
 /// One attack: what is handed in, and the marks that it deserves.
 struct Fixture {
-  std::string name, about;
-  std::filesystem::path folder;
-  std::vector<std::string> honest;            ///< exercises taken from the solution: "1.1"
+  std::string name;
+  std::string code;                           ///< its sections of a .inc; none for an honest file
+  std::filesystem::path script;               ///< that hands it in; none for a folder with the file
   std::map<std::string, double> points;       ///< by exercise; those not named have none
   std::map<std::string, std::string> status;  ///< the judge's words, where they are told
   std::string state = "judged";               ///< what becomes of the lab
@@ -27,19 +27,19 @@ struct Fixture {
   bool is_for(const std::string& level) const;
 };
 
-/// The fixtures below `folder`, by name. Throws Error naming the file that cannot be understood.
+/// The attacks of all *.inc and *.sh in `folder`, by name (README.md says how they stand there).
+/// Throws Error naming the line that cannot be understood.
 std::vector<Fixture> load_fixtures(const std::filesystem::path& folder);
 
-/// Lab 01's exercise file with the attack in it: the stub, the honest exercises as the solution has
-/// them, and the sections of attack.inc at their places ("//@ top" before all else, "//@ 1.2" at
-/// the start of that exercise's functions, "//@ 1.3 Moments::add" of those alone whose line says
-/// so,
-/// "//@ end" after all). @TREE@, @BUILD@, @CLASS@, @OUT@,
-/// @CANARY@ and @NAME@ become what they stand for.
+/// Lab 01's exercise file with the attack in it: the stub, exercise 1.1 as the solution has it, and
+/// the sections of the attack's code at their places ("//@ top" before all else, "//@ 1.2" at the
+/// start of that exercise's functions, "//@ 1.3 Moments::add" of those alone whose line says so,
+/// "//@ end" after all). @TREE@, @BUILD@, @CLASS@, @OUT@, @CANARY@ and @NAME@ become what they
+/// stand for.
 std::string assemble(const Fixture& fixture, const Places& places);
 
 /// Writes the submission into places.submissions: a folder with the file; or whatever the fixture's
-/// make.sh makes of it.
+/// script makes of it.
 void hand_in(const Fixture& fixture, const Places& places);
 
 }  // namespace carlo::grader
