@@ -13,7 +13,6 @@ build    g++                   gcc-c++                gcc            =
 build    cmake                 cmake                  cmake          cmake
 build    ninja-build           ninja-build            ninja          ninja
 build    ccache                ccache                 ccache         ccache
-build    patch                 patch                  patch          =
 build    libglm-dev            glm-devel              glm            glm
 build    libfmt-dev            fmt-devel              fmt            fmt
 build    nlohmann-json3-dev    json-devel             nlohmann-json  nlohmann-json

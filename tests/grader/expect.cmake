@@ -1,12 +1,10 @@
-# cmake -DJUDGE= -DLAB= -DWORKER= -DJSON= [-DPATCH=] [-DSEEDS= [-DFIRST=] [-DVARIANT=]] [-DPOINTS=]
-#       [-DPATIENCE=] -P expect.cmake
+# cmake -DJUDGE= -DLAB= -DWORKER= -DJSON= [-DEXERCISE= -DDIAGNOSIS= [-DALONE=]] [-DSEEDS= [-DFIRST=]]
+#       [-DPOINTS=] [-DPATIENCE=] -P expect.cmake
 # Runs the judge and compares its verdicts with what they must be:
-#   without PATCH and SEEDS  the untouched stub: every exercise "not implemented", no points
-#   with PATCH               a typical mistake: the exercise of its header fails with its diagnosis;
-#                            with the diagnosis "crash" its program is ended; with ALONE, or with
-#                            the line "Alone: yes" in its header, no other diagnosis is told
-#   with SEEDS               a right solution: full marks at seeds FIRST (1) to SEEDS; with VARIANT,
-#                            a patch that leaves it right, whose header says in what it differs
+#   without all these        the untouched stub: every exercise "not implemented", no points
+#   with EXERCISE            a typical mistake: this exercise fails with the DIAGNOSIS; with the
+#                            diagnosis "crash" its program is ended; with ALONE no other is told
+#   with SEEDS               a right solution: full marks at seeds FIRST (1) to SEEDS
 #   with POINTS              points of each exercise in their order, as "3,0,1.5"; where some are
 #                            missing it is "failed", which no crash and no cut answer is
 #   with PATIENCE            one probe has so many times the judge's 10 seconds (carlo_patience.cmake)
@@ -14,7 +12,7 @@
 # Mistakes, variants and solutions are our own programs: no fence keeps them in, which takes longer than
 # most of their answers. Stubs, forgeries, each solution's first judgement and the attacks have it.
 set(fence "")
-if(PATCH OR SEEDS)
+if(EXERCISE OR SEEDS)
   set(fence --sandbox limits)
 endif()
 
@@ -54,55 +52,30 @@ function(expect_stub)
   endif()
 endfunction()
 
-# What stands above a mistake's patch: two lines, perhaps "Alone: yes", and a sentence, which is no other
-# line of the form "Word: ".
-function(read_mistake_header)
-  file(READ "${PATCH}" text)
-  if(NOT text MATCHES "^Exercise: Lab ([0-9.]+)\nDiagnosis: ([a-z0-9-]+)\n(Alone: yes\n)?([^\n]+[.])\n\n")
-    message(FATAL_ERROR "${PATCH}: expected the lines \"Exercise: Lab N.K\", \"Diagnosis: id\", perhaps "
-                        "\"Alone: yes\", and a sentence")
-  endif()
-  set(exercise "${CMAKE_MATCH_1}" PARENT_SCOPE)
-  set(diagnosis "${CMAKE_MATCH_2}" PARENT_SCOPE)
-  if(CMAKE_MATCH_3)
-    set(ALONE ON PARENT_SCOPE)
-  endif()
-  if("${CMAKE_MATCH_4}" MATCHES "^[A-Za-z]+: ")
-    message(FATAL_ERROR "${PATCH}: \"${CMAKE_MATCH_0}\" is no line of its header")
-  endif()
-endfunction()
-
 function(expect_mistake)
-  read_mistake_header()
-  run_judge(--exercise ${exercise})
+  run_judge(--exercise ${EXERCISE})
   string(JSON status GET "${verdicts}" exercises 0 status)
   string(JSON named GET "${verdicts}" exercises 0 diagnoses)
   set(expected failed)
-  if(diagnosis STREQUAL "crash")
+  if(DIAGNOSIS STREQUAL "crash")
     set(expected crashed)
   endif()
   if(NOT code EQUAL 1 OR NOT status STREQUAL expected)
     message(FATAL_ERROR "the mistake is \"${status}\", exit code ${code}:\n${output}")
   endif()
-  if(diagnosis STREQUAL "crash")
+  if(DIAGNOSIS STREQUAL "crash")
     return()
   endif()
-  if(NOT named MATCHES "\"${diagnosis}\"")
-    message(FATAL_ERROR "\"${diagnosis}\" is not among ${named}:\n${output}")
+  if(NOT named MATCHES "\"${DIAGNOSIS}\"")
+    message(FATAL_ERROR "\"${DIAGNOSIS}\" is not among ${named}:\n${output}")
   endif()
   string(JSON count LENGTH "${named}")
   if(ALONE AND NOT count EQUAL 1)
-    message(FATAL_ERROR "\"${diagnosis}\" does not stand alone in ${named}:\n${output}")
+    message(FATAL_ERROR "\"${DIAGNOSIS}\" does not stand alone in ${named}:\n${output}")
   endif()
 endfunction()
 
 function(expect_full_marks)
-  if(VARIANT)
-    file(READ "${VARIANT}" text)
-    if(NOT text MATCHES "^Variant: [^\n]+[.]\n\n")
-      message(FATAL_ERROR "${VARIANT}: expected the line \"Variant: one sentence.\"")
-    endif()
-  endif()
   if(NOT DEFINED FIRST)
     set(FIRST 1)
   endif()
@@ -140,7 +113,7 @@ function(expect_points)
   endforeach()
 endfunction()
 
-if(PATCH)
+if(EXERCISE)
   expect_mistake()
 elseif(SEEDS)
   expect_full_marks()

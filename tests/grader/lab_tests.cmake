@@ -3,8 +3,8 @@
 # implemented"; each mistake is caught and named; what probes return has names for replay; lab.json,
 # stub, handout, hints and tests agree.
 
-# Labs whose mistakes are all named alone, and shall stay so. Elsewhere a patch asks for it by itself
-# (expect.cmake).
+# Labs whose mistakes are all named alone, and shall stay so. Elsewhere "alone" behind a mistake's
+# diagnosis asks for it (mistakes.awk).
 set(labs_with_lone_diagnoses lab01 lab02 lab05)
 
 # One test that expect.cmake judges. CONFIGURATIONS thorough: only with ctest -C thorough.
@@ -38,26 +38,24 @@ function(add_forgery folder name points)
   set_tests_properties(${lab}.forged_answers PROPERTIES LABELS fast TIMEOUT 600)
 endfunction()
 
-# The mistakes and the variants of a lab.
-function(add_patch_tests lab folder)
-  set(alone OFF)
-  if(lab IN_LIST labs_with_lone_diagnoses)
-    set(alone ON)
-  endif()
-  foreach(kind IN ITEMS mistake variant)
-    carlo_lab_patches(patches ${folder} ${kind})
-    foreach(patch IN LISTS patches)
-      get_filename_component(title "${patch}" NAME_WE)
-      if(NOT TARGET ${lab}_worker_${kind}_${title})
-        continue()
-      endif()
-      set(expected -DPATCH=${patch} -DALONE=${alone})
-      if(kind STREQUAL "variant")
-        set(expected -DVARIANT=${patch} -DSEEDS=3)
-      endif()
-      add_expectation(${lab}.${kind}.${title} ${lab} ${lab}_worker_${kind}_${title} ${expected})
-      set_tests_properties(${lab}.${kind}.${title} PROPERTIES TIMEOUT 600)
-    endforeach()
+# The mistakes and the variants of a lab, of which carlo_lab.cmake has made workers.
+function(add_mistake_tests lab)
+  get_property(mistakes GLOBAL PROPERTY ${lab}_mistakes)
+  foreach(line IN LISTS mistakes)
+    string(REGEX MATCH "^[^\t]+\t([^\t]+)\t[^\t]+\t([^\t]+)\t([^\t]+)(\talone)?" line "${line}")
+    set(name "${CMAKE_MATCH_1}")
+    set(expected -DEXERCISE=${CMAKE_MATCH_2} -DDIAGNOSIS=${CMAKE_MATCH_3})
+    if(CMAKE_MATCH_4 OR lab IN_LIST labs_with_lone_diagnoses)
+      list(APPEND expected -DALONE=ON)
+    endif()
+    add_expectation(${lab}.mistake.${name} ${lab} ${lab}_worker_mistake_${name} ${expected})
+    set_tests_properties(${lab}.mistake.${name} PROPERTIES TIMEOUT 600)
+  endforeach()
+  get_property(variants GLOBAL PROPERTY ${lab}_variants)
+  foreach(line IN LISTS variants)
+    string(REGEX REPLACE "^[^\t]+\t([^\t]+)\t.*" "\\1" name "${line}")
+    add_expectation(${lab}.variant.${name} ${lab} ${lab}_worker_variant_${name} -DSEEDS=3)
+    set_tests_properties(${lab}.variant.${name} PROPERTIES TIMEOUT 600)
   endforeach()
 endfunction()
 
@@ -103,7 +101,7 @@ function(add_lab_tests folder name)
     set_tests_properties(${lab}.seeds PROPERTIES TIMEOUT 600)
     set_tests_properties(${lab}.seeds.many PROPERTIES TIMEOUT 3600)
   endif()
-  add_patch_tests(${lab} ${folder})
+  add_mistake_tests(${lab})
   # Tests of what a lab gives its students.
   if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/CMakeLists.txt")
     add_subdirectory(${folder})

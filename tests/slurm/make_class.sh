@@ -31,12 +31,11 @@ if [ "$attackers" != 0 ]; then
 fi
 for ((i = 0; i < right; ++i)); do take "right_$i" "${labs[i % ${#labs[@]}]}"; done
 
-# Of the whole catalogue, evenly spaced; each is the solution of its lab with one patch.
-mapfile -t patches < <(cd "$source/tests" && find . -path '*/mistakes/*.patch' | LC_ALL=C sort)
+# Of the whole catalogue, evenly spaced.
+reader=$source/tests/grader/mistakes.awk
+mapfile -t mistakes < <("$reader" list - "$source"/tests/*/mistakes/*.txt | LC_ALL=C sort)
 for ((i = 0; i < mistaken; ++i)); do
-  patch=${patches[i * ${#patches[@]} / mistaken]}
-  lab=$(cut -d/ -f2 <<<"$patch")
-  target=$(sed -n 's/^+++ b\/solutions\///p' "$source/tests/$patch")
-  take "mistaken_$i" "$lab"
-  (cd "$work/class/mistaken_$i/labs" && patch --quiet -p2 "$target" "$source/tests/$patch")
+  IFS=$'\t' read -r solution name table _ <<<"${mistakes[i * ${#mistakes[@]} / mistaken]}"
+  take "mistaken_$i" "$(cut -d/ -f2 <<<"$solution")"
+  "$reader" put "$work/class/mistaken_$i/labs/${solution#solutions/}" "$table" "$name"
 done

@@ -2,14 +2,14 @@
 # from; the experiments alone link what stands behind EXPERIMENTS.
 #
 # An implementation is one object library compiled from the student's files, from the solution's, or
-# from the solution's with one patch: a typical mistake, or a variant that is as right. The files are
+# from the solution's with one change: a typical mistake, or a variant that is as right. The files are
 # labs/FOLDER/NAME.cpp alone or, for a lab in steps, labs/FOLDER/steps/*.cpp; the solution's have the
 # same names. What a lab gives to students and to probes stands in labs/FOLDER/given/. Each
 # implementation is linked with
 #   - the lab's experiments (labs/FOLDER/*.cpp but for NAME.cpp)  -> lab01, lab01_solution
 #   - the lab's probes (tests/FOLDER/probes*.cpp)  -> lab01_worker, lab01_worker_solution,
-#                                                     lab01_worker_mistake_<patch>,
-#                                                     lab01_worker_variant_<patch>
+#                                                     lab01_worker_mistake_<name>,
+#                                                     lab01_worker_variant_<name>
 # What is judged is compiled once more, with the library's own checks: an index outside of a vector
 # or a span ends the program. And a local variable without a start value begins with a huge number
 # (NaN with clang), not with the 0 that happens to stand on a fresh stack. The experiments, which are
@@ -89,13 +89,55 @@ endfunction()
 # Well over a hundred small programs: one build type is enough for them.
 option(CARLO_MISTAKES "Build the labs' typical mistakes and variants and test how each is judged" ON)
 
-# The patches of a lab's solution, into the variable RESULT: KIND is "mistake", typical ones, or
-# "variant", others that are as right. They stand in tests/FOLDER/KINDs/*.patch, or for a lab in steps
-# in tests/FOLDER/KINDs/STEP/*.patch for the file steps/STEP.cpp. The folder may be missing.
-function(carlo_lab_patches result folder kind)
-  file(GLOB patches CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/${folder}/${kind}s/*.patch"
-       "${PROJECT_SOURCE_DIR}/tests/${folder}/${kind}s/*/*.patch")
-  set(${result} "${patches}" PARENT_SCOPE)
+# The mistakes of a lab (KIND "mistake") or its variants ("variant"), in the global property
+# lab01_mistakes or lab01_variants: a list of lines as tests/grader/mistakes.awk lists them. They stand in
+# tests/FOLDER/mistakes/*.txt and tests/FOLDER/variants.txt. CMake runs anew where the list changes, not
+# for other changes of a table.
+function(carlo_lab_mistaken lab folder kind)
+  set(at "${PROJECT_SOURCE_DIR}/tests/${folder}/${kind}s")
+  file(GLOB tables CONFIGURE_DEPENDS "${at}.txt" "${at}/*.txt")
+  set(lines "")
+  if(tables)
+    set(reader "${PROJECT_SOURCE_DIR}/tests/grader/mistakes.awk")
+    set(list "${CMAKE_BINARY_DIR}/bin/${lab}_${kind}s.tsv")
+    file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+    execute_process(COMMAND "${reader}" list "${list}" ${tables} RESULT_VARIABLE code)
+    if(NOT code EQUAL 0)
+      message(FATAL_ERROR "tests/${folder}: its ${kind}s cannot be read")
+    endif()
+    add_custom_command(OUTPUT "${list}" COMMAND "${reader}" list "${list}" ${tables}
+                       DEPENDS "${reader}" ${tables} COMMENT "Listing the ${kind}s of lab ${folder}" VERBATIM)
+    # By itself: what a target depends on is built before its files are, here before CMake runs.
+    add_custom_target(${lab}_${kind}s_listed DEPENDS "${list}")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${list}")
+    file(STRINGS "${list}" lines ENCODING UTF-8)
+  endif()
+  set_property(GLOBAL PROPERTY ${lab}_${kind}s "${lines}")
+endfunction()
+
+# One step of the build for each table: it writes what of the mistaken solutions has changed. A place
+# that does not fit the solution any more fails it.
+function(carlo_lab_put_mistakes folder kind lines)
+  set(reader "${PROJECT_SOURCE_DIR}/tests/grader/mistakes.awk")
+  set(themes "")
+  foreach(line IN LISTS lines)
+    string(REGEX MATCH "^([^\t]+)\t([^\t]+)\t([^\t]+)" line "${line}")
+    cmake_path(GET CMAKE_MATCH_3 STEM theme)
+    list(APPEND themes ${theme})
+    set(table_${theme} "${CMAKE_MATCH_3}")
+    string(REPLACE "solutions/${folder}/" "${CMAKE_MATCH_2}/" file "${CMAKE_MATCH_1}")
+    list(APPEND files_${theme} "${CMAKE_CURRENT_BINARY_DIR}/${kind}s/${folder}/${file}")
+    list(APPEND solutions_${theme} "${PROJECT_SOURCE_DIR}/${CMAKE_MATCH_1}")
+  endforeach()
+  list(REMOVE_DUPLICATES themes)
+  foreach(theme IN LISTS themes)
+    list(REMOVE_DUPLICATES solutions_${theme})
+    add_custom_command(
+      OUTPUT ${files_${theme}}
+      COMMAND "${reader}" put_all "${CMAKE_CURRENT_BINARY_DIR}/${kind}s/${folder}" "${table_${theme}}"
+      DEPENDS "${reader}" "${table_${theme}}" ${solutions_${theme}}
+      COMMENT "Putting ${kind}s into lab ${folder}: ${theme}" VERBATIM)
+  endforeach()
 endfunction()
 
 # What the files `sources` of an implementation include is compiled once, for all that look like them.
@@ -111,29 +153,13 @@ function(carlo_lab_headers_once target name sources)
   carlo_header_for_all(${target})
 endfunction()
 
-# The worker of one patch, lab01_worker_KIND_<patch>. The other files of a lab in steps come from the
-# archive `others`, of which the linker leaves out the file that is there already. A patch that no
-# longer applies fails the build.
-function(carlo_lab_patched_worker lab folder name kind patch others)
-  get_filename_component(title "${patch}" NAME_WE)
-  cmake_path(GET patch PARENT_PATH step)
-  cmake_path(GET step FILENAME step)
-  if(step STREQUAL "${kind}s")
-    set(file ${name}.cpp)
-  else()
-    set(file steps/${step}.cpp)
-  endif()
-  set(solution "${PROJECT_SOURCE_DIR}/solutions/${folder}/${file}")
-  set(patched "${CMAKE_CURRENT_BINARY_DIR}/${kind}s/${folder}/${title}/${file}")
-  get_filename_component(patched_folder "${patched}" DIRECTORY)
-  add_custom_command(
-    OUTPUT "${patched}"
-    COMMAND ${CMAKE_COMMAND} -E make_directory "${patched_folder}"
-    COMMAND "${PROJECT_SOURCE_DIR}/tests/grader/put_patch.sh" "${patch}" "${solution}" "${patched}"
-    DEPENDS "${solution}" "${patch}"
-    COMMENT "Putting ${kind} ${title} into lab ${folder}" VERBATIM)
-  set(worker ${lab}_worker_${kind}_${title})
-  carlo_lab_judged_implementation(${worker}_code ${folder} "${patched}" ${ARGN})
+# The worker of one mistake or variant, lab01_worker_KIND_<name>. The other files of a lab in steps come
+# from the archive `others`, of which the linker leaves out the file that is there already.
+function(carlo_lab_mistaken_worker lab folder kind line others)
+  string(REGEX MATCH "^solutions/${folder}/([^\t]+)\t([^\t]+)" line "${line}")
+  set(file "${CMAKE_CURRENT_BINARY_DIR}/${kind}s/${folder}/${CMAKE_MATCH_2}/${CMAKE_MATCH_1}")
+  set(worker ${lab}_worker_${kind}_${CMAKE_MATCH_2})
+  carlo_lab_judged_implementation(${worker}_code ${folder} "${file}" ${ARGN})
   target_precompile_headers(${worker}_code REUSE_FROM ${lab}_worker_code_solution)
   target_compile_options(${worker}_code PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
   # Hundreds of files. 2.5 judges speed: there as a student's is compiled.
@@ -150,19 +176,16 @@ function(carlo_lab_patched_worker lab folder name kind patch others)
   add_dependencies(${lab}_${kind}s ${worker})
 endfunction()
 
-# The workers of all patches of a lab, and the targets lab01_mistakes and lab01_variants for all of a
-# kind.
-function(carlo_lab_patched_workers lab folder name)
-  carlo_lab_patches(mistakes ${folder} mistake)
-  carlo_lab_patches(variants ${folder} variant)
-  add_custom_target(${lab}_mistakes)
-  add_custom_target(${lab}_variants)
+# The workers of all mistakes and variants of a lab, and the targets lab01_mistakes and lab01_variants
+# for all of a kind.
+function(carlo_lab_mistaken_workers lab folder name)
+  foreach(kind IN ITEMS mistake variant)
+    add_custom_target(${lab}_${kind}s)
+    carlo_lab_mistaken(${lab} ${folder} ${kind})
+    get_property(${kind}s GLOBAL PROPERTY ${lab}_${kind}s)
+  endforeach()
   if(NOT mistakes AND NOT variants)
     return()
-  endif()
-  find_program(CARLO_PATCH patch)
-  if(NOT CARLO_PATCH)
-    message(FATAL_ERROR "patch was not found: ${carlo_hint} patch")
   endif()
   find_program(CARLO_GOLD ld.gold)
   carlo_lab_sources(solution "${PROJECT_SOURCE_DIR}/solutions/${folder}" ${name})
@@ -173,8 +196,9 @@ function(carlo_lab_patched_workers lab folder name)
     add_library(${others} STATIC $<TARGET_OBJECTS:${lab}_worker_code_solution>)
   endif()
   foreach(kind IN ITEMS mistake variant)
-    foreach(patch IN LISTS ${kind}s)
-      carlo_lab_patched_worker(${lab} ${folder} ${name} ${kind} "${patch}" "${others}" ${ARGN})
+    carlo_lab_put_mistakes(${folder} ${kind} "${${kind}s}")
+    foreach(line IN LISTS ${kind}s)
+      carlo_lab_mistaken_worker(${lab} ${folder} ${kind} "${line}" "${others}" ${ARGN})
     endforeach()
   endforeach()
 endfunction()
@@ -243,7 +267,7 @@ function(add_lab folder name)
       carlo_lab_program(${lab}_worker_solution ${lab}_probes ${lab}_worker_code_solution)
     endif()
     if(solution AND CARLO_MISTAKES)
-      carlo_lab_patched_workers(${lab} ${folder} ${name} ${uses})
+      carlo_lab_mistaken_workers(${lab} ${folder} ${name} ${uses})
     endif()
   endif()
 

@@ -28,7 +28,6 @@ struct Options {
 
 void add_options(CommandLine& app, Options& options) {
   app.option("--tree-labs", options.places.labs, "the folder labs/").required();
-  app.option("--tree-tests", options.places.tests, "the folder tests/").required();
   app.option("--programs", options.places.programs, "the folder of built programs").required();
   app.option("--labs", options.labs, "only these labs").list(',');
   app.option("--seeds", options.seeds, "gradings of each lab's solution")

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstring>
 #include <map>
-#include <regex>
+#include <sstream>
 
 namespace carlo::grader {
 namespace {
@@ -26,27 +26,29 @@ fs::path folder(const fs::path& parent, const Lab& lab) {
   return parent / fmt::format("{:02}_{}", lab.number, lab.name);
 }
 
-std::vector<fs::path> patches(const Places& places, const Lab& lab) {
-  std::vector<fs::path> found;
-  const fs::path mistakes = folder(places.tests, lab) / "mistakes";
-  if (!fs::is_directory(mistakes)) return found;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(mistakes)) {
-    if (entry.path().extension() == ".patch") found.push_back(entry.path());
+/// The mistakes of a lab in order of their solutions' files and their names. The folder of programs
+/// holds the list that tests/grader/mistakes.awk makes of them.
+std::vector<Subject> mistakes(const Places& places, const Subject& solution,
+                              const std::string& lab_name) {
+  std::istringstream list(read_file(program(places, lab_name + "_mistakes.tsv")));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(list, line);)
+    lines.push_back(line);
+  std::sort(lines.begin(), lines.end());
+  std::vector<Subject> found;
+  for (const std::string& line : lines) {
+    std::istringstream words(line);
+    std::string file, table;
+    std::getline(words, file, '\t');
+    Subject subject = solution;
+    std::getline(words, subject.what, '\t');
+    std::getline(words, table, '\t');
+    std::getline(words, subject.exercise, '\t');
+    std::getline(words, subject.diagnosis, '\t');
+    subject.worker = program(places, fmt::format("{}_worker_mistake_{}", lab_name, subject.what));
+    found.push_back(subject);
   }
-  std::sort(found.begin(), found.end());
   return found;
-}
-
-void read_header(const fs::path& patch, Subject& subject) {
-  static const std::regex header("^Exercise: Lab ([0-9.]+)\nDiagnosis: ([a-z0-9-]+)\n");
-  const std::string text = read_file(patch);
-  std::smatch match;
-  if (!std::regex_search(text, match, header)) {
-    throw Error("{}: expected the lines \"Exercise: Lab N.K\" and \"Diagnosis: id\"",
-                patch.string());
-  }
-  subject.exercise = match[1];
-  subject.diagnosis = match[2];
 }
 
 /// A word from a file's bytes.
@@ -95,12 +97,8 @@ std::vector<Subject> subjects(const Places& places, const std::vector<int>& want
     subject.judge = program(places, name + "_judge");
     subject.worker = program(places, name + "_worker_solution");
     list.push_back(subject);
-    for (const fs::path& patch : patches(places, lab)) {
-      subject.what = patch.stem();
-      read_header(patch, subject);
-      subject.worker = program(places, fmt::format("{}_worker_mistake_{}", name, subject.what));
-      list.push_back(subject);
-    }
+    for (const Subject& mistake : mistakes(places, subject, name))
+      list.push_back(mistake);
   }
   return list;
 }

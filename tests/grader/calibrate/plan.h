@@ -41,14 +41,13 @@ struct Job {
   Subject subject;
 };
 
-/// Where a tree keeps its labs, its tests, and its programs.
+/// Where a tree keeps its labs and its programs.
 struct Places {
-  std::filesystem::path labs, tests, programs;
+  std::filesystem::path labs, programs;
 };
 
 /// The solutions and all mistakes of these labs, in order (every lab when none is named). Throws
-/// Error for a lab that does not exist, a patch without the two lines that name its exercise and
-/// diagnosis, and a program that was not built.
+/// Error for a lab that does not exist, and a program or a list of mistakes that was not built.
 std::vector<Subject> subjects(const Places& places, const std::vector<int>& labs);
 
 /// `count` judgements of each solution, then `mistake_count` of each mistake, one seed after the

@@ -29,8 +29,8 @@ make_class() {
   mkdir -p "$class/right/labs/01_integration"
   cp "$solution" "$class/right/labs/01_integration/"
   cp "$source/labs/01_integration/integration.cpp" "$(member stub)"
-  patch --quiet --output="$(member mistaken)" "$solution" \
-    "$source/tests/01_integration/mistakes/average_by_n_plus_one.patch"
+  "$source/tests/grader/mistakes.awk" put "$(member mistaken)" \
+    "$source/tests/01_integration/mistakes/average.txt" average_by_n_plus_one
   { cat "$solution" && echo 'int broken( {'; } >"$(member uncompiled)"
   printf '#include "%s"\n' ../../solutions/01_integration/integration.cpp >"$(member relative)"
   printf '#include "%s"\n' "$solution" >"$(member thief)"

@@ -42,17 +42,15 @@ make_students() {
   done
 }
 
-# Forty of the catalogue, evenly spaced; each is the solution of its lab with one patch.
+# Forty of the catalogue, evenly spaced.
 make_mistaken() {
-  local patches patch lab target i
-  mapfile -t patches < <(cd "$source/tests" && find . -path '*/mistakes/*.patch' | LC_ALL=C sort)
+  local mistakes solution name table exercise i reader=$source/tests/grader/mistakes.awk
+  mapfile -t mistakes < <("$reader" list - "$source"/tests/*/mistakes/*.txt | LC_ALL=C sort)
   for i in $(seq 0 39); do
-    patch=${patches[$((i * ${#patches[@]} / 40))]}
-    lab=$(cut -d/ -f2 <<<"$patch")
-    target=$(sed -n 's/^+++ b\/solutions\///p' "$source/tests/$patch")
-    take "mistaken_$i" solutions "$lab"
-    (cd "$class/mistaken_$i/labs" && patch --quiet -p2 "$target" "$source/tests/$patch")
-    printf 'mistaken_%s %s\n' "$i" "$(sed -n 's/^Exercise: Lab //p' "$source/tests/$patch")"
+    IFS=$'\t' read -r solution name table exercise _ <<<"${mistakes[$((i * ${#mistakes[@]} / 40))]}"
+    take "mistaken_$i" solutions "$(cut -d/ -f2 <<<"$solution")"
+    "$reader" put "$class/mistaken_$i/labs/${solution#solutions/}" "$table" "$name"
+    printf 'mistaken_%s %s\n' "$i" "$exercise"
   done >"$work/mistaken.txt"
 }
 

@@ -41,8 +41,8 @@ make_class() {
     # All right answers are different submissions.
     for kind in a b c; do echo "// $i $kind" >>"$1/right_$kind$i/integration.cpp"; done
     cp "$source/labs/01_integration/integration.cpp" "$1/stub$i/"
-    patch --quiet --output="$1/mistaken$i/integration.cpp" "$solution" \
-      "$source/tests/01_integration/mistakes/average_by_n_plus_one.patch"
+    "$source/tests/grader/mistakes.awk" put "$1/mistaken$i/integration.cpp" \
+      "$source/tests/01_integration/mistakes/average.txt" average_by_n_plus_one
     echo '#error No space left on device, vfork: Resource temporarily unavailable' \
       >>"$1/broken$i/integration.cpp"
     sed -i "1i #include \"$solution\"" "$1/thief$i/integration.cpp"

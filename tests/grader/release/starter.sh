@@ -11,7 +11,7 @@ usage: ./carlo starter --through K [-o FILE.tar.gz|FILE.zip] [--dirty]
 Writes the students' archive of labs 1 to K (default out/carlo_labs_1_to_K.tar.gz): these labs as
 stubs, the solutions of the labs before K (later labs build on them), the library, the judge, and the
 slides' formulas that handouts and hints cite (labs/formulas.md). No solution of lab K or later is in
-it, no patch of a typical mistake, no reference image, nothing of the class's grading.
+it, no table of typical mistakes, no reference image, nothing of the class's grading.
 
 The judge has to work out what is right, so tests/NN_name/*.h and *.cpp hold code that a student could
 learn an exercise from: of labs 1 to 9 that of 2.1, 2.3, 2.5 and 2.6 (tests/02_pi/reference.h), the
