@@ -1,9 +1,6 @@
 // The verb bench: the suite's measurements.
 
-#include "cli/error.h"
 #include "course/verbs/course.h"
-
-#include <fmt/core.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -17,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Of the renderers beside ours, the one thing that comes from PyPI.
-const Words peer_modules{"mitsuba==3.9.1", "bpy==5.0.1", "pyluxcore==2.11.2"};
+const char* const peer_modules[]{"mitsuba==3.9.1", "bpy==5.0.1", "pyluxcore==2.11.2"};
 
 /// Builds what stands beside GSL, which CMake looks for only while it configures.
 void build_integrators(Course& course) {
@@ -30,13 +27,14 @@ void build_integrators(Course& course) {
 [[noreturn]] void become(Course& course, const std::string& program, const Words& before,
                          const Words& words) {
   course.building.build({program});
-  Words command{course.building.program(program)};
+  Words command = list_of({course.building.program(program)});
   throw HandOver{(command += before) += words};
 }
 
 void measure(const Words& command) {
-  const int code = run_listening(command, {}, [](const std::string&) {});
-  if (code != 0) throw Error(fs::path(command[0]).filename().string() + " failed");
+  std::string said;
+  const int code = run_gathering(command, {}, said);
+  if (code != 0) fail({fs::path(command[0]).filename().string(), " failed"});
 }
 
 /// The labs' own programs measure first; carlo_bench reads what they found. Returns its arguments.
@@ -45,15 +43,16 @@ Words measured_labs(Course& course, bool full) {
   build_integrators(course);
   course.building.build({"carlo_bench", "lab03_solution"});
   fs::create_directories(found);
-  fmt::print(stderr, "carlo: estimators and generators of labs 03 and 04 ...\n");
+  say({"carlo: estimators and generators of labs 03 and 04 ...\n"});
   const std::string integrators = found / "integrators.json",
                     generators = found / "generators.json";
-  measure({course.building.program("carlo_bench_integrators"), "--repetitions", full ? "201" : "51",
-           "--json", integrators});
-  Words lab{course.building.program("lab03_solution"), "--no-page", "--json", generators};
+  measure(list_of({course.building.program("carlo_bench_integrators"), "--repetitions",
+                   full ? "201" : "51", "--json", integrators}));
+  Words lab =
+      list_of({course.building.program("lab03_solution"), "--no-page", "--json", generators});
   if (!full) lab.push_back("--quick");
   measure(lab);
-  return {"--integrators", integrators, "--generators", generators};
+  return list_of({"--integrators", integrators, "--generators", generators});
 }
 
 /// Everything on one page, or the parts that are wished.
@@ -63,16 +62,16 @@ Words measured_labs(Course& course, bool full) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (asks_for_help(words[i])) become(course, "carlo_bench", {}, {"--help"});
     if (words[i] == "--full") full = true;
-    if (words[i].rfind("--only=", 0) == 0) only = words[i].substr(7);
+    if (starts_with(words[i], "--only=")) only = words[i].substr(7);
     if (words[i] == "--only" && i + 1 < words.size()) only = words[i + 1];
   }
   const fs::path& root = course.tree.root;
-  Words arguments{"--scenes",       root / "common/scenes",
-                  "--references",   root / "tests/references/scenes",
-                  "--peer-scripts", root / "solutions/renderer/bench/peers",
-                  "--scratch",      course.building.folder() / "bench"};
+  Words arguments =
+      list_of({"--scenes", root / "common/scenes", "--references", root / "tests/references/scenes",
+               "--peer-scripts", root / "solutions/renderer/bench/peers", "--scratch",
+               course.building.folder() / "bench"});
   arguments += words;
-  if (("," + only + ",").find(",labs,") != std::string::npos)
+  if (joined({",", only, ","}).find(",labs,") != std::string::npos)
     arguments += measured_labs(course, full);
   become(course, "carlo_bench", arguments, {});
 }
@@ -81,17 +80,17 @@ Words measured_labs(Course& course, bool full) {
 void install_peers(const Tree& tree, const fs::path& folder) {
   tree.need({"build", "peers"});
   if (!fs::exists(folder / "bin/pip") && run({"python3", "-m", "venv", folder}) != 0)
-    throw Error("no Python environment in " + folder.string());
-  for (const std::string& module : peer_modules) {
+    fail({"no Python environment in ", folder.string()});
+  for (const std::string module : peer_modules) {
     if (fs::exists(folder / module)) continue;
-    fmt::print(stderr, "carlo: installing {} in {} ...\n", module, folder.string());
+    say({"carlo: installing ", module, " in ", folder, " ...\n"});
     const int code = run({folder / "bin/pip", "install", "--quiet", "--disable-pip-version-check",
                           "--only-binary", ":all:", module},
                          {.output = 2});
     if (code == 0) {
       const std::ofstream done(folder / module);
     } else {
-      fmt::print(stderr, "carlo: no {} for this Python, or no network\n", module);
+      say({"carlo: no ", module, " for this Python, or no network\n"});
     }
   }
 }
@@ -115,14 +114,15 @@ void point_to_llvm() {
   const fs::path peers = course.tree.root / "build/peers";
   install_peers(course.tree, peers);
   point_to_llvm();
-  Words arguments{"--only", "peers", "--peers", peers / "bin/python", "--page", "out/peers.html"};
+  Words arguments =
+      list_of({"--only", "peers", "--peers", peers / "bin/python", "--page", "out/peers.html"});
   bench_page(course, arguments += words);
 }
 
 [[noreturn]] void bench_render(Course& course, const Words& words) {
   // Other instruction sets than this machine's widest are compiled on request.
   for (const std::string& word : words)
-    if (word.rfind("--kernel", 0) == 0) course.building.every_instruction_set();
+    if (starts_with(word, "--kernel")) course.building.every_instruction_set();
   become(course, "carlo_bench_render", {"--references", course.tree.root / "tests/references"},
          words);
 }
@@ -134,12 +134,12 @@ bool is_for_page(const std::string& word) {
 
 }  // namespace
 
-int bench(Course& course, const Words& words) {
+static int bench(Course& course, const Words& words) {
   const std::string what = words.empty() ? "" : words[0];
   if (words.empty() || is_for_page(what)) bench_page(course, words);
   const fs::path& root = course.tree.root;
-  const Words rest(words.begin() + 1, words.end());
-  const Words scenes{"--folder", root / "common/scenes"};
+  const Words rest = behind(words, 1);
+  const Words scenes = list_of({"--folder", root / "common/scenes"});
   if (what == "peers") bench_peers(course, rest);
   if (what == "render") bench_render(course, rest);
   if (what == "paths") become(course, "carlo_bench_paths", scenes, rest);
@@ -149,13 +149,15 @@ int bench(Course& course, const Words& words) {
     become(course, "carlo_bench_integrators", {}, rest);
   }
   if (what == "build" || what == "tests") {
-    Words command{root / "tests/profile" / (what + ".sh")};
+    Words command = list_of({root / "tests/profile" / joined({what, ".sh"})});
     throw HandOver{command += rest};
   }
-  throw Error(
-      "bench measures everything, or: render, paths, target-error, integrators, build, "
-      "tests (got '" +
-      what + "')");
+  fail(
+      {"bench measures everything, or: render, paths, target-error, integrators, build, "
+       "tests (got '",
+       what, "')"});
 }
+
+static const Verb bench_verb("bench", bench);
 
 }  // namespace carlo::verbs

@@ -1,6 +1,7 @@
 #include "course/verbs/build_progress.h"
 
-#include <fmt/core.h>
+#include "course/verbs/words.h"
+
 #include <unistd.h>
 
 #include <cstdio>
@@ -10,8 +11,8 @@ namespace carlo::verbs {
 std::string time_left(int done, int total, int seconds) {
   if (seconds < 3 || done < 5) return "";
   const int left = seconds * (total - done) / done;
-  if (left < 90) return ", about " + std::to_string(left / 10 * 10 + 10) + " s left";
-  return ", about " + std::to_string((left + 30) / 60) + " min left";
+  if (left < 90) return joined({", about ", std::to_string(left / 10 * 10 + 10), " s left"});
+  return joined({", about ", std::to_string((left + 30) / 60), " min left"});
 }
 
 BuildProgress::BuildProgress() : terminal_(::isatty(STDERR_FILENO) == 1) {}
@@ -22,19 +23,20 @@ bool BuildProgress::takes(const std::string& line) {
   double seconds = 0;
   if (std::sscanf(line.c_str(), "@%d/%d %lf", &done, &total, &seconds) != 3) return false;
   const int second = static_cast<int>(seconds);
-  const std::string steps = std::to_string(done) + "/" + std::to_string(total);
+  const std::string told = joined({"carlo: building ", std::to_string(done), "/",
+                                   std::to_string(total), time_left(done, total, second)});
   if (terminal_) {
     shown_ = true;
-    fmt::print(stderr, "\r\x1b[Kcarlo: building {}{}", steps, time_left(done, total, second));
+    say({"\r\x1b[K", told});
   } else if (second - told_ >= 30) {
     told_ = second;
-    fmt::print(stderr, "carlo: building {}{}\n", steps, time_left(done, total, second));
+    say({told, "\n"});
   }
   return true;
 }
 
 void BuildProgress::clear() {
-  if (shown_) fmt::print(stderr, "\r\x1b[K");
+  if (shown_) say({"\r\x1b[K"});
   shown_ = false;
 }
 

@@ -17,18 +17,20 @@ struct Course {
   Building building;
 };
 
-int lab(Course& course, const Words& words);
-int test(Course& course, const Words& words);
-int status(Course& course, const Words& words);
-int hint(Course& course, const Words& words);
-int watch(Course& course, const Words& words);
-int replay(Course& course, const Words& words);
-int render(Course& course, const Words& words);
-int merge(Course& course, const Words& words);
-int grade(Course& course, const Words& words);
-int bench(Course& course, const Words& words);
-int slides(Course& course, const Words& words);
-int fuzz(Course& course, const Words& words);
+/// A verb that this program has: one for each file that defines some, so that a student's tree,
+/// which has fewer, compiles fewer (CMakeLists.txt).
+class Verb {
+ public:
+  using Function = int (*)(Course& course, const Words& words);
+  Verb(const char* name, Function run);
+  /// Throws Error when there is none of that name.
+  static Function find(const std::string& name);
+
+ private:
+  const char* name_;
+  Function run_;
+  const Verb* before_;
+};
 
 /// Builds a student's program and runs it; explains a crash. `verb` is what was typed behind
 /// ./carlo. A render that Ctrl-C ended has written what was finished, and returns 130.

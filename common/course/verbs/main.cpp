@@ -5,47 +5,48 @@
 #include "cli/program.h"
 #include "course/verbs/course.h"
 
-#include <fmt/core.h>
 #include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
-#include <map>
 
 using namespace carlo;
 using namespace carlo::verbs;
 
 namespace {
 
-using Verb = int (*)(Course&, const Words&);
-
-const std::map<std::string, Verb> all_verbs{
-    {"lab", lab},     {"test", test},     {"status", status}, {"hint", hint},
-    {"watch", watch}, {"replay", replay}, {"render", render}, {"merge", merge},
-    {"grade", grade}, {"bench", bench},   {"slides", slides}, {"fuzz", fuzz},
-};
-
 int run_verb(const Words& words) {
-  if (words.size() < 3) throw Error("carlo_verbs is started by ./carlo");
-  const auto verb = all_verbs.find(words[2]);
-  if (verb == all_verbs.end()) throw Error("there is no verb '" + words[2] + "'");
-  const Words typed(words.begin() + 2, words.end());
+  if (words.size() < 3) fail({"carlo_verbs is started by ./carlo"});
+  const Words typed = behind(words, 2);
   // For those who wait for our build.
-  const std::string turn = fmt::format("./carlo {} (process {})", joined(typed, " "), ::getpid());
+  const std::string turn =
+      joined({"./carlo ", joined(typed, " "), " (process ", std::to_string(::getpid()), ")"});
   ::setenv("CARLO_TURN_OF", turn.c_str(), 1);
   const Tree tree{words[0]};
   Course course{tree, words[1], Building(tree, words[1])};
-  return verb->second(course, Words(typed.begin() + 1, typed.end()));
+  return Verb::find(typed[0])(course, behind(typed, 1));
 }
 
 [[noreturn]] void become(const HandOver& next) {
   std::fflush(nullptr);
   const std::vector<char*> argv = pointers(next.command);
   if (next.folder.empty() || ::chdir(next.folder.c_str()) == 0) ::execvp(argv[0], argv.data());
-  throw Error(next.command[0] + " cannot be run");
+  fail({next.command[0], " cannot be run"});
 }
 
 }  // namespace
+
+static const Verb* last_verb = nullptr;
+
+Verb::Verb(const char* name, Function run) : name_(name), run_(run), before_(last_verb) {
+  last_verb = this;
+}
+
+Verb::Function Verb::find(const std::string& name) {
+  for (const Verb* verb = last_verb; verb != nullptr; verb = verb->before_)
+    if (name == verb->name_) return verb->run_;
+  fail({"there is no verb '", name, "'"});
+}
 
 int main(int argc, char** argv) {
   try {
@@ -58,7 +59,7 @@ int main(int argc, char** argv) {
       return leave.code;
     }
   } catch (const std::exception& error) {
-    fmt::print(stderr, "carlo: {}\n", error.what());
+    say({"carlo: ", error.what(), "\n"});
     return 1;
   }
 }

@@ -1,6 +1,5 @@
 // The verb replay: what the judge asked an exercise, and asking it again.
 
-#include "cli/error.h"
 #include "course/verbs/course.h"
 
 #include <cstdlib>
@@ -38,7 +37,7 @@ ReplayWishes replay_wishes(const Words& words) {
     } else if (word[0] == '-') {
       unknown("replay", word);
     } else if (!wishes.exercise.empty()) {
-      throw Error("replay takes one exercise, got " + wishes.exercise + " and " + word);
+      fail({"replay takes one exercise, got ", wishes.exercise, " and ", word});
     } else {
       wishes.exercise = word;
     }
@@ -55,18 +54,18 @@ void write_questions(const Tree& tree, Building& building, const ExerciseNumber&
   std::error_code ec;
   fs::create_directories(file.parent_path(), ec);
   fs::remove(file, ec);
-  Words command{building.kept(judge),  "--lab",       tree.lab_json(exercise.lab),
-                "--exercise",          exercise.text, "--worker",
-                building.kept(worker), "--probes",    file};
+  Words command = list_of({building.kept(judge), "--lab", tree.lab_json(exercise.lab), "--exercise",
+                           exercise.text, "--worker", building.kept(worker), "--probes", file});
   // Its exit code says whether the exercise passes; that is not the question here.
-  run_listening(command += seed, {}, [](const std::string&) {});
+  std::string report;
+  run_gathering(command += seed, {}, report);
   if (interrupted()) throw Leave{130};
-  if (!fs::exists(file)) throw Error("the judge came to no end (see above)");
+  if (!fs::exists(file)) fail({"the judge came to no end (see above)"});
 }
 
 }  // namespace
 
-int replay(Course& course, const Words& words) {
+static int replay(Course& course, const Words& words) {
   ReplayWishes wishes = replay_wishes(words);
   if (wishes.help) {
     course.tree.print_help("replay");
@@ -75,12 +74,12 @@ int replay(Course& course, const Words& words) {
   const ExerciseNumber exercise = course.tree.exercise(wishes.exercise);
   const bool chosen = std::getenv("CARLO_PRESET") != nullptr;
   if (wishes.debugger) {
-    if (wishes.probe.empty()) throw Error("--gdb needs --probe: which question?");
-    if (!is_installed("gdb"))
-      throw Error("the debugger is not installed; as root: apt-get install gdb");
+    if (wishes.probe.empty()) fail({"--gdb needs --probe: which question?"});
+    if (!is_installed("gdb")) fail({"the debugger is not installed; as root: apt-get install gdb"});
     wishes.options += {"--debugger", "gdb"};
   }
-  const fs::path questions = course.tree.root / "out" / ("replay_" + exercise.text + ".json");
+  const fs::path questions =
+      course.tree.root / "out" / (joined({"replay_", exercise.text, ".json"}));
   Building release(course.tree, "release");
   write_questions(course.tree, release, exercise, questions, wishes.seed);
   const std::string worker = exercise.lab.program("_worker");
@@ -91,15 +90,12 @@ int replay(Course& course, const Words& words) {
     wanted.build({worker});
     asked = wanted.program(worker);
   }
-  Words command{release.program("carlo_replay"),
-                exercise.text,
-                "--lab",
-                course.tree.lab_json(exercise.lab),
-                "--questions",
-                questions,
-                "--worker",
-                asked};
+  Words command =
+      list_of({release.program("carlo_replay"), exercise.text, "--lab",
+               course.tree.lab_json(exercise.lab), "--questions", questions, "--worker", asked});
   throw HandOver{command += wishes.options};
 }
+
+static const Verb replay_verb("replay", replay);
 
 }  // namespace carlo::verbs

@@ -50,18 +50,6 @@ bool is_forgotten(const fs::path& folder) {
 
 }  // namespace
 
-Words& operator+=(Words& words, const Words& more) {
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
-}
-
-std::string joined(const Words& words, const std::string& between) {
-  std::string text;
-  for (const std::string& word : words)
-    text += (&word == words.data() ? "" : between) + word;
-  return text;
-}
-
 void outlive_signals() {
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction action {};
@@ -84,6 +72,10 @@ int run(const Words& command, const ProgramStart& how) {
 int run_silently(const Words& command) {
   const Descriptor nowhere(::open("/dev/null", O_WRONLY | O_CLOEXEC));
   return run(command, {.output = nowhere.get(), .error = nowhere.get()});
+}
+
+int run_gathering(const Words& command, const ProgramStart& how, std::string& said) {
+  return run_listening(command, how, [&](const std::string& line) { (said += line) += '\n'; });
 }
 
 int run_listening(const Words& command, const ProgramStart& how,
@@ -127,7 +119,7 @@ OwnFolder::OwnFolder(const fs::path& build) : path_(build / "run" / std::to_stri
   std::error_code ec;
   fs::remove_all(path_, ec);
   fs::create_directories(path_, ec);
-  if (ec) throw Error("cannot write into " + path_.string());
+  if (ec) fail({"cannot write into ", path_.string()});
   for (const auto& entry : fs::directory_iterator(build / "run", ec))
     if (is_forgotten(entry.path())) fs::remove_all(entry.path(), ec);
 }

@@ -1,20 +1,15 @@
 #pragma once
 
 #include "cli/program.h"
+#include "course/verbs/words.h"
 
 #include <filesystem>
 #include <functional>
 #include <string>
-#include <vector>
 
 // How a verb starts other programs, and how it ends.
 
 namespace carlo::verbs {
-
-using Words = std::vector<std::string>;
-
-Words& operator+=(Words& words, const Words& more);
-std::string joined(const Words& words, const std::string& between);
 
 /// Thrown where everything has been said: the exit code is left.
 struct Leave {
@@ -41,7 +36,10 @@ int run(const Words& command, const ProgramStart& how = {});
 /// The same, with nothing that it says shown.
 int run_silently(const Words& command);
 
-/// The same; `said` gets each line of what it says, on whichever stream.
+/// The same; what it says, on whichever stream, goes behind `said`.
+int run_gathering(const Words& command, const ProgramStart& how, std::string& said);
+
+/// The same; `said` gets each line.
 int run_listening(const Words& command, const ProgramStart& how,
                   const std::function<void(const std::string& line)>& said);
 

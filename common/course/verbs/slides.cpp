@@ -1,7 +1,6 @@
 // The verb slides: the lecture, made by Marp (slides/tool).
 
 #include "cli/atomic_file.h"
-#include "cli/error.h"
 #include "course/verbs/course.h"
 
 #include <fmt/core.h>
@@ -29,21 +28,20 @@ bool is_deck(const std::string& word) {
 }
 
 SlidesWishes slides_wishes(const Words& words) {
-  const Words modes{"--html", "--watch", "--check", "--run", "--remake", "--pictures"};
   SlidesWishes wishes;
   for (const std::string& word : words) {
     if (asks_for_help(word)) {
       wishes.help = true;
       return wishes;
     }
-    if (is_one_of(word, modes)) {
+    if (is_one_of(word, {"--html", "--watch", "--check", "--run", "--remake", "--pictures"})) {
       if (wishes.mode != "pdf")
-        throw Error("slides does one thing at a time: --" + wishes.mode + " or " + word);
+        fail({"slides does one thing at a time: --", wishes.mode, " or ", word});
       wishes.mode = word.substr(2);
     } else if (word[0] == '-') {
       unknown("slides", word);
     } else if (!is_deck(word)) {
-      throw Error("a deck is a number such as 4, got '" + word + "'");
+      fail({"a deck is a number such as 4, got '", word, "'"});
     } else {
       wishes.decks.push_back(word);
     }
@@ -61,18 +59,18 @@ void install_marp(const fs::path& root) {
                  installed = folder / "node_modules/.installed";
   const std::string wanted = read_file(lock);
   if (text_of(installed) == wanted) return;
-  fmt::print(stderr, "carlo: installing Marp ...\n");
+  say({"carlo: installing Marp ...\n"});
   fs::create_directories(folder);
   for (const char* name : {"package.json", "package-lock.json"})
     fs::copy_file(root / "slides" / name, folder / name, fs::copy_options::overwrite_existing);
   std::string said;
   const int code =
-      run_listening({"bash", "-c", R"(cd "$0" && exec "$@")", folder, "npm", "ci",
-                     "--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error"},
-                    {}, [&](const std::string& line) { said += line + "\n"; });
+      run_gathering(list_of({"bash", "-c", R"(cd "$0" && exec "$@")", folder, "npm", "ci",
+                             "--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error"}),
+                    {}, said);
   if (code != 0) {
-    fmt::print(stderr, "{}", said);
-    throw Error("npm could not install Marp");
+    say({said});
+    fail({"npm could not install Marp"});
   }
   write_file(installed, wanted);
 }
@@ -89,14 +87,14 @@ Words programs_of(const Words& tool, const std::string& bin, const SlidesWishes&
 
 }  // namespace
 
-int slides(Course& course, const Words& words) {
+static int slides(Course& course, const Words& words) {
   const SlidesWishes wishes = slides_wishes(words);
   if (wishes.help) {
     course.tree.print_help("slides");
     return 0;
   }
   const Tree& tree = course.tree;
-  const Words tool{"node", tree.root / "slides/tool/slides.mjs"};
+  const Words tool = list_of({"node", tree.root / "slides/tool/slides.mjs"});
   const std::string bin = course.building.folder() / "bin";
   Words command = tool;
   tree.need({"node"});
@@ -111,5 +109,7 @@ int slides(Course& course, const Words& words) {
   }
   throw HandOver{(command += {wishes.mode, bin}) += wishes.decks};
 }
+
+static const Verb slides_verb("slides", slides);
 
 }  // namespace carlo::verbs

@@ -1,9 +1,7 @@
 // The verb test: judges a student's code, or runs the suite's own tests.
 
-#include "cli/error.h"
 #include "course/verbs/course.h"
 
-#include <fmt/core.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -34,38 +32,38 @@ bool judge(Course& course, const LabFolder& lab, const Words& options) {
   const std::string judge = lab.program("_judge"), worker = lab.program("_worker");
   const std::string before = course.tree.own_text(lab);
   building.build({judge, worker}, {judge, worker});
-  Words command{building.kept(judge), "--lab", course.tree.lab_json(lab), "--worker",
-                building.kept(worker)};
+  Words command = list_of({building.kept(judge), "--lab", course.tree.lab_json(lab), "--worker",
+                           building.kept(worker)});
   if (course.tree.own_text(lab) == before)
     command += {"--book", course.tree.root / ".carlo/verdicts.json"};
   const int code = run(command += options);
   if (!interrupted()) return code == 0;
-  fmt::print(stderr, "\ncarlo: stopped while judging lab {}: no new verdicts\n", lab.number());
+  say({"\ncarlo: stopped while judging lab ", std::to_string(lab.number()), ": no new verdicts\n"});
   throw Leave{130};
 }
 
 /// The judge's options for one page of that name.
 Words with_page(const TestWishes& wishes, const std::string& name) {
-  Words options{wishes.page_option,
-                wishes.page.empty() ? "out/test" + name + ".html" : wishes.page};
+  Words options =
+      list_of({wishes.page_option,
+               wishes.page.empty() ? joined({"out/test", name, ".html"}) : wishes.page});
   return options += wishes.options;
 }
 
 bool test_exercises(Course& course, const TestWishes& wishes) {
-  if (wishes.labs.size() > 1) throw Error("exercises of one lab, or labs: got both");
+  if (wishes.labs.size() > 1) fail({"exercises of one lab, or labs: got both"});
   std::vector<ExerciseNumber> exercises;
   for (const std::string& typed : wishes.exercises) {
     exercises.push_back(course.tree.exercise(typed));
     const ExerciseNumber& last = exercises.back();
     if (!wishes.labs.empty() && wishes.labs[0].name != last.lab.name)
-      throw Error("exercise " + last.text + " is none of lab " +
-                  std::to_string(wishes.labs[0].number()));
+      fail({"exercise ", last.text, " is none of lab ", std::to_string(wishes.labs[0].number())});
   }
   const bool several = exercises.size() > 1;
   if (several && !wishes.page.empty())
-    throw Error("--page FILE is for one exercise, got " + count_of(wishes.exercises));
+    fail({"--page FILE is for one exercise, got ", count_of(wishes.exercises)});
   if (several && is_one_of("--json", wishes.options))
-    throw Error("--json FILE is for one exercise, got " + count_of(wishes.exercises));
+    fail({"--json FILE is for one exercise, got ", count_of(wishes.exercises)});
   bool all = true;
   for (const ExerciseNumber& exercise : exercises) {
     Words options = with_page(wishes, several ? exercise.text : exercise.lab.digits());
@@ -77,7 +75,7 @@ bool test_exercises(Course& course, const TestWishes& wishes) {
 bool test_labs(Course& course, const TestWishes& wishes) {
   const std::vector<LabFolder> labs = wishes.labs.empty() ? course.tree.labs() : wishes.labs;
   if (!wishes.page.empty() && labs.size() != 1)
-    throw Error("--page FILE is for one lab, got " + std::to_string(labs.size()));
+    fail({"--page FILE is for one lab, got ", std::to_string(labs.size())});
   bool all = true;
   for (const LabFolder& lab : labs)
     all = judge(course, lab, with_page(wishes, lab.digits())) && all;
@@ -94,24 +92,24 @@ std::string processors() {
 /// All tests of the suite, or those about the one lab that was named.
 [[noreturn]] void test_suite(Course& course, TestWishes wishes, Words options) {
   if (!wishes.exercises.empty())
-    throw Error("--solutions is for a lab or for everything, got exercise " + wishes.exercises[0]);
+    fail({"--solutions is for a lab or for everything, got exercise ", wishes.exercises[0]});
   if (!options.empty() && is_number(options[0], options[0].size())) {
     wishes.labs.push_back(course.tree.lab(options[0]));
     options.erase(options.begin());
   }
   if (wishes.labs.size() > 1)
-    throw Error("--solutions is for one lab or for everything, got " +
-                std::to_string(wishes.labs.size()) + " labs");
+    fail({"--solutions is for one lab or for everything, got ", std::to_string(wishes.labs.size()),
+          " labs"});
   course.tree.needs_solutions("the suite's own tests: ./carlo test N judges your work");
   const bool one = !wishes.labs.empty();
   course.building.build({one ? wishes.labs[0].program("_tests") : "all"});
-  Words command{"ctest", "--output-on-failure", "-j", processors()};
-  if (one) command += {"-R", "^" + wishes.labs[0].program() + "[.]"};
+  Words command = list_of({"ctest", "--output-on-failure", "-j", processors()});
+  if (one) command += {"-R", joined({"^", wishes.labs[0].program(), "[.]"})};
   throw HandOver{command += options, course.building.folder()};
 }
 
 [[noreturn]] void hard_cases(Course& course, const Words& rest) {
-  if (!rest.empty()) throw Error("--hard takes nothing else, got '" + rest[0] + "'");
+  if (!rest.empty()) fail({"--hard takes nothing else, got '", rest[0], "'"});
   course.tree.needs_solutions("the hard cases");
   course.building.build({"hard_cases"});
   throw HandOver{{course.building.program("hard_cases")}};
@@ -143,21 +141,22 @@ void take(Course& course, TestWishes& wishes, const Words& words, std::size_t& i
 
 }  // namespace
 
-int test(Course& course, const Words& words) {
+static int test(Course& course, const Words& words) {
   TestWishes wishes;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    const Words rest(words.begin() + static_cast<std::ptrdiff_t>(i) + 1, words.end());
     if (asks_for_help(words[i])) {
       course.tree.print_help("test");
       return 0;
     }
-    if (words[i] == "--solutions") test_suite(course, wishes, rest);
-    if (words[i] == "--hard") hard_cases(course, rest);
+    if (words[i] == "--solutions") test_suite(course, wishes, behind(words, i + 1));
+    if (words[i] == "--hard") hard_cases(course, behind(words, i + 1));
     take(course, wishes, words, i);
   }
   const bool passed =
       wishes.exercises.empty() ? test_labs(course, wishes) : test_exercises(course, wishes);
   return passed ? 0 : 1;
 }
+
+static const Verb test_verb("test", test);
 
 }  // namespace carlo::verbs

@@ -14,7 +14,7 @@ struct LabFolder {
 
   std::string digits() const { return name.substr(0, 2); }
   int number() const;
-  std::string program(const std::string& what = "") const { return "lab" + digits() + what; }
+  std::string program(const char* what = "") const { return joined({"lab", digits(), what}); }
 };
 
 /// An exercise as it is typed: 1.2.
@@ -50,11 +50,5 @@ struct Tree {
   /// Installs what these groups of packages lack (common/course/setup.sh). Throws Leave.
   void need(const Words& groups) const;
 };
-
-/// Whether a word asks for help.
-bool asks_for_help(const std::string& word);
-bool is_one_of(const std::string& word, const Words& words);
-/// Whether a word has digits alone, from 1 to `most` of them.
-bool is_number(const std::string& word, std::size_t most);
 
 }  // namespace carlo::verbs
