@@ -34,6 +34,7 @@ expect 0 '^  render .*' --help
 for verb in grade bench starter gradescope fuzz slides; do expect_error "a student's tree, without ./carlo $verb" "$verb" --help; done
 mv "$tree/labs/08_path_tracer" "$scratch/"
 expect_error "a student's tree, without ./carlo render" render
+! carlo | grep -q 'glossy walls' || failed "a verb that is not there has a line"
 mv "$scratch/08_path_tracer" "$tree/labs/"
 mv "$tree/all_tests" "$tree/tests"
 
