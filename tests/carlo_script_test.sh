@@ -1,19 +1,10 @@
 #!/usr/bin/env bash
-# carlo_script_test.sh SOURCE: what the script ./carlo does with bad calls, before anything is built:
-# one line on stderr, exit code 1, and an end.
+# carlo_script_test.sh SOURCE VERBS: what ./carlo does before and around the programs that it starts, by
+# stand-ins for these. Bad calls: one line on stderr, exit code 1, and an end.
 set -euo pipefail
-carlo=$1/carlo
-failures=0
+. "$(dirname "${BASH_SOURCE[0]}")/stand_in_tree.sh"
 
-expect_error() {
-  local pattern=$1 code=0 text
-  shift
-  text=$(timeout 20 "$carlo" "$@" 2>&1 >/dev/null) || code=$?
-  if [ "$code" != 1 ] || [ "$(wc -l <<<"$text")" != 1 ] || ! grep -Eq "$pattern" <<<"$text"; then
-    printf 'FAILED: ./carlo %s: exit code %s, "%s"\n' "$*" "$code" "$text"
-    failures=$((failures + 1))
-  fi
-}
+# --- bad calls -----------------------------------------------------------------------------------
 
 expect_error "no verb 'frobnicate'; ./carlo alone" frobnicate
 expect_error 'did you mean ./carlo test\?' tset
@@ -44,7 +35,7 @@ expect_error 'hint takes one exercise.* got 1.1 and 1.2' hint 1.1 1.2
 expect_error 'replay takes one exercise, got 1.1 and 1.2' replay 1.1 1.2
 expect_error "does not know '--frob'" watch --frob
 expect_error 'no lab labs/99_frob' test labs/99_frob/frob.cpp
-expect_error 'render, paths, target-error, integrators' bench frob
+expect_error 'render, peers, build, tests' bench frob
 expect_error 'no lab 99' grade --calibrate --labs 1,99
 expect_error 'developer' setup --frob
 expect_error 'developer' setup --developer frob
@@ -66,14 +57,88 @@ expect_error 'no lab 99' gradescope 99
 expect_error 'takes a .zip' gradescope 1 -o frob.tar.gz
 expect_error 'no such file' gradescope 1 --secret-file /no/such/file
 
-# Through a link, from elsewhere.
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-ln -s "$carlo" "$scratch/carlo"
-(cd "$scratch" && ./carlo --help) | grep -q 'usage: ./carlo VERB' || failures=$((failures + 1))
-carlo=$scratch/carlo
-expect_error 'no lab 99' lab 99
-[ "$(ls "$scratch")" = carlo ] || failures=$((failures + 1))
+# --- calls ---------------------------------------------------------------------------------------
 
-printf '%d failures\n' "$failures"
-[ "$failures" = 0 ]
+expect 0 'usage: ./carlo VERB' --help
+expect 0 'setup .* install what is missing' help
+expect 0 '^carlo_course status --root .*tree --json$' status --json
+expect 0 '^carlo_course hint --root .*tree 1.2$' hint 1.2
+expect 0 '^carlo_course hint --root .*tree 1.2 --all$' hint --all 1.2
+expect 1 '^usage: ./carlo hint' hint
+expect 0 '^usage: ./carlo test' test 1 --help
+expect 0 '^lab01$' lab 1
+expect 0 '^lab01 --quick$' lab labs/01_integration/integration.cpp --quick
+expect 0 '^lab01_judge --lab .*lab.json --worker .* --book .*verdicts.json --failure-page out/test01.html$' test 1
+expect 0 '^lab01_judge .* --failure-page out/test1.3.html --exercise 1.3$' test 1.2 1.3
+expect 0 '^lab01_judge .* --seed 7 .*--exercise 1.2$' test 1.2 --seed 7
+expect 0 '^lab01_judge .* --page x.html$' test 1 --page x.html
+expect 0 '^carlo_watch --root .* --poll 1$' watch 1 --poll
+expect 0 '^lab08_render --default-scene .*cornell_phong.xml --spp 4$' render --mine --spp 4
+program "$tree/build/release/bin/lab01_judge" 'while [ $# != 0 ]; do [ "$1" != --probes ] || : >"$2"; shift; done'
+expect 0 '^carlo_replay 1.2 --lab .*lab01_worker$' replay 1.2
+program "$tree/build/release/bin/lab01_judge" 'exit 1'
+expect 1 '' test 1
+
+# How a program ended.
+program "$tree/build/release/bin/lab01" 'kill -SEGV $$'
+expect 1 'crashed: a bad access to memory' lab 1
+expect 1 'In which line .*CARLO_PRESET=debug ./carlo lab 1' lab 1
+program "$tree/build/release/bin/lab01" 'exit 141'
+expect 141 '' lab 1
+program "$tree/build/release/bin/lab01" 'exit 3'
+expect 3 '' lab 1
+stand_in "$tree/build/release/bin/lab01"
+
+# --- builds --------------------------------------------------------------------------------------
+
+# What killed runs left goes, and nobody else's.
+run=$tree/build/release/run
+mkdir -p "$run/999999999" "$run/$$"
+touch -t 202001010000 "$run/999999999" "$run/$$"
+expect 0 '^lab01$' lab 1
+[ ! -e "$run/999999999" ] || failed "a killed run's folder stays"
+[ -e "$run/$$" ] || failed "the folder of a run that lives was removed"
+rm -r "${run:?}/$$"
+[ -z "$(ls "$run")" ] || failed "these stay: $(ls "$run")"
+
+# Who is to wait long is told, at once and then each half minute.
+program "$tools/ninja" 'case " $* " in
+  *" -n "*) for step in {1..21}; do printf "[%d] c++\n" "$step"; done ;;
+  *) printf "@1/21 1.0 c++\n@10/21 31.5 c++\n@11/21 32.5 c++\n" ;;
+esac'
+expect 0 'building .a minute or more' lab 1
+expect 0 '^carlo: building 10/21, about 40 s left$' lab 1
+! carlo lab 1 2>&1 | grep -q '1[/]21 \|11/21' || failed "progress on a pipe at every step"
+program "$tools/ninja" 'echo "a.cpp:1:1: error: x"; exit 1'
+expect_error_in_build() { expect 1 'the code does not compile .all that the compiler said: .*build.log' lab 1; }
+expect_error_in_build
+expect 1 '^carlo_course explain --root' lab 1
+grep -q 'a.cpp:1:1: error: x' "$tree/build/release/build.log" || failed "the compiler's words are lost"
+program "$tools/ninja" 'echo "ninja: build stopped: interrupted by user."; exit 2'
+expect 130 '^carlo: stopped while building$' lab 1
+# A hint builds nothing where its program is there.
+program "$tools/ninja" 'case " $* " in *" -n "*) ;; *) exit 1 ;; esac'
+expect 0 '^carlo_course hint' hint 1.2
+program "$tools/ninja" ''
+
+# Ctrl-C while it judges: the judge ends, and so do we.
+program "$tree/build/release/bin/lab01_judge" 'echo begun; sleep 60 & wait'
+(cd "$scratch" && PATH=$tools:$PATH exec setsid "$tree/carlo" test 1 >"$scratch/said" 2>&1) &
+carlo=$!
+for _ in {1..600}; do ! grep -q begun "$scratch/said" || break; sleep .1; done
+kill -TERM "$carlo"
+code=0
+wait "$carlo" || code=$?
+[ "$code" = 143 ] || failed "exit code $code after SIGTERM: $(cat "$scratch/said")"
+[ -z "$(ls "$run")" ] || failed "after SIGTERM these stay: $(ls "$run")"
+
+# --- where it stands -----------------------------------------------------------------------------
+
+# Through a link, from elsewhere; the link of a link is none of its own folder.
+mkdir "$scratch/links"
+ln -s ../tree/carlo "$scratch/links/first"
+ln -s "$scratch/links/first" "$scratch/second"
+(cd / && PATH=$tools:$PATH "$scratch/second" status) | grep -q "^carlo_course status --root $(cd "$tree" && pwd -P)\$" ||
+  failed "through links"
+
+finish

@@ -2,7 +2,7 @@
 # in_turn_test.sh SOURCE: builds take turns (common/course/in_turn.sh), also when one is killed.
 set -euo pipefail
 in_turn=$1/common/course/in_turn.sh
-command -v flock >/dev/null || command -v perl >/dev/null || { echo "neither flock nor Perl here: nobody waits" && exit 77; }
+command -v flock >/dev/null || { echo "there is no flock: nobody waits" && exit 77; }
 build=$(mktemp -d)
 trap 'rm -rf "$build"' EXIT
 

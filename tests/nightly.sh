@@ -50,7 +50,7 @@ tidy() {
 build() {
   local code=0
   tests/profile/build.sh --at-most 15 carlo_render || code=1
-  tests/profile/build.sh --at-most 8 lab01_judge lab01_worker carlo_keep || code=1
+  tests/profile/build.sh --at-most 8 carlo_verbs lab01_judge lab01_worker || code=1
   return "$code"
 }
 

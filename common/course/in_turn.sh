@@ -16,20 +16,13 @@ if [ "$1" = --keep ]; then
   shift
 fi
 
-# lock [-n]: of descriptor 9. flock is Linux's; macOS has Perl, whose lock belongs to the open file too.
-lock() {
-  if command -v flock >/dev/null; then flock "$@" 9; else
-    perl -e 'open my $file, "+<&=", 9 or die; exit !flock $file, @ARGV ? 2 | 4 : 2' -- "$@"
-  fi
-}
-
-# Where there is neither, nobody waits.
-if command -v flock >/dev/null || command -v perl >/dev/null; then
+# Where there is no flock, nobody waits.
+if command -v flock >/dev/null; then
   exec 9<>"$build/.turn"
-  if ! lock -n; then
+  if ! flock -n 9; then
     read -r holder <"$build/.turn" || true
     { printf 'carlo: waiting for %s, which builds in the same folder ...\n' "${holder:-another ./carlo}" >&3; } 2>/dev/null || true
-    lock
+    flock 9
   fi
   printf '%s\n' "${CARLO_TURN_OF:-another program}" >"$build/.turn"
 fi

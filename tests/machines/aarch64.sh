@@ -4,13 +4,12 @@
 # the machine outside must have been told (binfmt).
 set -euo pipefail
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
-. "$root/common/course/packages.sh"
 export DEBIAN_FRONTEND=noninteractive
 
 dpkg --add-architecture arm64
 apt-get -qq update
 native=(g++-aarch64-linux-gnu) foreign=(libc6-dev:arm64)
-read -ra packages <<<"$(packages_for build)libcatch2-dev"
+read -ra packages <<<"$(awk '$1 == "build" {printf "%s ", $2}' "$root/common/course/setup.sh")"
 for package in "${packages[@]}"; do
   case $package in
     *-dev)

@@ -37,8 +37,8 @@ namespace {
     ready = ready && ::getppid() == parent;
   }
   for (const auto& [from, to] :
-       {std::pair{how.input, STDIN_FILENO}, std::pair{how.output, STDOUT_FILENO},
-        std::pair{how.error, STDERR_FILENO}})
+       {std::pair{how.notices, 3}, std::pair{how.input, STDIN_FILENO},
+        std::pair{how.output, STDOUT_FILENO}, std::pair{how.error, STDERR_FILENO}})
     ready = ready && (from < 0 || ::dup2(from, to) == to);
   if (ready) ::execvp(argv[0], argv.data());
   for (const char* word : {static_cast<const char*>(argv[0]), ": cannot be run\n"})

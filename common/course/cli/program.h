@@ -19,6 +19,7 @@ std::string own_path();
 /// What a program that is started gets. Descriptors: -1 stands for ours.
 struct ProgramStart {
   int input = -1, output = -1, error = -1;
+  int notices = -1;           ///< descriptor 3, for what is told beside the others; -1: not given
   bool own_group = false;     ///< a process group of its own, with no signal blocked
   bool ends_with_us = false;  ///< it is killed when this thread ends; on Linux alone
 };

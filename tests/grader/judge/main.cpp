@@ -3,6 +3,7 @@
 #include "course/cli/arguments.h"
 #include "course/cli/main_guard.h"
 #include "course/cli/wrap.h"
+#include "course/guide/verdicts.h"
 #include "course/verdict/verdict_json.h"
 #include "course/verdict/verdict_text.h"
 #include "grader/judge/consistency.h"
@@ -21,14 +22,17 @@
 #include <fmt/core.h>
 
 #include <chrono>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace carlo::grader {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct Options {
-  std::string lab, worker, exercise, json, handout;
+  std::string lab, worker, exercise, json, book, handout;
   std::vector<std::string> stub;  ///< its files
   PageFiles page;
   std::string secret_file, submission = local_submission, sandbox = "auto", user = "own";
@@ -45,6 +49,7 @@ Argument add_options(CommandLine& app, Options& options) {
   app.option("--worker", options.worker, "the worker program to judge");
   app.option("--exercise", options.exercise, "judge only this exercise, such as 1.2");
   app.option("--json", options.json, "write the verdicts to this file");
+  app.option("--book", options.book, "note the verdicts in this record, for ./carlo status");
   app.option("--page", options.page.always, "write a page with pictures to this file");
   app.option("--failure-page", options.page.on_failure,
              "the same, but only when something has failed");
@@ -98,12 +103,29 @@ void run_tests(const std::string& tag) {
   session.run();  // its exit code says less than the records
 }
 
+OwnCode code_beside(const Options& options, const Lab& lab) {
+  return {fs::absolute(options.lab).parent_path().parent_path(), lab};
+}
+
+/// For ./carlo status, unless the files were edited since.
+void note(const Options& options, const Lab& lab, const OwnCode& code, const LabResult& result) {
+  if (options.book.empty() || code_beside(options, lab).digest() != code.digest()) return;
+  try {
+    VerdictBook book(options.book);
+    book.take(result, lab, code);
+    book.save();
+  } catch (const Error& error) {
+    fmt::print(stderr, "the verdict is not kept: {}\n", error.what());
+  }
+}
+
 int judge_lab(const Options& options) {
   const Lab lab = load_lab(options.lab);
   const std::string tag = options.exercise.empty() ? "" : "Lab " + options.exercise;
   if (!tag.empty() && lab.find(tag) == nullptr) {
     throw Error("lab {} has no exercise {}", lab.number, options.exercise);
   }
+  const OwnCode code = code_beside(options, lab);
   Limits limits;
   limits.deadline = std::chrono::milliseconds(static_cast<long>(options.deadline * 1000));
   current_run() = std::make_unique<Run>(make_worker(options), run_seed(options), limits);
@@ -125,7 +147,9 @@ int judge_lab(const Options& options) {
   const std::string verdicts = to_text(result);
   if (!options.json.empty()) write_file(options.json, verdicts);
   // As others read them: of bounded size, in valid UTF-8.
-  write_feedback_page(lab_result_from_text(verdicts), options.page);
+  const LabResult read = lab_result_from_text(verdicts);
+  write_feedback_page(read, options.page);
+  note(options, lab, code, read);
   return result.earned() == result.possible() ? 0 : 1;
 }
 

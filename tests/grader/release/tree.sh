@@ -11,13 +11,8 @@ fail() {
   exit 1
 }
 
-# lab_names ROOT: the labs of the course in order, as far as their folders are there.
-lab_names() {
-  local lab
-  grep -oE '^ +[0-9]{2}_[a-z_]+' "$1/labs/CMakeLists.txt" | while read -r lab; do
-    [ ! -f "$1/labs/$lab/lab.json" ] || printf '%s\n' "$lab"
-  done
-}
+# lab_names ROOT: the labs of the course in order.
+lab_names() { (cd "$1/labs" && printf '%s\n' [0-9][0-9]_*/lab.json | sed 's,/lab.json,,'); }
 
 # number_of LAB: 07_hemisphere -> 7
 number_of() { printf '%d' "$((10#${1%%_*}))"; }
@@ -98,15 +93,7 @@ plain_rights() { chmod -R u=rwX,go=rX "$1"; }
 
 # need_for ROOT FILE: installs what packs such a file, once all that was typed is known to be right.
 need_for() {
-  case $2 in
-    *.zip)
-      (
-        . "$1/common/course/packages.sh"
-        # shellcheck disable=SC2034 # of set-up where no package manager is known
-        verb=archive build=$1/build
-        need_programs zip:zip
-      ) || exit 1 ;;
-  esac
+  case $2 in *.zip) "$1/common/course/setup.sh" zip || exit 1 ;; esac
 }
 
 # pack FOLDER FILE SECONDS: FOLDER's content as an archive whose bytes depend on nothing but that

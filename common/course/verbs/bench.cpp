@@ -1,0 +1,113 @@
+// The verb bench: the suite's measurements.
+
+#include "course/verbs/course.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <system_error>
+
+namespace carlo::verbs {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of the renderers beside ours, the one thing that comes from PyPI.
+const char* const peer_modules[]{"mitsuba==3.9.1", "bpy==5.0.1", "pyluxcore==2.11.2"};
+
+/// Builds a program of the suite and hands over to it.
+[[noreturn]] void become(Course& course, const std::string& program, const Words& before,
+                         const Words& words) {
+  course.building.build({program});
+  Words command = list_of({course.building.program(program)});
+  throw HandOver{(command += before) += words};
+}
+
+/// Everything on one page, or the parts that are wished.
+[[noreturn]] void bench_page(Course& course, const Words& words) {
+  for (const std::string& word : words)
+    if (asks_for_help(word)) become(course, "carlo_bench", {}, {"--help"});
+  const fs::path& root = course.tree.root;
+  Words arguments =
+      list_of({"--scenes", root / "common/scenes", "--references", root / "tests/references/scenes",
+               "--peer-scripts", root / "solutions/renderer/bench/peers", "--scratch",
+               course.building.folder() / "bench"});
+  become(course, "carlo_bench", arguments, words);
+}
+
+/// Other renderers, in a folder of their own: what this Python does not take is not measured.
+void install_peers(const Tree& tree, const fs::path& folder) {
+  tree.need({"build", "peers"});
+  if (!fs::exists(folder / "bin/pip") && run({"python3", "-m", "venv", folder}) != 0)
+    fail({"no Python environment in ", folder.string()});
+  for (const std::string module : peer_modules) {
+    if (fs::exists(folder / module)) continue;
+    say({"carlo: installing ", module, " in ", folder, " ...\n"});
+    const int code = run({folder / "bin/pip", "install", "--quiet", "--disable-pip-version-check",
+                          "--only-binary", ":all:", module},
+                         {.output = 2});
+    if (code == 0) {
+      const std::ofstream done(folder / module);
+    } else {
+      say({"carlo: no ", module, " for this Python, or no network\n"});
+    }
+  }
+}
+
+/// One of Mitsuba's variants looks for LLVM.
+void point_to_llvm() {
+  std::error_code ec;
+  for (const auto& folder : fs::directory_iterator("/usr/lib", ec)) {
+    std::error_code none;
+    for (const auto& file : fs::directory_iterator(folder.path(), none)) {
+      const std::string name = file.path().filename();
+      if (name == "libLLVM-19.so" || name.rfind("libLLVM.so.19", 0) == 0)
+        ::setenv("DRJIT_LIBLLVM_PATH", file.path().c_str(), 0);
+    }
+  }
+}
+
+[[noreturn]] void bench_peers(Course& course, const Words& words) {
+  for (const std::string& word : words)
+    if (asks_for_help(word)) become(course, "carlo_bench", {}, {"--help"});
+  const fs::path peers = course.tree.root / "build/peers";
+  install_peers(course.tree, peers);
+  point_to_llvm();
+  Words arguments =
+      list_of({"--only", "peers", "--peers", peers / "bin/python", "--page", "out/peers.html"});
+  bench_page(course, arguments += words);
+}
+
+[[noreturn]] void bench_render(Course& course, const Words& words) {
+  // Other instruction sets than this machine's widest are compiled on request.
+  for (const std::string& word : words)
+    if (starts_with(word, "--kernel")) course.building.every_instruction_set();
+  become(course, "carlo_bench_render", {"--references", course.tree.root / "tests/references"},
+         words);
+}
+
+bool is_for_page(const std::string& word) {
+  const std::string option = word.substr(0, word.find('='));
+  return word == "--full" || is_one_of(option, {"--only", "--seed", "--page"});
+}
+
+}  // namespace
+
+static int bench(Course& course, const Words& words) {
+  const std::string what = words.empty() ? "" : words[0];
+  if (words.empty() || is_for_page(what)) bench_page(course, words);
+  const fs::path& root = course.tree.root;
+  const Words rest = behind(words, 1);
+  if (what == "peers") bench_peers(course, rest);
+  if (what == "render") bench_render(course, rest);
+  if (what == "build" || what == "tests") {
+    Words command = list_of({root / "tests/profile" / joined({what, ".sh"})});
+    throw HandOver{command += rest};
+  }
+  fail({"bench measures everything, or: render, peers, build, tests (got '", what, "')"});
+}
+
+static const Verb bench_verb("bench", bench);
+
+}  // namespace carlo::verbs

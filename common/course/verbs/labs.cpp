@@ -1,0 +1,147 @@
+// The verbs with which a student works on a lab: lab, status, hint, watch.
+
+#include "course/verbs/course.h"
+
+#include <csignal>
+#include <cstdlib>
+
+namespace carlo::verbs {
+namespace {
+
+std::string lab_name(const LabFolder& lab) {
+  return joined({"lab ", std::to_string(lab.number())});
+}
+
+/// What made a program end so; nothing when it is no crash.
+std::string crash_of(int code) {
+  // Whoever reads the tables may stop early (| head): 141.
+  if (code <= 128 || code == 128 + SIGINT || code == 128 + SIGPIPE) return "";
+  switch (code - 128) {
+    case SIGSEGV:
+    case SIGBUS:
+      return "a bad access to memory, or a recursion without end";
+    case SIGFPE:
+      return "a division of a whole number by zero";
+    case SIGABRT:
+      return "abort; what led to it stands above";
+    default:
+      return code - 128 > 64 ? joined({"exit code ", std::to_string(code)})
+                             : joined({"signal ", std::to_string(code - 128)});
+  }
+}
+
+/// The lab of what is next for the student.
+LabFolder next_lab(Course& course) {
+  course.building.build({"carlo_course"});
+  const std::string next = output_of(
+      {course.building.program("carlo_course"), "status", "--root", course.tree.root, "--next"});
+  return course.tree.lab(next.substr(0, next.find('.')));
+}
+
+}  // namespace
+
+std::string value_behind(const Words& words, std::size_t& i, const std::string& verb) {
+  if (i + 1 == words.size()) fail({words[i], " needs a value (see ./carlo ", verb, " --help)"});
+  return words[++i];
+}
+
+void unknown(const std::string& verb, const std::string& word) {
+  fail({verb, " does not know '", word, "' (see ./carlo ", verb, " --help)"});
+}
+
+int run_students_code(Course& course, const LabFolder& lab, const std::string& verb,
+                      const std::string& program, const Words& arguments) {
+  course.building.build({program}, {program});
+  // The tree in which predictions are kept; of the solutions nobody predicts anything.
+  if (program.find("_solution") == std::string::npos)
+    ::setenv("CARLO_COURSE", course.tree.root.c_str(), 1);
+  Words command = list_of({course.building.kept(program)});
+  const int code = run(command += arguments);
+  const std::string crash = crash_of(code);
+  if (crash.empty()) return code;
+  fail({"the lab's program crashed: ", crash, "\n  In which exercise: ./carlo test ",
+        std::to_string(lab.number()),
+        "\n  In which line (it builds for minutes, once): CARLO_PRESET=debug ./carlo ", verb});
+}
+
+static int lab(Course& course, const Words& words) {
+  if (words.empty()) {
+    course.tree.print_help("lab");
+    return 1;
+  }
+  if (words[0][0] == '-')
+    fail({"first comes the lab's number, then its options: ./carlo lab N ", joined(words, " ")});
+  const LabFolder folder = course.tree.lab(words[0]);
+  std::string program = folder.program();
+  Words arguments;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    if (words[i] != "--solutions") {
+      arguments.push_back(words[i]);
+      continue;
+    }
+    if (!std::filesystem::exists(course.tree.root / "solutions" / folder.name))
+      fail({"this tree has no solution of ", lab_name(folder)});
+    program = folder.program("_solution");
+  }
+  return run_students_code(course, folder, lab_name(folder), program, arguments);
+}
+
+static int status(Course& course, const Words& words) {
+  course.building.build_unless_there("carlo_course");
+  Words command =
+      list_of({course.building.program("carlo_course"), "status", "--root", course.tree.root});
+  throw HandOver{command += words};
+}
+
+static int hint(Course& course, const Words& words) {
+  if (words.empty()) {
+    course.tree.print_help("hint");
+    return 1;
+  }
+  const bool all_first = words[0] == "--all";
+  const std::size_t at = all_first ? 1 : 0;
+  const ExerciseNumber exercise = course.tree.exercise(at < words.size() ? words[at] : "");
+  if (at + 1 < words.size()) {
+    const std::string& which = words[at + 1];
+    if (which[0] != '-' && !is_number(which, which.size()))
+      fail({"hint takes one exercise, and perhaps which of its hints, as 2; got ", exercise.text,
+            " and ", which});
+  }
+  course.building.build_unless_there("carlo_course");
+  Words command = list_of(
+      {course.building.program("carlo_course"), "hint", "--root", course.tree.root, exercise.text});
+  if (all_first) command += {"--all"};
+  throw HandOver{command += behind(words, at + 1)};
+}
+
+static int watch(Course& course, const Words& words) {
+  std::string lab;
+  Words options;
+  for (const std::string& word : words) {
+    if (asks_for_help(word)) {
+      course.tree.print_help("watch");
+      return 0;
+    }
+    if (word == "--poll") {
+      options.push_back(word);
+    } else if (word[0] == '-') {
+      unknown("watch", word);
+    } else if (!lab.empty()) {
+      fail({"watch takes one lab, got ", lab, " and ", word});
+    } else {
+      lab = word;
+    }
+  }
+  const LabFolder folder = lab.empty() ? next_lab(course) : course.tree.lab(lab);
+  // All but the student's own file, which need not compile yet.
+  course.building.build(
+      {"carlo_watch", "carlo_course", folder.program("_judge"), folder.program("_probes")});
+  Words command = list_of({course.building.program("carlo_watch"), "--root", course.tree.root,
+                           "--build", course.building.folder()});
+  throw HandOver{(command += options) += {std::to_string(folder.number())}};
+}
+
+static const Verb lab_verb("lab", lab), status_verb("status", status), hint_verb("hint", hint),
+    watch_verb("watch", watch);
+
+}  // namespace carlo::verbs

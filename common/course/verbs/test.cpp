@@ -1,0 +1,162 @@
+// The verb test: judges a student's code, or runs the suite's own tests.
+
+#include "course/verbs/course.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace carlo::verbs {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What was asked for.
+struct TestWishes {
+  std::vector<LabFolder> labs;
+  Words exercises;  ///< as they were typed
+  Words options;    ///< the judge's
+  std::string page_option = "--failure-page", page;
+};
+
+std::string count_of(const Words& exercises) {
+  return std::to_string(exercises.size());
+}
+
+/// Judges, and has the verdicts noted for ./carlo status, unless the files were edited while they
+/// were compiled.
+bool judge(Course& course, const LabFolder& lab, const Words& options) {
+  Building& building = course.building;
+  const std::string judge = lab.program("_judge"), worker = lab.program("_worker");
+  const std::string before = course.tree.own_text(lab);
+  building.build({judge, worker}, {judge, worker});
+  Words command = list_of({building.kept(judge), "--lab", course.tree.lab_json(lab), "--worker",
+                           building.kept(worker)});
+  if (course.tree.own_text(lab) == before)
+    command += {"--book", course.tree.root / ".carlo/verdicts.json"};
+  const int code = run(command += options);
+  if (!interrupted()) return code == 0;
+  say({"\ncarlo: stopped while judging lab ", std::to_string(lab.number()), ": no new verdicts\n"});
+  throw Leave{130};
+}
+
+/// The judge's options for one page of that name.
+Words with_page(const TestWishes& wishes, const std::string& name) {
+  Words options =
+      list_of({wishes.page_option,
+               wishes.page.empty() ? joined({"out/test", name, ".html"}) : wishes.page});
+  return options += wishes.options;
+}
+
+bool test_exercises(Course& course, const TestWishes& wishes) {
+  if (wishes.labs.size() > 1) fail({"exercises of one lab, or labs: got both"});
+  std::vector<ExerciseNumber> exercises;
+  for (const std::string& typed : wishes.exercises) {
+    exercises.push_back(course.tree.exercise(typed));
+    const ExerciseNumber& last = exercises.back();
+    if (!wishes.labs.empty() && wishes.labs[0].name != last.lab.name)
+      fail({"exercise ", last.text, " is none of lab ", std::to_string(wishes.labs[0].number())});
+  }
+  const bool several = exercises.size() > 1;
+  if (several && !wishes.page.empty())
+    fail({"--page FILE is for one exercise, got ", count_of(wishes.exercises)});
+  if (several && is_one_of("--json", wishes.options))
+    fail({"--json FILE is for one exercise, got ", count_of(wishes.exercises)});
+  bool all = true;
+  for (const ExerciseNumber& exercise : exercises) {
+    Words options = with_page(wishes, several ? exercise.text : exercise.lab.digits());
+    all = judge(course, exercise.lab, options += {"--exercise", exercise.text}) && all;
+  }
+  return all;
+}
+
+bool test_labs(Course& course, const TestWishes& wishes) {
+  const std::vector<LabFolder> labs = wishes.labs.empty() ? course.tree.labs() : wishes.labs;
+  if (!wishes.page.empty() && labs.size() != 1)
+    fail({"--page FILE is for one lab, got ", std::to_string(labs.size())});
+  bool all = true;
+  for (const LabFolder& lab : labs)
+    all = judge(course, lab, with_page(wishes, lab.digits())) && all;
+  return all;
+}
+
+/// As many as `nproc` says, where it is.
+std::string processors() {
+  if (!is_installed("nproc")) return std::to_string(::sysconf(_SC_NPROCESSORS_ONLN));
+  const std::string said = output_of({"nproc"});
+  return said.substr(0, said.find('\n'));
+}
+
+/// All tests of the suite, or those about the one lab that was named.
+[[noreturn]] void test_suite(Course& course, TestWishes wishes, Words options) {
+  if (!wishes.exercises.empty())
+    fail({"--solutions is for a lab or for everything, got exercise ", wishes.exercises[0]});
+  if (!options.empty() && is_number(options[0], options[0].size())) {
+    wishes.labs.push_back(course.tree.lab(options[0]));
+    options.erase(options.begin());
+  }
+  if (wishes.labs.size() > 1)
+    fail({"--solutions is for one lab or for everything, got ", std::to_string(wishes.labs.size()),
+          " labs"});
+  course.tree.needs_solutions("the suite's own tests: ./carlo test N judges your work");
+  const bool one = !wishes.labs.empty();
+  course.building.build({one ? wishes.labs[0].program("_tests") : "all"});
+  Words command = list_of({"ctest", "--output-on-failure", "-j", processors()});
+  if (one) command += {"-R", joined({"^", wishes.labs[0].program(), "[.]"})};
+  throw HandOver{command += options, course.building.folder()};
+}
+
+[[noreturn]] void hard_cases(Course& course, const Words& rest) {
+  if (!rest.empty()) fail({"--hard takes nothing else, got '", rest[0], "'"});
+  course.tree.needs_solutions("the hard cases");
+  course.building.build({"hard_cases"});
+  throw HandOver{{course.building.program("hard_cases")}};
+}
+
+/// The word at words[i], and those that belong to it.
+void take(Course& course, TestWishes& wishes, const Words& words, std::size_t& i) {
+  const std::string& word = words[i];
+  if (word == "--verbose") {
+    wishes.options.push_back(word);
+  } else if (word == "--page") {
+    wishes.page_option = word;
+    if (i + 1 < words.size() && fs::path(words[i + 1]).extension() == ".html")
+      wishes.page = words[++i];
+  } else if (word == "--exercise") {
+    wishes.exercises.push_back(value_behind(words, i, "test"));
+  } else if (is_one_of(word, {"--seed", "--json", "--deadline", "--sandbox", "--probes"})) {
+    wishes.options += {word, value_behind(words, i, "test")};
+  } else if (word[0] == '-') {
+    unknown("test", word);
+  } else if (const std::size_t point = word.find('.');
+             point != std::string::npos && is_number(word.substr(0, point), point) &&
+             is_number(word.substr(point + 1), word.size())) {
+    wishes.exercises.push_back(word);
+  } else {
+    wishes.labs.push_back(course.tree.lab(word));
+  }
+}
+
+}  // namespace
+
+static int test(Course& course, const Words& words) {
+  TestWishes wishes;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (asks_for_help(words[i])) {
+      course.tree.print_help("test");
+      return 0;
+    }
+    if (words[i] == "--solutions") test_suite(course, wishes, behind(words, i + 1));
+    if (words[i] == "--hard") hard_cases(course, behind(words, i + 1));
+    take(course, wishes, words, i);
+  }
+  const bool passed =
+      wishes.exercises.empty() ? test_labs(course, wishes) : test_exercises(course, wishes);
+  return passed ? 0 : 1;
+}
+
+static const Verb test_verb("test", test);
+
+}  // namespace carlo::verbs
