@@ -31,7 +31,7 @@ program() {
 # stand_in FILE: it says with what it was called.
 stand_in() { program "$1" "printf '%s\n' \"${1##*/}\${*:+ }\$*\""; }
 
-mkdir -p "$tree/common/course/cli" "$tree/build/release/bin" "$tree/tests" "$tree/labs" "$tools"
+mkdir -p "$tree/common/support" "$tree/build/release/bin" "$tree/tests" "$tree/labs" "$tools"
 cp "$source/carlo" "$tree/"
 cp -R "$source/common/course" "$tree/common/"
 for lab in "$source"/labs/*/lab.json; do
