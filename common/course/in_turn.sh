@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# in_turn.sh BUILD [--keep FOLDER PROGRAM ... --] COMMAND...: runs a command that writes into the folder
-# BUILD, and nobody else's at the same time: two ninjas in one folder write the same files. With --keep
-# these programs of BUILD/bin are copied into FOLDER before the next has its turn, so that a program that
-# runs is never one that is being linked.
+# in_turn.sh BUILD [--keep FOLDER PROGRAM ... --] COMMAND...: runs a command that writes into the
+# folder BUILD while no other does: two ninjas in one folder write the same files. With --keep,
+# copies these programs of BUILD/bin into FOLDER before releasing the lock, so that a running
+# program is never one that is being linked.
 #
-# Whoever has to wait is told on descriptor 3, if there is one, for whom. The lock belongs to all that the
-# command starts: it goes when the last of them has ended, whoever was killed. Exit code: the command's.
+# While waiting, writes the holder's name to descriptor 3, if it is open. The lock belongs to
+# everything that the command starts: it is released when the last of them has ended, whichever was
+# killed. Exit code: the command's.
 set -euo pipefail
 build=$1 folder='' programs=()
 shift
@@ -16,14 +17,15 @@ if [ "$1" = --keep ]; then
   shift
 fi
 
-# lock [-n]: of descriptor 9. flock is Linux's; macOS has Perl, whose lock belongs to the open file too.
+# lock [-n]: locks descriptor 9. flock is Linux's; macOS has Perl, whose lock also belongs to the
+# open file.
 lock() {
   if command -v flock >/dev/null; then flock "$@" 9; else
     perl -e 'open my $file, "+<&=", 9 or die; exit !flock $file, @ARGV ? 2 | 4 : 2' -- "$@"
   fi
 }
 
-# Where there is neither, nobody waits.
+# With neither, nobody waits.
 if command -v flock >/dev/null || command -v perl >/dev/null; then
   exec 9<>"$build/.turn"
   if ! lock -n; then
@@ -36,6 +38,6 @@ fi
 "$@" 3>&-
 if [ -n "$folder" ]; then
   mkdir -p "$folder"
-  # Not into a copy that still runs.
+  # Never overwrite a copy that is still running.
   for program in ${programs[@]+"${programs[@]}"}; do rm -f "$folder/$program" && cp -p "$build/bin/$program" "$folder/"; done
 fi

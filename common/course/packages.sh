@@ -1,12 +1,12 @@
 # shellcheck shell=bash
-# What Carlo needs of a machine, and the package manager that brings it. ./carlo sources it; bash 3.2 and
-# the tools of macOS are enough for it (tests/portable_test.sh).
+# The packages that Carlo needs, and the package manager that installs them. Sourced by ./carlo; needs
+# only bash 3.2 and the tools of macOS (tests/portable_test.sh).
 
-# Everything is called by Debian's name. "=": comes with the system or has no use there; "!": is not to
-# be had there. Fedora's names are those of its spec files, Arch's and Homebrew's those of their package
+# Packages are called by Debian's names. "=": part of the system, or not needed there; "!": not available
+# there. Fedora's names are those of its spec files, Arch's and Homebrew's those of their package
 # files. Embree is version 3 in Debian 12 and Ubuntu 22.04, else 4: the build takes both. Fedora calls
-# version 3 of Catch2 "catch" (2 is "catch2"), Arch has TBB as "onetbb", and Embree for x86-64 alone.
-#
+# version 3 of Catch2 "catch" (2 is "catch2"), Arch has TBB as "onetbb", and Embree for x86-64 only.
+# |
 # for    Debian                Fedora                 Arch           Homebrew
 package_table='
 build    g++                   gcc-c++                gcc            =
@@ -49,13 +49,13 @@ peers    libllvm19             llvm-libs              llvm-libs      llvm
 other    zip                   zip                    zip            =
 '
 
-# Set by ./carlo setup --dry-run: commands are printed instead.
+# Set by ./carlo setup --dry-run: print commands instead of running them.
 dry_run=
 
 have() { command -v "$1" >/dev/null 2>&1; }
 
-# apt, dnf, pacman or brew, whichever is here; nothing where none is. Some systems have another's tools
-# as a package, so Debian is known by a file too.
+# Prints apt, dnf, pacman or brew, whichever is here; nothing if none is. Some systems package
+# another system's tools, so Debian is also identified by a file.
 package_manager() {
   if have dpkg-query && { [ -e /etc/debian_version ] || ! { have rpm || have pacman || have brew; }; }; then
     printf apt
@@ -65,11 +65,11 @@ package_manager() {
   fi
 }
 
-# packages_for GROUP: Debian's names of that group, in a line.
+# packages_for GROUP: prints Debian's names of that group, in one line.
 packages_for() { printf '%s' "$package_table" | awk -v group="$1" '$1 == group {printf "%s ", $2}'; }
 
-# names_on MANAGER PACKAGE...: what these are called there, in a line, each once. One that the table does not have
-# keeps its name.
+# names_on MANAGER PACKAGE...: prints the packages' names there, in one line, each once. A package
+# that is not in the table keeps its name.
 names_on() {
   local manager=$1
   shift
@@ -87,12 +87,12 @@ as_root() {
   if [ -n "$dry_run" ]; then
     printf '%s\n' "${sudo:+sudo }$*"
   else
-    # shellcheck disable=SC2086 # nothing, for root
+    # shellcheck disable=SC2086 # empty for root
     $sudo "$@" >/dev/null
   fi
 }
 
-# may_install WHAT HOW PACKAGE...: root's yes, or the user's at a terminal.
+# may_install WHAT HOW PACKAGE...: succeeds for root, or if the user agrees at a terminal.
 may_install() {
   local what=$1 how=$2 answer=n
   shift 2
@@ -106,7 +106,7 @@ may_install() {
   esac
 }
 
-# packages_of PACKAGE:PROGRAM ...: the packages of those programs that are missing.
+# packages_of PACKAGE:PROGRAM ...: prints the packages of those programs that are missing.
 packages_of() {
   local entry
   for entry in "$@"; do
@@ -122,7 +122,7 @@ need_programs() {
   [ -z "$(packages_of "$@")" ] || fail "this machine's packages do not have: $(packages_of "$@")"
 }
 
-# In words, for what set-up leaves to the user.
+# Prints, in words, what set-up leaves to the user.
 how_to_install() {
   case $(package_manager) in
     dnf) printf 'as root: dnf install %s' "$1" ;;
@@ -154,10 +154,10 @@ setup_group() {
   setup ${packages[@]+"${packages[@]}"}
 }
 
-# Whoever has installed everything by hand is not kept from working.
+# Whoever has installed everything by hand can go on working.
 setup_by_hand() {
   local what="set-up knows apt, dnf, pacman and brew, and none is here; install: $* and Catch2 version 3"
-  # shellcheck disable=SC2154 # of ./carlo, as build is
+  # shellcheck disable=SC2154 # set by ./carlo, as is build
   [ "$verb" != setup ] || fail "$what"
   # shellcheck disable=SC2154
   [ -f "$build/build.ninja" ] || printf 'carlo: %s\n' "$what" >&2
@@ -165,7 +165,7 @@ setup_by_hand() {
 
 # --- Debian and Ubuntu ---------------------------------------------------------------------------
 
-# The package, and its version, of each of these that is installed. Asked once for all: each question
+# Prints package and version of each of these that is installed. Asks once for all, since each query
 # reads the list of everything on the machine.
 installed_versions() {
   dpkg-query -W -f='${db:Status-Status} ${Package} ${Version}\n' "$@" 2>/dev/null | sed -n 's/^installed //p' || true
@@ -174,7 +174,7 @@ installed_versions() {
 # Catch2 must be version 3: Debian 12 has it in its backports only.
 is_catch2_version() { [ -n "$1" ] && dpkg --compare-versions "$1" ge 3; }
 
-# Ubuntu 22.04 has version 2 only; there it may have been installed from its sources.
+# Ubuntu 22.04 has version 2 only; version 3 may have been installed there from source.
 has_own_catch2() {
   grep -q 'PACKAGE_VERSION "3' /usr/local/lib/cmake/Catch2/Catch2ConfigVersion.cmake 2>/dev/null
 }
@@ -241,7 +241,7 @@ setup_by_apt() {
 
 # --- Fedora, Arch, macOS -------------------------------------------------------------------------
 
-# install_missing WHAT COMMAND... -- NAME...: as root, those names.
+# install_missing WHAT COMMAND... -- NAME...: installs those names as root.
 install_missing() {
   local what=$1 command=()
   shift
@@ -255,7 +255,7 @@ install_missing() {
 
 setup_by_dnf() {
   local missing
-  # Provided, as zlib-devel is by another's package.
+  # Provided by another package, as zlib-devel is.
   read -ra missing <<<"$(LC_ALL=C rpm -q --whatprovides "$@" 2>&1 | sed -n 's/^no package provides //p' | tr '\n' ' ')"
   install_missing 'Fedora packages' dnf -q -y --setopt=install_weak_deps=False install -- ${missing[@]+"${missing[@]}"}
 }
@@ -266,7 +266,7 @@ setup_by_pacman() {
   install_missing 'Arch packages' pacman -S --needed --noconfirm -- ${missing[@]+"${missing[@]}"}
 }
 
-# Homebrew is the user's own, and refuses root.
+# Homebrew belongs to the user and refuses root.
 setup_by_brew() {
   local prefix=${HOMEBREW_PREFIX:-} missing=() name answer=n
   [ -n "$prefix" ] || prefix=$(brew --prefix)
@@ -289,7 +289,7 @@ setup_by_brew() {
   stb_without_package "$prefix/include/stb"
 }
 
-# The one header that Homebrew does not have, into FOLDER.
+# Gets the one header that Homebrew does not have, into FOLDER.
 stb_without_package() {
   local header=stb_image_write.h
   local from=https://raw.githubusercontent.com/nothings/stb/master/$header

@@ -14,14 +14,14 @@ class CommandLine;
 
 using Experiment = void (*)(Notebook& notebook);
 
-/// A part of a lab that can run alone.
+/// A part of a lab that can be run alone.
 struct Step {
   std::string name;
   std::vector<Experiment> experiments;
-  std::string seen;  ///< what one should see
+  std::string seen;  ///< what the student should see
 };
 
-/// A lab's executable: its experiments and the words around them.
+/// A lab's executable: its experiments and the text around them.
 struct LabApp {
   int number = 0;
   std::string title;               ///< "Lab 01: integration"
