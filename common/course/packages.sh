@@ -6,7 +6,7 @@
 # there. Fedora's names are those of its spec files, Arch's and Homebrew's those of their package
 # files. Embree is version 3 in Debian 12 and Ubuntu 22.04, else 4: the build takes both. Fedora calls
 # version 3 of Catch2 "catch" (2 is "catch2"), Arch has TBB as "onetbb", and Embree for x86-64 only.
-# |
+#
 # for    Debian                Fedora                 Arch           Homebrew
 package_table='
 build    g++                   gcc-c++                gcc            =

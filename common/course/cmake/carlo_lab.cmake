@@ -1,6 +1,6 @@
 # add_lab(FOLDER NAME [DEPENDS carlo::x ...] [EXPERIMENTS carlo::y ...]): everything a lab is built
 # from; only the experiments link the libraries after EXPERIMENTS.
-# |
+#
 # An implementation is one object library compiled from the student's files, from the solution's, or
 # from the solution's with one patch: a typical mistake, or an equally correct variant. The files are
 # labs/FOLDER/NAME.cpp alone or, for a lab in steps, labs/FOLDER/steps/*.cpp; the solution's have the
@@ -252,7 +252,7 @@ function(add_lab folder name)
   file(GLOB checks CONFIGURE_DEPENDS "${tests}/checks*.cpp")
   if(checks)
     add_executable(${lab}_judge ${checks})
-    # These judges compute their expected values from millions of samples of their own.
+    # The judges of these labs compute expected values from millions of samples of their own.
     set(pace carlo::unhurried)
     if(lab MATCHES "^lab0[2578]$")
       set(pace carlo::grading)

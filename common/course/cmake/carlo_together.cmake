@@ -1,7 +1,7 @@
 # carlo_compile_together(): compiles the files of each target together, 24 at a time, in the order in
 # which the target lists them: most of a small file's time goes into the headers that it shares with
 # its neighbours. Call it when all targets exist.
-# |
+#
 # CMake's own UNITY_BUILD writes the tree's path into the files that it makes, and the compiler cache
 # would find nothing again in a tree elsewhere. So we generate these, with paths relative to the tree's
 # root. CMake's properties for unity builds apply here too:

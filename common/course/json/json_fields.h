@@ -13,14 +13,14 @@
 namespace carlo {
 
 /// An object of a JSON document that is written or read. A type names its members once, for both:
-/// |
+///
 ///   void fields(JsonFields& json, Diagnosis& diagnosis) {
 ///     json("id", diagnosis.id);
 ///     json("sentence", diagnosis.sentence);
 ///   }
-/// |
-/// Reading throws Error, one line with the place and what was expected, if a member is missing or of
-/// another kind; members that nobody asks for are ignored. Uses nlohmann's library, whose header
+///
+/// Reading throws Error, one line with the place and what was expected, if a member is missing or
+/// of another kind; members that nobody asks for are ignored. Uses nlohmann's library, whose header
 /// costs seconds of compiling, so only one file includes it.
 class JsonFields {
  public:
