@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# carlo_script_test.sh SOURCE: what the script ./carlo does with bad calls, before anything is built:
-# one line on stderr, exit code 1, and an end.
+# carlo_script_test.sh SOURCE: what the script ./carlo does on invalid calls, before anything is
+# built: one line on stderr, exit code 1, and no hang.
 set -euo pipefail
 carlo=$1/carlo
 failures=0
@@ -66,7 +66,7 @@ expect_error 'no lab 99' gradescope 99
 expect_error 'takes a .zip' gradescope 1 -o frob.tar.gz
 expect_error 'no such file' gradescope 1 --secret-file /no/such/file
 
-# Through a link, from elsewhere.
+# Through a link, from another folder.
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 ln -s "$carlo" "$scratch/carlo"

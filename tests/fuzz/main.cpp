@@ -1,6 +1,5 @@
-// libFuzzer's two functions. CARLO_FUZZ_TARGET says which of the readers is meant,
-// CARLO_FUZZ_FOLDER where files may be put: what we write ourselves goes to its `seeds`, to begin
-// with.
+// The two functions of libFuzzer. CARLO_FUZZ_TARGET selects the reader, CARLO_FUZZ_FOLDER is a
+// folder for files: seeds, which our own code writes, go into its `seeds`.
 
 #include "fuzz/target.h"
 #include "support/error.h"
@@ -98,7 +97,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     chosen->run({reinterpret_cast<const char*>(data), size});
   } catch (const carlo::Error&) {
-    // What is wrong was said.
+    // The error has been printed.
   }
   require(processor_seconds() - begun < 1, "an input takes less than a second");
   return 0;

@@ -1,4 +1,4 @@
-// What we write ourselves, for the readers to begin with.
+// Valid inputs from our own writers, as seeds.
 
 #include "fuzz/target.h"
 #include "grader/grade/record.h"
@@ -35,7 +35,7 @@ std::vector<std::string> params_seeds() {
 }
 
 std::vector<std::string> part_seeds() {
-  // A header; then a tile of one pixel, whose planes are of no bytes but their heads.
+  // A header; then a tile of one pixel, whose planes have no bytes except their heads.
   std::string tile(4 + 24 * 9, '\0');
   tile[0] = static_cast<char>(24 * 9);
   return {

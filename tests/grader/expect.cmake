@@ -1,18 +1,19 @@
 # cmake -DJUDGE= -DLAB= -DWORKER= -DJSON= [-DPATCH=] [-DSEEDS= [-DFIRST=] [-DVARIANT=]] [-DPOINTS=]
 #       [-DPATIENCE=] -P expect.cmake
-# Runs the judge and compares its verdicts with what they must be:
+# Runs the judge and compares its verdicts with the expected ones:
 #   without PATCH and SEEDS  the untouched stub: every exercise "not implemented", no points
-#   with PATCH               a typical mistake: the exercise of its header fails with its diagnosis;
-#                            with the diagnosis "crash" its program is ended; with ALONE, or with
-#                            the line "Alone: yes" in its header, no other diagnosis is told
-#   with SEEDS               a right solution: full marks at seeds FIRST (1) to SEEDS; with VARIANT,
-#                            a patch that leaves it right, whose header says in what it differs
-#   with POINTS              points of each exercise in their order, as "3,0,1.5"; where some are
-#                            missing it is "failed", which no crash and no cut answer is
+#   with PATCH               a typical mistake: the exercise in its header fails with its diagnosis;
+#                            for the diagnosis "crash" its program is ended; with ALONE, or with
+#                            the line "Alone: yes" in its header, no other diagnosis is named
+#   with SEEDS               a correct solution: full marks at seeds FIRST (1) to SEEDS; with VARIANT,
+#                            a patch that keeps it correct, whose header says what it changes
+#   with POINTS              points of each exercise in order, as "3,0,1.5"; where some are missing
+#                            the status is "failed", which excludes crashes and truncated answers
 #   with PATIENCE            one probe has so many times the judge's 10 seconds (carlo_patience.cmake)
 
-# Mistakes, variants and solutions are our own programs: no fence keeps them in, which takes longer than
-# most of their answers. Stubs, forgeries, each solution's first judgement and the attacks have it.
+# Mistakes, variants and solutions are our own programs and run without a sandbox, which takes
+# longer than most of their answers. Stubs, forgeries, each solution's first judgement and the
+# attacks have it.
 set(fence "")
 if(PATCH OR SEEDS)
   set(fence --sandbox limits)
@@ -54,8 +55,8 @@ function(expect_stub)
   endif()
 endfunction()
 
-# What stands above a mistake's patch: two lines, perhaps "Alone: yes", and a sentence, which is no other
-# line of the form "Word: ".
+# Reads the header of a mistake's patch: two lines, perhaps "Alone: yes", and a sentence, which is
+# no other line of the form "Word: ".
 function(read_mistake_header)
   file(READ "${PATCH}" text)
   if(NOT text MATCHES "^Exercise: Lab ([0-9.]+)\nDiagnosis: ([a-z0-9-]+)\n(Alone: yes\n)?([^\n]+[.])\n\n")

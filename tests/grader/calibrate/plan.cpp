@@ -21,7 +21,7 @@ fs::path program(const Places& places, const std::string& name) {
   return path;
 }
 
-/// The folder NN_name of a lab below `parent`.
+/// Returns the folder NN_name of a lab below `parent`.
 fs::path folder(const fs::path& parent, const Lab& lab) {
   return parent / fmt::format("{:02}_{}", lab.number, lab.name);
 }
@@ -49,7 +49,7 @@ void read_header(const fs::path& patch, Subject& subject) {
   subject.diagnosis = match[2];
 }
 
-/// A word from a file's bytes.
+/// Hashes a file's content.
 std::uint64_t word_of_file(const fs::path& path) {
   const std::string bytes = read_file(path);
   std::uint64_t word = bytes.size();
@@ -61,7 +61,7 @@ std::uint64_t word_of_file(const fs::path& path) {
   return word;
 }
 
-/// Files are read once: a judge serves all mistakes of its lab.
+/// Reads each file only once: a judge serves all mistakes of its lab.
 class Fingerprints {
  public:
   std::string of(const Subject& subject) {

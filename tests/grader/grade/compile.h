@@ -10,12 +10,12 @@
 
 namespace carlo::grader {
 
-/// What became of a lab's exercise files.
+/// The result of compiling a lab's exercise files.
 struct Compiled {
-  bool linked = false;               ///< there is a worker
+  bool linked = false;               ///< the worker exists
   std::string messages;              ///< the compiler's, warnings too; for the student
-  std::vector<std::string> refused;  ///< files that do not compile, replaced by the stub's
-  std::vector<std::string> misfits;  ///< files that compile, but cannot be linked: the same
+  std::vector<std::string> refused;  ///< files that do not compile; the stub replaces them
+  std::vector<std::string> misfits;  ///< files that compile, but cannot be linked; likewise
   std::string own_names;             ///< names that several files define; each uses its own
   double seconds = 0;
   std::size_t peak_bytes = 0;
