@@ -182,8 +182,8 @@ class Finder {
   bool one_;
 };
 
-/// Ranks claims to a name, 0 first: a folder of exactly that name, then an archive, then a name that
-/// was changed to it.
+/// Ranks claims to a name, 0 first: a folder of exactly that name, then an archive, then a name
+/// that was changed to it.
 int claim(const Source& source) {
   std::vector<std::string> none;
   if (folder_name(source.name, none) != source.name) return 2;
