@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# portable_test.sh SOURCE: what students run works under bash 3.2 and the tools of macOS, as far as that
-# shows on Linux. ./carlo and what it sources or starts has none of the constructs of tests/portable.txt
-# (each of which its own sample must show); its verbs run where the tools are those of POSIX and refuse
-# what BSD's refuse; set-up says the right commands for each package manager, of which there are stand-ins.
+# portable_test.sh SOURCE: what students run works under bash 3.2 and the tools of macOS, as far as
+# Linux can show. ./carlo and the scripts that it sources or starts have none of the constructs of
+# tests/portable.txt (each of which must match its own sample); its verbs run with tools restricted
+# to POSIX that refuse what BSD's refuse; set-up runs the right commands for each package manager,
+# all faked.
 set -euo pipefail
-# Of whoever runs the tests; the trees here have their own.
+# From whoever runs the tests; the trees here have their own.
 unset CARLO_PRESET
 source=$1
 scratch=$(mktemp -d)
@@ -18,7 +19,7 @@ failed() {
 
 # --- the lint ------------------------------------------------------------------------------------
 
-# code FILE: its lines with numbers, without comments and what a here document prints.
+# code FILE: prints its lines with numbers, without comments and here-document text.
 code() {
   awk '
     ending != "" {if ($0 == ending) ending = ""; next}
@@ -26,8 +27,8 @@ code() {
     !/^ *#/ {print FILENAME ":" FNR ": " $0}' "$1"
 }
 
-# slips CODE: lines of that file that hold a forbidden construct, and why it is one. A line that asks
-# whether a tool is there, or has another way, may name one that is missing elsewhere.
+# slips CODE: prints lines of that file with a forbidden construct, and the reason. A line that
+# checks whether a tool exists, or has an alternative, may name one that is missing elsewhere.
 slips() {
   local reason sample pattern found
   while IFS=$'\037' read -r reason sample pattern; do
@@ -37,7 +38,8 @@ slips() {
   done <"$scratch/rules"
 }
 
-# A rule is three lines: why, a sample, the extended regular expression; CMD begins a command.
+# A rule is three lines: the reason, a sample, the extended regular expression; CMD begins a
+# command.
 awk -v cmd='((^|[;\\&|({:]) *|[ (](then|do|else|if|while|exec|env|xargs|!) +)' '
   /^#/ || NF == 0 {next}
   {line[++n] = $0}
@@ -46,11 +48,11 @@ awk -v cmd='((^|[;\\&|({:]) *|[ (](then|do|else|if|while|exec|env|xargs|!) +)' '
 ' "$source/tests/portable.txt" >"$scratch/rules"
 [ "$(wc -l <"$scratch/rules")" -gt 30 ] || failed "few rules"
 
-# Each rule catches its sample, so that a rule that catches nothing is no comfort.
+# Each rule must catch its sample: a rule that catches nothing proves nothing.
 while IFS=$'\037' read -r reason sample pattern; do
   grep -Eq -e "$pattern" <<<"$sample" || failed "the rule against \"$reason\" does not see: $sample"
 done <"$scratch/rules"
-# What is told has its place and its reason; and what is right is not told.
+# Reports give place and reason; correct code is not reported.
 printf '%s\n' '# readlink -f' 'cat <<'\''EOF'\''' 'realpath .' 'EOF' 'timeout 5 cat' >"$scratch/bad.sh"
 code "$scratch/bad.sh" >"$scratch/code"
 [ "$(slips "$scratch/code")" = "$scratch/bad.sh:5: timeout 5 cat"$'\n    absent: BSD has no such tool' ] ||
@@ -77,8 +79,8 @@ for tool in bash env cat awk dirname basename tr cksum mkdir id tee sleep perl g
   ! command -v "$tool" >/dev/null || ln -s "$(command -v "$tool")" "$tools/$tool"
 done
 
-# refusing TOOL REFUSED [REQUIRED]: the tool, but a call fails, and is written down, of whose arguments one
-# matches REFUSED, or which does not match REQUIRED.
+# refusing TOOL REFUSED [REQUIRED]: makes a version of the tool that fails, and records the call, if
+# an argument matches REFUSED, or if the call does not match REQUIRED.
 refusing() {
   cat >"$tools/$1" <<EOF
 #!$bash
@@ -123,7 +125,8 @@ done
 cp "$source/labs/CMakeLists.txt" "$tree/labs/"
 : >"$tree/build/release/build.ninja"
 
-# stand_in FILE: it says with what it was called; ./carlo's own descriptors are closed to it.
+# stand_in FILE: makes a program that prints its arguments; ./carlo's own descriptors are closed to
+# it.
 stand_in() {
   cat >"$1" <<EOF
 #!$bash
@@ -134,7 +137,7 @@ EOF
 for program in carlo_course carlo_keep carlo_watch carlo_replay lab01 lab01_judge lab01_worker lab08_render; do
   stand_in "$tree/build/release/bin/$program"
 done
-# Of what it is asked, the judge writes the questions down.
+# The judge only writes its questions.
 cat >"$tree/build/release/bin/lab01_judge" <<EOF
 #!$bash
 printf '%s\n' "lab01_judge \$*"
@@ -142,10 +145,11 @@ while [ \$# != 0 ]; do [ "\$1" != --probes ] || : >"\$2"; shift; done
 EOF
 for program in ninja cmake; do stand_in "$tools/$program" ''; done
 
-# carlo ARGUMENT...: ./carlo with these tools and no others, by the rules of bash 3.2 that a newer one knows.
+# carlo ARGUMENT...: runs ./carlo with only these tools, by the rules of bash 3.2 that a newer one
+# knows.
 carlo() { (cd "$scratch" && PATH=${managers:+$managers:}$tools BASH_COMPAT=3.2 "$bash" "$tree/carlo" "$@" </dev/null); }
 
-# expect CODE PATTERN ARGUMENT...: what it prints has a line like that.
+# expect CODE PATTERN ARGUMENT...: the output has a matching line.
 expect() {
   local wanted=$1 pattern=$2 code=0 text
   shift 2
@@ -157,7 +161,7 @@ expect() {
 
 # --- package managers ----------------------------------------------------------------------------
 
-# manager NAME: a folder of stand-ins that write down how they were called, in $scratch/calls.
+# manager NAME: makes a folder of fakes that record their calls in $scratch/calls.
 manager() {
   local name=$1
   shift
@@ -169,13 +173,13 @@ printf '%s\n' "$program \$*" >>'$scratch/calls'
 EOF
     chmod +x "$scratch/$name/$program"
   done
-  # As root, whoever we are.
+  # As root, whoever runs this.
   printf '#!%s\necho "${FAKE_ID:-0}"\n' "$bash" >"$scratch/$name/id"
   chmod +x "$scratch/$name/id"
   managers=$scratch/$name
 }
 
-# calls PATTERN: what was called so far has such a line; forgets it.
+# called PATTERN: a matching call was recorded; clears the record.
 called() {
   grep -Eq -e "$1" "$scratch/calls" || failed "with ${managers##*/} nobody called $1 but: $(cat "$scratch/calls")"
   : >"$scratch/calls"
@@ -271,21 +275,21 @@ expect 0 '^carlo_watch --root .* 1$' watch 1
 expect 0 '^carlo_replay 1.2 --lab .*lab01_worker$' replay 1.2
 expect 0 '^lab08_render --default-scene .*cornell_phong.xml$' render
 
-# Through a link, from elsewhere; the link of a link is none of its own folder.
+# Through a link from another folder, and a link to that link.
 mkdir "$scratch/links"
 ln -s ../tree/carlo "$scratch/links/first"
 ln -s "$scratch/links/first" "$scratch/second"
 (cd / && PATH=$managers:$tools "$bash" "$scratch/second" status) | grep -q "^carlo_course status --root $(cd "$tree" && pwd -P)\$" ||
   failed "through links"
 
-# What killed runs left goes, and nobody else's.
+# Leftovers of killed runs are removed, and nobody else's.
 mkdir -p "$tree/build/release/run/999999999" "$tree/build/release/run/$$"
 touch -t 202001010000 "$tree/build/release/run/999999999" "$tree/build/release/run/$$"
 expect 0 '^lab01$' lab 1
 [ ! -e "$tree/build/release/run/999999999" ] || failed "a killed run's folder stays"
 [ -e "$tree/build/release/run/$$" ] || failed "the folder of a run that lives was removed"
 
-# Who is to wait long is told.
+# Users are told of a long wait.
 cat >"$tools/ninja" <<EOF
 #!$bash
 case " \$* " in *' -n '*) for step in {1..21}; do printf '[%d] c++\n' "\$step"; done ;; esac

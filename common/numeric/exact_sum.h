@@ -13,8 +13,9 @@ namespace carlo {
 /// machines, whatever their range. Terms are cut at fixed places, every 32 bits, into digits, and
 /// digits of the same place are added as integers, without carries. The three highest places that
 /// any term has reached are kept, so the sum is accurate to 2^-64 of its largest term; everything
-/// below is cut off, always in the same way. Up to 2^31 terms. Idea: Demmel and Nguyen, "Parallel
-/// reproducible summation", IEEE Transactions on Computers 64(7), 2015.
+/// below is cut off, always in the same way. Up to 2^31 terms.
+/// Idea: Demmel and Nguyen, "Parallel reproducible summation", IEEE Transactions on Computers
+/// 64(7), 2015.
 class ExactSum {
  public:
   /// Adds a finite x.

@@ -22,8 +22,8 @@ inline float safe_sqrt(float x) {
   return x < 0 ? 0.0f : std::sqrt(x);
 }
 
-/// Returns a bound on the relative error of n successive rounded float operations. Source: Higham,
-/// "Accuracy and Stability of Numerical Algorithms", section 3.1.
+/// Returns a bound on the relative error of n successive rounded float operations.
+/// Source: Higham, "Accuracy and Stability of Numerical Algorithms", section 3.1.
 constexpr float rounding_bound(int n) {
   constexpr float unit = std::numeric_limits<float>::epsilon() / 2;
   return static_cast<float>(n) * unit / (1 - static_cast<float>(n) * unit);
@@ -40,8 +40,9 @@ inline float next_float(float x, bool up) {
 
 /// Moves a ray origin at `p` off the surface with normal `n`, to the side of `d`, just far enough
 /// that the ray cannot hit the surface it left: by the bound `error` (absolute, per coordinate) on
-/// the rounding error of `p`, and no more, so that thin gaps stay visible. Source: Pharr, Jakob,
-/// Humphreys, "Physically Based Rendering", 4th ed., section 6.8.6; Ray Tracing Gems, chapter 6.
+/// the rounding error of `p`, and no more, so that thin gaps stay visible.
+/// Source: Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th ed., section 6.8.6; Ray
+/// Tracing Gems, chapter 6.
 inline Vec3 offset_origin(Vec3 p, Vec3 error, Vec3 n, Vec3 d) {
   const float distance = glm::dot(glm::abs(n), error);
   const Vec3 offset = glm::dot(d, n) < 0 ? -distance * n : distance * n;

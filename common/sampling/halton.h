@@ -25,8 +25,9 @@ inline constexpr std::array<std::uint32_t, 16> halton_bases = {2,  3,  5,  7,  1
                                                                23, 29, 31, 37, 41, 43, 47, 53};
 
 /// Returns coordinate `dimension` of point `index` of Halton's sequence; dimension <
-/// halton_bases.size(). Source: Halton, "On the efficiency of certain quasi-random sequences of
-/// points in evaluating multi-dimensional integrals", Numerische Mathematik 2, 1960.
+/// halton_bases.size().
+/// Source: Halton, "On the efficiency of certain quasi-random sequences of points in evaluating
+/// multi-dimensional integrals", Numerische Mathematik 2, 1960.
 constexpr double halton(std::uint64_t index, std::size_t dimension) {
   assert(dimension < halton_bases.size());
   return radical_inverse(halton_bases[dimension], index);
@@ -34,8 +35,9 @@ constexpr double halton(std::uint64_t index, std::size_t dimension) {
 
 /// Moves x by `shift` around the circle of length 1; both in [0, 1), and so is the result. With the
 /// same uniform random shift for all values of one coordinate, every point is uniform and the set
-/// keeps its even spacing. Source: Cranley and Patterson, "Randomization of number theoretic
-/// methods for multiple integration", SIAM Journal on Numerical Analysis 13, 1976.
+/// keeps its even spacing.
+/// Source: Cranley and Patterson, "Randomization of number theoretic methods for multiple
+/// integration", SIAM Journal on Numerical Analysis 13, 1976.
 constexpr double rotated(double x, double shift) {
   // x + shift - 1 in two roundings could give 1; 1 - shift is exact for multiples of 2^-53.
   return x < 1 - shift ? x + shift : x - (1 - shift);

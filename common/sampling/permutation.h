@@ -36,8 +36,8 @@ constexpr std::uint32_t permute_by_rank(std::uint32_t i, std::uint32_t n, std::u
 
 /// The same for any n, under a permutation made of random exchanges: in each round every element
 /// and its mirror image about a random point are exchanged or not, by a coin of their own. An
-/// element or pair retains information about its origin with probability only 2^-rounds. Source:
-/// Hoang, Morris, Rogaway, "An enciphering scheme based on a card shuffle", CRYPTO 2012.
+/// element or pair retains information about its origin with probability only 2^-rounds.
+/// Source: Hoang, Morris, Rogaway, "An enciphering scheme based on a card shuffle", CRYPTO 2012.
 constexpr std::uint32_t permute_by_exchanges(std::uint32_t i, std::uint32_t n, std::uint64_t seed) {
   constexpr std::uint64_t rounds = 32;
   for (std::uint64_t round = 0; round < rounds; ++round) {

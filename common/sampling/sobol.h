@@ -47,8 +47,8 @@ constexpr std::uint32_t owen_scramble(std::uint32_t fraction, std::uint32_t seed
 /// Returns the index-th point of a 2D Sobol' sequence, with shuffled order and scrambled
 /// coordinates, by three independent seeds. The points of any aligned block of 2^m indices are a
 /// (0, m, 2)-net, and two sequences with different seeds are independent, so that pairs of
-/// dimensions may be padded. Source: Burley, "Practical hash-based Owen scrambling", JCGT 9(4),
-/// 2020.
+/// dimensions may be padded.
+/// Source: Burley, "Practical hash-based Owen scrambling", JCGT 9(4), 2020.
 constexpr Vec2 shuffled_sobol_2d(std::uint32_t index, std::uint32_t shuffle_seed,
                                  std::uint32_t x_seed, std::uint32_t y_seed) {
   // Scrambling the bit-reversal of the index shuffles it; that reversal is also the first

@@ -32,10 +32,10 @@ struct PowerFit {
 /// Fits log y against log x by least squares. The interval is Student's t with points - 2 degrees
 /// of freedom, which is right if the errors of log y are independent, normal and of equal variance
 /// (or of variance 1/weight up to a common factor). For points that deviate systematically from a
-/// straight line it only says how straight they are. x, y: finite and > 0, at least three points,
-/// at least two different x. weights: none (all equal) or one per point, finite and > 0. 0 <
-/// confidence < 1. Throws Error otherwise. Source: Draper and Smith, "Applied Regression Analysis",
-/// chapter 1.
+/// straight line it only says how straight they are.
+/// x, y: finite and > 0, at least three points, at least two different x. weights: none (all equal)
+/// or one per point, finite and > 0. 0 < confidence < 1. Throws Error otherwise.
+/// Source: Draper and Smith, "Applied Regression Analysis", chapter 1.
 PowerFit fit_power_law(std::span<const double> x, std::span<const double> y,
                        std::span<const double> weights = {}, double confidence = 0.95);
 

@@ -1,6 +1,6 @@
-# cmake -DWORKER= -DQUESTIONS= -P names.cmake Checks that replay has names to show: for every
-# question in the judge's --probes output, the worker's probe names each value of the answer. And
-# that the judge asks all of the worker's probes.
+# cmake -DWORKER= -DQUESTIONS= -P names.cmake
+# Checks that replay has names to show: for every question in the judge's --probes output, the
+# worker's probe names each value of the answer. And that the judge asks all of the worker's probes.
 cmake_minimum_required(VERSION 3.25)
 
 file(READ "${QUESTIONS}" questions)

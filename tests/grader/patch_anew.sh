@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# patch_anew.sh PATCH...: makes patches of tests/*/mistakes and tests/*/variants anew that no longer apply,
-# because the solution has changed beside the lines that they change. Their headers stay as they are. One
-# whose own lines have changed is told, and left alone.
+# patch_anew.sh PATCH...: updates patches of tests/*/mistakes and tests/*/variants that no longer
+# apply because the solution has changed next to the lines that they change. Their headers stay as
+# they are. A patch whose own lines have changed is reported and left alone.
 set -euo pipefail
 [ $# != 0 ] || { sed -n '2,4s/^# //p' "$0" && exit 2; }
 work=$(mktemp -d)
