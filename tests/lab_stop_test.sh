@@ -18,7 +18,7 @@ if [ "$code" != 130 ] || [ "$(grep -c '^Stopped in the experiment ".*"\.$' error
 fi
 [ "$(ls)" = "$(printf 'errors\ntext')" ] || { ls && exit 1; }
 
-# A student's own code may be in a loop: the message names the exercise.
+# A student's own code may be in a loop: the message says how to find the exercise.
 code=0
 CARLO_COURSE=$scratch timeout --preserve-status --signal=INT 2 "$programs/lab01_solution" --n 268435456 \
   --no-predict >text 2>errors || code=$?

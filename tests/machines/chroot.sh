@@ -75,7 +75,7 @@ for machine in "${machines[@]}"; do
   base_system "$(suite_of "$machine")" "$store/$machine" "$fresh"
   clean_clone "$root" "$store/$machine/carlo"
   preset=$(preset_of "$machine")
-  # It was configured by an older preset.
+  # An older preset may have configured it.
   [ ! -f "$store/$machine/carlo/build/$preset/build.ninja" ] || inside "$store/$machine" cmake --preset "$preset" >/dev/null
   for name in "${steps[@]}"; do
     case $name in

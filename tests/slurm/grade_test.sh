@@ -38,8 +38,8 @@ has_refused() { [ -e "cluster/.slurm/refused/$1" ]; }
 
 inside() {
   local no_node
-  # Without a sandbox of this machine's level; or, if none can be taken away, with another linker
-  # version, whose marks might differ.
+  # Takes a node's sandbox away or, where there is none to take, gives it another linker version,
+  # whose marks might differ.
   if grep -q 'sandbox: bubblewrap' whole.log; then
     no_node='level "bubblewrap"'
     "$CARLO_CLUSTER" on node4 mount --bind /dev/null "$(readlink -f "$(command -v bwrap)")"

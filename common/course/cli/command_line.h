@@ -8,7 +8,7 @@
 
 namespace carlo {
 
-/// What a CommandLine knows of one option.
+/// One option of a CommandLine.
 struct CommandLineOption {
   /// The variable that takes an option's values, whatever its type.
   struct Variable {

@@ -106,7 +106,7 @@ void show_predictions(const Predictions& predictions, Notebook& notebook) {
                  "Predictions, and what this run gave (--predict asks again)");
 }
 
-/// Whoever stops an experiment may have met an endless loop.
+/// Returns advice for students who stop an experiment, perhaps in an endless loop.
 std::string advice_when_stopped(const LabApp& lab) {
   if (!of_student()) return "";
   return fmt::format("If it came to no end: ./carlo test {} says in which exercise.\n", lab.number);

@@ -140,7 +140,7 @@ json Question::answer(const json& tables) const {
     json wanted = where.at("row");
     wanted[where.at("name").get<std::string>()] = choice;
     const json value = value_at(*table, wanted, column);
-    if (value.is_null()) return {};  // in all or in none
+    if (value.is_null()) return {};  // all choices or none
     const bool better = best.is_null() || (largest ? value > best : value < best);
     if (!better) continue;
     best = value;

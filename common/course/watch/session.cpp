@@ -65,7 +65,7 @@ void WatchSession::files_changed() {
   const OwnCode now(places_.labs(), lab_);
   if (now.digest() == code_.digest()) return;
   std::vector<const Exercise*> changed = now.changed_since(code_);
-  // Exercises changed by the previous save and not judged yet.
+  // Adds those that the previous save changed and that are not judged yet.
   if (busy() && !all_) {
     const std::size_t done = phase_ == Phase::judging ? at_ : 0;
     for (std::size_t i = done; i < which_.size(); ++i) {
@@ -145,7 +145,7 @@ void WatchSession::judged() {
     return;
   }
   stop();
-  // Of several, the one to continue with.
+  // If there are several, the one to continue with.
   const auto passed = [&](const Exercise& exercise) {
     const KeptVerdict* verdict = book_.find(exercise);
     return verdict != nullptr && verdict->passed();

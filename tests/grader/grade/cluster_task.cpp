@@ -56,7 +56,7 @@ FolderLock take_together(const fs::path& out) {
   throw Error("{}: {} is at work there", out.string(), FolderLock::holder(out));
 }
 
-/// The folder for temporary files was chosen on the submitting machine.
+/// Ignores a TMPDIR of the submitting machine that does not exist here.
 void use_own_temporary_folder() {
   std::error_code ec;
   if (!fs::is_directory(variable("TMPDIR"), ec)) ::unsetenv("TMPDIR");

@@ -1,4 +1,4 @@
-// What an exercise's object may define and call.
+// Tests what an exercise's object may define and call.
 
 #include "grader/grade/foreign_symbols.h"
 

@@ -173,7 +173,7 @@ class Charge {
   Waits waits_;
   struct {
     double taken = 0, held_up = 0, frozen = 0;
-  } last_;  ///< look
+  } last_;  ///< values at the last look
 };
 
 /// Watches the child until it ends or exceeds a limit.

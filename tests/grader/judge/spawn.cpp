@@ -61,7 +61,7 @@ struct Problem {
 };
 constexpr const char* steps[] = {"its session", "its descriptors", "its limits", "its program"};
 
-// From here to exec() only calls that are safe between fork and exec.
+// From here to exec(): only calls that are safe between fork and exec.
 
 /// `soft`: the limit at which a signal is sent, if different. The C library declares the kind of
 /// limit as a number or an enumeration.

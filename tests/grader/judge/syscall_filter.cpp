@@ -185,8 +185,7 @@ void SyscallFilter::only_own_process(long call, bool zero_too) {
   statement(BPF_LD | BPF_W | BPF_ABS, first_argument);
   places_.push_back(program_.size());
   jump(BPF_JEQ, 0, 2, 0);
-  // 0 means the caller or its own group; if it means neither, it is compared with the process as
-  // well.
+  // 0 means the caller or its own group; where it does not, this compares with the process again.
   if (!zero_too) places_.push_back(program_.size());
   jump(BPF_JEQ, 0, 1, 0);
   statement(BPF_RET | BPF_K, refusal);

@@ -32,6 +32,6 @@ library() {
 }
 
 library fmtlib -DFMT_TEST=OFF -DFMT_DOC=OFF
-# Embree and OpenImageIO also load Debian's own, so ours has a name that no loader looks for.
+# Embree and OpenImageIO also load Debian's own, so ours is static: no loader finds it by name.
 library onetbb -DTBB_TEST=OFF -DTBB_STRICT=OFF -DBUILD_SHARED_LIBS=OFF -DTBBMALLOC_BUILD=OFF
 library catch2 -DCATCH_INSTALL_DOCS=OFF
