@@ -13,8 +13,8 @@ namespace {
 /// No effect can be detected: the comparison has no values, or its theory is not a number.
 constexpr double blind = std::numeric_limits<double>::infinity();
 
-/// Returns the distance of the level and the power, in standard errors, from the middle of a normal
-/// statistic.
+/// Return the distances of the level and of the power from the middle of a normal statistic, in
+/// standard errors.
 double level_z() {
   return normal_two_sided_quantile(comparison_alpha());
 }
