@@ -11,8 +11,8 @@ namespace carlo::grader {
 
 inline constexpr const char* bubblewrap_program = "/usr/bin/bwrap";
 
-/// Returns the paths of the system's programs and libraries, and of what locates them; not all exist
-/// everywhere.
+/// Returns the paths of the system's programs and libraries, and of what locates them; not all
+/// exist everywhere.
 const std::vector<std::filesystem::path>& system_paths();
 
 /// Returns the command line that runs `argv` in its own namespaces. bubblewrap reads the system
