@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# compiler_cache_test.sh COMPILER [LAUNCHER...]: a header in which only a comment changed compiles, with a
-# cache that knows what it was before. A precompiled header from that cache would be one of other files,
-# and g++ reads each of them again, `#pragma once` or not: "redefinition of".
+# compiler_cache_test.sh COMPILER [LAUNCHER...]: a header in which only a comment changed compiles
+# with a cache that holds its former version. If the cache returned the precompiled header of that
+# version, g++ would read each file again, `#pragma once` or not: "redefinition of".
 set -euo pipefail
 compiler=$1
 shift
@@ -25,11 +25,11 @@ for word in first other; do
   printf '#include "included.h"\nint of(const Pair& pair) { return pair.%s; }\n' "$word" >unit.cpp
   CPATH=$work compile "$@"
 done
-# The cache does find what it has.
+# The cache does return what it holds.
 CPATH=$work compile "$@"
 hits=$(ccache --print-stats | awk '$1 == "direct_cache_hit" {print $2}')
 [ "${hits:-0}" -ge 2 ] || { echo "the cache found $hits of the last files, not all" && exit 1; }
-# One that was not compiled to its end has no checksum, least of all that of the one before.
+# An interrupted compilation leaves no checksum, least of all the previous one.
 : >gone.gch.sum
 if "$compile_header" ccache false -o gone.gch || [ -e gone.gch.sum ]; then
   echo "a header that does not compile has a checksum" && exit 1

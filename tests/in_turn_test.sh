@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# in_turn_test.sh SOURCE: builds take turns (common/course/in_turn.sh), also when one is killed.
+# in_turn_test.sh SOURCE: builds take turns (common/course/in_turn.sh), even when one is killed.
 set -euo pipefail
 in_turn=$1/common/course/in_turn.sh
 command -v flock >/dev/null || { echo "there is no flock: nobody waits" && exit 77; }
@@ -21,20 +21,20 @@ code=0
 "$in_turn" "$build" bash -c 'exit 7' || code=$?
 [ "$code" = 7 ] || fail "exit code $code, expected the command's"
 
-# One at a time, and the second is told of the first.
+# One at a time, and the second learns the first one's name.
 CARLO_TURN_OF='the first' "$in_turn" "$build" bash -c 'touch "$1/first" && sleep 1 && rm "$1/first"' - "$build" &
 until_there "$build/first"
 "$in_turn" "$build" bash -c '[ ! -e "$1/first" ] && touch "$1/second"' - "$build" 3>"$build/told" || fail "two at once"
 grep -q '^carlo: waiting for the first, which builds' "$build/told" || fail "the second was told: $(cat "$build/told")"
 wait
 
-# A holder that is killed leaves the turn to what it started, and then to the next.
+# A killed holder leaves its turn to the processes that it started, and then to the next.
 "$in_turn" "$build" bash -c 'touch "$1/third" && sleep 1 && rm "$1/third"' - "$build" 2>/dev/null &
 until_there "$build/third"
 kill -9 $!
 "$in_turn" "$build" bash -c '[ ! -e "$1/third" ]' - "$build" || fail "beside what a killed one had started"
 
-# A copy that runs is replaced.
+# A running copy is replaced.
 mkdir "$build/bin"
 cp "$(command -v sleep)" "$build/bin/sleeper"
 "$in_turn" "$build" --keep "$build/run/own" sleeper -- true
@@ -43,7 +43,7 @@ sleeper=$!
 "$in_turn" "$build" --keep "$build/run/own" sleeper -- true || fail "a copy that runs was not replaced"
 kill "$sleeper"
 
-# The copies are those of one's own turn, however soon the next begins.
+# The copies come from one's own turn, however soon the next begins.
 make_own() { "$in_turn" "$build" --keep "$build/run/$1" program -- bash -c 'echo "$1" >"$2/bin/program"' - "$1" "$build"; }
 for name in {1..20}; do make_own "$name" & done
 wait

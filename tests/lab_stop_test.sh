@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# lab_stop_test.sh PROGRAMS: Ctrl-C ends a lab's program as a signal does, in one line that says so
-# and in which experiment, and nothing is left of its page.
+# lab_stop_test.sh PROGRAMS: Ctrl-C ends a lab's program as a signal does, with one line that says
+# so and names the experiment, and leaves nothing of its page.
 set -euo pipefail
 programs=$1
 scratch=$(mktemp -d)
@@ -18,7 +18,7 @@ if [ "$code" != 130 ] || [ "$(grep -c '^Stopped in the experiment ".*"\.$' error
 fi
 [ "$(ls)" = "$(printf 'errors\ntext')" ] || { ls && exit 1; }
 
-# A student's own may have been caught in a loop: who tells them in which exercise?
+# A student's own code may be in a loop: the message says how to find the exercise.
 code=0
 CARLO_COURSE=$scratch timeout --preserve-status --signal=INT 2 "$programs/lab01_solution" --n 268435456 \
   --no-predict >text 2>errors || code=$?

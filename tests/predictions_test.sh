@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# predictions_test.sh SOURCE PROGRAMS: every question that a lab.json asks finds its answer in a quick
-# run of that lab on the solutions: tables, rows and columns have the names that the question says. And
-# nobody is asked where no terminal is.
+# predictions_test.sh SOURCE PROGRAMS: every question in a lab.json finds its answer in a quick run
+# of that lab on the solutions: tables, rows and columns have the names in the question. And without
+# a terminal nobody is asked.
 set -euo pipefail
 source=$1 programs=$2
 scratch=$(mktemp -d)
@@ -18,7 +18,7 @@ string(JSON rows ERROR_VARIABLE none LENGTH "${text}" tables predictions)
 message("${rows}")
 END
 
-# An answer of the right kind to every question.
+# A valid answer to every question.
 answers() {
   awk '/"tag"/ { split($0, part, "\""); number = substr(part[4], 5) }
        /"kind": "(number|share)"/ { printf "%s\"%s\": 1", sep, number; sep = ", " }

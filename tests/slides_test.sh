@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# slides_test.sh SOURCE BIN: the checks of the slides find nothing wrong in this tree; in copies of it in
-# which one thing is broken they fail, and name it. Plots are drawn by the program in BIN.
+# slides_test.sh SOURCE BIN: the slide checks find nothing wrong in this tree; in copies with one
+# fault they fail, and name it. Plots are drawn by the program in BIN.
 set -euo pipefail
 source=$1 bin=$2
 command -v node >/dev/null || { echo "node is missing: ./carlo setup --developer" && exit 77; }
@@ -18,7 +18,7 @@ fresh_tree() {
 
 check() { node "$tree/slides/tool/slides.mjs" "${1:-check}" "$scratch/bin"; }
 
-# expect WHAT PATTERN [MODE]: the tree as it stands now fails with a line that matches.
+# expect WHAT PATTERN [MODE]: the tree in its current state fails with a matching line.
 expect() {
   local code=0 text
   text=$(check "${3:-check}" 2>&1 >/dev/null) || code=$?
@@ -29,7 +29,7 @@ expect() {
   fresh_tree
 }
 
-# first PATTERN FILE...: where the pattern stands first, as "file:text".
+# first PATTERN FILE...: prints the first match, as "file:text".
 first() {
   local pattern=$1 found
   shift
@@ -95,7 +95,7 @@ expect "slides without speaker notes" 'no speaker notes'
 sed -i 's/^minutes: .*/minutes: 400/' "$tree/slides/00_rendering_is_integration.md"
 expect "a deck without duration" 'minutes: N'
 
-# Plots: round numbers at the axes' ends, names side by side, a square that is one.
+# Plots: round numbers at the axes' ends, names side by side, a square plot that is square.
 node --input-type=module - "$source" "$bin" <<'END' || failures=$((failures + 1))
 import assert from "node:assert";
 const [source, bin] = process.argv.slice(2);
@@ -122,7 +122,7 @@ assert(Math.abs(b - 4 * a) < 0.5 && c === 0, "bars are as long as their values")
 assert.throws(() => plotSvg(runs, { kind: "lines", yunit: "miles" }, "", []), /no axis counts in 'miles'/);
 END
 
-# Programs that fail, and programs that no longer have what figures take from them.
+# Programs that fail, and programs that no longer provide what figures need.
 mkdir "$scratch/bin"
 for program in carlo_render lab0{1..8}_solution; do
   printf '#!/bin/sh\necho "out of order" >&2\nexit 3\n' >"$scratch/bin/$program"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# student_tree_test.sh SOURCE CMAKE_ARGUMENT...: the archives that students get, after labs 1, 4 and
-# 9. They hold nothing that they must not; the same commit gives the same bytes; each configures, and by
-# itself takes no warning for an error; the first and the last build their newest lab's judge and worker,
-# and judge the stub as one that has been begun nowhere.
+# student_tree_test.sh SOURCE CMAKE_ARGUMENT...: the students' archives, after labs 1, 4 and 9. They
+# contain nothing that they must not; the same commit gives the same bytes; each configures, and by
+# default treats no warning as an error; the first and the last build their newest lab's judge and
+# worker, and judge the stub as not begun.
 set -euo pipefail
 source=$1
 shift
@@ -18,12 +18,12 @@ fail() {
   exit 1
 }
 
-# starter K FILE: an archive of what stands here, committed or not.
+# starter K FILE: makes an archive of the current files, committed or not.
 starter() {
   "$source/carlo" starter --dirty --through "$1" -o "$2" >/dev/null || fail "starter --through $1"
 }
 
-# unpacked K: the archive's tree, in $scratch/K/carlo.
+# unpacked K: unpacks the archive's tree into $scratch/K/carlo.
 unpacked() {
   starter "$1" "$scratch/$1.tar.gz"
   mkdir "$scratch/$1"
@@ -38,7 +38,8 @@ must_not_hold() {
   done
 }
 
-# formulas_are_there TREE: what handouts, hints and sources cite of the slides can be looked up.
+# formulas_are_there TREE: everything of the slides that handouts, hints and sources cite can be
+# looked up.
 formulas_are_there() {
   local cited
   cited=$(grep -rhoE 'slides [0-9]{2}:[a-z0-9-]+' "$1/labs" --include=README.md --include=lab.json \
@@ -63,7 +64,7 @@ configured() {
     { cat "$scratch/log" && fail "a student's tree does not configure"; }
 }
 
-# begun_nowhere FOLDER LAB: builds the newest lab and judges it as it comes.
+# begun_nowhere FOLDER LAB: builds the newest lab and judges it as delivered.
 begun_nowhere() {
   local lab=$2 number=${2%%_*} code=0 report
   ninja -C "$1/carlo/build/release" carlo_verbs "lab${number}_judge" "lab${number}_worker" >"$scratch/log" 2>&1 ||
@@ -77,8 +78,8 @@ begun_nowhere() {
     fail "nobody says where to start"
 }
 
-# at_once TREE: right code has all its points when several ./carlo build and judge it at the same time,
-# the text changes between them, and one is killed while it builds.
+# at_once TREE: correct code gets all its points although several ./carlo build and judge it at the
+# same time, the text changes between them, and one is killed while it builds.
 at_once() {
   local carlo=$1/carlo own=$1/labs/01_integration/integration.cpp round exercise pids code
   cp "$own" "$scratch/stub.cpp"
@@ -103,7 +104,7 @@ at_once() {
   mv "$scratch/stub.cpp" "$own"
 }
 
-# hint_at_once TREE: a hint waits for nobody's build.
+# hint_at_once TREE: a hint does not wait for anybody's build.
 hint_at_once() {
   local text
   "$1/carlo" hint 1.1 >/dev/null 2>&1 || fail "no hint of 1.1"
@@ -130,20 +131,20 @@ done
 configured "$scratch/1" "${cmake_arguments[@]}"
 configured "$scratch/9" "${cmake_arguments[@]}"
 
-# As students do it, whose compilers may be newer than any of ours.
+# As students do, whose compilers may be newer than ours.
 configured "$scratch/4"
 commands=$(ninja -C "$scratch/4/carlo/build/release" -t commands)
 grep -q -e -Wconversion <<<"$commands" && ! grep -q -e -Werror <<<"$commands" ||
   fail "a student's tree takes warnings for errors"
 
-# A leak must be seen: the last lab's solution in its stub's place.
+# A leak must be detected: the last lab's solution in place of its stub.
 cp "$source/solutions/09_bias/steps/d_photons.cpp" "$scratch/9/carlo/labs/09_bias/"
 if "$source/tests/grader/release/leaks.sh" "$source" "$scratch/9/carlo" 9 >/dev/null; then
   fail "a solution in the archive is not seen"
 fi
 rm "$scratch/9/carlo/labs/09_bias/d_photons.cpp"
 
-# Whoever makes it, whenever.
+# Whoever makes it, at any time.
 (umask 077 && TZ=Asia/Tokyo && starter 4 "$scratch/again.tar.gz")
 cmp "$scratch/4.tar.gz" "$scratch/again.tar.gz" || fail "the same tree gives other bytes"
 

@@ -19,8 +19,9 @@ CACHE=${XDG_CACHE_HOME:-$HOME/.cache}/carlo/tidy
 mkdir -p "$CACHE"
 cmake --preset ci -B build/tidy >/dev/null
 
-# file<TAB>command of all that is compiled, each file once. Stubs have unused parameters by nature, stb is
-# somebody else's, and what lies in the build folder but for the files that include others is no text.
+# Prints file<TAB>command of everything compiled, each file once. Excludes stubs, which have unused
+# parameters, stb, which is not ours, and files of the build folder except those that include
+# others.
 compiled() {
   awk -F'": "' '
     /^ *"command"/ { sub(/",?$/, "", $2); command = $2; gsub(/\\"/, "\"", command) }
@@ -35,20 +36,20 @@ compiled() {
     done
 }
 
-# Those lines of compiled() of which a text has changed.
+# Keeps those lines of compiled() for which a source has changed.
 changed() {
   local base file command parts holds
   base=$(git rev-parse -q --verify 'HEAD~10') || base=$(git rev-list --max-parents=0 HEAD | tail -n 1)
   parts=$(git diff --name-only --diff-filter=d "$base" -- '*.cpp')
   while IFS=$'\t' read -r file command; do
-    # Not by a pipe: grep ends at the first line that fits, and whoever writes to it then has failed.
+    # Not by a pipe: grep ends at the first match, and whoever writes to it then fails.
     holds=$(sed -n 's/^#include "\([^"]*\.cpp\)".*/\1/p' "$file" && printf '%s\n' "${file#"$root/"}")
     if grep -qxF "$parts" <<<"$holds"; then printf '%s\t%s\n' "$file" "$command"; fi
   done
   return 0
 }
 
-# look FILE<TAB>COMMAND: what clang-tidy says of it.
+# look FILE<TAB>COMMAND: prints clang-tidy's findings.
 look() {
   local file=${1%%$'\t'*} command=${1#*$'\t'} key
   command=${command% -o *}

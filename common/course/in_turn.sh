@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# in_turn.sh BUILD [--keep FOLDER PROGRAM ... --] COMMAND...: runs a command that writes into the folder
-# BUILD, and nobody else's at the same time: two ninjas in one folder write the same files. With --keep
-# these programs of BUILD/bin are copied into FOLDER before the next has its turn, so that a program that
-# runs is never one that is being linked.
+# in_turn.sh BUILD [--keep FOLDER PROGRAM ... --] COMMAND...: runs a command that writes into the
+# folder BUILD while no other does: two ninjas in one folder write the same files. With --keep,
+# copies these programs of BUILD/bin into FOLDER before releasing the lock, so that a running
+# program is never one that is being linked.
 #
-# Whoever has to wait is told on descriptor 3, if there is one, for whom. The lock belongs to all that the
-# command starts: it goes when the last of them has ended, whoever was killed. Exit code: the command's.
+# While waiting, writes the holder's name to descriptor 3, if it is open. The lock belongs to
+# everything that the command starts: it is released when the last of them has ended, whichever was
+# killed. Exit code: the command's.
 set -euo pipefail
 build=$1 folder='' programs=()
 shift
@@ -29,6 +30,6 @@ fi
 "$@" 3>&-
 if [ -n "$folder" ]; then
   mkdir -p "$folder"
-  # Not into a copy that still runs.
+  # Never overwrite a copy that is still running.
   for program in ${programs[@]+"${programs[@]}"}; do rm -f "$folder/$program" && cp -p "$build/bin/$program" "$folder/"; done
 fi

@@ -7,12 +7,12 @@
 
 namespace carlo {
 
-/// Thrown by an exercise that has not been done yet. Graders and lab executables tell it apart from
-/// a failure: the exercise is named and left out, the others still run.
+/// Thrown by an exercise that has not been done yet. Graders and lab executables distinguish it
+/// from a failure: they name and skip the exercise and run the others.
 class NotImplemented : public std::logic_error {
  public:
   /// `tag` is the exercise's ("Lab 1.2"), `lecture` the heading of the lecture's section;
-  /// `function` is what is to be written, without its class, or nothing.
+  /// `function` is the function to write, without its class, or empty.
   NotImplemented(std::string tag, std::string_view lecture, std::string function = {})
       : std::logic_error(in_words(tag, lecture)),
         tag_(std::move(tag)),
@@ -32,8 +32,8 @@ class NotImplemented : public std::logic_error {
   std::string tag_, function_;
 };
 
-/// The body of every exercise until it is done; `function` is the caller. Throws NotImplemented,
-/// always.
+/// The body of every exercise until it is done; `function` is the caller. Always throws
+/// NotImplemented.
 [[noreturn]] inline void not_implemented(std::string_view tag, std::string_view lecture,
                                          const char* function = __builtin_FUNCTION()) {
   throw NotImplemented(std::string(tag), lecture, function);

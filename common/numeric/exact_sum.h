@@ -9,11 +9,11 @@
 
 namespace carlo {
 
-/// A sum of doubles that does not depend on their order nor on how they were split up among threads
-/// or machines, whatever their range. Terms are cut at fixed places, every 32 bits, into digits,
-/// and digits of the same place are added as integers, without carries. The three highest places
-/// that any term has reached are kept, so that the sum is right to 2^-64 of its largest term; what
-/// lies below is cut off, always the same. Up to 2^31 terms.
+/// A sum of doubles that depends neither on their order nor on how they were split among threads or
+/// machines, whatever their range. Terms are cut at fixed places, every 32 bits, into digits, and
+/// digits of the same place are added as integers, without carries. The three highest places that
+/// any term has reached are kept, so the sum is accurate to 2^-64 of its largest term; everything
+/// below is cut off, always in the same way. Up to 2^31 terms.
 /// Idea: Demmel and Nguyen, "Parallel reproducible summation", IEEE Transactions on Computers
 /// 64(7), 2015.
 class ExactSum {
@@ -24,7 +24,7 @@ class ExactSum {
     const auto word = std::bit_cast<std::uint64_t>(std::abs(x));
     const auto field = static_cast<int>(word >> 52);
     constexpr std::uint64_t leading = std::uint64_t{1} << 52;
-    // |x| = mantissa 2^exponent, also below the least normal number.
+    // |x| = mantissa 2^exponent, also for subnormal numbers.
     const std::uint64_t mantissa = (word & (leading - 1)) | (field > 0 ? leading : 0);
     const int exponent = std::max(field, 1) - 1075;
     const int place = place_of(exponent), shift = exponent - bits * place;
@@ -54,8 +54,8 @@ class ExactSum {
     return sum;
   }
 
-  /// All that it holds: the place of the lowest digit, then the digits as two's complement, each
-  /// with its low half first.
+  /// The complete state: the place of the lowest digit, then the digits in two's complement, the
+  /// low half of each first.
   static constexpr std::size_t words_count = 7;
   std::array<std::uint32_t, words_count> words() const {
     std::array<std::uint32_t, words_count> words{static_cast<std::uint32_t>(lowest_)};
@@ -65,7 +65,7 @@ class ExactSum {
     }
     return words;
   }
-  /// Any words give a sum.
+  /// Accepts any words.
   static ExactSum from_words(const std::array<std::uint32_t, words_count>& words) {
     ExactSum sum;
     sum.lowest_ = std::clamp(static_cast<std::int32_t>(words[0]), none, greatest);
@@ -82,17 +82,17 @@ class ExactSum {
   /// Places of the lowest digit: doubles lie between 2^-1074 and 2^1024. `none` before the first.
   static constexpr std::int32_t least = -36, greatest = 32, none = least - 1;
 
-  /// The place that the bit of this value, a power of two, belongs to: the next multiple below.
+  /// Returns the place of the bit with this value, a power of two: the next multiple below.
   static constexpr int place_of(int exponent) { return exponent >> 5; }
 
-  /// Adds a digit, or what `sign` of all ones makes of it, its negative. Places below the lowest
-  /// are cut off; above the highest, which raise() has made room for, is nothing.
+  /// Adds a digit, or its negative if `sign` is all ones. Places below the lowest are cut off;
+  /// there are none above the highest, for which raise() has made room.
   void add_at(int place, std::uint64_t digit, std::uint64_t sign) {
     const auto index = static_cast<std::size_t>(place - lowest_);
     if (index < digits_.size()) digits_[index] += (digit ^ sign) - sign;
   }
 
-  /// Moves the places up, so that the lowest is at least this one.
+  /// Raises the places until the lowest is at least `lowest`.
   void raise(int lowest) {
     if (lowest <= lowest_) return;
     const int up = lowest_ == none ? places : std::min(lowest - lowest_, places);
@@ -102,7 +102,7 @@ class ExactSum {
     lowest_ = lowest;
   }
 
-  std::array<std::uint64_t, places> digits_{};  ///< as two's complement
+  std::array<std::uint64_t, places> digits_{};  ///< in two's complement
   std::int32_t lowest_ = none;
 };
 

@@ -5,8 +5,8 @@
 
 namespace carlo {
 
-/// A bijection of 64-bit words whose output bits each depend on every input bit (the finaliser of
-/// splitmix64: Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014).
+/// A bijection of 64-bit words in which each output bit depends on every input bit (the finaliser
+/// of splitmix64: Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014).
 constexpr std::uint64_t mix(std::uint64_t x) {
   x += 0x9E3779B97F4A7C15;
   x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9;
@@ -14,7 +14,7 @@ constexpr std::uint64_t mix(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// One word from several; the order of the arguments matters.
+/// Combines several words into one; the order of the arguments matters.
 template <class... Rest>
 constexpr std::uint64_t hash(std::uint64_t first, Rest... rest) {
   std::uint64_t h = mix(first);
@@ -22,8 +22,7 @@ constexpr std::uint64_t hash(std::uint64_t first, Rest... rest) {
   return h;
 }
 
-/// A word from a text (FNV-1a: Fowler, Noll, Vo). It tells texts apart, but keeps nobody from
-/// making two that are alike.
+/// Hashes a text (FNV-1a: Fowler, Noll, Vo). Not collision-resistant against an adversary.
 constexpr std::uint64_t hash_of(std::string_view text) {
   std::uint64_t h = 0xCBF29CE484222325;
   for (const char c : text)

@@ -6,7 +6,7 @@
 namespace carlo {
 
 /// Philox4x32-10: four 32-bit words from a 128-bit counter and a 64-bit key. A pure function, so
-/// any number of a stream can be had without the ones before it.
+/// any number of a stream can be computed without the ones before it.
 /// Source: Salmon, Moraes, Dror, Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC 2011.
 constexpr std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
                                                   std::array<std::uint32_t, 2> key) {

@@ -9,30 +9,30 @@
 
 namespace carlo {
 
-/// The generator that the labs are given: a stream of independent uniform numbers. Two streams with
+/// The generator that the labs get: a stream of independent uniform numbers. Two streams with
 /// different (seed, stream) never overlap; equal ones give equal numbers on every machine.
-/// Counter-based (philox.h), so streams cost nothing to make.
+/// Counter-based (philox.h), so streams cost nothing to create.
 class Rng {
  public:
   explicit Rng(std::uint64_t seed, std::uint64_t stream = 0)
       : key_(split(mix(seed))), stream_(split(stream)) {}
 
-  /// A uniform 32-bit word.
+  /// Returns a uniform 32-bit word.
   std::uint32_t next_u32() {
     if (used_ == 4) refill();
     return block_[used_++];
   }
 
-  /// A uniform 64-bit word.
+  /// Returns a uniform 64-bit word.
   std::uint64_t next_u64() {
     const std::uint64_t high = next_u32();
     return high << 32 | next_u32();
   }
 
-  /// A uniform double in [0, 1): never 1.
+  /// Returns a uniform double in [0, 1): never 1.
   double uniform() { return to_double(next_u64()); }
 
-  /// A uniform float in [0, 1): never 1.
+  /// Returns a uniform float in [0, 1): never 1.
   float uniform_float() { return to_float(next_u32()); }
 
  private:

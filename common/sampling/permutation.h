@@ -7,10 +7,10 @@
 
 namespace carlo {
 
-/// Up to this size permute() draws each of the n! permutations equally often.
+/// Up to this size permute() draws all n! permutations equally often.
 constexpr std::uint32_t most_ranked = 12;
 
-/// n!, n up to most_ranked.
+/// Returns n!, n up to most_ranked.
 constexpr std::uint64_t factorial(std::uint32_t n) {
   std::uint64_t product = 1;
   for (std::uint32_t k = 2; k <= n; ++k)
@@ -18,10 +18,10 @@ constexpr std::uint64_t factorial(std::uint32_t n) {
   return product;
 }
 
-/// The image of i under the permutation of {0, ..., n - 1} of this rank among all in lexical order;
+/// Returns the image of i under the permutation of {0, ..., n - 1} with this rank in lexical order;
 /// i < n <= most_ranked, rank < n!.
 constexpr std::uint32_t permute_by_rank(std::uint32_t i, std::uint32_t n, std::uint64_t rank) {
-  std::uint32_t left = (1u << n) - 1;  // bit k: k is no image yet
+  std::uint32_t left = (1u << n) - 1;  // bit k: k is not an image yet
   for (std::uint32_t place = 0;; ++place) {
     const std::uint64_t below = factorial(n - 1 - place);
     std::uint32_t bits = left;
@@ -35,8 +35,8 @@ constexpr std::uint32_t permute_by_rank(std::uint32_t i, std::uint32_t n, std::u
 }
 
 /// The same for any n, under a permutation made of random exchanges: in each round every element
-/// and its mirror image about a random point change places or not, by a coin of their own. An
-/// element, or a pair, keeps a trace of where it was with probability 2^-rounds only.
+/// and its mirror image about a random point are exchanged or not, by a coin of their own. An
+/// element or pair retains information about its origin with probability only 2^-rounds.
 /// Source: Hoang, Morris, Rogaway, "An enciphering scheme based on a card shuffle", CRYPTO 2012.
 constexpr std::uint32_t permute_by_exchanges(std::uint32_t i, std::uint32_t n, std::uint64_t seed) {
   constexpr std::uint64_t rounds = 32;
@@ -49,10 +49,10 @@ constexpr std::uint32_t permute_by_exchanges(std::uint32_t i, std::uint32_t n, s
   return i;
 }
 
-/// The image of i under a random permutation of {0, ..., n - 1} chosen by `seed`, whose 64 bits
-/// must be uniform (a hash); i < n. For n up to most_ranked every permutation has the same share of
-/// the seeds but for one part in 2^35; above, every element and every pair of elements goes
-/// everywhere equally often as far as a count can show.
+/// Returns the image of i under a random permutation of {0, ..., n - 1} chosen by `seed`, whose 64
+/// bits must be uniform (a hash); i < n. For n up to most_ranked every permutation has the same
+/// share of the seeds to within one part in 2^35; above, no count shows any preference in where an
+/// element or a pair of elements goes.
 constexpr std::uint32_t permute(std::uint32_t i, std::uint32_t n, std::uint64_t seed) {
   if (n > most_ranked) return permute_by_exchanges(i, n, seed);
   // rank = floor(seed n! / 2^64), in halves: n! < 2^29.

@@ -14,17 +14,17 @@
 
 namespace carlo {
 
-/// Which sample of which pixel: with the seed, all that a sample's random numbers depend on.
+/// Identifies a sample of a pixel: with the seed, everything that its random numbers depend on.
 struct SampleId {
   std::uint64_t seed = 0;
   std::uint32_t pixel = 0;  ///< row-major index in the film
-  std::uint32_t index = 0;  ///< number of the sample within its pixel
-  std::uint32_t spp = 1;    ///< how many samples the pixel is planned to get
+  std::uint32_t index = 0;  ///< index of the sample within its pixel
+  std::uint32_t spp = 1;    ///< planned number of samples per pixel
 };
 
-// A sampler gives the coordinates of one sample, a point of [0, 1)^infinity. Code that takes a
+// A sampler returns the coordinates of one sample, a point of [0, 1)^infinity. Code that takes a
 // varying number of coordinates calls seek() at fixed places, so that a dimension always means the
-// same decision. Samplers are small values, made afresh for every sample.
+// same decision. Samplers are small values, created anew for every sample.
 
 /// Independent uniform numbers.
 class IndependentSampler {
@@ -57,8 +57,8 @@ class IndependentSampler {
   std::array<std::uint32_t, 4> words_{};
 };
 
-/// Every coordinate, and every pair that next_2d() gives, is jittered: the pixel's samples fall
-/// into strata of equal measure, one in each, in a random order of its own for each dimension.
+/// Jitters every coordinate, and every pair of next_2d(): the pixel's samples fall one each into
+/// strata of equal measure, in an independent random order for each dimension.
 class StratifiedSampler {
  public:
   explicit StratifiedSampler(const SampleId& id)
@@ -67,7 +67,7 @@ class StratifiedSampler {
         spp_(id.spp),
         columns_(static_cast<std::uint32_t>(std::sqrt(static_cast<double>(id.spp)))),
         rows_((id.spp + columns_ - 1) / columns_),
-        // A pixel that outgrows its plan starts a new set of strata.
+        // A pixel that exceeds its planned samples starts a new set of strata.
         base_(hash(id.seed, id.pixel, id.index / id.spp)) {}
 
   void seek(std::uint32_t dimension) {
@@ -91,7 +91,8 @@ class StratifiedSampler {
  private:
   std::uint64_t order() const { return hash(base_, dimension_); }
 
-  /// (stratum + u) / n, in double and kept below 1: in float the last stratum would round up to 1.
+  /// Returns (stratum + u) / n, in double and kept below 1: in float the last stratum would round
+  /// up to 1.
   static float place(std::uint32_t stratum, std::uint32_t n, float u) {
     const double x = (static_cast<double>(stratum) + static_cast<double>(u)) / n;
     return std::fmin(static_cast<float>(x), 0x1.fffffep-1f);
@@ -103,8 +104,8 @@ class StratifiedSampler {
   std::uint32_t dimension_ = 0;
 };
 
-/// Owen-scrambled Sobol' points, padded: each coordinate or pair is its own independently shuffled
-/// and scrambled sequence, so that every power-of-two run of samples is stratified in every pair.
+/// Owen-scrambled Sobol' points, padded: each coordinate or pair is an independently shuffled and
+/// scrambled sequence, so that every power-of-two run of samples is stratified in every pair.
 class SobolSampler {
  public:
   explicit SobolSampler(const SampleId& id) : index_(id.index), base_(hash(id.seed, id.pixel)) {}

@@ -14,9 +14,9 @@ constexpr std::uint32_t reverse_bits(std::uint32_t x) {
   return (x & 0x55555555) << 1 | (x >> 1 & 0x55555555);
 }
 
-/// The second coordinate of the index-th point of the Sobol' sequence as a 32-bit fraction; the
-/// first is reverse_bits(index). Its generator matrix is Pascal's triangle modulo 2, whose product
-/// with a bit vector is a sum over supersets: five shifts instead of 32 table look-ups.
+/// Returns the second coordinate of the index-th point of the Sobol' sequence as a 32-bit fraction;
+/// the first is reverse_bits(index). Its generator matrix is Pascal's triangle modulo 2, whose
+/// product with a bit vector is a sum over supersets: five shifts instead of 32 table look-ups.
 constexpr std::uint32_t sobol_second(std::uint32_t index) {
   index ^= index >> 1 & 0x55555555;
   index ^= index >> 2 & 0x33333333;
@@ -39,18 +39,20 @@ constexpr std::uint32_t nested_hash(std::uint32_t x, std::uint32_t seed) {
   return x;
 }
 
-/// Owen scrambling of a 32-bit fraction.
+/// Applies Owen scrambling to a 32-bit fraction.
 constexpr std::uint32_t owen_scramble(std::uint32_t fraction, std::uint32_t seed) {
   return reverse_bits(nested_hash(reverse_bits(fraction), seed));
 }
 
-/// The index-th point of a 2D Sobol' sequence, its order shuffled and its coordinates scrambled by
-/// three independent seeds. Points of any aligned block of 2^m indices are a (0, m, 2)-net, and two
-/// sequences with other seeds are independent, so that pairs of dimensions may be padded.
+/// Returns the index-th point of a 2D Sobol' sequence, with shuffled order and scrambled
+/// coordinates, by three independent seeds. The points of any aligned block of 2^m indices are a
+/// (0, m, 2)-net, and two sequences with different seeds are independent, so that pairs of
+/// dimensions may be padded.
 /// Source: Burley, "Practical hash-based Owen scrambling", JCGT 9(4), 2020.
 constexpr Vec2 shuffled_sobol_2d(std::uint32_t index, std::uint32_t shuffle_seed,
                                  std::uint32_t x_seed, std::uint32_t y_seed) {
-  // The index is shuffled by scrambling its bit-reversal, which is also the first coordinate.
+  // Scrambling the bit-reversal of the index shuffles it; that reversal is also the first
+  // coordinate.
   const std::uint32_t x = nested_hash(reverse_bits(index), shuffle_seed);
   const std::uint32_t y = sobol_second(reverse_bits(x));
   return {to_float(owen_scramble(x, x_seed)), to_float(owen_scramble(y, y_seed))};

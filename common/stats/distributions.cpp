@@ -156,7 +156,7 @@ double kolmogorov_smirnov(double d, std::size_t n) {
   const double root = std::sqrt(static_cast<double>(n));
   const double t = (root + 0.12 + 0.11 / root) * d;
   if (t > 1) return std::min(1.0, 2 * one_sided_kolmogorov_smirnov(d, n));
-  if (t < 0.2) return 1;  // the series needs many terms there and is 1 to 12 digits
+  if (t < 0.2) return 1;  // the series needs many terms there; the value is 1 to 12 digits
   double sum = 0;
   double sign = 1;
   for (int k = 1; k <= 100; ++k) {

@@ -57,7 +57,7 @@ PowerFit fit_power_law(std::span<const double> x, std::span<const double> y,
     sxx += weight(i) * dx * dx;
     sxy += weight(i) * dx * (std::log(y[i]) - mean_y);
   }
-  // Rounding leaves a trace of spread even where all x are the same.
+  // Rounding leaves a trace of spread even if all x are equal.
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   if (!(sxx > total * epsilon * epsilon * (1 + mean_x * mean_x))) {
     throw Error("a fit needs at least two different x, got {} times {}", n, x[0]);

@@ -4,7 +4,7 @@
 
 namespace carlo {
 
-/// The mean and the spread of numbers that come one after the other, by Welford's update.
+/// The mean and spread of successive numbers, by Welford's update.
 class RunningMean {
  public:
   void add(double x) {
@@ -16,7 +16,7 @@ class RunningMean {
 
   double count() const { return n_; }
   double mean() const { return mean_; }
-  /// The standard deviation of one number, and of the mean; of two numbers at least.
+  /// The standard deviation of one number, and of the mean; needs at least two numbers.
   double deviation() const { return std::sqrt(squares_ / (n_ - 1)); }
   double error() const { return deviation() / std::sqrt(n_); }
 

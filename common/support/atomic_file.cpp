@@ -13,14 +13,14 @@ namespace carlo {
 
 namespace fs = std::filesystem;
 
-/// Processes of several machines, which may have the same number, write into shared folders.
+/// Processes on several machines, which may share a process id, write into shared folders.
 static std::string unlike_others() {
   std::random_device random;
   return fmt::format("{:08x}{:08x}", random(), random());
 }
 
 AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
-  // A link stays one: what it points to is replaced.
+  // A link stays a link: its target is replaced.
   std::error_code link;
   if (fs::is_symlink(target_, link)) target_ = fs::weakly_canonical(target_);
   const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
@@ -62,7 +62,7 @@ void write_file(const fs::path& target, std::string_view text) {
 std::string read_file(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw Error("cannot read {}", path.string());
-  // By pieces: what is read has no size if it is a pipe.
+  // In pieces, because a pipe has no size.
   std::string text;
   std::array<char, 1 << 16> piece;
   do {

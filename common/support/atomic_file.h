@@ -6,20 +6,21 @@
 
 namespace carlo {
 
-/// A file that appears whole or not at all: write to path(), then commit() renames it into place.
-/// Without commit() the temporary file is removed, and an older file of that name is left alone.
+/// A file that appears complete or not at all: write to path(), then commit() renames it into
+/// place. Without commit() the temporary file is removed, and an existing file of that name is left
+/// alone.
 class AtomicFile {
  public:
-  /// Throws Error when the folder does not exist or cannot be written to.
+  /// Throws Error if the folder does not exist or is not writable.
   explicit AtomicFile(std::filesystem::path target);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  /// The temporary file beside the target; it keeps the target's extension.
+  /// The temporary file next to the target, with the same extension.
   const std::filesystem::path& path() const { return temporary_; }
 
-  /// Throws Error when the rename fails.
+  /// Throws Error if the rename fails.
   void commit();
 
  private:
@@ -28,10 +29,10 @@ class AtomicFile {
   bool committed_ = false;
 };
 
-/// Writes `text` to `target` in one step. Throws Error.
+/// Writes `text` to `target` atomically. Throws Error.
 void write_file(const std::filesystem::path& target, std::string_view text);
 
-/// The whole of a file. Throws Error naming the path.
+/// Returns the content of a file. Throws Error naming the path.
 std::string read_file(const std::filesystem::path& path);
 
 }  // namespace carlo

@@ -4,11 +4,12 @@
 
 namespace carlo {
 
-/// `text` without the mark of UTF-8 that editors put before it (bytes EF BB BF), if it has one.
+/// Returns `text` without a leading UTF-8 byte order mark (bytes EF BB BF), which some editors
+/// write.
 std::string_view without_byte_order_mark(std::string_view text);
 
-/// Whether it begins with the mark of UTF-16 (or, little-endian, of UTF-32), so that its characters
-/// are not bytes.
+/// Returns whether the text begins with a UTF-16 (or little-endian UTF-32) byte order mark, so that
+/// its bytes are not characters.
 bool is_utf16(std::string_view text);
 
 }  // namespace carlo

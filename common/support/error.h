@@ -9,7 +9,7 @@
 
 namespace carlo {
 
-/// Something the user can mend: a bad argument, a bad file, a full disk. what() is one line that
+/// An error that the user can fix: a bad argument, a bad file, a full disk. what() is one line that
 /// says what was found and what was expected; main() prints it to stderr and exits with 1.
 class Error : public std::runtime_error {
  public:
@@ -20,8 +20,8 @@ class Error : public std::runtime_error {
       : std::runtime_error(fmt::format(format, std::forward<Args>(args)...)) {}
 };
 
-/// At a place in a file: what() is "FILE:LINE:COLUMN: error: message", as compilers have it; of
-/// several errors that are thrown as one it is a line for each.
+/// An Error at a place in a file: what() is "FILE:LINE:COLUMN: error: message", as compilers write
+/// it; several errors thrown as one have a line each.
 class PlacedError : public Error {
  public:
   PlacedError(std::string file, std::size_t line, std::size_t column, const std::string& message)

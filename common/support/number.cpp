@@ -29,13 +29,13 @@ bool is_decimal(std::string_view text) {
 
 std::optional<double> number_by_strtod(std::string_view text) {
   if (!is_decimal(text)) return std::nullopt;
-  // Whatever language the program speaks, a point is a point here.
+  // A point is a decimal point here whatever the program's locale.
   static const locale_t plain = ::newlocale(LC_ALL_MASK, "C", nullptr);
   const std::string terminated(text);
   char* end = nullptr;
   const double value = ::strtod_l(terminated.c_str(), &end, plain);
   if (end != terminated.c_str() + terminated.size()) return std::nullopt;
-  // A value that is written with digits, and is too large or too small for any.
+  // Digits whose value overflows or underflows.
   const bool zero =
       value == 0 &&
       text.substr(0, text.find_first_of("eE")).find_first_of("123456789") != text.npos;

@@ -8,12 +8,12 @@
 
 namespace carlo {
 
-/// number_of() by the C library, for standard libraries whose from_chars() reads whole numbers
-/// only: those of LLVM before 20, so macOS's.
+/// number_of() by means of the C library, for standard libraries whose from_chars() reads only
+/// integers: LLVM's before version 20, and so macOS's.
 std::optional<double> number_by_strtod(std::string_view text);
 
-/// The number that the whole text is, without blanks or a leading plus sign; nothing when it is
-/// anything else, or more than the type holds.
+/// Parses the whole text as a number, without blanks or a leading plus sign; nothing if it is
+/// anything else or out of range.
 template <class Number>
 std::optional<Number> number_of(std::string_view text) {
 #if !defined(__cpp_lib_to_chars)

@@ -22,7 +22,8 @@ void Progress::draw(const std::string& more, int width) {
   last_draw_ = Clock::now();
   drawn_ = true;
   const int filled = static_cast<int>(std::lround(fraction_ * width));
-  // Not fmt::print(), which throws where the terminal is gone: the watcher has nobody to catch it.
+  // Not fmt::print(), which throws if the terminal is gone: nobody would catch that in the watcher
+  // thread.
   std::fputs(fmt::format("\r\x1b[K{} [{:=<{}}{: <{}}] {:3.0f} %  {}", label_, "", filled, "",
                          width - filled, 100 * fraction_, more)
                  .c_str(),
@@ -76,7 +77,7 @@ void Progress::watch() {
     const auto still = Clock::now() - last_report_;
     if (still < patience) continue;
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(still).count();
-    // With a short bar, so that it fits 80 columns.
+    // With a short bar, to fit 80 columns.
     draw(fmt::format("nothing new for {} s: a loop without end?", seconds), 10);
   }
 }

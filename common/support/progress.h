@@ -9,7 +9,7 @@
 namespace carlo {
 
 /// A progress bar with the remaining time, on stderr. On a terminal it is redrawn in place, at most
-/// ten times a second; elsewhere it is silent. Not thread-safe: one thread reports.
+/// ten times a second; elsewhere it is silent. Not thread-safe: only one thread may report.
 class Progress {
  public:
   Progress(std::string label, bool enabled);
@@ -17,15 +17,14 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `fraction` of the work done, in [0, 1].
+  /// Reports the `fraction` of the work done, in [0, 1].
   void update(double fraction);
   /// Clears the line; update() draws it again.
   void clear();
 
-  /// From now on, where nothing is reported or cleared for some seconds, the line says for how
-  /// long.
+  /// From now on, if nothing is reported or cleared for some seconds, the line says for how long.
   void tell_stalls();
-  /// Clears the line, and no stall is told any more.
+  /// Clears the line and stops reporting stalls.
   void finish();
 
  private:
@@ -40,12 +39,12 @@ class Progress {
   double fraction_ = 0;
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_draw_, last_report_ = Clock::now();
-  std::mutex mutex_;  ///< of all above, once there is a watcher
+  std::mutex mutex_;  ///< guards everything above, once there is a watcher
   std::condition_variable woken_;
   std::thread watcher_;
 };
 
-/// Seconds for people: "830 ms", "12.3 s", "4 min 10 s", "2 h 5 min".
+/// Formats seconds for people: "830 ms", "12.3 s", "4 min 10 s", "2 h 5 min".
 std::string format_seconds(double seconds);
 
 }  // namespace carlo

@@ -4,7 +4,7 @@
 
 namespace carlo {
 
-/// Seconds that have gone by since it was made. What a thread's own work takes says Stopwatch.
+/// Measures the seconds since it was made. Stopwatch measures the work of a thread.
 class WallClock {
  public:
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }

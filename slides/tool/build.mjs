@@ -1,4 +1,4 @@
-// Makes out/slides: HTML by Marp, PDF by Marp and Chromium, and the page that lists the decks.
+// Builds out/slides: HTML by Marp, PDF by Marp and Chromium, and the page that lists the decks.
 
 import { spawn } from "node:child_process";
 import fs from "node:fs";
@@ -18,7 +18,7 @@ export function writeMarkdown(decks, book, paged) {
   return folder;
 }
 
-/** Marp, when it watches, makes anew what was written. */
+/** In watch mode Marp rebuilds what was written. */
 function writeIfChanged(file, text) {
   if (!fs.existsSync(file) || fs.readFileSync(file, "utf8") !== text) fs.writeFileSync(file, text);
 }
@@ -48,13 +48,13 @@ async function marp(book, folder, out, options) {
   if (status !== 0 || /\[ +ERROR/.test(words)) throw new UserError(`Marp failed:\n${words}`);
 }
 
-/** HTML of `decks` in out/slides. Wrong mathematics is an error. */
+/** Builds HTML of `decks` in out/slides. Invalid mathematics is an error. */
 export async function buildHtml(decks, book, out) {
   await marp(book, writeMarkdown(decks, book, false), out, []);
   for (const deck of decks) checkHtml(deck, path.join(out, `${deck.name}.html`));
 }
 
-/** What MathJax could not read it writes in red, or as an error. */
+/** MathJax marks what it could not parse in red, or as an error. */
 function checkHtml(deck, file) {
   const html = fs.readFileSync(file, "utf8");
   const error =
@@ -80,7 +80,7 @@ export async function buildPdf(decks, book, out) {
   ]);
 }
 
-/** Where each label is: hints and handouts cite slides by it. */
+/** Maps each label to its place: hints and handouts cite slides by it. */
 function labelList(book) {
   const items = [...book.labels].map(
     ([key, label]) =>
@@ -89,7 +89,7 @@ function labelList(book) {
   return `<details><summary>The labels that hints and handouts cite</summary><ul>${items.join("")}</ul></details>`;
 }
 
-/** The page that lists the decks, with links to what is there. */
+/** The page that lists the decks, with links to existing files. */
 export function writeIndex(book, out) {
   const rows = book.decks.map((deck) => {
     const link = (extension) =>

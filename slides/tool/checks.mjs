@@ -1,5 +1,5 @@
-// All that can be checked without running or installing anything: labels, citations both ways,
-// snippets, figures, numbers, the lecture's headings.
+// All checks that neither run nor install anything: labels, citations both ways, snippets, figures,
+// numbers, the lecture's headings.
 
 import fs from "node:fs";
 import path from "node:path";
@@ -19,7 +19,7 @@ export function checkBook(book, problems) {
   checkLecture(book, problems);
 }
 
-/** Everything that a slide refers to exists. */
+/** Everything that a slide refers to must exist. */
 export function checkSlides(book, decks, problems) {
   for (const deck of decks) {
     for (const slide of deck.slides) {
@@ -43,7 +43,7 @@ function checkSnippet(book, name, next, wrong) {
   book.used.snippets.add(name);
 }
 
-/** The numbers of phrases in handouts exist, and the handouts say them. */
+/** Numbers of phrases in handouts must exist, and the handouts must contain the phrases. */
 function checkPhrases(book, problems) {
   for (const { file, says } of book.definitions.handouts)
     checkNumbers(book, says, (text) => problems.add(file, 0, text));
@@ -92,7 +92,7 @@ function checkKept(wanted, kept, what, wrong) {
     wrong(`${what} "${wanted.id}" was made by another command: ${again}`);
 }
 
-/** "Now do Lab 4.2": the exercise exists. */
+/** "Now do Lab 4.2": the exercise must exist. */
 function checkNow(book, deck, slide, problems) {
   if (!slide.classes.includes("now")) return;
   const tags = [...slide.title.matchAll(/\b([1-9][0-9]?\.[0-9]+)\b/g)].map((match) => `Lab ${match[1]}`);
@@ -105,7 +105,7 @@ function checkNow(book, deck, slide, problems) {
   }
 }
 
-/** What is defined is used: figures, numbers, the markers in sources. */
+/** Definitions must be used: figures, numbers, the markers in sources. */
 function checkUse(book, problems) {
   for (const [id, { file }] of book.definitions.figures) {
     if (!book.used.figures.has(id)) problems.add(file, 0, `figure "${id}" is on no slide`);
@@ -119,7 +119,7 @@ function checkUse(book, problems) {
   }
 }
 
-/** labs cite labels that exist; each label is cited by its lab; each exercise cites one. */
+/** Labs must cite existing labels; each label must be cited by its lab; each exercise must cite one. */
 function checkCitations(book, problems) {
   const cited = new Set();
   const byExercise = new Set();
@@ -131,7 +131,7 @@ function checkCitations(book, problems) {
         const at = line + paragraph.slice(0, match.index).split("\n").length - 1;
         if (!book.labels.has(key)) problems.add(file, at, `cites slides ${key}, a label that no deck has`);
         cited.add(`${/^labs\/([0-9]{2})/.exec(file)?.[1]} ${key}`);
-        // A lab.json is one paragraph; its hints are looked at one by one below.
+        // A lab.json is one paragraph; its hints are checked one by one below.
         if (file.endsWith(".json")) continue;
         for (const [tag] of paragraph.matchAll(/Lab [0-9]+\.[0-9]+/g)) byExercise.add(tag);
       }
@@ -166,7 +166,7 @@ function checkCitations(book, problems) {
   }
 }
 
-/** Runs of lines without a blank one. */
+/** Splits text into runs of lines without a blank line. */
 function paragraphs(text) {
   const found = [];
   let start = 0;
@@ -179,7 +179,7 @@ function paragraphs(text) {
   return found;
 }
 
-/** A minute to four for each slide. */
+/** Each slide takes one to four minutes. */
 function checkDurations(book, problems) {
   for (const deck of book.decks) {
     const each = Number(deck.front.minutes) / deck.slides.length;
@@ -193,7 +193,7 @@ function checkDurations(book, problems) {
   }
 }
 
-/** slides/lecture.md: rows '| heading | deck | slide |' whose slides exist. */
+/** slides/lecture.md: slides in its rows '| heading | deck | slide |' must exist. */
 function checkLecture(book, problems) {
   const file = "slides/lecture.md";
   const absolute = path.join(book.root, file);
@@ -218,7 +218,7 @@ function checkLecture(book, problems) {
     });
 }
 
-/** All exercises of the labs: [{tag, file, hints, lab}]. */
+/** Lists all exercises of the labs: [{tag, file, hints, lab}]. */
 export function readExercises(root) {
   const labs = fs
     .readdirSync(path.join(root, "labs"))

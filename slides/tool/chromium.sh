@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Debian's Chromium with a profile of its own, no network chatter, and no sandbox of its own: that
-# one does not start for root.
+# Debian's Chromium with its own profile, no network traffic, and without its sandbox, which does
+# not start for root.
 profile=$(mktemp -d)
 trap 'rm -rf "$profile"' EXIT
 chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run \

@@ -1,4 +1,4 @@
-// Reads the decks: front matter, slides, titles, labels, notes. Knows nothing of what they cite.
+// Parses decks: front matter, slides, titles, labels, notes. Does not interpret citations.
 
 import fs from "node:fs";
 import path from "node:path";
@@ -78,7 +78,7 @@ export function walk(lines, visit) {
   });
 }
 
-/** The pieces between lines '---', each with the number of its first line. */
+/** Splits at lines '---'; each piece has the number of its first line. */
 function split(lines, start) {
   const slides = [{ line: start + 1, lines: [] }];
   walk(lines.slice(start), (line, index, inFence) => {
@@ -120,7 +120,7 @@ function readSlide({ line, lines }, deck, problems) {
   return slide;
 }
 
-/** Gives each labelled equation its number, (4.1), (4.2), ..., and each slide its place. */
+/** Numbers each labelled equation, (4.1), (4.2), ..., and each slide. */
 function numberEquations(decks, problems) {
   const last = {};
   const seen = new Map();
@@ -143,7 +143,7 @@ function numberEquations(decks, problems) {
   }
 }
 
-/** "04:variance-of-strata" -> its label. */
+/** Resolves "04:variance-of-strata" to its label. */
 export function allLabels(decks) {
   const labels = new Map();
   for (const deck of decks) {

@@ -12,8 +12,8 @@ const kinds = [...plots, "image", "picture", "drawing", "functions"];
 const scales = ["log", "linear"];
 const units = ["number", "count", "seconds", "degrees"];
 const axes = { xscale: scales, yscale: scales, xunit: units, yunit: units };
-const digits = 4; // of every point that is kept,
-const numberDigits = 6; // and of every number: texts round it once more
+const digits = 4; // of every kept point,
+const numberDigits = 6; // and of every number, which texts round again
 
 /** {figures: Map(id -> definition), numbers: Map("04.slope.jittered" -> definition), handouts: [{says}]}. */
 export function readDefinitions(root, problems) {
@@ -95,7 +95,7 @@ const badCommand = (command) =>
   `a command is ["lab", "4", "--solutions", ...] or ["render", ...], or the name of one under "commands", ` +
   `got ${JSON.stringify(command)}`;
 
-/** The commands that a figure or number needs. */
+/** Returns the commands that a figure or number needs. */
 export const commandsOf = (wanted) =>
   wanted.images
     ? wanted.images.map((image) => image.command)
@@ -103,7 +103,7 @@ export const commandsOf = (wanted) =>
       ? [wanted.command]
       : [];
 
-/** What is kept changes with these; how it is drawn does not matter. */
+/** The kept data depends on these fields; how it is drawn does not matter. */
 export function recipe(wanted) {
   const { command, table, x, y, by, where, series, slopes, column, over } = wanted;
   const text = JSON.stringify({ command, table, x, y, by, where, series, slopes, column, over });
@@ -113,7 +113,7 @@ export function recipe(wanted) {
 const rounded = (value, kept = digits) =>
   typeof value === "number" ? Number(value.toPrecision(kept)) : value;
 
-/** Numbers to six digits: what a lab keeps in float is 0.00100000005. */
+/** Rounds numbers to six digits: a float of a lab is 0.00100000005. */
 const same = (one, other) =>
   one === other ||
   (typeof one === "number" && typeof other === "number" && one.toPrecision(6) === other.toPrecision(6));
@@ -139,7 +139,7 @@ function valueOf(row, column, table) {
   return row[column];
 }
 
-/** A plot's points from a run's tables: [{name, points: [[x, y], ...], slope}]. Throws UserError. */
+/** Extracts a plot's points from a run's tables: [{name, points: [[x, y], ...], slope}]. Throws UserError. */
 export function seriesOf(figure, tables) {
   if (figure.series) {
     return figure.series.flatMap((one) =>
@@ -169,8 +169,8 @@ function slopeOf({ slopes, by, where }, name, tables) {
 }
 
 /**
- * A number from a run's tables, divided by that of `wanted.over` if there is one. With `wanted.any`
- * from the first of several rows, number or not. Throws UserError.
+ * Extracts a number from a run's tables, divided by that of `wanted.over` if present. With
+ * `wanted.any`, from the first of several rows, number or not. Throws UserError.
  */
 export function numberOf(wanted, tables) {
   if (!wanted.over) return rounded(cellOf(wanted, tables), numberDigits);
@@ -196,7 +196,7 @@ function cellOf(wanted, tables) {
 
 const formats = { percent: [100, " %"], ns: [1e9, ""] }; // factor, unit
 
-/** Number of a slide's text: three digits unless "digits" says otherwise, in the unit of "format". */
+/** Formats a slide's number: three digits unless "digits" says otherwise, in the unit of "format". */
 export function numberText(wanted, value) {
   const [factor, unit] = formats[wanted.format] ?? [1, ""];
   const scaled = factor * value;
@@ -209,7 +209,7 @@ export function numberText(wanted, value) {
   return thousands.replace("-", "−") + unit;
 }
 
-/** {figures: {id: {recipe, series}}, numbers: {id: {recipe, value}}} of all decks, by deck number. */
+/** Returns {figures: {id: {recipe, series}}, numbers: {id: {recipe, value}}} of all decks, by deck number. */
 export function readData(root, problems) {
   const data = new Map();
   for (const [number, file, content] of jsonFiles(root, "data", problems))
@@ -217,7 +217,7 @@ export function readData(root, problems) {
   return data;
 }
 
-/** Runs the commands of these decks' numbers again and writes slides/data/NN.json. */
+/** Reruns the commands of these decks' numbers and writes slides/data/NN.json. */
 export function remake(root, definitions, runs, numbers, say) {
   const wantedBy = new Map();
   const add = (wanted, group) => {
@@ -254,7 +254,7 @@ export function remake(root, definitions, runs, numbers, say) {
   }
 }
 
-/** work(), with the figure's or number's name in its errors. */
+/** Runs work(), adding the figure's or number's name to its errors. */
 function extracted(wanted, work) {
   try {
     return work();
@@ -264,7 +264,7 @@ function extracted(wanted, work) {
   }
 }
 
-/** JSON with a line for each series and number, so that a diff shows which has changed. */
+/** Writes JSON with a line for each series and number, so that a diff shows which has changed. */
 function pretty(data) {
   const object = (entries, indent) =>
     entries.length === 0

@@ -1,5 +1,6 @@
-// Figures in the labs' handouts: "handout" in slides/figures/NN.json lists phrases of labs/NN_*/README.md
-// with numbers' names in place of the numbers. Filled with what the commands gave, each must stand there.
+// Numbers in the labs' handouts: "handout" in slides/figures/NN.json lists phrases of
+// labs/NN_*/README.md with names in place of numbers. With the commands' results filled in, each
+// phrase must be in the handout.
 
 import fs from "node:fs";
 import path from "node:path";
@@ -7,7 +8,7 @@ import path from "node:path";
 import { numberText } from "./figures.mjs";
 import { numberMark } from "./transform.mjs";
 
-/** Spaces of any kind are one. */
+/** Collapses whitespace. */
 const plain = (text) => text.replace(/[\s\u00a0\u202f]+/g, " ");
 
 function handoutOf(root, number) {
@@ -16,7 +17,7 @@ function handoutOf(root, number) {
   return file && fs.existsSync(path.join(root, file)) ? file : null;
 }
 
-/** Each phrase of each handout holds the numbers that are kept; tells of others in `problems`. */
+/** Checks that each phrase of each handout has the kept numbers; adds others to `problems`. */
 export function checkHandouts(book, problems) {
   for (const { number, file, says } of book.definitions.handouts) {
     const handout = handoutOf(book.root, number);
@@ -32,7 +33,7 @@ export function checkHandouts(book, problems) {
   }
 }
 
-/** The phrase with its numbers; null where one is not there, which checkPhrases tells. */
+/** Returns the phrase with its numbers; null if one is missing, which checkPhrases reports. */
 function filledIn(book, says) {
   let complete = true;
   const text = says.replace(numberMark, (_, key) => {

@@ -1,7 +1,7 @@
-// One small picture of each lab for README.md: figures of the lab's page, as Chromium draws them.
-// "picture" in labs/NN_name/lab.json says which: {"section": start of the heading, "figures": [start of
-// the caption, ...], "alt": what it shows, "width": of the window, "options": [of the lab, ...],
-// "press": [buttons of the page, ...], "stacked": true for figures below each other}.
+// One small picture of each lab for README.md: figures of the lab's page, drawn by Chromium.
+// "picture" in labs/NN_name/lab.json selects them: {"section": start of the heading, "figures":
+// [start of the caption, ...], "alt": description, "width": of the window, "options": [of the lab,
+// ...], "press": [buttons of the page, ...], "stacked": true for figures below each other}.
 
 import { spawnSync } from "node:child_process";
 import fs from "node:fs";
@@ -14,7 +14,7 @@ import { UserError } from "./problems.mjs";
 const most = 40_000; // bytes
 const wide = 480; // pixels
 
-/** Those of the wanted labs (none given: of all) that have a picture, as {number, folder, picture}. */
+/** Lists the wanted labs (all if none are given) that have a picture, as {number, folder, picture}. */
 export function labsWithPictures(root, wanted) {
   const labs = path.join(root, "labs");
   return fs
@@ -31,7 +31,7 @@ export function labsWithPictures(root, wanted) {
 
 const fileOf = (lab) => ["png", "jpg"].map((end) => path.join(lab.folder, `picture.${end}`)).find(fs.existsSync);
 
-/** Adds a problem for each lab whose picture is missing or not shown, with its words, in README.md. */
+/** Adds a problem for each lab whose picture is missing or not shown, with its description, in README.md. */
 export function checkPictures(root, problems) {
   const readme = fs.readFileSync(path.join(root, "README.md"), "utf8");
   for (const lab of labsWithPictures(root)) {
@@ -63,7 +63,7 @@ export function writePicture(root, lab, page) {
   return file;
 }
 
-/** The picture as a data URL, or a line that says why there is none. */
+/** Returns the picture as a data URL, or a line that says why there is none. */
 function drawn(root, page, picture) {
   const scratch = fs.mkdtempSync(path.join(os.tmpdir(), "carlo-picture-"));
   try {
@@ -86,7 +86,7 @@ function drawn(root, page, picture) {
   }
 }
 
-/** Runs in the page: leaves the picture's data URL in its place, once everything is drawn. */
+/** Runs in the page: replaces the document by the picture's data URL once everything is drawn. */
 function draw({ section, figures, press = [], stacked = false, most, wide }) {
   const leave = (text) => {
     const result = document.createElement("pre");
@@ -105,7 +105,7 @@ function draw({ section, figures, press = [], stacked = false, most, wide }) {
   };
   const styles = ["fill", "fill-opacity", "stroke", "stroke-width", "stroke-linecap", "stroke-dasharray"];
   styles.push("stroke-opacity", "opacity", "font", "text-anchor", "display");
-  // A drawing takes its colours along; the page's style does not reach into a picture.
+  // Copies the colours into the drawing, since the page's style does not apply inside an image.
   const asImage = async (svg) => {
     const copy = svg.cloneNode(true);
     const [from, to] = [svg, copy].map((one) => [one, ...one.querySelectorAll("*")]);
@@ -140,7 +140,7 @@ function draw({ section, figures, press = [], stacked = false, most, wide }) {
     const gap = 8;
     const gaps = gap * (parts.length - 1);
     const shares = parts.map((one) => size(one)[0] / size(one)[1]);
-    // Beside each other they have one height, below each other one width.
+    // Side by side they have the same height, stacked the same width.
     const height = (wide - gaps) / shares.reduce((sum, share) => sum + share, 0);
     const boxes = shares.map((share) => (stacked ? [wide, wide / share] : [height * share, height]));
     const out = document.createElement("canvas");

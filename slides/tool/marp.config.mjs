@@ -1,4 +1,4 @@
-// Nothing from the network: emoji stay text, the theme holds its fonts.
+// No network access: emoji stay text, the theme embeds its fonts.
 import { fileURLToPath } from "node:url";
 
 export default {

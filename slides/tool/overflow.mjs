@@ -1,13 +1,13 @@
-// Measures in Chromium whether everything stays inside its slide, and whether figures can be read.
+// Measures in Chromium whether everything stays inside its slide, and whether figures are legible.
 
 import { createRequire } from "node:module";
 import fs from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 
-const smallest = 14; // letters of a figure, in a slide's pixels
+const smallest = 14; // of a figure's letters, in slide pixels
 
-/** Adds a problem for each slide of out/slides/DECK.html from which something sticks out, or with tiny letters. */
+/** Adds a problem for each slide of out/slides/DECK.html with overflow or with tiny letters. */
 export async function checkOverflow(decks, book, out, problems) {
   const require = createRequire(path.join(book.root, "build/slides/package.json"));
   const puppeteer = require("puppeteer-core");
@@ -46,12 +46,12 @@ export async function checkOverflow(decks, book, out, problems) {
 }
 
 /**
- * Runs in the page. By how much, in a slide's own pixels, which child leaves the space inside the
- * padding, and how large the smallest letters of its figures are.
+ * Runs in the page. Returns by how many slide pixels which child exceeds the space inside the
+ * padding, and the size of the smallest letters in its figures.
  */
 function measure() {
   const sections = [...document.querySelectorAll("section[data-marpit-pagination]")];
-  // Only the current slide is laid out; the others are measured as it would be.
+  // Only the current slide is laid out; makes the others measurable like it.
   const style = document.createElement("style");
   style.textContent =
     "svg[data-marpit-svg]{visibility:visible!important;display:block!important;content-visibility:visible!important}";
@@ -70,7 +70,7 @@ function measure() {
     const note = (over, what) => {
       if (over > worst.over) worst = { over: Math.round(over), what };
     };
-    // A picture in a picture says itself how large its letters are (pictures.mjs).
+    // A nested picture states the size of its letters (pictures.mjs).
     const sizes = [...section.querySelectorAll("figure svg text, figure svg image[data-letters]")].map(
       (element) => {
         const { a, b } = element.getScreenCTM();
@@ -84,7 +84,7 @@ function measure() {
     for (const element of section.querySelectorAll("*")) {
       if (element.closest("footer, mjx-assistive-mml") || element.matches("mjx-container")) continue;
       const frame = section.contains(element.ownerSVGElement) && element.closest("figure svg");
-      // Of a drawing's parts only words may be cut off.
+      // In a drawing only clipped text counts.
       if (section.contains(element.ownerSVGElement) && !(frame && element.tagName === "text")) continue;
       const place = element.getBoundingClientRect();
       if (!place.width || !place.height) continue;

@@ -1,4 +1,4 @@
-// Figures that are pictures: renders, pictures of a lab's page, drawings by hand.
+// Figures that are pictures: renders, pictures from a lab's page, hand-made drawings.
 
 import fs from "node:fs";
 import path from "node:path";
@@ -15,7 +15,7 @@ export const escaped = (text) =>
     .replaceAll(">", "&gt;")
     .replaceAll('"', "&quot;");
 
-/** The figure as one line of HTML. `data`: what slides/data/NN.json keeps of it. */
+/** Returns the figure as one line of HTML. `data`: its entry in slides/data/NN.json. */
 export function figureHtml(root, figure, alt, data, runs) {
   const body = bodyOf(root, figure, alt, data, runs).replaceAll("\n", " ");
   return `<figure class="${figure.kind}" aria-label="${escaped(alt)}">${body}</figure>`;
@@ -44,7 +44,7 @@ function renders(figure, runs) {
     const png = runs.image(command);
     const [width, height] = [png.readUInt32BE(16), png.readUInt32BE(20)];
     const box = crop ?? [0, 0, width, height];
-    // The inner frame cuts off what is beside the crop where the outer one is wider.
+    // The inner frame clips what is beside the crop if the outer one is wider.
     const [x, y, w, h] = box;
     return tile(
       `<svg class="pixels" viewBox="${box.join(" ")}"><svg x="${x}" y="${y}" width="${w}" height="${h}" viewBox="${box.join(" ")}"><image width="${width}" height="${height}" ` +
@@ -54,12 +54,12 @@ function renders(figure, runs) {
   });
 }
 
-/** The figures of a lab's page whose descriptions start with one of figure.alt. */
+/** Returns the figures of a lab's page whose descriptions start with one of figure.alt. */
 function pictures(figure, runs) {
   const page = runs.page(figure.command);
   const style = drawingRules(page).join(" ");
   const wanted = [figure.alt].flat();
-  const letters = wanted.length > 2 ? 13 : 11.5; // three pictures beside each other are small
+  const letters = wanted.length > 2 ? 13 : 11.5; // three pictures side by side are small
   return wanted.map((alt, index) => {
     const picture = pictureOf(page, alt);
     if (!picture)
@@ -84,7 +84,7 @@ function pictures(figure, runs) {
   });
 }
 
-/** {svg or source, caption} of the first picture of a page whose description starts with `alt`. */
+/** Returns {svg or source, caption} of the first picture of a page whose description starts with `alt`. */
 function pictureOf(page, alt) {
   return picturesOf(page).find(({ caption }) => caption.startsWith(alt)) ?? null;
 }

@@ -24,20 +24,20 @@ using namespace carlo;
 struct AxisOfFigure {
   std::string label, unit;
   bool log = false;
-  std::vector<double> range;  ///< first and last; empty: as the values need
+  std::vector<double> range;  ///< first and last; empty: determined by the values
 };
 
 struct SeriesOfFigure {
   std::string name;
   std::vector<double> x, y;
-  bool guide = false;  ///< a dashed line, nothing measured
+  bool guide = false;  ///< a dashed line without measurements
 };
 
-/// One bar, with its value in words behind it.
+/// One bar, with its value as text after it.
 struct Row {
   std::string name, words;
   double value = 0;
-  unsigned long series = 0;  ///< gives the colour
+  unsigned long series = 0;  ///< determines the colour
 };
 
 struct Figure {
@@ -97,14 +97,14 @@ std::string colour(std::size_t series) {
   return fmt::format("c{}", series % 8 + 1);
 }
 
-/// A series' name at the right of the axes, beside its last point.
+/// A series' name to the right of the axes, beside its last point.
 struct Name {
   std::size_t series;
   std::string text;
   double at;
 };
 
-/// Names are pushed apart where they would overlap, and stay between `top` and `bottom`.
+/// Places the names so that they do not overlap and stay between `top` and `bottom`.
 void add_names(Plot& plot, std::vector<Name> names, double left, double bottom) {
   constexpr double gap = 14;
   std::sort(names.begin(), names.end(), [](const Name& a, const Name& b) { return a.at < b.at; });
@@ -119,7 +119,7 @@ void add_names(Plot& plot, std::vector<Name> names, double left, double bottom) 
   }
 }
 
-/// What an axis shows: what was asked for, or all values.
+/// Returns the range of an axis: as requested, or that of all values.
 Stretch stretch_of(const Figure& figure, const AxisOfFigure& axis,
                    std::vector<double> SeriesOfFigure::*values) {
   if (axis.range.size() == 2) return {axis.range[0], axis.range[1]};
@@ -169,7 +169,7 @@ std::string plot_svg(const Figure& figure) {
   return plot.svg(figure.description);
 }
 
-/// Bars from left to right, one below the other, each between its name and its value.
+/// Draws bars from left to right, one below the other, each between its name and its value.
 std::string bars_svg(const Figure& figure) {
   const Axis axis = axis_of(figure.y);
   double left = 0, words = 0;

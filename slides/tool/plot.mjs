@@ -1,5 +1,5 @@
-// Plots as SVG: what a figure's definition and data say, drawn by the program that draws as the labs'
-// pages do (plot.cpp).
+// Plots as SVG: a figure's definition and data, drawn by the program that draws like the labs'
+// pages (plot.cpp).
 
 import { numberText } from "./figures.mjs";
 
@@ -23,7 +23,7 @@ function labelOf(figure, { name, slope }) {
   return slope === undefined ? text : `${text} ${slope.toFixed(2).replace("-", "−")}`;
 }
 
-/** figure: the definition; series: [{name, points, slope}]; the SVG. */
+/** figure: the definition; series: [{name, points, slope}]. Returns the SVG. */
 export function plotSvg(runs, figure, description, series) {
   const bars = figure.kind === "bars";
   const shown = bars ? [] : [...series.map((one) => seriesOf(figure, one)), ...guidesOf(figure)];

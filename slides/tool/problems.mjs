@@ -1,4 +1,4 @@
-// What is wrong with the slides: collected, so that one run names everything.
+// The problems found in the slides, collected so that one run reports all.
 
 export class Problems {
   #found = [];
@@ -12,7 +12,7 @@ export class Problems {
     return this.#found.length;
   }
 
-  /** Those of the given files only. */
+  /** Returns those of the given files only. */
   of(files) {
     const some = new Problems();
     some.#found = this.#found.filter((one) => files.includes(one.file));
@@ -27,5 +27,5 @@ export class Problems {
   }
 }
 
-/** An error that the user is told in one line, without a stack. */
+/** An error that the user sees as one line, without a stack trace. */
 export class UserError extends Error {}

@@ -1,6 +1,6 @@
-// Runs every command in its quick form: it must end well and give what figures and numbers take.
-// A quick run has fewer points, so that rows and pictures are looked for by their names alone, not by
-// the numbers in these.
+// Runs every command in its quick form: it must succeed and produce what figures and numbers need.
+// A quick run has fewer points, so rows and pictures are matched by their names only, without the
+// numbers in these.
 
 import { commandsOf, numberOf, plots, seriesOf } from "./figures.mjs";
 import { descriptions } from "./pictures.mjs";
@@ -44,13 +44,13 @@ function findPictures({ alt }, page) {
     throw new UserError(`the lab's page has no picture whose description starts with "${missing}"`);
 }
 
-/** The conditions on words, without those on numbers. */
+/** The conditions on text, without those on numbers. */
 function names(where) {
   const isNumber = (value) => [value].flat().every((one) => typeof one === "number");
   return where && Object.fromEntries(Object.entries(where).filter(([, value]) => !isNumber(value)));
 }
 
-/** The same command, as cheap as it gets. */
+/** The same command, as cheap as possible. */
 function quick(command) {
   if (command[0] === "lab")
     return [...without(command, ["--n"]), ...(command.includes("--quick") ? [] : ["--quick"])];

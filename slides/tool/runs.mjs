@@ -1,4 +1,4 @@
-// Runs the commands behind figures and numbers, and keeps what they wrote in build/slides/runs.
+// Runs the commands behind figures and numbers, and keeps their output in build/slides/runs.
 
 import { execFile, spawnSync } from "node:child_process";
 import crypto from "node:crypto";
@@ -8,7 +8,7 @@ import path from "node:path";
 
 import { UserError } from "./problems.mjs";
 
-/** ["lab", "4", "--quick"] -> the program that ./carlo would start, or null where it knows none. */
+/** ["lab", "4", "--quick"] -> the program that ./carlo would start, or null if there is none. */
 export function programOf(command) {
   if (!Array.isArray(command) || !command.every((word) => typeof word === "string")) return null;
   if (command[0] === "render") return "carlo_render";
@@ -18,7 +18,7 @@ export function programOf(command) {
   return null;
 }
 
-/** As a person would type it. */
+/** The command as a person would type it. */
 export const spoken = (command) => `./carlo ${command.join(" ")}`;
 
 export class Runs {
@@ -28,7 +28,7 @@ export class Runs {
     this.folder = path.join(root, "build/slides/runs");
   }
 
-  /** The lab's tables. `fresh` runs it even if its answer is kept. */
+  /** The lab's tables. `fresh` reruns it even if there is a kept answer. */
   tables(command, options = {}) {
     return JSON.parse(fs.readFileSync(this.#kept(command, "json", options), "utf8")).tables;
   }
@@ -43,7 +43,7 @@ export class Runs {
     return fs.readFileSync(this.#kept(command, "png", options));
   }
 
-  /** What a program says on stdout to a text on its stdin. */
+  /** A program's stdout for a text on its stdin. */
   answer(name, text) {
     const program = this.#built(name);
     const { status, signal, stdout, stderr, error } = spawnSync(program, { ...this.#options, input: text, stdio: "pipe" });
@@ -58,8 +58,8 @@ export class Runs {
     return program;
   }
 
-  /** Runs those commands that have no answer yet, one for each processor at a time. What fails is told when
-   * its answer is asked for. */
+  /** Runs those commands that have no answer yet, one per processor at a time. A failure is reported when
+   * its answer is requested. */
   async prepare(commands) {
     const waiting = [...new Map(commands.map((command) => [JSON.stringify(command), command])).values()];
     const worker = async () => {
@@ -82,7 +82,7 @@ export class Runs {
     return { cwd: this.root, encoding: "utf8", maxBuffer: 1 << 26, stdio: ["ignore", "pipe", "pipe"] };
   }
 
-  /** What runs a command, and the file of its answer of this kind. */
+  /** Returns the program of a command, and the file of its answer of this kind. */
   #job(command, extension) {
     const program = path.join(this.programs, programOf(command));
     const key = crypto.createHash("sha256").update(JSON.stringify(command)).digest("hex").slice(0, 16);
@@ -93,12 +93,12 @@ export class Runs {
         ? [...command.slice(1), "--quiet", "-o", base]
         : [...command.slice(3), "--json", `${base}.json`, "--page", `${base}.html`];
     const isAnswered = () => fs.existsSync(file) && fs.statSync(file).mtimeMs > fs.statSync(program).mtimeMs;
-    // A program may write an answer and fail after it.
+    // A program may fail after writing an answer.
     const forget = () => ["json", "html", "png"].forEach((kind) => fs.rmSync(`${base}.${kind}`, { force: true }));
     return { program, words, file, isAnswered, forget };
   }
 
-  /** Runs the command unless its answer is younger than its program; returns the answer's file. */
+  /** Runs the command unless its answer is newer than its program; returns the answer's file. */
   #kept(command, extension, { fresh = false }) {
     const { program, words, file, isAnswered, forget } = this.#job(command, extension);
     this.#built(programOf(command));

@@ -37,7 +37,7 @@ function readBook(programs) {
   };
 }
 
-/** The decks that were asked for, such as 4 or 08a; all of them if none was. */
+/** The requested decks, such as 4 or 08a; all if none were requested. */
 function chosen(book, wanted) {
   const ids = wanted.map((word) => word.replace(/^[0-9](?![0-9])/, "0$&"));
   const has = (deck, id) => deck.id === id || deck.number === id;
@@ -53,7 +53,7 @@ function chosen(book, wanted) {
 
 const numbersOf = (decks) => [...new Set(decks.map((deck) => deck.number))];
 
-/** The labs of these decks: deck 08a and 08b are about one. */
+/** The labs of these decks: 08a and 08b share one. */
 const picturesOf = (decks) => labsWithPictures(root, numbersOf(decks).map(Number));
 
 function refuse(problems) {
@@ -66,7 +66,7 @@ function refuse(problems) {
   );
 }
 
-/** What must be right before these decks can be built. */
+/** Checks what must be right before these decks can be built. */
 function refuseToBuild(book, decks) {
   checkSlides(book, decks, book.problems);
   const files = numbersOf(decks).flatMap((number) => [
@@ -78,7 +78,7 @@ function refuseToBuild(book, decks) {
 
 const isPicture = (one) => ["image", "picture"].includes(one.kind);
 
-/** Before slides are made: their folder, the theme, and what is seen on them. */
+/** Prepares a build: the folder, the theme, and the pictures shown. */
 async function prepare(book, decks) {
   fs.mkdirSync(out, { recursive: true });
   writeTheme(root);
@@ -162,7 +162,7 @@ const modes = {
       await buildHtml(decks, book, out);
       await checkOverflow(decks, book, out, problems);
     };
-    // Side by side, each to its end: one that is left behind would write on.
+    // In parallel, each to its end: one that is left running would write on.
     const ends = await Promise.allSettled([pages(), buildPdf(decks, book, out)]);
     for (const end of ends) if (end.status === "rejected") throw end.reason;
     writeIndex(book, out);
@@ -188,7 +188,7 @@ const modes = {
   },
 };
 
-/** slides.mjs MODE FOLDER_OF_PROGRAMS [DECK ...]; "programs" takes the mode that comes after it. */
+/** slides.mjs MODE FOLDER_OF_PROGRAMS [DECK ...]; "programs" is followed by the mode. */
 async function main([mode, programs, ...words]) {
   const book = readBook(programs);
   if (!book.decks.length) throw new UserError("there are no decks in slides/");

@@ -36,7 +36,7 @@ function unindented(lines) {
   return lines.map((line) => line.slice(depth));
 }
 
-/** All markers of the tree's sources: [{reference, file, line}]. */
+/** Lists all markers in the tree's sources: [{reference, file, line}]. */
 export function markers(root) {
   const found = [];
   for (const file of sources(root)) {
@@ -50,7 +50,7 @@ export function markers(root) {
   return found;
 }
 
-/** Files of common/ and labs/ that hold code or words. */
+/** Lists the files of common/ and labs/ that hold code or prose. */
 export function sources(root) {
   const found = [];
   const visit = (folder) => {

@@ -1,4 +1,4 @@
-// The theme with its fonts inside: slides look the same, and take the same room, everywhere.
+// The theme with embedded fonts: slides look the same, and take the same room, everywhere.
 
 import fs from "node:fs";
 import path from "node:path";
@@ -6,7 +6,7 @@ import path from "node:path";
 const faces = ["source-sans-3/400", "source-sans-3/400-italic", "source-sans-3/600", "source-code-pro/400"];
 const subsets = ["latin", "greek"];
 
-/** What the pages' style sheet says of drawings, in the light colours. */
+/** Returns the rules for drawings from the pages' style sheet, in the light colours. */
 export const drawingRules = (css) =>
   [/^:root \{[^}]*\}/m, /^\.(?:c[1-8]|plot|tiles)[^{]*\{[^}]*\}/gm].flatMap((rules) => css.match(rules) ?? []);
 
@@ -33,7 +33,7 @@ export function writeTheme(root) {
   return theme;
 }
 
-/** The first source of a @font-face, as part of it. */
+/** Embeds the first source of a @font-face. */
 function inlined(rule, folder) {
   return rule.replace(/src: url\(([^)]+)\) format\('woff2'\)[^;]*;/, (_, file) => {
     const font = fs.readFileSync(path.join(folder, file)).toString("base64");

@@ -1,5 +1,5 @@
-// A deck's Markdown -> Markdown that Marp knows: figures, snippets, numbers, labels and references
-// become HTML.
+// Converts a deck's Markdown to Markdown that Marp knows: figures, snippets, numbers, labels and
+// references become HTML.
 
 import { numberText } from "./figures.mjs";
 import { figureHtml } from "./pictures.mjs";
@@ -11,7 +11,7 @@ export const reference = /\[([^\]]*)\]\(([0-9]{2}):([a-z0-9-]+)\)/g;
 export const numberMark = /\{\{([^}]*)\}\}/g;
 export const snippetFence = /^```([a-z+]*) snippet=(\S+)\s*$/;
 
-/** `book`: {root, decks, labels, definitions, data, runs}. `paged`: for PDF, where no other deck can be reached. */
+/** `book`: {root, decks, labels, definitions, data, runs}. `paged`: for PDF, without links to other decks. */
 export function marpMarkdown(deck, book, paged) {
   const { marp, theme, math, title } = deck.front;
   const head = [
@@ -53,7 +53,7 @@ function slideMarkdown(slide, deck, book, paged) {
   return footer(slide, deck) + layout(slide) + text;
 }
 
-/** A label's anchor; where it belongs to an equation, the box around it as well. */
+/** A label's anchor; for an equation, also the box around it. */
 function opened(line, slide, out) {
   const [, kind, name] = /^<!-- (eq|label): ([a-z0-9-]+) -->/.exec(line);
   if (kind === "label") {
@@ -64,7 +64,7 @@ function opened(line, slide, out) {
   return { ...slide.labels.find((label) => label.name === name), started: false };
 }
 
-/** Whether a line ends the $$ ... $$ that an equation consists of. */
+/** Whether a line ends the $$ ... $$ of an equation. */
 function endsMath(line, equation) {
   const marks = line.split("$$").length - 1;
   const open = equation.started;
@@ -72,7 +72,7 @@ function endsMath(line, equation) {
   return open ? marks > 0 : marks > 1;
 }
 
-/** Hints cite "slides 04:variance-of-strata": the foot of that slide says so. */
+/** Hints cite "slides 04:variance-of-strata": the foot of that slide shows this label. */
 function footer(slide, deck) {
   const labels = slide.labels.map((label) => `${deck.number}:${label.name}`);
   return labels.length
@@ -80,7 +80,7 @@ function footer(slide, deck) {
     : "";
 }
 
-/** A class for slides that have none, by what is on them. */
+/** Chooses a class for a slide that has none, by its content. */
 function layout(slide) {
   return slide.classes.length ? "" : `<!-- _class: ${hasFigure(slide) ? "figured" : "plain"} -->\n`;
 }
@@ -107,7 +107,7 @@ function inline(line, slide, deck, book, paged) {
     );
 }
 
-/** [eq](04:label) shows the equation's number, other texts stay as they are. */
+/** [eq](04:label) becomes the equation's number, other link texts stay as they are. */
 function link(text, label, deck, paged) {
   const shown =
     text === "eq"

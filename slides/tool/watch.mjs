@@ -1,4 +1,4 @@
-// While writing: what changes is transformed again; Marp makes the HTML and has the browser reload it.
+// Watch mode: transforms changed decks again; Marp builds the HTML and makes the browser reload it.
 
 import { spawn } from "node:child_process";
 import fs from "node:fs";
@@ -38,12 +38,12 @@ export async function watch(root, folder, out, transform) {
   }
 }
 
-/** The time of the youngest file of a folder. */
+/** The time of the newest file in a folder. */
 function newest(folder) {
   let time = 0;
   for (const entry of fs.readdirSync(folder, { withFileTypes: true })) {
     const name = path.join(folder, entry.name);
-    // An editor may take a file away between the two calls.
+    // An editor may remove a file between the two calls.
     const stat = fs.statSync(name, { throwIfNoEntry: false });
     time = Math.max(time, entry.isDirectory() ? newest(name) : (stat?.mtimeMs ?? 0));
   }

@@ -97,7 +97,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     chosen->run({reinterpret_cast<const char*>(data), size});
   } catch (const carlo::Error&) {
-    // What is wrong was said.
+    // The error has been printed.
   }
   require(processor_seconds() - begun < 1, "an input takes less than a second");
   return 0;

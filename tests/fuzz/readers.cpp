@@ -38,7 +38,7 @@ void read_archive(std::string_view bytes) {
       [](const std::string&) {});
 }
 
-/// With and without its sums: what `./carlo render` does for --reference and --resume.
+/// With and without sums: what `./carlo render` does for --reference and --resume.
 void read_exr(std::string_view bytes) {
   const auto path = as_file(bytes, "image.exr");
   const ExrFile file = carlo::read_exr(path);
@@ -72,8 +72,8 @@ void read_messages(std::string_view bytes) {
   plain_log(bytes, 20);
 }
 
-/// Against the C library in the "C" locale. It takes more (hexadecimal digits), but no white space
-/// at the end.
+/// Compares with the C library in the "C" locale. That accepts more (hexadecimal digits), but no
+/// white space at the end.
 void read_numbers(std::string_view bytes) {
   const std::string text(bytes);
   const auto number = parse_number(text);
@@ -105,8 +105,8 @@ void read_params(std::string_view bytes) {
   require(to_text(grader::params_from_text(text)) == text, "parameters survive their text");
 }
 
-/// A header, a line's end and sums, to which right lengths and checksums are added: no change would
-/// come past them.
+/// Adds correct lengths and checksums to a header, a line end and sums: no mutation would get past
+/// them.
 void read_part(std::string_view bytes) {
   const std::size_t end = std::min(bytes.find('\n'), bytes.size());
   const std::string_view header = bytes.substr(0, end);
@@ -148,7 +148,7 @@ void read_scene(std::string_view bytes) {
   needs(scene);
 }
 
-/// What nm prints of an object whose names a student chose.
+/// Reads nm's output for an object whose names a student chose.
 void read_symbols(std::string_view bytes) {
   grader::Symbols symbols;
   grader::add_symbols(symbols, std::string(bytes));

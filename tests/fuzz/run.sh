@@ -69,9 +69,9 @@ fuzz() {
   mkdir -p "$folder/seeds" "$corpus"
   [ -z "$keep" ] || { corpus=$keep/$target && mkdir -p "$corpus"; }
   seeds "$folder/seeds" "$target"
-  # What sanitizers keep to themselves counts as well: little of it.
+  # The memory that sanitizers retain counts as well, so they retain little.
   local code=0 TIMEFORMAT="%U %S"
-  # The processor time says what a wall time does not when other programs run.
+  # Processor time, because wall time depends on other programs.
   { time (cd "${keep:-$work}" &&
     CARLO_FUZZ_TARGET=$target CARLO_FUZZ_FOLDER=$folder ASAN_OPTIONS=quarantine_size_mb=8:malloc_context_size=8 \
       "$build/bin/carlo_fuzz" "$corpus" "$folder/seeds" -max_total_time="$seconds" -runs="$runs" -timeout=60 \

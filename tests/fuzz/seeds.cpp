@@ -65,7 +65,7 @@ std::vector<std::string> params_seeds() {
 }
 
 std::vector<std::string> part_seeds() {
-  // A header; then a tile of one pixel, whose planes are of no bytes but their heads.
+  // A header; then a tile of one pixel, whose planes have no bytes except their heads.
   std::string tile(4 + 24 * 9, '\0');
   tile[0] = static_cast<char>(24 * 9);
   return {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-// What reads bytes that others wrote, each as a function of these bytes. Returning is right, and so
-// is carlo::Error; anything else (another exception, a signal, what a sanitizer finds, a second of
+// The readers of untrusted bytes, each as a function of these bytes. Returning is correct, and so
+// is carlo::Error; anything else (another exception, a signal, a sanitizer report, a second of
 // processor time) is a finding.
 
 namespace carlo::fuzz {
@@ -20,10 +20,11 @@ struct Target {
   std::vector<std::string> (*seeds)();  ///< what to begin with, beside files (run.sh)
 };
 
-/// Stops the program, as a finding, unless it holds.
+/// Stops the program, as a finding, unless `holds`.
 void require(bool holds, const char* what);
 
-/// The bytes as a file of this name, for readers that take paths. Overwritten by the next one.
+/// Writes the bytes to a file of this name, for readers that take paths. The next call overwrites
+/// it.
 std::filesystem::path as_file(std::string_view bytes, const std::string& name);
 
 void read_archive(std::string_view bytes);

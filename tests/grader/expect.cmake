@@ -9,8 +9,9 @@
 #                            missing it is "failed", which no crash and no cut answer is
 #   with PATIENCE            one probe has so many times the judge's 10 seconds (carlo_patience.cmake)
 
-# Mistakes, variants and solutions are our own programs: no fence keeps them in, which takes longer than
-# most of their answers. Stubs, forgeries, each solution's first judgement and the attacks have it.
+# Mistakes, variants and solutions are our own programs and run without a sandbox, which takes
+# longer than most of their answers. Stubs, forgeries, each solution's first judgement and the
+# attacks have it.
 set(fence "")
 if(EXERCISE OR SEEDS)
   set(fence --sandbox limits)

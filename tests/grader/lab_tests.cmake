@@ -1,13 +1,13 @@
-# add_lab_tests(FOLDER NAME): the grader's tests of one lab, through CTest. The solution has full
-# marks, and at many seeds, and so has each variant of it; the stub has no points and says "not
-# implemented"; each mistake is caught and named; what probes return has names for replay; lab.json,
-# stub, handout, hints and tests agree.
+# add_lab_tests(FOLDER NAME): adds the grader's tests of one lab. The solution has full marks at
+# many seeds, and so has each variant of it; the stub has no points and says "not implemented"; each
+# mistake is caught and named; probes' results have names for replay; lab.json, stub, handout, hints
+# and tests agree.
 
 # Labs whose mistakes are all named alone, and shall stay so. Elsewhere "alone" behind a mistake's
 # diagnosis asks for it (mistakes.awk).
 set(labs_with_lone_diagnoses lab01 lab02 lab05)
 
-# One test that expect.cmake judges. CONFIGURATIONS thorough: only with ctest -C thorough.
+# Adds one test judged by expect.cmake. CONFIGURATIONS thorough: only with ctest -C thorough.
 function(add_expectation name lab worker)
   cmake_parse_arguments(ARG "" "CONFIGURATIONS" "" ${ARGN})
   set(when "")
@@ -21,8 +21,8 @@ function(add_expectation name lab worker)
                    -P ${PROJECT_SOURCE_DIR}/tests/grader/expect.cmake)
 endfunction()
 
-# A worker that forges some answers, tests/FOLDER/forged.cpp beside the solution: what the judge works
-# out by itself tells it, so that exercises have these points.
+# Adds a worker that forges some answers, tests/FOLDER/forged.cpp linked with the solution: the
+# judge detects them by its own computation, so that exercises have these points.
 function(add_forgery folder name points)
   string(REGEX MATCH "^[0-9][0-9]" number "${folder}")
   set(lab lab${number})
@@ -69,7 +69,7 @@ function(add_lab_tests folder name)
   endif()
 
   if(TARGET ${lab}_worker_solution AND EXISTS "${PROJECT_SOURCE_DIR}/solutions/CMakeLists.txt")
-    # What stands in labs/ is the stub only where nobody works on the exercises: in the whole suite. A
+    # The file in labs/ is the stub only where nobody works on the exercises: in the whole suite. A
     # student's tree may hold the solutions of earlier labs.
     carlo_lab_sources(stub "${here}" ${name})
     add_test(NAME ${lab}.consistency
@@ -77,7 +77,7 @@ function(add_lab_tests folder name)
                      --handout "${here}/README.md")
     add_expectation(${lab}.stub ${lab} ${lab}_worker)
     set(questions "${CMAKE_CURRENT_BINARY_DIR}/${lab}.questions.json")
-    # Under sanitizers without the sandbox, which is not what they look at.
+    # Sanitizer builds run without the sandbox, which they are not meant to check.
     set(fence "")
     if(CARLO_SANITIZE)
       set(fence --sandbox limits)
@@ -90,7 +90,7 @@ function(add_lab_tests folder name)
                      "-DQUESTIONS=${questions}" -P ${PROJECT_SOURCE_DIR}/tests/grader/names.cmake)
     set_tests_properties(${lab}.solution PROPERTIES FIXTURES_SETUP ${lab}_questions)
     set_tests_properties(${lab}.names PROPERTIES FIXTURES_REQUIRED ${lab}_questions)
-    # The public seed (above) and two others at every landing, more of them nightly (tests/nightly.sh).
+    # The public seed (above) and two others at every landing, more nightly (tests/nightly.sh).
     add_expectation(${lab}.seeds ${lab} ${lab}_worker_solution -DSEEDS=2)
     add_expectation(${lab}.seeds.many ${lab} ${lab}_worker_solution -DFIRST=3 -DSEEDS=40
                     CONFIGURATIONS thorough)
@@ -107,7 +107,7 @@ function(add_lab_tests folder name)
     add_subdirectory(${folder})
     get_property(own DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
   endif()
-  # What ./carlo test N --solutions builds.
+  # Builds everything for ./carlo test N --solutions.
   add_custom_target(${lab}_tests)
   foreach(needed IN ITEMS ${lab}_judge ${lab}_worker ${lab}_worker_solution ${lab}_mistakes ${lab}_variants
                           ${own})

@@ -1,6 +1,6 @@
 # cmake -DWORKER= -DQUESTIONS= -P names.cmake
-# What replay shows has names: for every question in what the judge wrote with --probes, the worker's
-# probe names each value of the answer. And the judge asks all probes that the worker has.
+# Checks that replay has names to show: for every question in the judge's --probes output, the
+# worker's probe names each value of the answer. And that the judge asks all of the worker's probes.
 cmake_minimum_required(VERSION 3.25)
 
 file(READ "${QUESTIONS}" questions)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # start_test.sh PROGRAM...: none of them loads OpenImageIO, whose 250 shared libraries take .2 s to
-# load: a class has thousands of judges to start, and a student starts a lab many times.
+# load: a class needs thousands of judges, and a student starts a lab many times.
 set -euo pipefail
 
 status=0

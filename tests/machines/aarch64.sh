@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# aarch64.sh: set-up for 64-bit ARM, inside a Debian of its own (chroot.sh aarch64), as root: this machine's compiler for
-# ARM, the libraries that ./carlo setup would install as ARM's, and programs of ARM run by QEMU, in which
-# the machine outside must have been told (binfmt).
+# aarch64.sh: set-up for 64-bit ARM, inside its own Debian (chroot.sh aarch64), as root: this
+# machine's compiler for ARM, the ARM versions of the libraries that ./carlo setup would install,
+# and ARM programs run by QEMU, which must be registered on the machine outside (binfmt).
 set -euo pipefail
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
 export DEBIAN_FRONTEND=noninteractive
@@ -13,7 +13,7 @@ read -ra packages <<<"$(awk '$1 == "build" {printf "%s ", $2}' "$root/common/cou
 for package in "${packages[@]}"; do
   case $package in
     *-dev)
-      # What is the same for all machines has no other name for one.
+      # Packages for all architectures have no separate ARM version.
       [ "$(apt-cache show "$package" | awk '/^Architecture:/ {print $2; exit}')" = all ] || package+=:arm64
       foreign+=("$package") ;;
     *) native+=("$package") ;;

@@ -45,14 +45,14 @@ needs_root_and debootstrap unshare pivot_root git
 mkdir -p "$store"
 store=$(readlink -f "$store")
 
-# What differs between machines: Debian's release, the preset, set-up, which tests.
+# The differences between machines: Debian's release, the preset, set-up, which tests.
 suite_of() { case $1 in aarch64 | libcxx) printf trixie ;; *) printf '%s' "$1" ;; esac; }
 preset_of() { case $1 in aarch64 | libcxx) printf '%s' "$1" ;; *) printf release ;; esac; }
 setup_of() { case $1 in aarch64 | libcxx) printf 'tests/machines/%s.sh' "$1" ;; *) printf './carlo setup' ;; esac; }
 tests_of() { case $1 in aarch64 | libcxx) printf -- '-L fast' ;; esac; }
 
 summary='' failed=0
-# step MACHINE NAME COMMAND...: runs it there, and keeps what it wrote.
+# step MACHINE NAME COMMAND...: runs it there, and keeps its output.
 step() {
   local machine=$1 name=$2 log=$store/$1.$2.log begun=$SECONDS word=passed
   shift 2
@@ -75,11 +75,11 @@ for machine in "${machines[@]}"; do
   base_system "$(suite_of "$machine")" "$store/$machine" "$fresh"
   clean_clone "$root" "$store/$machine/carlo"
   preset=$(preset_of "$machine")
-  # What was configured by an older preset.
+  # An older preset may have configured it.
   [ ! -f "$store/$machine/carlo/build/$preset/build.ninja" ] || inside "$store/$machine" cmake --preset "$preset" >/dev/null
   for name in "${steps[@]}"; do
     case $name in
-      # Without what set-up installs nothing else can work; a render that fails says nothing about the tests.
+      # Without set-up nothing else can work; a failed render says nothing about the tests.
       setup)
         read -ra command <<<"$(setup_of "$machine")"
         step "$machine" setup "${command[@]}" || break ;;

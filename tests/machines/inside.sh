@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# Systems in folders: made by debootstrap, entered as if the machine had been started from them. Sourced.
+# Systems in folders: made by debootstrap, entered as if the machine had booted from them. Sourced.
 
 fail() {
   printf '%s: %s\n' "$(basename "$0")" "$*" >&2
@@ -15,7 +15,7 @@ needs_root_and() {
   done
 }
 
-# The mirror that this machine uses already.
+# Prints the mirror that this machine already uses.
 debian_mirror() {
   local mirror
   mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 2>/dev/null |
@@ -23,19 +23,21 @@ debian_mirror() {
   printf '%s' "${mirror:-http://deb.debian.org/debian}"
 }
 
-# base_system SUITE FOLDER FRESH [OPTION...]: by debootstrap, unless it is there; one that was stopped is begun again. With
-# FRESH, all but the base system is made anew: it is kept packed beside the folder.
+# base_system SUITE FOLDER FRESH [OPTION...]: makes it with debootstrap unless it exists; restarts
+# an interrupted one. With FRESH, renews everything but the base system, which is kept as an archive
+# beside the folder.
 base_system() {
   local suite=$1 folder=$2 fresh=$3 packed=${2%/*}/$1.tar
   shift 3
   if [ ! -f "$packed" ]; then
     printf '\n=== %s: base system, %s\n' "$(basename "$folder")" "$(date +%H:%M:%S)"
     rm -rf --one-file-system "$folder"
-    # What it mounts goes with it, however it ends: nothing of this machine may lie in a folder that is deleted.
+    # Its mounts disappear with it, however it ends: nothing of this machine may be in a folder that
+    # is deleted.
     unshare --mount --propagation private \
       debootstrap --variant=minbase "$@" "$suite" "$folder" "$(debian_mirror)" >"$folder.debootstrap.log" ||
       { tail -5 "$folder.debootstrap.log" >&2 && fail "debootstrap failed"; }
-    # The way to the mirror.
+    # The proxy settings for the mirror.
     { apt-config dump | grep -i '^Acquire::.*proxy' || true; printf 'Acquire::Retries "3";\n'; } \
       >"$folder/etc/apt/apt.conf.d/mirror"
     chroot "$folder" apt-get clean
@@ -47,7 +49,8 @@ base_system() {
   cp /etc/resolv.conf "$folder/etc/" 2>/dev/null || true
 }
 
-# clean_clone TREE FOLDER: the last commit of TREE, nothing else; what was built of an earlier one stays.
+# clean_clone TREE FOLDER: clones only the last commit of TREE; what was built of an earlier one
+# stays.
 clean_clone() {
   local tree=$1 folder=$2 commit
   commit=$(git -C "$tree" rev-parse HEAD)
@@ -59,8 +62,9 @@ clean_clone() {
   git -C "$folder" clean -qffd
 }
 
-# inside FOLDER COMMAND...: in the tree there. Not by chroot: in one, the kernel makes no user namespaces, and the
-# judge's sandbox would be another than on a machine. All that runs there ends with it, and its mounts too.
+# inside FOLDER COMMAND...: runs it in the tree there. Not by chroot: there the kernel makes no user
+# namespaces, and the judge's sandbox would differ from a real machine's. All its processes and
+# mounts end with it.
 inside() {
   local folder=$1
   shift

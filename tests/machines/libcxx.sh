@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# libcxx.sh: set-up for clang with LLVM's standard library, inside a Debian of its own (chroot.sh libcxx), as root: the
-# packages of ./carlo setup, the compiler, and the libraries that must be built anew (libcxx/libraries.sh).
+# libcxx.sh: set-up for clang with LLVM's standard library, inside its own Debian (chroot.sh
+# libcxx), as root: the packages of ./carlo setup, the compiler, and the libraries that must be
+# rebuilt (libcxx/libraries.sh).
 set -euo pipefail
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
 "$root/carlo" setup

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# build.sh [--at-most N] [TARGET ...]: where the time of a build goes; ./carlo bench build. Builds everything,
-# or the targets, from nothing and without the compiler cache in build/profile, and prints processor seconds:
-# of each folder (front end, templates, code), of the dearest files, and of linking.
+# build.sh [--at-most N] [TARGET ...]: shows where the time of a build goes; ./carlo bench build.
+# Builds everything, or the targets, from scratch and without the compiler cache in build/profile,
+# and prints processor seconds: of each folder (front end, templates, code), of the most expensive
+# files, and of linking.
 #
-# The sum is told in yardsticks, too: what yardstick.cpp takes on this machine, before and after. With
-# --at-most the exit code is 1 when there are more. The machine should have nothing else to do.
+# The sum is also given in yardsticks: the time of yardstick.cpp on this machine, before and after.
+# With --at-most the exit code is 1 if there are more. The machine should be otherwise idle.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 root=$(readlink -f "$here/../..")
@@ -27,7 +28,7 @@ cmake -G Ninja -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLA
   "-DCMAKE_CXX_COMPILER_LAUNCHER=$here/timed.sh;$log" "-DCARLO_OWN_LAUNCHER=$here/timed.sh;$log" \
   "-DCMAKE_CXX_LINKER_LAUNCHER=$here/timed.sh;$log" >/dev/null
 
-# Of one of as many at once as there are processors: neighbours slow each other.
+# Measured with one per processor at once: neighbours slow each other.
 compiler=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$build/CMakeCache.txt")
 measure_yardstick() {
   local i
@@ -72,7 +73,7 @@ awk -v wall="$wall" -v yardstick="$yardstick" '
     printf "wall clock: %d s\n", wall
     printf "yardsticks: %.1f, of %.1f s each\n\nthe dearest files:\n", all["all"] / yardstick, yardstick
   }' "$log"
-# Not by a pipe into head: sort would end by a signal.
+# Not by a pipe into head, which would end sort by a signal.
 sort -rn "$log" | sed -n '1,15p' | sed -E 's/CMakeFiles\/([^/]*)\.dir\/(.*together\/)?/\1: /'
 
 [ -z "$at_most" ] || awk -v yardstick="$yardstick" -v at_most="$at_most" '

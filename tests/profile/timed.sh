@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# timed.sh LOG COMMAND...: runs a compiler or linker and adds a line to LOG: the processor seconds it took
-# in all; of these for parsing, for templates and for optimising and writing code (g++'s -ftime-report); and
-# what it wrote.
+# timed.sh LOG COMMAND...: runs a compiler or linker and adds a line to LOG: its processor seconds
+# in total; those for parsing, for templates and for optimising and writing code (g++'s
+# -ftime-report); and its output file.
 log=$1
 shift
 said=$(mktemp)

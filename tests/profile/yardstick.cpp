@@ -1,6 +1,6 @@
-// What build.sh measures builds by: a machine that takes twice as long for this takes twice as long
-// for them. Headers, templates and code of the standard library alone, so that no change of ours
-// changes it.
+// The yardstick of build.sh: a machine that takes twice as long for this takes twice as long for
+// builds. Only headers, templates and code of the standard library, so that no change of ours
+// affects it.
 
 #include <algorithm>
 #include <filesystem>

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# class_in_full.sh SOURCE BUILD WORK [RUNS [RIGHT MISTAKEN ATTACKS]]: a class of 200 (right answers of all
-# labs, typical mistakes, attacks) on this machine, and RUNS (10) times as an array over four nodes, while
-# tasks are killed by signal, nodes lose their power and come back, and two wait for the same class. Each
-# class.csv must be that of this machine, byte for byte. What is there in WORK already is not made again.
+# class_in_full.sh SOURCE BUILD WORK [RUNS [RIGHT MISTAKEN ATTACKS]]: a class of 200 (right answers
+# of all labs, typical mistakes, attacks) on this machine, and RUNS (10) times as an array over four
+# nodes, while tasks are killed, nodes lose power and come back, and two processes wait for the same
+# class. Each class.csv must equal this machine's, byte for byte. Does not remake what exists in
+# WORK.
 set -euo pipefail
 source=$(readlink -f "$1") build=$(readlink -f "$2") work=$3 runs=${4:-10}
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -19,8 +20,8 @@ grade() {
   "$build/bin/carlo_grade" --tree "$source" --build "$build" class --secret-file secret -o "$out" "$@"
 }
 
-# disturb OUT TIMES: every some seconds a task or a node dies, and what was down comes back; in the end no
-# task is killed any more, so that the last ones may end.
+# disturb OUT TIMES: every few seconds kills a task or a node, and restores what was down; finally
+# stops killing, so that the last tasks can end.
 disturb() {
   local node task running=() down='' times=$2
   while :; do
@@ -57,7 +58,7 @@ cluster() {
   RANDOM=$1
   disturb "$out" 24 &
   noise=$!
-  # Where no round of an array brought anything new somebody types the command again.
+  # If an array made no progress, repeats the command as a user would.
   for ((tries = 1; tries <= 20; ++tries)); do
     code=0
     grade "$out" --slurm --tasks 24 >>"$out.other.log" 2>&1 &

@@ -55,11 +55,11 @@ run() {
   exec setpriv --pdeathsig KILL unshare --pid --net --mount --uts --fork --kill-child --mount-proc "$here" inside "$nodes" "$cpus" "$@"
 }
 
-# As the first process of the namespaces.
+# Runs as the first process of the namespaces.
 inside() {
   local nodes=$1 cpus=$2 number code=0
   shift 2
-  # What COMMAND mounts is mounted on all nodes, too.
+  # Makes COMMAND's mounts appear on all nodes too.
   mount --make-rshared /
   mount -t tmpfs -o mode=755 none /run
   mkdir -p "$folder/state"
@@ -67,11 +67,11 @@ inside() {
   mount --bind "$folder/hosts" /etc/hosts
   hostname control
   ip link set lo up
-  # Names are looked up only where there is another address than 127.0.0.1.
+  # Names are looked up only if there is an address other than 127.0.0.1.
   ip address add 10.0.0.1/24 dev lo
   configure "$nodes" "$cpus"
   export SLURM_CONF=$folder/slurm.conf CARLO_CLUSTER=$here
-  # Of a Slurm around this one.
+  # Variables of a Slurm around this one.
   unset "${!SLURM_JOB@}" "${!SLURM_ARRAY@}"
   start_control
   for ((number = 1; number <= nodes; ++number)); do start_node "node$number"; done
@@ -136,7 +136,7 @@ start_control() {
 
 responds() { scontrol ping | grep -q 'is UP'; }
 
-# A node's processes are a namespace of their own, whose end is the power switch.
+# Puts a node's processes into their own namespace; ending it acts as the power switch.
 start_node() {
   local node=$1
   # shellcheck disable=SC2016 # expanded inside
@@ -146,14 +146,14 @@ start_node() {
   disown
 }
 
-# The first process of a node, and nothing when it is down.
+# Prints the first process of a node; nothing if the node is down.
 first_process() {
   local children=
   read -r children 2>/dev/null <"/proc/$1/task/$1/children" || true
   printf '%s' "${children%% *}"
 }
 
-# It is gone when the others of its namespace are.
+# The node is gone when the other processes of its namespace are.
 crash() {
   local power first
   power=$(cat "$folder/$1.power")
@@ -176,13 +176,13 @@ on() {
 
 all_idle() { [ "$(sinfo --noheader --Node --partition main --states idle --format %N | wc -l)" = "$1" ]; }
 
-# Not at once: whatever starts within the second in which it was requeued is refused by its node as
-# "credential revoked", and lost; Slurm's two minutes keep it from that.
+# Not at once: a job that starts within the second in which it was requeued is refused by its node
+# as "credential revoked", and lost; Slurm's two minutes prevent that.
 hurry() {
   local job restarts start
   squeue --noheader --array --states PENDING --Format 'JobID:20,RestartCnt:10,StartTime:30,Reason:30' |
     awk '$4 == "BeginTime" || $4 == "None" {print $1, $2, $3}' | sort -u | while read -r job restarts start; do
-    # It may have begun meanwhile.
+    # It may have started meanwhile.
     if [ "$restarts" = 0 ]; then
       scontrol update JobId="$job" StartTime=now || true
     elif [[ $start != N/A && $start > $(date -d '+5 seconds' +%FT%T) ]]; then
@@ -193,7 +193,7 @@ hurry() {
 
 nothing_queued() { [ -z "$(squeue --noheader)" ]; }
 
-# wait_for SECONDS WHAT COMMAND...: until it succeeds.
+# wait_for SECONDS WHAT COMMAND...: waits until it succeeds.
 wait_for() {
   local until=$((SECONDS + $1)) what=$2
   shift 2
@@ -203,7 +203,7 @@ wait_for() {
   done
 }
 
-# What the programs of the cluster said last.
+# Prints the latest messages of the cluster's programs.
 complaints() {
   local log
   for log in "$folder"/*.out; do

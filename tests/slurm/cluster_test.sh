@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# cluster_test.sh: the cluster of the other tests (cluster.sh) is one that may be killed, whose nodes
-# fail and come back, and beside which there is room for another.
+# cluster_test.sh: the cluster for other tests (cluster.sh) can be killed, its nodes fail and come
+# back, and another can run beside it.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
@@ -40,7 +40,7 @@ mkdir other
 (cd other && exec "$here/cluster.sh" run --nodes 2 "$here/cluster_test.sh" waiting) >other/log 2>&1 &
 "$here/cluster.sh" run --nodes 2 "$here/cluster_test.sh" inside
 until [ -e other/running ]; do sleep .1; done
-# Processes of the other cluster, from outside.
+# Processes of the other cluster, seen from outside.
 space=$(readlink "/proc/$(cat "/proc/$!/task/$!/children" | tr -d ' ')/ns/pid")
 processes() { find /proc/[0-9]*/ns/pid -printf '%l\n' 2>/dev/null | grep -cxF "$space"; }
 [ "$(processes)" -gt 3 ] || fail 'the other cluster has no processes'

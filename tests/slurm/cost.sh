@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# cost.sh SOURCE BUILD [SUBMISSIONS]: what a class on a cluster costs beside the grading itself, for the
-# figures of tests/CLUSTER.md: a task's start, a submission's handling (so many that hold nothing, 1000,
-# are taken in and written), and the look at a class that is done. Slurm is played.
+# cost.sh SOURCE BUILD [SUBMISSIONS]: measures the overhead of a class on a cluster, for the figures
+# in tests/CLUSTER.md: starting a task, handling a submission (1000 empty ones are taken in and
+# written), and checking a finished class. Slurm is faked.
 set -euo pipefail
 source=$(readlink -f "$1") build=$(readlink -f "$2") count=${3:-1000}
 [ -x /usr/bin/time ] || { printf 'cost.sh: it takes /usr/bin/time (apt-get install time)\n' >&2 && exit 1; }
@@ -19,7 +19,7 @@ echo 'a secret' >secret
 
 grade=("$build/bin/carlo_grade" --tree "$source" --build "$build" class --secret-file secret -o out)
 
-# measured WHAT COMMAND...: seconds of the clock, and of processors.
+# measured WHAT COMMAND...: prints wall seconds, and processor seconds.
 measured() {
   local what=$1
   shift
@@ -31,7 +31,7 @@ eval "mkdir class/student_{1..$count}"
 PATH=$work/slurm:$PATH measured "a plan for $count submissions" "${grade[@]}" --slurm --no-wait --tasks "$count"
 printf '%-44s %7d bytes a submission\n' 'the plan' "$(($(stat -c %s out/.slurm/plan.json) / count))"
 
-# A task whose share is empty: the plan's second task of two, of one submission.
+# A task with an empty share: the plan's second task of two, for one submission.
 sed -i 's/"tasks": [0-9]*/"tasks": 1000000/' out/.slurm/plan.json
 SLURM_ARRAY_TASK_ID=1000000 measured "a task's start" "$build/bin/carlo_grade" --task "$work/out/.slurm/plan.json"
 ( SLURM_ARRAY_TASK_ID=1000000 "$build/bin/carlo_grade" --task "$work/out/.slurm/plan.json" >/dev/null 2>&1; : ) &

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# grade_test.sh SOURCE BUILD: a class of eight as a job array over four nodes: one cannot grade, one
-# fails, a task is killed, and two wait for the same class. class.csv is that of one machine, byte for
-# byte; nothing is graded twice, and there is nothing left to do.
+# grade_test.sh SOURCE BUILD: grades a class of eight as a job array over four nodes: one cannot
+# grade, one fails, a task is killed, and two processes wait for the same class. class.csv equals
+# one machine's, byte for byte; nothing is graded twice, and nothing is left to do.
 set -euo pipefail
 source=$(readlink -f "$1") build=$(readlink -f "$2")
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -38,8 +38,8 @@ has_refused() { [ -e "cluster/.slurm/refused/$1" ]; }
 
 inside() {
   local no_node
-  # No sandbox of the level that this machine has; or, where none can be taken away, another linker's
-  # version: marks might be others.
+  # Takes a node's sandbox away or, where there is none to take, gives it another linker version,
+  # whose marks might differ.
   if grep -q 'sandbox: bubblewrap' whole.log; then
     no_node='level "bubblewrap"'
     "$CARLO_CLUSTER" on node4 mount --bind /dev/null "$(readlink -f "$(command -v bwrap)")"
@@ -57,7 +57,7 @@ inside() {
   until_within 300 'a task on node1' said_by node1
   ! at_work_on node1 || "$CARLO_CLUSTER" crash node1
   scontrol update NodeName=node1 State=DOWN Reason=power
-  # While tasks are at work nobody grades here.
+  # While tasks are running nobody grades here.
   ! grade cluster >here.log 2>&1 || fail 'one machine grades where tasks are at work'
   grep -q 'another grader is at work there' here.log || fail "nobody says why: $(cat here.log)"
   grade cluster --slurm --no-wait >again.log
@@ -78,20 +78,20 @@ inside() {
     fail "nobody tells of the node that cannot grade: $(cat wait1.log)"
   ! grep -q '^node4: ' cluster/.slurm/*.txt || fail 'a node graded that may not'
 
-  # Once more there is nothing to do, here or there.
+  # A repetition has nothing to do, here or there.
   rm cluster/class.csv
   grade cluster --slurm >third.log 2>&1 || fail "typed a third time: $(cat third.log)"
   ! grep -q 'tasks for' third.log || fail 'what was done was submitted again'
   cmp whole/class.csv cluster/class.csv || fail 'from the records comes another class.csv'
   grade cluster >here.log || fail "one machine goes on: $(cat here.log)"
   [ "$(grep -c '(as before)' here.log)" = 8 ] || fail "what the cluster graded is graded again: $(cat here.log)"
-  # A submission is done when its line is written, with its time.
+  # A submission is done when its line, with its time, is written.
   local twice
   twice=$(sed -n 's/^\([a-z_0-9]*\): [0-9.]* of [0-9]* points ([0-9].*/\1/p' cluster/.slurm/*.txt | sort | uniq -d)
   [ -z "$twice" ] || fail "graded twice: $twice"
 }
 
-# The folder of marks is full, or may not be written to, and then it is and may.
+# The folder for marks is full or not writable, and later is.
 bad_folders() {
   local class=few
   mkdir -p few/{a,b} small

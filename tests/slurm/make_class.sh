@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# make_class.sh SOURCE BUILD WORK [RIGHT MISTAKEN ATTACKS]: a class in WORK/class, for tests: so many (60,
-# 100, 40) right answers of all labs, typical mistakes, and attacks on the grader, one lab each. The
-# attacks are those that end soon; what fills disk, memory or the list of processes is among them. WORK is
-# made anew.
+# make_class.sh SOURCE BUILD WORK [RIGHT MISTAKEN ATTACKS]: makes a test class in WORK/class: so
+# many (60, 100, 40) right answers of all labs, typical mistakes, and attacks on the grader, one lab
+# each. Only attacks that end soon, including those that fill disk, memory or the process table.
+# Replaces WORK.
 set -euo pipefail
 source=$(readlink -f "$1") build=$(readlink -f "$2") work=$3
 right=${4:-60} mistaken=${5:-100} attackers=${6:-40}

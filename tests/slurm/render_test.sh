@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# render_test.sh RENDERER SOURCE [STEP ...]: `./carlo render --slurm` on a real Slurm: whatever happens to tasks,
-# nodes and whoever submits, the image has the bits of one process. Without steps, the short ones; nightly:
-# third_killed time_limit rounds_killed.
+# render_test.sh RENDERER SOURCE [STEP ...]: `./carlo render --slurm` on a real Slurm: whatever
+# happens to tasks, nodes and the submitting process, the image has the bits of a single process.
+# Without steps, runs the short ones; nightly: third_killed time_limit rounds_killed.
 set -euo pipefail
 if [ "${1:-}" != --inside ]; then
   exec "$(dirname "${BASH_SOURCE[0]}")/cluster.sh" run --nodes 3 "${BASH_SOURCE[0]}" --inside "$@"
@@ -14,25 +14,25 @@ short=(plain twice_at_once killed requeued node_down rounds full_disk read_only 
 [ $# != 0 ] || set -- "${short[@]}"
 scene=$source/common/scenes/cornell_phong.xml
 
-# of SPP [ARGUMENTS...]: a render's own arguments.
+# of SPP [ARGUMENTS...]: sets a render's own arguments.
 of() { render=("$renderer" "$scene" --quiet --size 48x48 --spp "$@"); }
 
-# whole NAME: by one process, once for all that have these arguments.
+# whole NAME: renders in one process, once for all with these arguments.
 whole() { [ -s "$1.exr" ] || "${render[@]}" -o "$1"; }
 
 same() { cmp "$1.exr" "$2.exr" || complain "$2: other bits"; }
 
-# Arrays and merges that were ever submitted for an image, while Slurm remembers them.
+# Prints how many arrays and merges were submitted for an image, as long as Slurm remembers them.
 submitted() {
   local name
   name=$(sed -n 's/.*"jobs": "\(.*\)".*/\1/p' "$1.slurm/plan.json")
   scontrol --oneliner show jobs | grep " JobName=$name$2 " | sed -n 's/.*ArrayJobId=\([0-9]*\).*/\1/p' | sort -u | wc -l
 }
 
-# tasks NAME: the processes of an image's tasks.
+# tasks NAME: prints the processes of an image's tasks.
 tasks() { pgrep -f -- "^$scratch/$1.slurm/carlo_render --slurm-task" || true; }
 
-# until_there COMMAND...: which shall print something.
+# until_there COMMAND...: waits until it prints something.
 until_there() {
   local tries
   for ((tries = 0; tries < 1200; ++tries)); do
@@ -43,14 +43,14 @@ until_there() {
 }
 checkpoints() { ls "$1".slurm/*.part; }
 
-# awaited PID NAME: it shall end well, and so shall the image.
+# awaited PID NAME: it must succeed, and the image must be right.
 awaited() {
   local code=0
   wait "$1" || code=$?
   [ "$code" = 0 ] || complain "$2: exit code $code: $(cat "$2.stderr")"
 }
 
-# Requeued jobs need not wait for two minutes here.
+# Requeued jobs need not wait two minutes here.
 while sleep .5; do "$CARLO_CLUSTER" hurry; done >/dev/null 2>&1 &
 hurrying=$!
 
@@ -60,12 +60,12 @@ plain() {
   "${render[@]}" -o plain --slurm --tasks 5 --threads 2 --partition urgent --time 10
   same whole64 plain
   [ -z "$(checkpoints plain 2>/dev/null)" ] || complain 'parts are left'
-  # Done is done.
+  # A finished image is not rendered again.
   stat -c %Y.%i plain.{exr,png,json} >before
   "${render[@]}" -o plain --slurm
   stat -c %Y.%i plain.{exr,png,json} | cmp - before || complain 'what was there was written again'
   [ "$(submitted plain '') $(submitted plain _merge)" = '1 1' ] || complain 'jobs for what is done'
-  # More shards than blocks of samples; nobody waits.
+  # More shards than blocks of samples; without waiting.
   (cd / && "${render[@]/48x48/16x16}" -o "$scratch/tiny" --slurm --no-wait --tasks 20)
   "$CARLO_CLUSTER" settled
   "${render[@]/48x48/16x16}" -o tiny_whole
@@ -88,8 +88,8 @@ twice_at_once() {
     complain "three submissions at once: $(submitted twice '') arrays, $(submitted twice _merge) merges"
 }
 
-# held NAME COUNT: waits until the image's tasks, COUNT of them, stand still (SIGSTOP), each with a checkpoint: what
-# happens then does not happen after their end, however fast the processor is and busy.
+# held NAME COUNT: waits until the image's tasks, COUNT of them, are stopped (SIGSTOP), each with a
+# checkpoint: so later steps cannot come after their end, however fast or busy the processor is.
 held() {
   local tries task index
   local -A stopped=()
@@ -104,7 +104,7 @@ held() {
 }
 go_on() { tasks "$1" | xargs --no-run-if-empty kill -CONT 2>/dev/null || true; }
 
-# A third of the tasks, without a word, and the submitting process.
+# Kills a third of the tasks, and the submitting process, with SIGKILL.
 killed() {
   local pid
   of 8192 --checkpoint .1
@@ -121,7 +121,7 @@ killed() {
   same whole8192 killed
 }
 
-# By Slurm, and by itself when its time is up.
+# Requeues tasks by Slurm, and by themselves when their time is up.
 requeued() {
   local pid id
   of 8192 --checkpoint .1
@@ -180,7 +180,7 @@ full_disk() {
   umount small
 }
 
-# For all at first, then for the nodes alone.
+# Read-only for all at first, then only for the nodes.
 read_only() {
   local node
   mkdir -p closed
@@ -222,7 +222,8 @@ refused() {
 
 # --- nightly -------------------------------------------------------------------------------------
 
-# killing NAME PID: until PID ends, kills one in three of the image's tasks, at a random moment of its first second.
+# killing NAME PID: until PID ends, kills one in three of the image's tasks, at a random moment in
+# its first second.
 killing() {
   local task
   local -A seen=()
@@ -237,7 +238,8 @@ killing() {
   done
 }
 
-# A third of the tasks killed at random moments, and one SHA-256 of the sums (the EXR is nothing else).
+# A third of the tasks killed at random moments, and one SHA-256 of the sums (the EXR holds nothing
+# else).
 third_killed() {
   local name file pid
   for name in cornell_phong caustics mesh; do
@@ -249,7 +251,7 @@ third_killed() {
     "${render[@]}" -o "$name" --slurm --tasks 12 2>"$name.stderr" &
     pid=$!
     killing "$name" $pid &
-    # Whoever waits gives up when the tasks came to nothing: the same command goes on.
+    # The waiting process gives up if all tasks failed: the same command resumes.
     until wait $pid; do
       printf '%s: again, after: %s\n' "$name" "$(cat "$name.stderr")"
       "${render[@]}" -o "$name" --slurm 2>"$name.stderr" &
@@ -275,7 +277,8 @@ rounds_killed() {
   cmp adaptive_long.png rounds_long.png || complain 'another image in rounds'
 }
 
-# Longer than a task may take: Slurm's shortest limit is a minute, and its warning comes as early as that.
+# Longer than a task may take: Slurm's shortest limit is a minute, and its warning may come that
+# early.
 time_limit() {
   of 400000 --checkpoint 1000
   "${render[@]}" -o limited --slurm --tasks 2 --time 2

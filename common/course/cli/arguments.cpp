@@ -60,14 +60,14 @@ std::string shown(const T& value) {
   return "";
 }
 
-/// An end of a range, in short: 1e+15.
+/// Formats an end of a range briefly: 1e+15.
 template <class Number>
 std::string shown_end(Number value) {
   if constexpr (std::is_floating_point_v<Number>) return fmt::format("{:g}", value);
   return fmt::format("{}", value);
 }
 
-/// What a list or an optional holds; else the type itself.
+/// The element type of a list or optional; any other type itself.
 template <class T>
 struct Held {
   using type = T;
@@ -212,7 +212,7 @@ Argument CommandLine::option(std::string_view name, T& value, std::string_view a
   return Argument(option);
 }
 
-// What the programs of this tree need; a type that is missing is an error of the linker.
+// The types that the programs of this tree need; a missing one is a linker error.
 #define CARLO_OPTION(...) \
   template Argument CommandLine::option(std::string_view, __VA_ARGS__&, std::string_view)
 CARLO_OPTION(std::string);

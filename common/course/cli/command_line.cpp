@@ -16,7 +16,7 @@ bool looks_like_option(const std::string& word) {
          (word[1] == '-' || std::isalpha(static_cast<unsigned char>(word[1])) != 0);
 }
 
-/// Takes the words of a command line for the options of a verb.
+/// Assigns the words of a command line to the options of a verb.
 class Parser {
  public:
   Parser(CommandLineVerb& verb, std::vector<std::string> words)
@@ -73,7 +73,7 @@ class Parser {
     take_values(*option, has_value ? 1 : 0);
   }
 
-  /// The words behind an option that belong to it.
+  /// Takes the words after an option that belong to it.
   void take_values(CommandLineOption& option, int taken) {
     const bool alone = taken > 0 && option.least <= 1;  // as in --labs=1 FOLDER
     while (!alone && taken < option.most && at_ < words_.size() &&

@@ -8,7 +8,7 @@
 namespace carlo {
 namespace {
 
-/// Where what an option does begins, unless its name is longer.
+/// The column where descriptions begin, unless an option's name is longer.
 constexpr std::size_t column = 28;
 
 /// "-o, --output TEXT"
@@ -22,7 +22,7 @@ std::string left_side(const CommandLineOption& option) {
   return text + (option.is_list && option.separator == 0 ? " ..." : "");
 }
 
-/// What it does, what it may be and what it is when it is not given.
+/// Describes an option: what it does, its limits and its default.
 std::string right_side(const CommandLineOption& option) {
   std::string text = option.about;
   const auto add = [&](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
@@ -32,7 +32,7 @@ std::string right_side(const CommandLineOption& option) {
   return text;
 }
 
-/// Both sides in lines that fit the terminal, and 100 columns.
+/// Joins both sides into lines that fit the terminal and 100 columns.
 std::string line(const std::string& left, const std::string& right) {
   const std::string head = "  " + left;
   if (right.empty()) return head + "\n";

@@ -33,7 +33,7 @@ Descriptor Descriptor::lifted() const {
 Pipe make_pipe() {
   std::array<int, 2> ends{};
 #if defined(__APPLE__)
-  // Without pipe2() a program that another thread starts between these calls gets the ends, too.
+  // Without pipe2() a program that another thread starts between these calls inherits the ends too.
   bool made = ::pipe(ends.data()) == 0;
   for (const int end : ends)
     made = made && ::fcntl(end, F_SETFD, FD_CLOEXEC) == 0;

@@ -16,8 +16,8 @@ class Descriptor {
   bool open() const { return fd_ >= 0; }
   void close();
 
-  /// The same file under a number of at least 10, out of the way of those that a child is given,
-  /// and closed at exec(). Throws Error when this one is not open.
+  /// Duplicates the descriptor to a number of at least 10, above those that a child is given,
+  /// closed at exec(). Throws Error if this one is not open.
   Descriptor lifted() const;
 
  private:
@@ -28,7 +28,7 @@ struct Pipe {
   Descriptor read, write;
 };
 
-/// A pipe whose ends close at exec(). Throws Error when there is none to be had.
+/// Makes a pipe whose ends close at exec(). Throws Error if none is available.
 Pipe make_pipe();
 
 }  // namespace carlo

@@ -22,7 +22,7 @@
 namespace carlo {
 namespace {
 
-/// In the child, between fork and exec: calls nothing but the system.
+/// Runs in the child between fork and exec: makes system calls only.
 [[noreturn]] void become(const std::vector<char*>& argv, const ProgramStart& how, pid_t parent) {
   sigset_t none;
   bool ready = true;
@@ -74,7 +74,7 @@ pid_t start_program(const std::vector<std::string>& words, const ProgramStart& h
   const pid_t parent = ::getpid(), child = ::fork();
   if (child < 0) throw Error("cannot start a process: {}", std::strerror(errno));
   if (child == 0) become(argv, how, parent);
-  // Here as well, so that who ends the group at once finds it; it fails where the child was first.
+  // Here as well, so that whoever kills the group at once finds it; fails if the child was first.
   if (how.own_group) (void)::setpgid(child, child);
   return child;
 }

@@ -26,7 +26,7 @@ Descriptor open_folder(int at, const std::string& name) {
       ::openat(at, name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
 }
 
-/// The names in a folder but for . and .., at most some thousands at a time.
+/// Returns the names in a folder except . and .., at most some thousands at a time.
 std::vector<std::string> names_in(int folder) {
   constexpr std::size_t most = 10'000;
   std::vector<std::string> names;
@@ -41,8 +41,8 @@ std::vector<std::string> names_in(int folder) {
   return names;
 }
 
-/// True when it is gone. What is no folder goes at once; a folder is opened to us, so that what is
-/// in it can go.
+/// Returns true if the entry is gone. Anything but a folder is removed at once; a folder gets
+/// permissions that allow us to empty it.
 bool remove_or_open(int folder, const std::string& name) {
   if (::unlinkat(folder, name.c_str(), 0) == 0) return true;
   struct stat status {};
@@ -51,8 +51,8 @@ bool remove_or_open(int folder, const std::string& name) {
   return false;
 }
 
-/// Removes the files of a folder and moves its folders to `top` under names that `count` makes.
-/// True when something was.
+/// Removes the files of a folder and moves its folders to `top` under names made from `count`.
+/// Returns whether there were any.
 bool empty_into(int top, int folder, std::size_t& count) {
   bool progress = false;
   for (const std::string& name : names_in(folder)) {

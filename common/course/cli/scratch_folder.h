@@ -4,16 +4,16 @@
 
 namespace carlo {
 
-/// Removes all that is in a folder, as far as we may: also what lies deeper than any path can name,
-/// and in folders whose owner has closed them. Links are not followed. Nobody else may be at work
-/// there.
+/// Removes everything in a folder that we have permission to remove, including entries deeper than
+/// any path can name and folders whose owner has closed them. Does not follow links. Nothing else
+/// may modify the folder meanwhile.
 void remove_below(int folder);
 
-/// A new folder that nobody else can look into, among the temporary files or in another folder; it
-/// goes with this object.
+/// A new folder that nobody else can read, among the temporary files or in another folder; removed
+/// with this object.
 class ScratchFolder {
  public:
-  /// Throws Error when it cannot be made.
+  /// Throws Error if it cannot be created.
   ScratchFolder();
   explicit ScratchFolder(const std::filesystem::path& folder);
   ~ScratchFolder();

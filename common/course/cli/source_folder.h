@@ -4,9 +4,9 @@
 
 namespace carlo {
 
-/// The folder of the tree that this program was built from, absolute. Known to one small file
-/// alone: what others compile does not tell where the tree lies, and trees at other places share it
-/// in the compiler's cache.
+/// Returns the absolute path of the tree that this program was built from. Only one small file
+/// knows it, so that other compilations do not contain the path and trees elsewhere share them in
+/// the compiler cache.
 std::filesystem::path source_folder();
 
 }  // namespace carlo

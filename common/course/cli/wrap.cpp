@@ -15,7 +15,7 @@ bool starts_character(char c) {
   return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
 }
 
-/// One character with what colours it: a colour's escape takes no room.
+/// One character with its colour; the escape sequence takes no columns.
 struct Glyph {
   std::string bytes;
   int width = 0;
@@ -54,7 +54,7 @@ std::string wrapped_line(const std::string& line, int columns) {
       used += all[end].width;
       if (all[end].bytes == " ") space = end;
     }
-    // Part at a space, unless that is only the indentation.
+    // Break at a space, unless it is part of the indentation.
     const bool parted = end < all.size() && space > from + static_cast<std::size_t>(indent);
     const std::size_t last = parted ? space : end;
     for (std::size_t i = from; i < last; ++i)

@@ -1,5 +1,5 @@
-# Every library we use is found here once, as an imported target. `./carlo setup` installs
-# them; a missing one says which Debian package has it.
+# Finds every library we use, once, as an imported target. `./carlo setup` installs them; the
+# message for a missing one names its Debian package.
 
 set(carlo_hint "run './carlo setup', or install the Debian package")
 
@@ -21,7 +21,7 @@ carlo_find(Boost libboost-math-dev CONFIG)
 carlo_find(ZLIB zlib1g-dev)
 carlo_find(Catch2 "libcatch2-dev (from bookworm-backports)" 3)
 
-# Third-party headers are not ours to warn about.
+# We do not report warnings in third-party headers.
 set_target_properties(glm::glm PROPERTIES IMPORTED_NO_SYSTEM FALSE)
 
 find_package(embree 4 QUIET)
@@ -32,7 +32,8 @@ if(NOT embree_FOUND)
   message(FATAL_ERROR "Embree 3 or 4 was not found: ${carlo_hint} libembree-dev")
 endif()
 
-# Debian's CMake files for OpenImageIO demand its command-line tools too; the library is enough.
+# Debian's CMake files for OpenImageIO also require its command-line tools; we need only the
+# library.
 find_path(OPENIMAGEIO_INCLUDE_DIR OpenImageIO/imageio.h)
 find_library(OPENIMAGEIO_LIBRARY OpenImageIO)
 find_library(OPENIMAGEIO_UTIL_LIBRARY OpenImageIO_Util)

@@ -1,12 +1,12 @@
 # add_lab(FOLDER NAME [DEPENDS carlo::x ...] [EXPERIMENTS carlo::y ...]): everything a lab is built
-# from; the experiments alone link what stands behind EXPERIMENTS.
+# from; only the experiments link the libraries after EXPERIMENTS.
 #
 # An implementation is one object library compiled from the student's files, from the solution's, or
 # from the solution's with one change: a typical mistake, or a variant that is as right. The files are
 # labs/FOLDER/NAME.cpp alone or, for a lab in steps, labs/FOLDER/steps/*.cpp; the solution's have the
-# same names. What a lab gives to students and to probes stands in labs/FOLDER/given/. Each
+# same names. labs/FOLDER/given/ holds what a lab gives to students and to probes. Each
 # implementation is linked with
-#   - the lab's experiments (labs/FOLDER/*.cpp but for NAME.cpp)  -> lab01, lab01_solution
+#   - the lab's experiments (labs/FOLDER/*.cpp except NAME.cpp)  -> lab01, lab01_solution
 #   - the lab's probes (tests/FOLDER/probes*.cpp)  -> lab01_worker, lab01_worker_solution,
 #                                                     lab01_worker_mistake_<name>,
 #                                                     lab01_worker_variant_<name>
@@ -14,11 +14,11 @@
 # or a span ends the program. And a local variable without a start value begins with a huge number
 # (NaN with clang), not with the 0 that happens to stand on a fresh stack. The experiments, which are
 # timed, run without these.
-# The judge, lab01_judge, is compiled from tests/FOLDER/checks*.cpp and holds none of them.
+# The judge, lab01_judge, is compiled from tests/FOLDER/checks*.cpp and contains no implementation.
 # Parts that a tree does not have (solutions/, tests/) are left out.
 
-# The files of an implementation in BASE (labs/FOLDER or solutions/FOLDER), into the variable RESULT;
-# empty where there are none.
+# Sets RESULT to the files of an implementation in BASE (labs/FOLDER or solutions/FOLDER); empty if
+# there are none.
 function(carlo_lab_sources result base name)
   file(GLOB steps CONFIGURE_DEPENDS "${base}/steps/*.cpp")
   if(NOT steps AND EXISTS "${base}/${name}.cpp")
@@ -27,9 +27,9 @@ function(carlo_lab_sources result base name)
   set(${result} "${steps}" PARENT_SCOPE)
 endfunction()
 
-# The name under which a lab that builds on lab NUMBER links it, into the variable RESULT: the
-# solution where the tree has it, so that a broken earlier lab breaks no later one; the student's own
-# code otherwise, or where MY_LABS lists the number.
+# Sets RESULT to the target name that a lab building on lab NUMBER links: the solution if the tree
+# has it, so that a broken earlier lab breaks no later one; the student's own code otherwise, or if
+# MY_LABS lists the number.
 set(MY_LABS "" CACHE STRING "Earlier labs of which your own code is used, such as \"06;07\"")
 function(carlo_earlier_lab result number)
   if(TARGET lab${number}_code_solution AND NOT number IN_LIST MY_LABS)
@@ -39,8 +39,9 @@ function(carlo_earlier_lab result number)
   endif()
 endfunction()
 
-# One implementation: the object library TARGET from the files SOURCES (a list in one argument). What
-# is ours is strict with itself, but not with the student's later lab that links it.
+# Adds one implementation: the object library TARGET from the files SOURCES (a list in one
+# argument). Our own code gets strict warnings, but does not pass them on to a student's later lab
+# that links it.
 function(carlo_lab_implementation target folder sources)
   set(uses ${ARGN})
   add_library(${target} OBJECT ${sources})
@@ -53,7 +54,7 @@ function(carlo_lab_implementation target folder sources)
   endif()
   target_link_libraries(${target} PUBLIC carlo::build carlo::course ${uses})
   if(NOT CARLO_SANITIZE)
-    # A function that ends without the return it owes says so, with the line
+    # A function that ends without returning its value reports the line
     # (common/course/missing_return.cpp).
     target_compile_options(${target} PRIVATE -fsanitize=return)
   endif()
@@ -65,13 +66,13 @@ function(carlo_lab_judged_implementation target folder sources)
   target_compile_definitions(${target} PRIVATE _GLIBCXX_ASSERTIONS)
   target_compile_options(${target} PRIVATE -ftrivial-auto-var-init=pattern)
   if(CARLO_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # Both together make GCC see uninitialised values in fmt. The same code is compiled for the lab's
-    # own program without the pattern, and with this warning.
+    # Both together make GCC report uninitialised values in fmt. The same code is compiled for the
+    # lab's own program without the pattern and with this warning.
     target_compile_options(${target} PRIVATE -Wno-uninitialized)
   endif()
 endfunction()
 
-# Compiled once, linked with every implementation: PREFIX_PART from SOURCES.
+# Compiles PREFIX_PART from SOURCES once, to be linked with every implementation.
 function(carlo_lab_part target folder)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
   add_library(${target} OBJECT ${ARG_SOURCES})
@@ -80,13 +81,13 @@ function(carlo_lab_part target folder)
   target_link_libraries(${target} PUBLIC carlo::build ${ARG_DEPENDS} PRIVATE carlo::strict)
 endfunction()
 
-# An executable of one part and one implementation.
+# Links one part and one implementation into an executable.
 function(carlo_lab_program target part implementation)
   add_executable(${target})
   target_link_libraries(${target} PRIVATE ${part} ${implementation} carlo::build)
 endfunction()
 
-# Well over a hundred small programs: one build type is enough for them.
+# Well over a hundred small programs: one build type is enough.
 option(CARLO_MISTAKES "Build the labs' typical mistakes and variants and test how each is judged" ON)
 
 # The mistakes of a lab (KIND "mistake") or its variants ("variant"), in the global property
@@ -140,7 +141,8 @@ function(carlo_lab_put_mistakes folder kind lines)
   endforeach()
 endfunction()
 
-# What the files `sources` of an implementation include is compiled once, for all that look like them.
+# Precompiles the headers that the files `sources` of an implementation include, once for all
+# similar files.
 function(carlo_lab_headers_once target name sources)
   set(headers "<${name}.h>")
   foreach(source IN LISTS sources)
@@ -162,15 +164,15 @@ function(carlo_lab_mistaken_worker lab folder kind line others)
   carlo_lab_judged_implementation(${worker}_code ${folder} "${file}" ${ARGN})
   target_precompile_headers(${worker}_code REUSE_FROM ${lab}_worker_code_solution)
   target_compile_options(${worker}_code PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
-  # Hundreds of files. 2.5 judges speed: there as a student's is compiled.
+  # Hundreds of files: -O1, except in lab 2, where exercise 2.5 judges speed.
   if(NOT lab STREQUAL "lab02")
     target_compile_options(${worker}_code PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
   carlo_lab_program(${worker} ${lab}_probes ${worker}_code)
   target_link_libraries(${worker} PRIVATE ${others})
   if(CARLO_GOLD)
-    # Not mold 1.10, a little faster: about one of some thousand such links never ended, in its
-    # allocator, and one of some 500 programs could not start.
+    # Not mold 1.10, although it is a little faster: about one link in several thousand never ended,
+    # in its allocator, and one program in about 500 could not start.
     target_link_options(${worker} PRIVATE -fuse-ld=gold)
   endif()
   add_dependencies(${lab}_${kind}s ${worker})
@@ -220,8 +222,8 @@ function(add_lab folder name)
     list(APPEND uses ${lab}_given)
   endif()
 
-  # A student's file gets the warnings but is built all the same; ours is not. Parameters of exercises
-  # that are not done yet are unused by nature.
+  # A student's file gets the warnings but builds despite them; ours does not. Parameters of
+  # unwritten exercises are unused.
   carlo_lab_implementation(${lab}_code ${folder} "${student}" ${uses})
   set(students_warnings -Wall -Wextra -Wpedantic -Wno-unused-parameter)
   target_compile_options(${lab}_code PRIVATE ${students_warnings})
@@ -252,7 +254,7 @@ function(add_lab folder name)
   if(probes)
     carlo_lab_part(${lab}_probes ${folder} SOURCES ${probes}
                    DEPENDS ${uses} carlo::grader_worker)
-    # Lab 01's have little to do, and everybody's first verdict waits until they are compiled.
+    # Lab 01's programs compute little, and everybody's first verdict waits for their compilation.
     if(number STREQUAL "01")
       target_link_libraries(${lab}_probes PRIVATE carlo::unhurried)
     endif()
@@ -274,7 +276,7 @@ function(add_lab folder name)
   file(GLOB checks CONFIGURE_DEPENDS "${tests}/checks*.cpp")
   if(checks)
     add_executable(${lab}_judge ${checks})
-    # These know their answers by millions of samples of their own.
+    # The judges of these labs compute expected values from millions of samples of their own.
     set(pace carlo::unhurried)
     if(lab MATCHES "^lab0[2578]$")
       set(pace carlo::grading)

@@ -1,6 +1,6 @@
-# carlo_be_patient(FOLDER): where programs are emulated (QEMU: ten times slower, and more) tests get
-# CARLO_PATIENCE times as long. Not those that a program lists when it is built (renderer:...). It takes
-# CMake 3.28 or later.
+# carlo_be_patient(FOLDER): multiplies test timeouts by CARLO_PATIENCE where programs are emulated
+# (QEMU is at least ten times slower). Excludes tests that a program lists at build time
+# (renderer:...). Requires CMake 3.28 or later.
 cmake_minimum_required(VERSION 3.28)
 
 function(carlo_be_patient folder)

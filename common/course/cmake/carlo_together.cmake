@@ -1,17 +1,17 @@
-# carlo_compile_together(): the files of each target are compiled together, 24 at a time, in the order
-# in which the target lists them: most of a small file's time goes into the headers that it shares with
-# its neighbours. To be called when all targets are there.
+# carlo_compile_together(): compiles the files of each target together, 24 at a time, in the order in
+# which the target lists them: most of a small file's time goes into the headers that it shares with
+# its neighbours. Call it when all targets exist.
 #
-# CMake's own UNITY_BUILD writes the tree's place into the files that it makes; the compiler cache would
-# find nothing again in a tree that stands elsewhere. So these are ours, and name files from the tree's
-# root on. What CMake knows of it holds here too:
+# CMake's own UNITY_BUILD writes the tree's path into the files that it makes, and the compiler cache
+# would find nothing again in a tree elsewhere. So we generate these, with paths relative to the tree's
+# root. CMake's properties for unity builds apply here too:
 #   target property UNITY_BUILD OFF                     every file by itself (what a student edits)
-#   target property UNITY_BUILD_MODE GROUP              those of one group together, the others alone
+#   target property UNITY_BUILD_MODE GROUP              files of one group together, the others alone
 #   source property UNITY_GROUP                         its group
 #   source property SKIP_UNITY_BUILD_INCLUSION          this file by itself
-# and so are generated files and those with compile options or definitions of their own.
+# Generated files and those with their own compile options or definitions are also compiled alone.
 
-# What `source` of `target` is compiled with: a group's name, or "" for none; into the variable RESULT.
+# Sets RESULT to the group that `source` of `target` is compiled with, or "" for none.
 function(carlo_group_of result target source mode)
   set(${result} "" PARENT_SCOPE)
   cmake_path(IS_PREFIX PROJECT_SOURCE_DIR "${source}" inside)
@@ -34,7 +34,7 @@ function(carlo_group_of result target source mode)
   set(${result} "${group}" PARENT_SCOPE)
 endfunction()
 
-# The file that includes `sources`, into the variable RESULT; written only when it says something new.
+# Writes the file that includes `sources`, only if its content changes; sets RESULT to its path.
 function(carlo_file_of result target name sources)
   set(text "// ${target}: compiled together (common/course/cmake/carlo_together.cmake).\n")
   foreach(source IN LISTS sources)
@@ -62,7 +62,7 @@ function(carlo_compile_target_together target)
   get_target_property(folder ${target} SOURCE_DIR)
   get_target_property(sources ${target} SOURCES)
   if(NOT sources)
-    return()  # linked of objects alone
+    return()  # linked from objects only
   endif()
   set(result "")
   set(groups "")
@@ -92,15 +92,15 @@ function(carlo_compile_target_together target)
       list(APPEND result "${file}")
     endforeach()
   endforeach()
-  # Of CMake's own there is nothing left to do.
+  # Nothing is left for CMake's own unity build.
   set_target_properties(${target} PROPERTIES SOURCES "${result}" UNITY_BUILD OFF)
   target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}")
   carlo_common_headers(${target})
 endfunction()
 
-# What nearly every file of a carlo::unhurried target includes is compiled once: a second less for each.
-# GCC accepts it at another level of optimisation too, and then crashes; any definition will do that
-# these headers do not know.
+# Precompiles the headers that nearly every file of a carlo::unhurried target includes: saves a
+# second for each. GCC also accepts a precompiled header at another optimisation level, and then
+# crashes; any definition prevents that if these headers do not use it.
 function(carlo_common_headers target)
   get_target_property(libraries ${target} LINK_LIBRARIES)
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU" OR NOT CMAKE_BUILD_TYPE STREQUAL "Release" OR CARLO_SANITIZE

@@ -1,7 +1,8 @@
 #!/bin/sh
-# compile_header.sh CCACHE COMMAND...: precompiles headers, and puts a checksum beside what COMMAND's -o
-# names. By it the compiler cache (its pch_external_checksum) knows them for each of hundreds of files,
-# without reading their 100 MB each time. Without it, as where this is killed, it reads them.
+# compile_header.sh CCACHE COMMAND...: precompiles headers and writes a checksum next to COMMAND's
+# -o output. The compiler cache (its pch_external_checksum) identifies them by it for each of
+# hundreds of files, without reading their 100 MB each time. If it is missing, as after a kill, the
+# cache reads them.
 set -eu
 ccache=$1
 shift
@@ -11,7 +12,7 @@ for argument; do
   before=$argument
 done
 case $header in *.gch | *.pch) ;; *) exec "$@" ;; esac
-rm -f "$header.sum" # that of other headers would be worse than none
+rm -f "$header.sum" # a checksum of other headers would be worse than none
 "$@"
 "$ccache" --hash-file "$header" >"$header.sum.part"
 mv "$header.sum.part" "$header.sum"

@@ -1,6 +1,6 @@
 # Writes OUTPUT, a C++ source that holds the FILES as character arrays: carlo::web::page_css() is page.css.
 #   cmake -DOUTPUT=web_files.cpp -DFILES=a.css,b.js -P embed.cmake
-# An array, not a string literal: compilers limit the length of literals.
+# Arrays, not string literals: compilers limit the length of literals.
 string(REPLACE "," ";" files "${FILES}")
 set(code "// Made by embed.cmake.\n#include <string_view>\n\nnamespace carlo::web {\n")
 foreach(file IN LISTS files)

@@ -18,7 +18,8 @@ std::string dumped(const json& value, int indent = -1) {
   return value.dump(indent, ' ', false, json::error_handler_t::replace);
 }
 
-/// A value in a message: its beginning. Of a list nothing: writing it out takes a stack as deep.
+/// Returns the beginning of a value, for a message. Nothing for a list: writing it out takes a
+/// stack as deep as the list.
 std::string shown(const json& value) {
   if (value.is_array()) return "a list";
   if (value.is_object()) return "an object";

@@ -12,34 +12,33 @@
 
 namespace carlo {
 
-/// An object of a JSON document that is written or read. A type tells once what its members are
-/// called, for both:
+/// An object of a JSON document that is written or read. A type names its members once, for both:
 ///
 ///   void fields(JsonFields& json, Diagnosis& diagnosis) {
 ///     json("id", diagnosis.id);
 ///     json("sentence", diagnosis.sentence);
 ///   }
 ///
-/// Reading throws Error, one line that names the place and what was expected, when a member is
-/// missing or of another kind; members that nobody asks for are passed over. nlohmann's library
-/// does the work; its header costs seconds of compiling, so that one file includes it for all.
+/// Reading throws Error, one line with the place and what was expected, if a member is missing or
+/// of another kind; members that nobody asks for are ignored. Uses nlohmann's library, whose header
+/// costs seconds of compiling, so only one file includes it.
 class JsonFields {
  public:
   bool reading() const { return reading_; }
-  /// Whether there is such a member.
+  /// Returns whether there is such a member.
   bool has(const char* name) const;
 
   void operator()(const char* name, bool& value);
   void operator()(const char* name, int& value);
   void operator()(const char* name, unsigned long& value);
-  /// Infinities and NaN are the texts "inf", "-inf" and "nan".
+  /// Infinities and NaN are written as the texts "inf", "-inf" and "nan".
   void operator()(const char* name, double& value);
-  /// Bytes that are no UTF-8 are written as U+FFFD.
+  /// Invalid UTF-8 is written as U+FFFD.
   void operator()(const char* name, std::string& value);
   void operator()(const char* name, std::vector<double>& list);
   void operator()(const char* name, std::vector<std::string>& list);
 
-  /// An object with members of its own, which fields() names.
+  /// An object whose members fields() names.
   template <class T>
   void operator()(const char* name, T& value) {
     JsonFields inner = object(name);
@@ -55,7 +54,7 @@ class JsonFields {
     }
   }
 
-  /// An object whose members are called as they like.
+  /// An object with arbitrary member names.
   template <class T>
   void operator()(const char* name, std::map<std::string, T>& members) {
     JsonFields inner = object(name);
@@ -73,7 +72,7 @@ class JsonFields {
     if (value) (*this)(name, *value);
   }
 
-  /// A value of an enum, by its name; `named` throws Error when there is none.
+  /// A value of an enum, by its name; `named` throws Error if there is none.
   template <class Enum>
   void named(const char* name, Enum& value, std::string (*name_of)(Enum),
              Enum (*value_of)(const std::string&)) {
@@ -82,10 +81,10 @@ class JsonFields {
     if (reading_) value = value_of(text);
   }
 
-  /// A number of 64 bits as text: many readers of JSON round it.
+  /// Writes a 64-bit number as text, because many readers of JSON round it.
   void as_text(const char* name, std::uint64_t& value);
 
-  /// What others want to read, and we do not: sums.
+  /// Writes a value that we never read back, such as a sum.
   template <class T>
   void also(const char* name, T value) {
     if (!reading_) (*this)(name, value);
@@ -93,14 +92,14 @@ class JsonFields {
   void also(const char* name, const char* text) { also(name, std::string(text)); }
   void null(const char* name);
 
-  /// Throws Error: the place, then `what`.
+  /// Throws Error: the place followed by `what`.
   [[noreturn]] void fail(const std::string& what) const;
 
  private:
   friend class JsonDocument;
   JsonFields(nlohmann::json& object, bool reading, const JsonFields* parent, std::string place);
 
-  /// Of all members, in the order of the alphabet.
+  /// Returns all members' names in alphabetical order.
   std::vector<std::string> names() const;
   JsonFields object(const char* name);
   std::size_t begin_list(const char* name, std::size_t count);
@@ -111,15 +110,15 @@ class JsonFields {
 
   nlohmann::json& object_;
   bool reading_;
-  const JsonFields* parent_;  ///< what it is a part of; none of the whole document
-  std::string place_;         ///< in that
+  const JsonFields* parent_;  ///< the object that contains it; null for the whole document
+  std::string place_;         ///< its place in the parent
 };
 
-/// A whole document, which is one object.
+/// A whole document: one object.
 class JsonDocument {
  public:
   JsonDocument();
-  /// Throws Error that begins with `name` when the text is none.
+  /// Throws Error that begins with `name` if the text is not a JSON object.
   JsonDocument(const std::string& text, const std::string& name);
   JsonDocument(const JsonDocument&) = delete;
   JsonDocument& operator=(const JsonDocument&) = delete;
@@ -127,7 +126,7 @@ class JsonDocument {
 
   JsonFields writing();
   JsonFields reading();
-  /// In one line, or in lines that are indented by `indent` for each level. Valid UTF-8.
+  /// Returns the document in one line, or in lines indented by `indent` per level. Valid UTF-8.
   std::string text(int indent = -1) const;
 
  private:
@@ -143,7 +142,7 @@ std::string json_text(T value, int indent = -1) {
   return document.text(indent);
 }
 
-/// Throws Error that begins with `name`: a file's, or what the text should be.
+/// Throws Error that begins with `name`: a file's name, or what the text should be.
 template <class T>
 T from_json_text(const std::string& text, const std::string& name) {
   JsonDocument document(text, name);
@@ -153,7 +152,7 @@ T from_json_text(const std::string& text, const std::string& name) {
   return value;
 }
 
-/// The text with U+FFFD in place of bytes that are no UTF-8.
+/// Returns the text with invalid UTF-8 replaced by U+FFFD.
 std::string valid_utf8(const std::string& text);
 
 }  // namespace carlo

@@ -5,7 +5,7 @@
 
 namespace carlo {
 
-/// Bytes as text, RFC 4648.
+/// Encodes bytes as text, RFC 4648.
 std::string base64(std::string_view bytes);
 
 }  // namespace carlo

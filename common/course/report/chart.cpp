@@ -18,7 +18,7 @@ std::string slope_text(const PowerFit& fit) {
   return interval_text(fit.slope, fit.slope_half_width);
 }
 
-/// The chart in numbers, for whoever does not see it.
+/// Returns the chart as numbers, for readers who cannot see it.
 std::string data_html(const Chart& chart) {
   Table table({"series", chart.x.label, chart.y.label});
   for (const Series& series : chart.series) {
@@ -54,7 +54,7 @@ std::string legend(const Chart& chart) {
   return html + "</div>\n";
 }
 
-/// The fitted line from the first point to the last one, and its confidence band.
+/// Draws the fitted line from the first point to the last, and its confidence band.
 void draw_fit(Plot& plot, const Series& series) {
   const auto [first, last] =
       std::minmax_element(series.points.begin(), series.points.end(),

@@ -12,7 +12,7 @@
 namespace carlo {
 
 /// One set of points in its colour and shape. With a fit, the fitted line and its confidence band
-/// are drawn and the slope stands in the legend; without one, the points are joined.
+/// are drawn and the legend shows the slope; without one, the points are joined.
 struct Series {
   std::string name;
   std::vector<Point> points;
@@ -28,18 +28,18 @@ struct Chart {
   std::vector<Series> series;
 };
 
-/// A figure's title and the line under it, which may be empty.
+/// Returns a figure's title and the line under it, which may be empty.
 std::string caption_html(std::string_view title, std::string_view note);
 
-/// What a colour of a drawing stands for: the class that gives it, a sign in it, and words.
+/// What a colour in a drawing means: its class, a sign in that colour, and a description.
 struct Key {
   std::string_view style, sign;
   std::string words;
 };
 std::string legend_html(std::span<const Key> keys);
 
-/// The figure: title, legend, drawing, and all numbers in a table folded away. The legend's names
-/// show and hide their series.
+/// Returns the figure: title, legend, drawing, and all numbers in a folded table. Names in the
+/// legend show and hide their series.
 std::string chart_html(const Chart& chart);
 
 }  // namespace carlo

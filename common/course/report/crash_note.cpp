@@ -9,7 +9,7 @@
 namespace carlo {
 namespace {
 
-// All that the handler needs stands ready: it may call next to nothing.
+// Prepared in advance: a signal handler may call next to nothing.
 std::array<char, 256> title{};
 std::array<char, 16384> stack{};
 
@@ -19,7 +19,7 @@ extern "C" void crashed(int signal) {
     say_in_handler(title.data());
     say_in_handler("\"\n");
   }
-  ::raise(signal);  // the handler is gone: the system ends the program
+  ::raise(signal);  // the handler is reset: the system ends the program
 }
 
 constexpr bool sanitized =
@@ -39,7 +39,7 @@ constexpr bool sanitized =
 
 void tell_crashes() {
   if (sanitized) return;
-  // Of its own: recursion without end has used up the other.
+  // The handler's own stack: endless recursion has used up the other.
   stack_t own{};
   own.ss_sp = stack.data();
   own.ss_size = stack.size();

@@ -4,16 +4,16 @@
 
 namespace carlo {
 
-/// From now on a crash of this program (a bad access, a division of whole numbers by zero, an
-/// abort, a stack that is used up) first says on stderr in which experiment it happened. Where the
-/// program is built with sanitizers they tell more, and nothing is changed.
+/// From now on a crash of this program (bad access, integer division by zero, abort, stack
+/// overflow) first names on stderr the experiment in which it happened. In a sanitizer build
+/// nothing is changed, since sanitizers report more.
 void tell_crashes();
 
-/// The experiment that begins.
+/// Notes the experiment that begins.
 void note_experiment(std::string_view title);
 
-/// The title of the experiment under way, cut to some 250 bytes; empty before the first. A signal
-/// handler may ask.
+/// Returns the title of the current experiment, cut to about 250 bytes; empty before the first.
+/// Safe in a signal handler.
 std::string_view noted_experiment();
 
 }  // namespace carlo

@@ -52,7 +52,7 @@ std::string duration_text(double seconds) {
   constexpr std::array<Unit, 4> units = {{{1, "s"}, {1e-3, "ms"}, {1e-6, "µs"}, {1e-9, "ns"}}};
   if (!std::isfinite(seconds)) return fmt::format("{}", seconds);
   for (const Unit& unit : units) {
-    // A little less than a unit is rounded up to one: "1 ms", not "1000 µs".
+    // Just under a unit is rounded up to one: "1 ms", not "1000 µs".
     if (std::fabs(seconds) >= 0.9995 * unit.size) {
       return fmt::format("{} {}", number_text(seconds / unit.size, 3), unit.name);
     }

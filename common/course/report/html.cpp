@@ -22,12 +22,12 @@ bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Behind the text's end there are zeros.
+/// Returns the character at `at`; zero past the text's end.
 char at_place(std::string_view text, std::size_t at) {
   return at < text.size() ? text[at] : '\0';
 }
 
-/// Where the number at `at` ends: digits, and those behind a point.
+/// Returns where the number at `at` ends, decimals included.
 std::size_t number_end(std::string_view text, std::size_t at) {
   while (is_digit(at_place(text, at)) ||
          (at_place(text, at) == '.' && is_digit(at_place(text, at + 1))))
@@ -41,13 +41,13 @@ std::string raised(std::string_view exponent) {
   return "<sup>" + text + "</sup>";
 }
 
-/// The formula at a place as HTML, and where it ends; 0 when none begins there.
+/// The formula at a place as HTML, and where it ends; 0 if none begins there.
 struct Formula {
   std::string html;
   std::size_t end = 0;
 };
 
-/// What follows a '^': "7", "n", "2.5", "-1/4", "(1/d)".
+/// Parses what follows a '^': "7", "n", "2.5", "-1/4", "(1/d)".
 Formula power(std::string_view text, std::size_t at) {
   const std::size_t close = text.find(')', at);
   if (at_place(text, at) == '(' && close != std::string_view::npos) {
@@ -60,14 +60,14 @@ Formula power(std::string_view text, std::size_t at) {
       ++end;
   }
   if (end == start) return {};
-  // Only behind a sign: 1/2^3/4 is anything.
+  // Only after a sign: 1/2^3/4 is ambiguous.
   const bool fraction =
       start > at && at_place(text, end) == '/' && is_digit(at_place(text, end + 1));
   if (fraction) end = number_end(text, end + 1);
   return {raised(text.substr(at, end - at)), end};
 }
 
-/// "1e-10", "2.5e6".
+/// Parses "1e-10", "2.5e6".
 Formula scientific(std::string_view text, std::size_t at) {
   const std::size_t e = number_end(text, at);
   if (at_place(text, e) != 'e') return {};
@@ -132,7 +132,7 @@ std::string html_escaped(std::string_view text) {
 }
 
 std::string script_escaped(std::string_view code) {
-  // Inside a JavaScript string or regular expression the backslash changes nothing.
+  // In a JavaScript string or regular expression the backslash changes nothing.
   std::string result(code);
   replace_all(result, "<!--", "<\\!--");
   constexpr std::string_view end_tag = "</script";

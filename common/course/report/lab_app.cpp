@@ -34,14 +34,14 @@ struct Arguments {
   bool no_page = false, no_predict = false, predict = false;
 };
 
-/// What of a lab runs.
+/// The experiments of a lab that run.
 struct Selection {
   std::vector<Experiment> experiments;
   std::vector<std::string> what_you_should_see;
-  int before = 0;  ///< of the lab's experiments
+  int before = 0;  ///< number of the lab's experiments before them
 };
 
-/// All of it, or a step alone.
+/// Selects the whole lab or a single step.
 Selection selected(const LabApp& lab, const std::string& name) {
   if (lab.steps.empty()) return {lab.experiments, lab.what_you_should_see};
   Selection selection;
@@ -79,13 +79,13 @@ void ask(Predictions& predictions, bool again) {
       again);
 }
 
-/// Where a student runs the lab, ./carlo says which tree it is.
+/// Returns whether a student runs the lab: ./carlo then says which tree it is.
 bool of_student() {
   const char* tree = std::getenv("CARLO_COURSE");
   return tree != nullptr && *tree != '\0';
 }
 
-/// What was predicted is kept in the student's tree.
+/// Predictions are kept in the student's tree.
 std::optional<Predictions> predictions_of(const LabApp& lab, const Arguments& arguments) {
   const bool student = of_student();
   const bool somebody = ::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1;
@@ -106,13 +106,13 @@ void show_predictions(const Predictions& predictions, Notebook& notebook) {
                  "Predictions, and what this run gave (--predict asks again)");
 }
 
-/// Who stops an experiment may have waited for a loop without end.
+/// Returns advice for students who stop an experiment, perhaps in an endless loop.
 std::string advice_when_stopped(const LabApp& lab) {
   if (!of_student()) return "";
   return fmt::format("If it came to no end: ./carlo test {} says in which exercise.\n", lab.number);
 }
 
-/// The command as one could type it again.
+/// Returns the command as one could type it again.
 std::string command_line(int number, int argc, char** argv) {
   std::string command = fmt::format("./carlo lab {}", number);
   if (std::filesystem::path(argv[0]).filename().string().ends_with("_solution")) {
@@ -141,7 +141,8 @@ void run_experiments(const Selection& lab, const std::optional<Predictions>& pre
     notebook.say(paragraph);
 }
 
-/// Which exercises wait to be done; each experiment that misses one has said what to do.
+/// Lists the exercises still to be done; each experiment that misses one has already said what to
+/// do.
 std::string left_out_text(const std::set<std::string>& tags) {
   return fmt::format("Left out, as not implemented yet: {}", fmt::join(tags, ", "));
 }
@@ -160,7 +161,7 @@ nlohmann::json results(const LabApp& lab, const Notebook& notebook, double secon
 
 void run(const LabApp& lab, const Arguments& arguments, const std::string& command) {
   std::optional<StopNote> note(std::in_place, advice_when_stopped(lab));
-  // A file that cannot be written is better known before the experiments than after them.
+  // Better to learn before the experiments than after them that a file cannot be written.
   if (!arguments.json.empty()) (void)AtomicFile(arguments.json);
   const std::optional<Predictions> predictions = predictions_of(lab, arguments);
   Page page(lab.title, lab.subtitle);
@@ -171,7 +172,7 @@ void run(const LabApp& lab, const Arguments& arguments, const std::string& comma
   run_experiments(selected(lab, arguments.step), predictions, notebook);
   const double seconds = clock.seconds();
 
-  note.reset();  // from here on files are written
+  note.reset();  // files are written from here on
 
   page.fact("Command", command);
   page.fact("Seed", std::to_string(arguments.options.seed));

@@ -14,14 +14,14 @@ class CommandLine;
 
 using Experiment = void (*)(Notebook& notebook);
 
-/// A part of a lab that can run alone.
+/// A part of a lab that can be run alone.
 struct Step {
   std::string name;
   std::vector<Experiment> experiments;
-  std::string seen;  ///< what one should see
+  std::string seen;  ///< what the student should see
 };
 
-/// A lab's executable: its experiments and the words around them.
+/// A lab's executable: its experiments and the text around them.
 struct LabApp {
   int number = 0;
   std::string title;               ///< "Lab 01: integration"
@@ -30,19 +30,18 @@ struct LabApp {
   std::int64_t quick_n = 1 << 14;  ///< and in a quick run
   std::vector<Experiment> experiments = {};
   std::vector<std::string> what_you_should_see = {};  ///< the last section, a paragraph each
-  /// In place of the two above, the option --step NAME, and which there are, in words.
+  /// Replaces the two above: adds the option --step NAME, and lists the steps in words.
   std::vector<Step> steps = {};
   std::string step_names = {};
-  /// Adds options of this lab alone to the common ones.
+  /// Adds options that only this lab has.
   std::function<void(CommandLine& app)> add_options = nullptr;
-  /// Called once the command line has been read; an exit code takes the place of the experiments.
+  /// Called once the command line has been read; an exit code replaces the experiments.
   std::function<std::optional<int>(const LabOptions& options)> instead = nullptr;
 };
 
 /// main() of a lab: takes --n, --seed, --quick, --json, --page and --no-page, runs the experiments
 /// on the exercises that are done, prints tables and writes the page (default: out/labNN.html;
-/// of a step alone out/labNN_STEP.html).
-/// Returns the exit code; errors are printed as one line.
+/// out/labNN_STEP.html for a single step). Returns the exit code; errors are printed as one line.
 int run_lab(const LabApp& lab, int argc, char** argv);
 
 }  // namespace carlo

@@ -10,8 +10,8 @@
 namespace carlo {
 namespace {
 
-/// Estimates between two looks at the clock, which itself takes some 30 ns. The time of one is the
-/// median over the batches: other programs' interruptions do not count.
+/// Estimates between two readings of the clock, which take about 30 ns each. The time per estimate
+/// is the median over the batches, so that interruptions by other programs do not count.
 constexpr int batch = 4;
 
 double root_mean_square(const std::vector<double>& errors) {

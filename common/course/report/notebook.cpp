@@ -72,8 +72,8 @@ void Notebook::leave_out(const NotImplemented& missing) {
 
 void Notebook::set_experiment(int index, int count, int before) {
   experiment_ = index;
-  // What an experiment draws does not depend on which ones were run before it, nor on the exercises
-  // that those found done.
+  // An experiment's random numbers do not depend on which others were run before it, nor on which
+  // exercises those found done.
   next_stream_ = static_cast<std::uint64_t>(before + index) << 32;
   experiments_ = count;
 }

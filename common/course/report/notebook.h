@@ -17,15 +17,15 @@
 
 namespace carlo {
 
-/// What every lab's executable can be told.
+/// The options of every lab's executable.
 struct LabOptions {
-  std::int64_t n = 1 << 18;  ///< the largest number of points an experiment uses
+  std::int64_t n = 1 << 18;  ///< the largest number of points that an experiment uses
   std::uint64_t seed = 1;
   bool quick = false;  ///< fewer points and repetitions; the same experiments
 };
 
-/// Where a lab's experiments write: each heading, sentence and table goes to the console and to the
-/// page, charts go to the page, tables to the JSON file as well.
+/// The output of a lab's experiments: each heading, sentence and table goes to the console and to
+/// the page, charts go to the page, tables to the JSON file as well.
 class Notebook {
  public:
   Notebook(std::string label, const LabOptions& options, Page& page);
@@ -33,26 +33,26 @@ class Notebook {
 
   const LabOptions& options() const { return options_; }
 
-  /// A stream of random numbers that no other call of rng() returns.
+  /// Returns a stream of random numbers that no other call of rng() returns.
   Rng rng() { return Rng(options_.seed, next_stream_++); }
 
-  /// `full` repetitions; fewer in a quick run.
+  /// Returns `full` repetitions; fewer in a quick run.
   int repetitions(int full) const { return options_.quick ? full / 4 : full; }
 
   void begin(std::string_view title);
   void say(std::string_view paragraph);
   void table(const std::string& key, const Table& table, std::string_view caption);
-  /// The same, but the page gets `html` (trusted) in the table's place.
+  /// The same, but the page gets `html` (trusted) instead of the table.
   void table(const std::string& key, const Table& table, std::string_view caption,
              std::string_view html);
-  /// Numbers that would only be in the way: folded away on the page, in the JSON file as any table.
+  /// Adds numbers that would only distract: folded on the page, in the JSON file like any table.
   void data(const std::string& key, const Table& table, std::string_view caption);
   void charts(const std::vector<Chart>& row) { page_.charts(row); }
-  /// Trusted HTML and JavaScript for the page (page.h); nothing on the console.
+  /// Adds trusted HTML and JavaScript to the page (page.h); prints nothing.
   void raw_html(std::string_view html) { page_.raw_html(html); }
   void script(std::string_view code) { page_.script(code); }
 
-  /// Does `work`, which calls exercises. Where one of them has not been done, says so (once a
+  /// Does `work`, which calls exercises. If one of them has not been done, says so (once per
   /// section) and returns false.
   template <class Work>
   bool attempt(const Work& work) {
@@ -65,11 +65,12 @@ class Notebook {
     }
   }
 
-  /// How far the run is: `done` of `total` steps of the current one of all experiments.
+  /// Reports progress: `done` of `total` steps of the current experiment.
   void progress(double done, double total);
-  /// Of `count` that are run, behind `before` of the whole lab that are left out.
+  /// Sets the current experiment, of `count` that are run, after `before` of the lab that are left
+  /// out.
   void set_experiment(int index, int count, int before = 0);
-  /// For code that may never come back: the line of progress says when it stands still.
+  /// For code that may never return: the progress line reports a standstill.
   void tell_stalls() { bar_.tell_stalls(); }
   void finish() { bar_.finish(); }
 

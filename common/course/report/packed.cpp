@@ -13,7 +13,7 @@
 namespace carlo {
 namespace {
 
-/// The upper 24 bits of the nearest float that has no others.
+/// Returns the upper 24 bits of the nearest float whose other bits are 0.
 std::uint32_t upper_bits(float value) {
   if (std::isnan(value)) return 0x7FC000;
   const auto bits = std::bit_cast<std::uint32_t>(value);

@@ -13,7 +13,7 @@ namespace carlo {
 
 namespace {
 
-/// `text` with each {{key}} replaced, in one pass: values are not searched again.
+/// Returns `text` with each {{key}} replaced, in one pass: values are not searched again.
 std::string filled(std::string_view text, const std::map<std::string, std::string>& values) {
   std::string result;
   while (true) {

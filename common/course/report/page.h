@@ -14,37 +14,38 @@
 
 namespace carlo {
 
-/// A page of results: one HTML file that needs nothing else, no network either. It follows the
-/// reader's light or dark scheme and the width of the screen, can be used from the keyboard, and
-/// every chart has its data in a table below. Text is escaped; only raw_html() and script() are
-/// taken as they are. The same calls give the same bytes.
+/// A page of results: one HTML file that needs nothing else, not even a network. It follows the
+/// reader's light or dark scheme and the screen width, works from the keyboard, and has the data of
+/// every chart in a table below it. Text is escaped; only raw_html() and script() are taken as they
+/// are. The same calls give the same bytes.
 class Page {
  public:
   explicit Page(std::string title, std::string subtitle = "");
 
-  /// Starts a section; it appears in the list of contents.
+  /// Starts a section and lists it in the contents.
   void section(std::string_view title);
-  /// One paragraph.
+  /// Adds a paragraph.
   void prose(std::string_view paragraph);
-  /// One paragraph set apart: something the reader should not miss.
+  /// Adds a highlighted paragraph that the reader should not miss.
   void note(std::string_view paragraph);
   void table(const Table& table, std::string_view caption = "");
   void chart(const Chart& chart) { charts({chart}); }
-  /// Charts side by side where the screen is wide enough.
+  /// Adds charts, side by side where the screen is wide enough.
   void charts(const std::vector<Chart>& row);
-  /// One line of the page's foot: the command, the seed, the machine.
+  /// Adds a line to the page's foot: the command, the seed, the machine.
   void fact(std::string name, std::string value);
 
-  /// Trusted HTML, CSS and JavaScript for what this class cannot draw. Scripts run at the page's
-  /// end.
+  /// Adds trusted HTML, CSS and JavaScript for what this class cannot draw. Scripts run at the end
+  /// of the page.
   void raw_html(std::string_view html);
   void style(std::string_view rules);
   void script(std::string_view code);
-  /// True the first time that it is asked for this name: what several parts of a page need, once.
+  /// Returns true the first time it is called with this name: for content that several parts of a
+  /// page need once.
   bool once(std::string_view name);
 
   std::string html() const;
-  /// Writes html(), making the folder if it is missing. Throws Error.
+  /// Writes html(), creating the folder if it is missing. Throws Error.
   void write(const std::filesystem::path& path) const;
 
  private:

@@ -6,8 +6,8 @@
 
 namespace carlo {
 
-/// An image of linear radiances from 0 (black) to `white` for a page: the address of a PNG that
-/// holds it, what `src="..."` wants. Throws Error when memory is short.
+/// Returns a PNG data URL, for `src="..."`, of an image of linear radiances from 0 (black) to
+/// `white`. Throws Error when memory is short.
 std::string picture_url(const Image& image, double white);
 
 }  // namespace carlo

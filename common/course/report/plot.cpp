@@ -22,7 +22,8 @@ std::string with_minus(std::string number) {
   return number;
 }
 
-/// 2·10 to the power of −5 for "2e-5", and a minus for a hyphen. Few fonts have all superscripts.
+/// Typesets "2e-5" as 2·10 to the power of −5, and a hyphen as a minus. Few fonts have all
+/// superscripts.
 std::string typeset(std::string text) {
   const std::size_t e = text.find('e');
   if (e != std::string::npos) {
@@ -33,8 +34,8 @@ std::string typeset(std::string text) {
   return with_minus(text);
 }
 
-/// The number that a tick stands for. `step` is the distance to the next one, a factor on a
-/// logarithmic axis: a number has as many digits as it asks for.
+/// Formats the number at a tick. `step` is the distance to the next tick, a factor on a logarithmic
+/// axis; it determines the number of digits.
 std::string tick_text(const Axis& axis, double value, double step) {
   if (axis.unit == Unit::seconds) return duration_text(value);
   const double size = std::abs(value);
@@ -46,7 +47,7 @@ std::string tick_text(const Axis& axis, double value, double step) {
                : typeset(fmt::format("{}e{}", number_text(value / std::pow(10, power), 2), power));
   }
   const double digits = std::floor(std::log10(size)) - std::floor(std::log10(step));
-  // Written so that NaN, of a distance that is 0 or too large, is none.
+  // Written so that NaN, from a distance that is 0 or too large, gives 0.
   const double kept = digits > 0 ? std::min(digits, 9.0) : 0;
   return typeset(number_text(value, static_cast<int>(kept) + 1));
 }
@@ -55,7 +56,7 @@ bool whole(double value) {
   return std::abs(value - std::round(value)) < 1e-6;
 }
 
-/// Distances that ticks may have, growing, from about a hundredth of the stretch on.
+/// Returns possible distances between ticks, increasing, from about a hundredth of the stretch on.
 std::vector<double> linear_steps(const Axis& axis, double length) {
   if (axis.unit == Unit::degrees) return {1, 2, 5, 10, 15, 30, 45, 90, 180};
   std::vector<double> steps;
@@ -72,7 +73,7 @@ std::vector<double> linear_ticks(const Axis& axis, Stretch on, std::size_t most)
   const double length = on.last - on.first;
   for (const double step : linear_steps(axis, length)) {
     if (length / step > static_cast<double>(most)) continue;
-    // Ticks that reach both ends are worth a few less of them.
+    // Ticks that reach both ends make up for slightly fewer ticks.
     const bool to_the_ends = whole(on.first / step) && whole(on.last / step);
     if (!best.empty() && !(to_the_ends && length / step > 1.5)) continue;
     best.clear();
@@ -86,7 +87,7 @@ std::vector<double> linear_ticks(const Axis& axis, Stretch on, std::size_t most)
   return best;
 }
 
-/// Powers of ten, thinned where they are many; 2 and 5 times them as well where they are few.
+/// Returns powers of ten, thinned if there are many; also 2 and 5 times them if there are few.
 std::vector<double> log_ticks(Stretch on, std::size_t most) {
   const int low = static_cast<int>(std::ceil(std::log10(on.first) - 1e-9));
   const int high = static_cast<int>(std::floor(std::log10(on.last) + 1e-9));
@@ -101,7 +102,7 @@ std::vector<double> log_ticks(Stretch on, std::size_t most) {
   ticks.clear();
   const int decades = high - low;
   const int least = std::max(1, (decades + static_cast<int>(most) - 1) / static_cast<int>(most));
-  // Ticks that reach both ends are worth a few less of them.
+  // Ticks that reach both ends make up for slightly fewer ticks.
   int stride = least;
   while (decades % stride != 0 && stride <= 2 * least)
     ++stride;
@@ -130,13 +131,14 @@ double widest_text(const Ticks& ticks) {
   return widest;
 }
 
-/// 0 at the stretch's first end, 1 at its last.
+/// Returns 0 at the stretch's first end, 1 at its last.
 double share(const Axis& axis, Stretch on, double value) {
   if (axis.scale == Scale::linear) return (value - on.first) / (on.last - on.first);
   return std::log(value / on.first) / std::log(on.last / on.first);
 }
 
-/// The nearest of 1, 2 and 5 times powers of ten: not above the value, or not below it.
+/// Returns the nearest of 1, 2 and 5 times powers of ten that is not above the value, or not below
+/// it.
 double round_number(double value, bool up) {
   const double power = std::pow(10, std::floor(std::log10(value) + 1e-9));
   const double lead = value / power;
@@ -153,7 +155,7 @@ Stretch round_log(double low, double high) {
   return on.first < on.last ? on : Stretch{on.first / 2, on.last * 2};
 }
 
-// Shapes of marks, each around its place: paths of relative steps.
+// The shape of a mark around its place: a path of relative steps.
 struct Shape {
   std::string_view sign, path;
 };
@@ -222,7 +224,7 @@ Plot::Plot(const Axis& x, Stretch across, const Axis& y, Stretch up, Size size)
       top_(8),
       bottom_(size.height - (x.label.empty() ? 20 : 38)) {
   left_ = widest_text(y_ticks_) + (y.label.empty() ? 8 : 24);
-  // As many as have room beside each other.
+  // As many as fit side by side.
   for (std::size_t most = 8; most > 0; --most) {
     x_ticks_ = ticks_of(x, across, most);
     const double wide = widest_text(x_ticks_) + 8;
@@ -305,7 +307,7 @@ void Plot::mark(std::string_view style, std::size_t series, Point at, std::strin
 }
 
 void Plot::dots(std::string_view style, std::span<const Point> points, double size) {
-  std::string path;  // Strokes of length 0 with round ends.
+  std::string path;  // strokes of length 0 with round ends
   for (const Point p : points)
     if (can_show(p)) path += step('M', p) + "h0";
   add(fmt::format("<path class=\"dots {}\" stroke-width=\"{:.1f}\" d=\"{}\"/>\n", style, size,
@@ -337,11 +339,11 @@ std::string Plot::numbers() const {
 }
 
 std::string Plot::svg(std::string_view description) const {
-  const double air = framed_ ? frame_air : 4;  // for marks that stand on the axes' ends
+  const double air = framed_ ? frame_air : 4;  // for marks on the ends of the axes
   std::string out = fmt::format(
       "<svg class=\"plot\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\">\n{}",
       size_.width, size_.height, html_escaped(description), numbers());
-  // A picture within the picture cuts off what is outside of the axes.
+  // A nested picture clips everything outside the axes.
   out += fmt::format(
       "<svg x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{3:.1f}\" viewBox=\"{0:.1f} "
       "{1:.1f} {2:.1f} {3:.1f}\">\n{4}</svg>\n",

@@ -28,7 +28,7 @@ bool fits(const json& row, const json& wanted) {
   });
 }
 
-/// The value in the last row that fits; null when there is none.
+/// Returns the value in the last row that matches; null if there is none.
 json value_at(const json& rows, const json& wanted, const std::string& column) {
   json value;
   for (const json& row : rows) {
@@ -42,7 +42,7 @@ std::optional<double> number_in(std::string_view text) {
   return number_of<double>(text);
 }
 
-/// Without blanks, and with "-" for a minus sign as people copy it.
+/// Removes blanks, and replaces a typographic minus, which people copy, by "-".
 std::string without_blanks(std::string_view typed) {
   constexpr std::string_view minus = "\u2212";
   std::string plain;
@@ -58,7 +58,7 @@ std::string without_blanks(std::string_view typed) {
   return plain;
 }
 
-/// "-1/2", "2.5" or "95 %".
+/// Parses "-1/2", "2.5" or "95 %".
 std::optional<double> value_in(std::string_view text) {
   const bool percent = !text.empty() && text.back() == '%';
   if (percent) text.remove_suffix(1);
@@ -104,14 +104,14 @@ Question question_of(const Exercise& exercise, const json& where) {
   return {};
 }
 
-/// What may be typed.
+/// Describes what may be typed.
 std::string wanted(const Question& question) {
   if (question.share) return "a share, such as 30 % or .3";
   if (question.choices.empty()) return "a number, such as 2.5 or 1/3";
   return fmt::format("a number from 1 to {}", question.choices.size());
 }
 
-/// `enter`: what an empty line does.
+/// `enter`: the effect of an empty line.
 std::string prompt(const Question& question, const std::string& enter) {
   std::string text =
       fmt::format("\nPredict first (Lab {}): {}\n", question.exercise, question.text);
@@ -140,7 +140,7 @@ json Question::answer(const json& tables) const {
     json wanted = where.at("row");
     wanted[where.at("name").get<std::string>()] = choice;
     const json value = value_at(*table, wanted, column);
-    if (value.is_null()) return {};  // of all or of none
+    if (value.is_null()) return {};  // all choices or none
     const bool better = best.is_null() || (largest ? value > best : value < best);
     if (!better) continue;
     best = value;
@@ -154,11 +154,11 @@ json Question::read(const std::string& typed) const {
   std::optional<double> value = value_in(plain);
   if (!value) return {};
   if (share) {
-    // Whoever leaves the sign out means it all the same; 1 and less is the share itself.
+    // The percent sign may be omitted; 1 and less is the share itself.
     if (plain.back() != '%' && *value > 1) *value /= 100;
     return *value >= 0 && *value <= 1 ? json(*value) : json();
   }
-  if (plain.back() == '%') return {};  // of what?
+  if (plain.back() == '%') return {};  // percent of what?
   if (choices.empty()) return *value;
   const auto last = static_cast<double>(choices.size());
   if (*value < 1 || *value > last || std::floor(*value) != *value) return {};

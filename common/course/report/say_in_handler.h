@@ -6,7 +6,7 @@
 
 namespace carlo {
 
-/// To stderr, by nothing but what a signal handler may call.
+/// Writes to stderr with only what a signal handler may call.
 inline void say_in_handler(std::string_view text) {
   if (::write(STDERR_FILENO, text.data(), text.size()) < 0) return;
 }

@@ -7,15 +7,16 @@
 
 namespace carlo {
 
-/// A slider over `content` (trusted HTML), for Page::raw_html(): `words` has what is said at each
-/// of its positions; it stands at `start`.
+/// Returns a slider over `content` (trusted HTML), for Page::raw_html(): `words` has the text for
+/// each of its positions; it begins at `start`.
 std::string slider_html(std::string_view label, const std::vector<std::string>& words,
                         std::size_t start, std::string_view content);
 
-/// A part of the content's drawings that is shown at the positions from `first` to `last` only.
+/// Returns the part of the content's drawings that is shown only at the positions from `first` to
+/// `last`.
 std::string shown_at(std::size_t first, std::size_t last, std::string_view svg);
 
-/// What moves all sliders of a page, for Page::script(), once.
+/// Returns the script that moves all sliders of a page, for Page::script(), once.
 std::string_view slider_script();
 
 }  // namespace carlo

@@ -11,15 +11,15 @@ namespace carlo {
 namespace {
 
 struct sigaction before {};
-std::string advice;  // of the note that lives: it does not change while a handler may read it
+std::string advice;  // of the current note: does not change while a handler may read it
 
 std::atomic<bool> stopping;
-static_assert(std::atomic<bool>::is_always_lock_free);  // or no handler may ask it
+static_assert(std::atomic<bool>::is_always_lock_free);  // otherwise a handler may not read it
 
 extern "C" void stopped(int signal) {
   // Another signal, caught by another thread, must not end the program before the note is written.
   if (stopping.exchange(true)) return;
-  // Behind the ^C, or a progress bar. Only calls that a handler may make.
+  // After the ^C, or a progress bar. Only calls that a handler may make.
   say_in_handler("\nStopped");
   if (!noted_experiment().empty()) {
     say_in_handler(" in the experiment \"");
@@ -29,7 +29,7 @@ extern "C" void stopped(int signal) {
   say_in_handler(".\nNo results were written.\n");
   say_in_handler(advice);
   ::signal(signal, SIG_DFL);
-  ::raise(signal);  // when this one returns: the system ends the program
+  ::raise(signal);  // once this handler returns, the system ends the program
 }
 
 }  // namespace

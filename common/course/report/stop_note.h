@@ -4,9 +4,9 @@
 
 namespace carlo {
 
-/// While this lives, Ctrl-C says on stderr in which experiment the program was stopped, that no
-/// results were written and then `advice`, and ends it as SIGINT does. There is one of these at a
-/// time. Where SIGINT is ignored already it stays so.
+/// While this exists, Ctrl-C prints on stderr in which experiment the program was stopped, that no
+/// results were written, and `advice`, then ends the program as SIGINT does. Only one may exist at
+/// a time. If SIGINT is already ignored, it stays so.
 class StopNote {
  public:
   explicit StopNote(const std::string& advice);

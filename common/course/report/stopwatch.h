@@ -4,8 +4,8 @@
 
 namespace carlo {
 
-/// Processor seconds that this program has used since the stopwatch was made: what one thread's
-/// work takes, whatever else the machine is busy with.
+/// Measures the processor seconds that this program has used since the stopwatch was made, whatever
+/// else the machine is busy with.
 class Stopwatch {
  public:
   double seconds() const {

@@ -25,10 +25,10 @@ using Columns = std::vector<std::size_t>;
 
 /// Between two columns.
 constexpr std::size_t gap = 2;
-/// Words in the last column may break into lines of this width or more.
+/// Text in the last column may wrap if this width or more is left.
 constexpr std::size_t least_words = 20;
 
-/// Whether no two rows have the same words in the first `names` columns.
+/// Returns whether no two rows have the same text in the first `names` columns.
 bool tell_apart(const std::vector<std::vector<Cell>>& rows, std::size_t names) {
   std::set<std::vector<std::string>> seen;
   return std::all_of(rows.begin(), rows.end(), [&](const std::vector<Cell>& row) {
@@ -39,7 +39,7 @@ bool tell_apart(const std::vector<std::vector<Cell>>& rows, std::size_t names) {
   });
 }
 
-/// Where column `c` begins in a block.
+/// Returns where column `c` begins in a block.
 std::size_t start_of(std::size_t c, const Columns& block, const std::vector<std::size_t>& widths) {
   std::size_t at = 0;
   for (const std::size_t before : block) {
@@ -49,7 +49,8 @@ std::size_t start_of(std::size_t c, const Columns& block, const std::vector<std:
   return at;
 }
 
-/// The columns of each block no wider than `room`; the first `names` columns stand in all.
+/// Splits the columns into blocks no wider than `room`; the first `names` columns are in every
+/// block.
 std::vector<Columns> blocks_of(const std::vector<std::size_t>& widths, std::size_t names,
                                std::size_t room) {
   Columns block(names);
@@ -68,8 +69,8 @@ std::vector<Columns> blocks_of(const std::vector<std::size_t>& widths, std::size
   return blocks;
 }
 
-/// A line whose last column, of words, begins at `column`: what is too wide goes on below in that
-/// column, as long as some room is left for it.
+/// Wraps a line whose last column, of text, begins at `column`: the rest continues below in that
+/// column, if enough room is left for it.
 std::string fitted(const std::string& line, const std::string& words, std::size_t column,
                    int columns) {
   const auto room = columns - static_cast<int>(column);
@@ -140,11 +141,11 @@ std::string Table::text() const {
 
 namespace {
 
-/// What text() knows of a table's columns, worked out once.
+/// A table's columns as text() needs them, computed once.
 struct Layout {
   std::vector<bool> numeric;
   std::vector<std::size_t> widths, needed;
-  std::size_t names = 0;  ///< columns in front that name the rows
+  std::size_t names = 0;  ///< leading columns that name the rows
 
   explicit Layout(const Table& table) {
     const std::size_t count = table.titles().size();
@@ -157,14 +158,14 @@ struct Layout {
       needed.push_back(breaks(c, count) ? std::min(width, least_words) : width);
       if (names == c && !numeric[c]) ++names;
     }
-    // Words alone, or none in front: then the first column names the rows.
+    // If all columns are text, or none in front is, the first column names the rows.
     if (names == count || names == 0) names = 1;
     names = std::min(names, count - 1);
     while (names + 1 < count && !tell_apart(table.rows(), names))
       ++names;
   }
 
-  /// Whether words in a column may go on below: in the last one, if it is of words.
+  /// Returns whether text in a column may wrap: only in the last one, if it is text.
   bool breaks(std::size_t c, std::size_t count) const { return c + 1 == count && !numeric[c]; }
 };
 
@@ -195,7 +196,7 @@ std::string Table::text(int columns) const {
 }
 
 std::string Table::html(std::string_view caption) const {
-  // On a phone each row of many cells is a list, in which their titles stand before them.
+  // On a phone each row of many cells becomes a list, with the column titles in front.
   const bool wide = titles_.size() > 4;
   std::string html = fmt::format(
       "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Table\"><table{}>\n",

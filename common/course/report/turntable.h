@@ -7,29 +7,28 @@
 
 namespace carlo {
 
-/// Places joined by straight lines; coordinates as of the points below.
+/// Places joined by straight lines; coordinates as those of the points below.
 using Polyline = std::vector<std::array<double, 3>>;
 
 /// A cloud of points in the unit cube, y upwards.
 struct Cloud {
   std::string name, note;
   std::vector<std::array<double, 3>> points;
-  std::array<double, 3>
-      normal{};  ///< what one may want to look across, any length; 0 if there is none
+  std::array<double, 3> normal{};    ///< a normal to look across, any length; 0 if there is none
   std::vector<Polyline> lines = {};  ///< drawn with this cloud only, in another colour
 };
 
 /// A picture of clouds in space that the reader can turn, by mouse, touch and arrow keys, one cloud
-/// at a time. A page holds one of them at most.
+/// at a time. At most one per page.
 struct Turntable {
   std::string caption;          ///< "Points of a cube"
-  std::string label;            ///< what it is, for readers who cannot see it
-  std::string along;            ///< what the button says that looks across a cloud's normal
-  std::vector<Polyline> wires;  ///< what the clouds float in
+  std::string label;            ///< description for readers who cannot see it
+  std::string along;            ///< label of the button that looks across a cloud's normal
+  std::vector<Polyline> wires;  ///< the lines in which the clouds float
   std::vector<Cloud> clouds;
 };
 
-/// HTML and script for Page::raw_html() and Page::script().
+/// Returns HTML and script for Page::raw_html() and Page::script().
 std::string turntable_html(const Turntable& picture);
 std::string_view turntable_script();
 

@@ -37,7 +37,7 @@ void fields(JsonFields& json, PackedImage& image) {
 struct PackedViewer {
   int width = 0, height = 0;
   std::vector<PackedImage> images = {};
-  int reference = -1;  ///< which of the images it is
+  int reference = -1;  ///< index of the reference among the images
 };
 
 void fields(JsonFields& json, PackedViewer& viewer) {

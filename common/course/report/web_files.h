@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-// The files of common/course/report/web/ as they were when the program was built.
+// The files of common/course/report/web/ as they were at build time.
 namespace carlo::web {
 
 std::string_view page_html();

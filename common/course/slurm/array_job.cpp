@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A word as a shell takes it.
+/// Quotes a word for a shell.
 std::string quoted(const std::string& word) {
   std::string text = "'";
   for (const char c : word)
@@ -26,7 +26,7 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
-/// A path in which Slurm replaces nothing.
+/// Escapes a path so that Slurm replaces nothing in it.
 std::string literal(const fs::path& path) {
   std::string text;
   for (const char c : path.string())
@@ -42,7 +42,7 @@ bool is_program(const std::string& name) {
   return false;
 }
 
-/// Those that cannot be changed by a variable stand on the command line.
+/// Returns the options that no variable may override, for the command line.
 std::vector<std::string> sbatch_words(const ArrayJob& job, const fs::path& script) {
   std::vector<std::string> words{
       "sbatch",
@@ -79,7 +79,7 @@ std::string submit(const ArrayJob& job) {
   const fs::path script = job.folder / (job.name + ".sh");
   write_file(script, script_of(job));
   std::string id = output_of(sbatch_words(job, script));
-  id = id.substr(0, id.find_first_of(";\n"));  // a federation's cluster follows
+  id = id.substr(0, id.find_first_of(";\n"));  // a federation's cluster name follows
   if (id.empty()) throw Error("sbatch named no job");
   return id;
 }
@@ -99,7 +99,7 @@ Jobs parse_jobs(const std::string& lines) {
 }
 
 Jobs jobs_named(const std::string& name) {
-  // %F: the array's number, for each of its tasks.
+  // %F: the array's number, the same for each of its tasks.
   return parse_jobs(output_of(
       {"squeue", "--me", "--noheader", "--array", "--name=" + name, "--format=%F %T %r"}));
 }

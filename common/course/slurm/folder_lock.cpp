@@ -23,7 +23,8 @@ static std::string myself() {
 
 std::optional<FolderLock> FolderLock::take(const fs::path& folder, Use use) {
   const fs::path path = folder / ".lock";
-  // To be written to: servers give no exclusive lock on what is open for reading alone.
+  // Opened for writing: file servers grant no exclusive lock on a file that is open for reading
+  // only.
   Descriptor file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
   if (!file.open()) throw Error("cannot write {}: {}", path.string(), std::strerror(errno));
   if (::flock(file.get(), (use == Use::alone ? LOCK_EX : LOCK_SH) | LOCK_NB) != 0) {
@@ -32,7 +33,7 @@ std::optional<FolderLock> FolderLock::take(const fs::path& folder, Use use) {
                 folder.string(), std::strerror(errno));
   }
   if (use == Use::alone) {
-    // For people alone: whether it is written does not matter.
+    // Only for people to read, so a failed write does not matter.
     const std::string who = myself() + "\n";
     if (::ftruncate(file.get(), 0) == 0) [[maybe_unused]]
       const ssize_t written = ::write(file.get(), who.data(), who.size());

@@ -1,6 +1,6 @@
 #pragma once
 
-// How a student learns in which line a program crashed, where no report has named it.
+// How a student learns in which line a program crashed, if no report has named it.
 
 #include <fmt/core.h>
 
@@ -8,10 +8,10 @@
 
 namespace carlo {
 
-/// What line_command() tells.
+/// What line_command() shows.
 constexpr const char* which_line = "In which line it crashes (it builds for minutes, once)";
 
-/// What to type; `exercise` is a number such as "1.2".
+/// Returns the command to type; `exercise` is a number such as "1.2".
 inline std::string line_command(const std::string& exercise) {
   return fmt::format("CARLO_PRESET=debug ./carlo test {}", exercise);
 }

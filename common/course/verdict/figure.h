@@ -8,10 +8,9 @@
 
 namespace carlo {
 
-// What a verdict shows beside its words. Plain data: the judge makes it, JSON carries it, a page
-// draws it.
+// The figures of a verdict. Plain data: the judge makes it, JSON carries it, a page draws it.
 
-/// How much a figure may hold. Makers keep to it, readers refuse more.
+/// Limits on a figure's size. Writers keep to them, readers reject more.
 constexpr std::size_t most_bins = 64;
 constexpr std::size_t most_points = 128;
 constexpr std::size_t most_cells_a_side = 32;
@@ -19,7 +18,7 @@ constexpr std::size_t most_rows = 12;
 constexpr std::size_t most_columns = 6;
 constexpr std::size_t most_marks = 6;
 
-/// A place on the horizontal axis that has a name.
+/// A named place on the horizontal axis.
 struct Mark {
   enum class Role { measured, expected, suspect };
   double at = 0;
@@ -27,7 +26,7 @@ struct Mark {
   Role role = Role::measured;
 };
 
-/// Counts in equal bins of [first, last], beside what is expected in each, give or take `band`;
+/// Counts in equal bins of [first, last], next to the expected count in each, plus or minus `band`;
 /// both may be empty.
 struct HistogramFigure {
   std::string x_label;
@@ -36,8 +35,8 @@ struct HistogramFigure {
   std::vector<Mark> marks;
 };
 
-/// Values at places x, each with the half width of its error bar (0: none) and what is expected
-/// there (NaN: nothing). `joined`: a curve of its own rather than single measurements.
+/// Values at places x, each with the half width of its error bar (0: none) and the expected value
+/// there (NaN: none). `joined`: a curve rather than single measurements.
 struct PointsFigure {
   struct Point {
     double x = 0, measured = 0, half_width = 0;
@@ -48,15 +47,15 @@ struct PointsFigure {
   std::vector<Point> points;
 };
 
-/// Values in cells or tiles, row by row, beside what is expected in each and its standard
-/// deviation; drawn by how many of these a cell is off.
+/// Values in cells or tiles, row by row, next to the expected value of each and its standard
+/// deviation; drawn by how many standard deviations a cell is off.
 struct GridFigure {
   std::string column_label, row_label;
   std::size_t columns = 0;
   std::vector<double> measured, expected, sd;
 };
 
-/// A few rows of words.
+/// A few rows of text.
 struct ListingFigure {
   std::vector<std::string> titles;
   std::vector<std::vector<std::string>> rows;

@@ -10,7 +10,7 @@
 namespace carlo {
 namespace {
 
-/// A value that is written keeps six digits: nobody sees more.
+/// Rounds a written value to six digits: nobody sees more.
 void shorten(const JsonFields& json, double& value) {
   if (json.reading() || !std::isfinite(value)) return;
   value = number_of<double>(fmt::format("{:.6g}", value)).value_or(value);
@@ -106,7 +106,7 @@ static void fields(JsonFields& json, GridFigure& g) {
   }
 }
 
-/// The cells of all rows stand in one list.
+/// The cells of all rows form one list.
 static void fields(JsonFields& json, ListingFigure& l) {
   std::vector<std::string> cells;
   for (const std::vector<std::string>& row : l.rows)
@@ -128,7 +128,7 @@ namespace {
 
 constexpr const char* kinds[] = {"histogram", "points", "grid", "listing"};
 
-/// An empty figure of the kind, to be read.
+/// Returns an empty figure of the kind, to read into.
 decltype(Figure::data) empty_figure(const std::string& kind) {
   if (kind == kinds[0]) return HistogramFigure{};
   if (kind == kinds[1]) return PointsFigure{};

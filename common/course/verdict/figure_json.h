@@ -6,8 +6,7 @@
 namespace carlo {
 
 /// "kind" is "histogram", "points", "grid" or "listing"; numbers keep six digits. Reading throws
-/// Error when a figure is larger than figures may be: it may come from a file that somebody else
-/// wrote.
+/// Error for a figure above the size limits: it may come from a file that somebody else wrote.
 void fields(JsonFields& json, Figure& figure);
 
 }  // namespace carlo

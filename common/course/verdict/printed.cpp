@@ -28,7 +28,7 @@ std::string clipped(std::string text, std::size_t bytes) {
   const auto goes_on = [&](std::size_t at) {
     return (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80;
   };
-  // What is no UTF-8 may go on for ever.
+  // Invalid UTF-8 may have no end.
   std::size_t end = bytes;
   while (end > 0 && bytes - end < 3 && goes_on(end))
     --end;

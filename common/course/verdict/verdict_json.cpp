@@ -66,7 +66,7 @@ void fields(JsonFields& json, ExerciseResult& result) {
 
 namespace {
 
-/// The longest words of one kind: a student's program can make a message long.
+/// The longest text of one kind: a student's program can make a message long.
 constexpr std::size_t most_words = 2000;
 
 void cut(std::string& text) {
@@ -78,7 +78,7 @@ void cut(std::vector<Diagnosis>& diagnoses) {
     cut(diagnosis.sentence);
 }
 
-/// A text as JSON has it, with its escapes.
+/// A text as JSON, with its escapes.
 struct Words {
   std::string text;
 };
@@ -86,11 +86,10 @@ void fields(JsonFields& json, Words& words) {
   json("", words.text);
 }
 
-/// What is left of the bytes that the document may grow by. The shares add up to what leaves room
-/// for the rest of it.
+/// The bytes that the document may still grow by. The shares leave room for the rest of it.
 class Ration {
  public:
-  /// Leaves what the JSON of a lab's tests can hold. Returns whether verdicts were lost.
+  /// Removes what does not fit into a lab's JSON. Returns whether verdicts were lost.
   bool take(TestRecord& test) {
     cut(test.problem);
     cut(test.printed);
@@ -101,7 +100,7 @@ class Ration {
   }
 
  private:
-  /// Whether the value still fits; if so, it is taken off what is left.
+  /// Returns whether the value still fits; if so, subtracts it from what is left.
   template <class T>
   static bool gives(std::size_t& left, const T& value) {
     const std::size_t size = json_text(value).size();
@@ -126,7 +125,7 @@ class Ration {
   std::size_t verdicts_ = most_json_bytes / 4;
 };
 
-/// What a lab's JSON holds of its verdicts.
+/// Trims a lab's verdicts to what its JSON holds.
 void ration(LabResult& result) {
   Ration left;
   for (ExerciseResult& exercise : result.exercises) {

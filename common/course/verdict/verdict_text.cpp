@@ -14,9 +14,9 @@
 namespace carlo {
 namespace {
 
-/// Of many failures the first few tell the story: tests shown in full, comparisons of each, and the
-/// diagnoses that fit best. Of what a program printed, the first lines do; more when all is asked
-/// for.
+/// The first few of many failures tell the story: tests shown in full, comparisons of each, and the
+/// diagnoses that fit best. Likewise the first lines of what a program printed; more if everything
+/// is requested.
 constexpr std::size_t shown_tests = 2;
 constexpr int shown_comparisons = 2;
 constexpr std::size_t shown_diagnoses = 2;
@@ -29,8 +29,8 @@ std::string comparison(const Verdict& verdict) {
   return out;
 }
 
-/// What kept the values from coming, if anything did. `locate`: the number of the exercise, where
-/// it is to be said how the line of a crash is found.
+/// Describes why no values came, if so. `locate`: the exercise's number, if the text should say how
+/// to find the line of a crash.
 std::string problem(const TestRecord& test, std::size_t lines, const std::string& locate) {
   std::string out;
   if (!test.problem.empty()) out += fmt::format("      {}\n", harmless(test.problem));
@@ -43,7 +43,7 @@ std::string problem(const TestRecord& test, std::size_t lines, const std::string
   return out;
 }
 
-/// One test with all that it compared.
+/// Describes one test with all its comparisons.
 std::string whole_test(const TestRecord& test, const std::string& locate) {
   const bool passed = test.status == Status::passed;
   const char* mark = passed ? "✓" : test.skipped ? "–" : "✗";
@@ -54,7 +54,7 @@ std::string whole_test(const TestRecord& test, const std::string& locate) {
   return out;
 }
 
-/// All tests, in their order.
+/// Describes all tests, in order.
 std::string whole_tests(const ExerciseResult& result) {
   const auto lost = std::find_if(result.tests.begin(), result.tests.end(),
                                  [](const TestRecord& test) { return test.lacks_line; });
@@ -96,12 +96,12 @@ std::string joined(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-/// How to come to an exercise's hint.
+/// Says how to get an exercise's hint.
 std::string hint_by(Help help, const std::string& number) {
   return help == Help::by_key ? "press h" : "./carlo hint " + number;
 }
 
-/// Why an exercise is not implemented: it is not done, or another is not that its code calls.
+/// Says why an exercise is not implemented: it is not done, or another one that it calls is not.
 std::string open_text(const ExerciseResult& result, Help help) {
   for (const TestRecord& test : result.tests) {
     if (test.needs.rfind("Lab ", 0) != 0) continue;
@@ -116,9 +116,8 @@ bool failed(const TestRecord& test) {
   return test.status != Status::passed && test.status != Status::not_implemented && !test.skipped;
 }
 
-/// The tests that failed, those that tell most first: one that crashed, for what goes wrong there
-/// is not to be guessed from numbers; then those that have numbers; then the other crashes, which
-/// are mostly the same again.
+/// Returns the failed tests, most informative first: one that crashed, since numbers do not show
+/// the cause; then those with numbers; then the other crashes, which mostly repeat the first.
 std::vector<const TestRecord*> by_what_they_tell(const ExerciseResult& result) {
   std::vector<const TestRecord*> list;
   for (const TestRecord& test : result.tests) {
@@ -133,7 +132,7 @@ std::vector<const TestRecord*> by_what_they_tell(const ExerciseResult& result) {
   return list;
 }
 
-/// How many tests were not run, or not judged, for each reason why.
+/// Says how many tests were not run, or not judged, for each reason.
 std::string skipped_tests(const ExerciseResult& result) {
   std::map<std::string, int> reasons;
   for (const TestRecord& test : result.tests) {
@@ -146,8 +145,8 @@ std::string skipped_tests(const ExerciseResult& result) {
   return out;
 }
 
-/// The tests that failed, the first ones in full; and those that were not run after a deadline. Not
-/// those that wait for something to be written.
+/// Describes the failed tests, the first ones in full, and those not run after a deadline. Omits
+/// those that wait for unwritten code.
 std::string failed_tests(const ExerciseResult& result) {
   std::string out;
   const std::vector<const TestRecord*> tests = by_what_they_tell(result);
@@ -161,7 +160,7 @@ std::string failed_tests(const ExerciseResult& result) {
   return out + skipped_tests(result);
 }
 
-/// Exercises that this one builds on and that are not right yet.
+/// Names exercises that this one builds on and that are not right yet.
 std::string unsound_ground(const ExerciseResult& result) {
   std::string out;
   for (const std::string& tag : result.unsound) {
@@ -170,10 +169,10 @@ std::string unsound_ground(const ExerciseResult& result) {
   return out;
 }
 
-/// What keeps right values from all the points.
+/// Says why right values do not earn all the points.
 std::string right_but(const ExerciseResult& result) {
   if (!result.passed(Aspect::correctness)) return "";
-  // What crashed, or was stopped, has shown no variance and no cost.
+  // A test that crashed or was stopped has measured neither variance nor cost.
   const auto unmeasured = [](const TestRecord& test) {
     return test.status == Status::crashed || test.status == Status::timeout;
   };
@@ -185,7 +184,7 @@ std::string right_but(const ExerciseResult& result) {
                      cost ? "it costs too much" : "", points_text(result.points), result.max);
 }
 
-/// What the values look like, first of all: it says most in the fewest lines.
+/// Describes likely causes, first of all: they say most in the fewest lines.
 std::string likely_causes(const ExerciseResult& result) {
   std::string out;
   for (std::size_t i = 0; i < std::min(result.diagnoses.size(), shown_diagnoses); ++i) {
@@ -195,8 +194,8 @@ std::string likely_causes(const ExerciseResult& result) {
   return out;
 }
 
-/// Of an exercise of which some is written: what is missing, what already works, what to do next.
-/// `tests`: with the tests.
+/// For a partly written exercise: what is missing, what already works, what to do next. `tests`:
+/// with the tests.
 std::string begun_text(const ExerciseResult& result, bool tests, Help help) {
   std::string passed, waiting;
   for (const TestRecord& test : result.tests) {
@@ -215,7 +214,7 @@ std::string begun_text(const ExerciseResult& result, bool tests, Help help) {
                     : fmt::format("    Next: write {}; for help: {}\n", missing.front(), hint));
 }
 
-/// What keeps an exercise from all its points; `tests`: with the tests that failed.
+/// Says what keeps an exercise from all its points; `tests`: with the failed tests.
 std::string details(const ExerciseResult& result, bool tests, Help help) {
   std::string out = right_but(result) + unsound_ground(result) + likely_causes(result);
   if (tests) out += failed_tests(result);
@@ -236,7 +235,7 @@ std::string exercise_text(const ExerciseResult& result, std::size_t titles, bool
   return out + fmt::format("    The raw values: ./carlo replay {}\n", result.number());
 }
 
-/// What to do next, below the total.
+/// Says what to do next, below the total.
 std::string advice(const LabResult& result) {
   if (result.earned() == result.possible()) return "";
   const bool untouched = std::all_of(
@@ -248,7 +247,7 @@ std::string advice(const LabResult& result) {
     return fmt::format("Nothing done yet: start with {}, ./carlo hint {}\n", first.tag,
                        first.number());
   }
-  // Without --seed they are the same each time.
+  // Without --seed, seeds are the same each time.
   if (result.usual_seed) return "";
   return fmt::format("The same numbers again: --seed {}, after ./carlo test and ./carlo replay\n",
                      result.seed);

@@ -6,19 +6,18 @@
 
 namespace carlo {
 
-/// How a text says where an exercise's hint is: by what to type, or by the key that watch has for
-/// it.
+/// How a text points to an exercise's hint: by the command to type, or by the key in watch.
 enum class Help { typed, by_key };
 
-/// The report for the student, in colour where stdout shows it. `verbose`: every test and every
-/// comparison, those that passed too.
+/// Returns the report for the student, in colour where stdout shows it. `verbose`: every test and
+/// every comparison, passed ones too.
 std::string report_text(const LabResult& result, bool verbose = false);
 
-/// For the student: what keeps one exercise from all its points; empty when it passed. In colour as
-/// above.
+/// Says, for the student, what keeps one exercise from all its points; empty if it passed. In
+/// colour as above.
 std::string shortfall(const ExerciseResult& result, Help help = Help::typed);
 
-/// What went wrong, in one line; empty when it passed.
+/// Says what went wrong in one line; empty if it passed.
 std::string message(const ExerciseResult& result);
 
 }  // namespace carlo

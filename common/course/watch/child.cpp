@@ -23,7 +23,7 @@ Child::Child(const std::vector<std::string>& command) {
 
 Child::~Child() {
   if (pid_ > 0) {
-    // The group: a compiler's, or a judge's worker, goes with it.
+    // The whole group, so that a compiler or a judge's worker ends too.
     ::kill(-pid_, SIGTERM);
     wait();
   }

@@ -9,21 +9,21 @@
 
 namespace carlo {
 
-/// A program that runs beside us, in a process group of its own, without input. What it says on
-/// stdout and stderr is gathered. Not to be copied; the destructor ends it.
+/// A program that runs in the background, in its own process group, without input. Its stdout and
+/// stderr are collected. Not copyable; the destructor ends the program.
 class Child {
  public:
-  /// Starts `command` (a program and its arguments; found in PATH). Throws Error.
+  /// Starts `command` (a program and its arguments; looked up in PATH). Throws Error.
   explicit Child(const std::vector<std::string>& command);
   ~Child();
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// Readable when it has said something or has ended.
+  /// Readable when the program has written something or has ended.
   int fd() const { return fd_.get(); }
-  /// Gathers what it has said; true once it has ended.
+  /// Collects new output; returns whether the program has ended.
   bool ended();
-  /// Its exit code, or 128 + the signal that ended it. Once ended() was true.
+  /// Returns its exit code, or 128 + the signal that ended it. Only once ended() was true.
   int exit_code() const { return exit_code_; }
   const std::string& output() const { return output_; }
 

@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 bool tells_of_changes(const fs::path& folder) {
   struct statfs status {};
   if (::statfs(folder.c_str(), &status) != 0) return false;
-  // statfs(2); the last three are VirtualBox's, VMware's and Parallels' shared folders.
+  // File system types of statfs(2); the last three are shared folders of VirtualBox, VMware and
+  // Parallels.
   constexpr std::array<std::uint32_t, 15> silent{
       0x6969,      // NFS
       0x517B,      // SMB
@@ -29,7 +30,7 @@ bool tells_of_changes(const fs::path& folder) {
       0xFE534D42,  // SMB2
       0x564C,      // NCP
       0x01021997,  // 9p
-      0x65735546,  // FUSE: sshfs, Docker Desktop's shares; virtiofs calls itself so too
+      0x65735546,  // FUSE: sshfs, Docker Desktop's shares; also reported by virtiofs
       0x6A656A63,  // virtiofs on some kernels
       0x5346414F,  // AFS
       0x00C36400,  // Ceph
@@ -44,7 +45,7 @@ void FileEvents::subscribe() {
   fd_ = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
   if (fd_ < 0) return;
   for (const fs::path& folder : folders_) {
-    // The folders, not the files: editors write a new file and rename it into the old one's place.
+    // Watches folders, not files: editors write a new file and rename it over the old one.
     constexpr std::uint32_t what = IN_CLOSE_WRITE | IN_MOVED_TO | IN_CREATE | IN_DELETE;
     if (::inotify_add_watch(fd_, folder.c_str(), what) >= 0) continue;
     ::close(fd_);

@@ -6,13 +6,13 @@
 
 namespace carlo {
 
-/// Whether the system tells of every change to files of this folder: not where other machines, the
-/// host of a container or a layer below may change them (NFS, SMB, 9p, FUSE, virtiofs, overlay
-/// ...), nor where that cannot be found out, nor on macOS.
+/// Returns whether the system reports every change to files of this folder: not where other
+/// machines, a container's host or a lower layer may change them (NFS, SMB, 9p, FUSE, virtiofs,
+/// overlay ...), nor where that cannot be determined, nor on macOS.
 bool tells_of_changes(const std::filesystem::path& folder);
 
-/// Tells when source files in some folders may have changed: by inotify, or by looking at their
-/// times and sizes where that is not enough.
+/// Reports when source files in some folders may have changed: by inotify, or by comparing times
+/// and sizes where that is not reliable.
 class FileEvents {
  public:
   /// `look`: never use inotify.
@@ -21,20 +21,20 @@ class FileEvents {
   FileEvents(const FileEvents&) = delete;
   FileEvents& operator=(const FileEvents&) = delete;
 
-  /// Readable when something may have changed; -1 when happened() is to be asked every interval().
+  /// Readable when something may have changed; -1 if happened() must be polled every interval().
   int fd() const { return fd_; }
   bool looks() const { return fd_ < 0; }
   static constexpr int interval_ms = 400;
 
-  /// Whether something may have changed since the last call.
+  /// Returns whether something may have changed since the last call.
   bool happened();
 
  private:
-  /// Asks the system to tell; fd_ stays -1 where it does not.
+  /// Subscribes to the system's notifications; fd_ stays -1 if there are none.
   void subscribe();
-  /// Whether it has told something since the last call.
+  /// Returns whether the system has reported a change since the last call.
   bool told() const;
-  /// Names, sizes and times of the source files.
+  /// Returns names, sizes and times of the source files.
   std::string appearance() const;
 
   std::vector<std::filesystem::path> folders_;

@@ -19,7 +19,8 @@ namespace {
 constexpr std::array crashes{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 constexpr std::string_view hide = "\x1b[?25l", show = "\x1b[?25h";
 
-/// How the terminal was, and who handled crashes; for the handler, so not in an object.
+/// The terminal's former settings and crash handlers; not in an object, so that the handler can
+/// reach them.
 struct Before {
   termios terminal{};
   std::array<struct sigaction, crashes.size()> handlers{};
@@ -35,7 +36,8 @@ void say(std::string_view text) {
   }
 }
 
-/// Without what arrows and the like send: ESC, then [ and all up to a letter, or O and a letter.
+/// Removes escape sequences such as those of arrow keys: ESC, then [ and all up to a letter, or O
+/// and a letter.
 std::string without_sequences(std::string_view pressed) {
   std::string keys;
   for (std::size_t i = 0; i < pressed.size(); ++i) {
@@ -52,7 +54,7 @@ std::string without_sequences(std::string_view pressed) {
   return keys;
 }
 
-/// Only calls that a signal handler may make.
+/// Restores the terminal. Only calls that a signal handler may make.
 void give_back() {
   if (before.held == 0) return;
   before.held = 0;
@@ -60,7 +62,7 @@ void give_back() {
   say(show);
 }
 
-/// The terminal first; then whoever handled crashes before does, or the system.
+/// Restores the terminal, then the former crash handlers, or the system's default.
 extern "C" void watch_crashed(int signal) {
   give_back();
   for (std::size_t i = 0; i < crashes.size(); ++i) {
@@ -112,7 +114,7 @@ std::optional<std::string> Keyboard::keys() {
   std::array<char, 256> buffer{};
   const ssize_t got = ::read(STDIN_FILENO, buffer.data(), buffer.size());
   if (got < 0 && (errno == EINTR || errno == EAGAIN)) return "";
-  // Of a terminal that is readable, nothing means that it has gone.
+  // Reading nothing from a readable terminal means that it is gone.
   if (got <= 0) return std::nullopt;
   return without_sequences({buffer.data(), static_cast<std::size_t>(got)});
 }

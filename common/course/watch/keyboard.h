@@ -5,12 +5,13 @@
 
 namespace carlo {
 
-/// Whether somebody sits there: stdin and stdout are a terminal that can do more than TERM=dumb.
+/// Returns whether a user is present: stdin and stdout are a terminal that can do more than
+/// TERM=dumb.
 bool at_terminal();
 
-/// Keys one by one, unseen, while this lives: no line editing, no echo, the cursor hidden. The
-/// terminal is as it was when this ends, also by an exception or a crash; Ctrl-C stays a signal.
-/// There is one of these at a time.
+/// Reads single keys without echo while it exists: no line editing, the cursor hidden. Restores the
+/// terminal when it ends, even by an exception or a crash; Ctrl-C remains a signal. Only one at a
+/// time.
 class Keyboard {
  public:
   Keyboard();
@@ -18,12 +19,12 @@ class Keyboard {
   Keyboard(const Keyboard&) = delete;
   Keyboard& operator=(const Keyboard&) = delete;
 
-  /// Gives the terminal back and takes it again, around a stop by Ctrl-Z.
+  /// Releases the terminal and takes it again, around a stop by Ctrl-Z.
   void release();
   void acquire();
 
-  /// The keys that were pressed, without those that send more than one character (arrows); nothing
-  /// when the terminal is gone.
+  /// Returns the keys pressed, except those that send several characters (arrows); none if the
+  /// terminal is gone.
   std::optional<std::string> keys();
 };
 

@@ -1,4 +1,5 @@
-// carlo_watch: ./carlo watch. A program of its own, so that nobody waits for it who does not watch.
+// carlo_watch: ./carlo watch. A separate program, so that only those who watch wait for its
+// compilation.
 
 #include "course/cli/arguments.h"
 #include "course/cli/main_guard.h"

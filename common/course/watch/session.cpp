@@ -44,7 +44,7 @@ void WatchSession::start(Phase phase, const std::vector<std::string>& command) {
 void WatchSession::stop() {
   child_.reset();
   phase_ = Phase::idle;
-  // What a judge that was stopped could not clear away.
+  // Files that a stopped judge could not remove.
   std::error_code ec;
   for (const auto& entry : fs::directory_iterator(places_.scratch, ec))
     fs::remove_all(entry.path(), ec);
@@ -65,7 +65,7 @@ void WatchSession::files_changed() {
   const OwnCode now(places_.labs(), lab_);
   if (now.digest() == code_.digest()) return;
   std::vector<const Exercise*> changed = now.changed_since(code_);
-  // Those that the save before this one changed and that were not judged yet.
+  // Adds those that the previous save changed and that are not judged yet.
   if (busy() && !all_) {
     const std::size_t done = phase_ == Phase::judging ? at_ : 0;
     for (std::size_t i = done; i < which_.size(); ++i) {
@@ -73,10 +73,10 @@ void WatchSession::files_changed() {
         changed.push_back(which_[i]);
       }
     }
-    std::sort(changed.begin(), changed.end());  // all are of one vector
+    std::sort(changed.begin(), changed.end());  // all point into one vector
   }
   if (!changed.empty()) {
-    // So many at once are another version that was copied here.
+    // So many changes at once mean that another version was copied here.
     constexpr std::size_t many = 4;
     all_ = changed.size() >= many;
     which_ = changed;
@@ -139,13 +139,13 @@ void WatchSession::judged() {
     trouble_ = "the judge came to no end:\n" + plain_log(child_->output(), 30);
   } else if (OwnCode(places_.labs(), lab_).digest() == code_.digest()) {
     take_verdicts();
-  }  // else the files were edited just now, and the next run has begun already or begins at once
+  }  // otherwise the files were just edited, and the next run has begun or begins at once
   if (!all_ && trouble_.empty() && ++at_ < which_.size()) {
     judge_next();
     return;
   }
   stop();
-  // Of several, the one to go on with.
+  // If there are several, the one to continue with.
   const auto passed = [&](const Exercise& exercise) {
     const KeptVerdict* verdict = book_.find(exercise);
     return verdict != nullptr && verdict->passed();
@@ -162,7 +162,7 @@ void WatchSession::judged() {
 
 void WatchSession::take_verdicts() {
   try {
-    // Another ./carlo may have noted something meanwhile.
+    // Another ./carlo may have recorded a verdict meanwhile.
     book_ = VerdictBook(places_.state("verdicts.json"));
     book_.take(lab_result_from_text(read_file(judged_file())), lab_, code_);
     book_.save();

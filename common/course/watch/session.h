@@ -14,47 +14,47 @@
 
 namespace carlo {
 
-/// Where a session finds everything.
+/// The paths that a session needs.
 struct WatchPlaces {
   std::filesystem::path root;     ///< of the tree
   std::filesystem::path build;    ///< where ninja builds it
-  std::filesystem::path scratch;  ///< a folder of our own for what children leave behind
-  std::filesystem::path own;      ///< one for the worker that is judged, while others are built
+  std::filesystem::path scratch;  ///< an own folder for files that child processes leave behind
+  std::filesystem::path own;      ///< a folder for the worker that is judged while others are built
 
-  /// What builds alone (its own first lines say how).
+  /// Returns the script that makes builds take turns (see its header).
   std::filesystem::path in_turn() const { return root / "common/course/in_turn.sh"; }
   std::filesystem::path labs() const { return root / "labs"; }
   std::filesystem::path state(const char* name) const { return root / ".carlo" / name; }
 };
 
-/// One student at one lab: builds and judges an exercise whenever the files have changed, and says
-/// what came of it. Knows nothing of terminals; whoever owns it waits for its child's words, for
+/// One student at one lab: builds and judges an exercise whenever the files have changed, and
+/// reports the result. Knows nothing of terminals; its owner waits for the child's output, for
 /// files and for keys.
 class WatchSession {
  public:
   WatchSession(WatchPlaces places, const Lab& lab);
 
-  /// The exercises' code may have changed: builds, and judges those whose part has (all of the lab
-  /// when they are many), else the current one. Nothing happens when the text is the same.
+  /// Handles changed files: builds, and judges the exercises whose part has changed (the whole lab
+  /// if there are many), else the current one. Does nothing if the text is the same.
   void files_changed();
-  /// Builds and judges the current exercise (or all, when they were asked for last).
+  /// Builds and judges the current exercise (or all, if those were requested last).
   void run();
-  /// The child's words are there, or its end. True when something is to be shown anew.
+  /// Handles the child's output or end. Returns whether to redraw.
   bool child_spoke();
-  /// A key: true when something is to be shown anew.
+  /// Handles a key. Returns whether to redraw.
   bool key(char pressed);
 
   const Child* child() const { return child_.get(); }
   bool busy() const { return child_ != nullptr; }
   bool quits() const { return quits_; }
 
-  /// What is being done, in a few words; empty when nothing is.
+  /// Returns the current activity in a few words; empty if there is none.
   std::string activity() const;
-  /// The lab and its exercises, in two lines.
+  /// Returns the lab and its exercises, in two lines.
   std::string heading() const;
-  /// What the last run, or key, has to tell.
+  /// Returns the result of the last run or key.
   std::string body() const;
-  /// Whether the body should be cut to the screen.
+  /// Returns whether to cut the body to the screen.
   bool in_short() const { return !whole_; }
 
  private:
@@ -70,16 +70,16 @@ class WatchSession {
   void judged();
   void take_verdicts();
   void go_to(const Exercise* exercise);
-  /// The first exercise behind the current one, or from the beginning, that has not passed.
+  /// Returns the first exercise after the current one, wrapping around, that has not passed.
   const Exercise* next_open() const;
   void go_on(int step);
   void show_hint();
 
   LabStatus status() const;
-  /// Whether its code is another than the one that has its verdict.
+  /// Returns whether its code differs from the code that was judged.
   bool changed_since(const Exercise& exercise) const;
   std::string verdict_text(const Exercise& exercise) const;
-  /// The next open exercise behind the current one; the current one itself where it is open and
+  /// Names the next open exercise after the current one; the current one itself if it is open and
   /// `from_current`.
   std::string what_next(bool from_current = false) const;
   std::string list_text(bool from_current = false) const;
@@ -90,11 +90,11 @@ class WatchSession {
   const Lab& lab_;
   HintState hints_;
   VerdictBook book_;
-  OwnCode code_;                        ///< what is being, or was, judged
+  OwnCode code_;                        ///< the code being judged, or last judged
   const Exercise* current_;             ///< of the lab
   bool all_ = false;                    ///< all exercises are judged
-  std::vector<const Exercise*> which_;  ///< else these, in order; the current one is among them
-  std::size_t at_ = 0;                  ///< which of them is being judged
+  std::vector<const Exercise*> which_;  ///< otherwise these, in order; includes the current one
+  std::size_t at_ = 0;                  ///< index of the one being judged
 
   std::unique_ptr<Child> child_;
   Phase phase_ = Phase::idle;
@@ -103,7 +103,7 @@ class WatchSession {
   bool has_run_ = false;
 
   std::vector<CompilerMessage> messages_;
-  std::string trouble_;  ///< what neither the compiler nor the judge has words for
+  std::string trouble_;  ///< trouble that neither the compiler nor the judge reports
   bool compiles_ = true;
 
   Panel panel_ = Panel::verdict;

@@ -1,4 +1,4 @@
-// What a session says.
+// The texts of a session.
 
 #include "course/verdict/verdict_text.h"
 #include "course/watch/session.h"
@@ -11,7 +11,7 @@
 namespace carlo {
 namespace {
 
-/// Of an exercise in the row of all of them.
+/// Returns an exercise's entry in the row of all exercises.
 std::string chip(const ExerciseStatus& status, bool current) {
   const std::string number = status.exercise->number();
   std::string text;
@@ -97,7 +97,7 @@ std::string WatchSession::verdict_text(const Exercise& exercise) const {
   }
   const bool open = verdict->result.status == Status::not_implemented;
   const std::string mark = open ? coloured(Colour::yellow, "–") : coloured(Colour::red, "✗");
-  // The key shows the hint of the current one.
+  // The key shows the current exercise's hint.
   const Help help = &exercise == current_ ? Help::by_key : Help::typed;
   return fmt::format("{} {}: {}\n{}", mark, title, points, shortfall(verdict->result, help));
 }
@@ -124,7 +124,7 @@ std::string WatchSession::last_run() const {
   const std::size_t most = whole_ ? messages_.size() : compiles_ ? 1 : 2;
   std::string text;
   if (compiles_ && trouble_.empty()) {
-    // First, for the end may be cut: it tells that the verdict is a new one.
+    // First, because the end may be cut: it shows that the verdict is new.
     text = coloured(Colour::dim,
                     fmt::format("{:.1f} s: build {:.1f}, tests {:.1f}",
                                 build_seconds_ + judge_seconds_, build_seconds_, judge_seconds_)) +

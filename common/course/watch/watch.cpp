@@ -33,10 +33,10 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// A save is several events, and an editor may write twice.
+/// One save causes several events, and an editor may write twice.
 constexpr std::chrono::milliseconds calm{40};
 
-/// Signals as something to wait for: each writes its number into a pipe. One object at a time.
+/// Makes signals pollable: each writes its number into a pipe. One object at a time.
 class Signals {
  public:
   Signals() : pipe_(make_pipe()) {
@@ -47,7 +47,7 @@ class Signals {
     tell.sa_handler = [](int signal) {
       const int error = errno;
       const auto number = static_cast<unsigned char>(signal);
-      // A full pipe holds more than anybody will ever read.
+      // If the pipe is full, it already holds more than anybody will read.
       [[maybe_unused]] const ssize_t written = ::write(into_, &number, 1);
       errno = error;
     };
@@ -64,7 +64,7 @@ class Signals {
   Signals& operator=(const Signals&) = delete;
 
   int fd() const { return pipe_.read.get(); }
-  /// The next one that has come; 0 when none has.
+  /// Returns the next pending signal; 0 if there is none.
   int next() const {
     unsigned char number = 0;
     return ::read(fd(), &number, 1) == 1 ? number : 0;
@@ -78,7 +78,7 @@ class Signals {
   std::array<struct sigaction, awaited.size()> before_{};
 };
 
-/// Every line dim, and in no other colour: what is shown is of the run before.
+/// Makes every line dim and removes other colours, since the text belongs to the previous run.
 std::string faded(const std::string& text) {
   std::istringstream lines(without_escapes(text));
   std::string out;
@@ -87,7 +87,7 @@ std::string faded(const std::string& text) {
   return out;
 }
 
-/// What a person sees: the whole screen anew, or lines.
+/// What the user sees: a redrawn screen, or lines.
 class Display {
  public:
   explicit Display(bool whole_screen) : whole_screen_(whole_screen) {}
@@ -119,10 +119,10 @@ class Display {
     };
     std::string body = wrapped_to(session.body(), size.columns);
     if (session.busy()) body = faded(body);
-    // Two empty lines, and the one on which the cursor rests.
+    // Less two empty lines and the line of the cursor.
     const int room = std::max(size.rows - lines(head) - lines(foot) - 3, 3);
     if (session.in_short()) body = first_rows(body, room, "press v");
-    // Clears below as it goes, so that nothing flickers.
+    // Clears the rest while drawing, to avoid flicker.
     std::string screen = "\x1b[H";
     for (const char c : fmt::format("{}\n{}\n{}", head, body, foot)) {
       if (c == '\n') screen += "\x1b[K";
@@ -166,7 +166,7 @@ class Watch {
   }
 
   void step() {
-    // poll() passes over descriptors below 0.
+    // poll() ignores descriptors below 0.
     std::array<pollfd, 4> wait{{{signals_.fd(), POLLIN, 0},
                                 {session_.child() ? session_.child()->fd() : -1, POLLIN, 0},
                                 {events_.fd(), POLLIN, 0},
@@ -237,7 +237,7 @@ class Watch {
 
 int watch(const WatchOptions& options) {
   const ScratchFolder scratch;
-  // What children leave behind lands there too.
+  // Files that child processes leave behind go there too.
   ::setenv("TMPDIR", scratch.path().c_str(), 1);
   const fs::path run = options.build / "run";
   fs::create_directories(run);

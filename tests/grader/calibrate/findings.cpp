@@ -16,11 +16,11 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Values whose variance is so much of theory's have it for a bound: 2000 values and more tell it
-/// to a few per cent.
+/// Where the variance of values is below this part of theory's, theory gives only a bound: 2000
+/// values or more determine it to a few per cent.
 constexpr double bound = .9;
 
-/// A report shows so many diagnoses: a mistake that comes later is not named.
+/// Reports show so many diagnoses: a mistake further down is not named.
 constexpr std::size_t shown_diagnoses = 2;
 
 double median(std::vector<double> values) {
@@ -50,8 +50,8 @@ void add_failure(const Record& record, LabFinding& finding) {
   }
 }
 
-/// The p-values that tell something: of a comparison whose numbers do not depend on the grading's
-/// seed, and so are the same each time, one.
+/// Returns the informative p-values: only one of a comparison whose numbers do not depend on the
+/// grading's seed and so are the same each time.
 std::vector<double> telling(const std::vector<double>& p) {
   const bool fixed = std::all_of(p.begin(), p.end(), [&](double x) { return x == p.front(); });
   return fixed && !p.empty() ? std::vector<double>{p.front()} : p;
@@ -109,7 +109,8 @@ LabFinding lab_finding(const Judged& solution) {
 
 namespace {
 
-/// How far below the level the clearest failing comparison of a run lies, in orders of magnitude.
+/// Returns how far below the level the clearest failed comparison of a run lies, in orders of
+/// magnitude.
 double margin(const Record& record) {
   if (exact_failures(record.result.exercises.front()) > 0) return infinite;
   double best = -infinite;

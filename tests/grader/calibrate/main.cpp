@@ -1,4 +1,4 @@
-// Calibrates the grader: judges right and wrong answers with many seeds, and says how often it
+// Calibrates the grader: judges right and wrong answers with many seeds, and reports how often it
 // errs.
 
 #include "course/cli/arguments.h"
@@ -52,7 +52,7 @@ std::vector<Job> missing(const std::vector<Job>& all, const Store& store) {
   return list;
 }
 
-/// All that the store has of these subjects as they are built now.
+/// Returns everything in the store about these subjects as built now.
 std::vector<Judged> judged(const std::vector<Subject>& subjects, const Store& store) {
   std::vector<Judged> list;
   for (const Job& job : jobs(subjects, 1, 1, 0)) {

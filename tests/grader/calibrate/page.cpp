@@ -17,7 +17,7 @@ std::size_t wrong_verdicts(const Findings& findings) {
   return count;
 }
 
-/// Over all mistakes: how many are caught in every run, and how many named in 95 % of theirs.
+/// Says, over all mistakes, how many are caught in every run, and how many named in 95 % of theirs.
 std::string mistakes_sentence(const Findings& findings) {
   std::size_t caught = 0, named = 0;
   for (const MistakeFinding& one : findings.mistakes) {
@@ -28,7 +28,7 @@ std::string mistakes_sentence(const Findings& findings) {
                      findings.mistakes.size(), caught, named);
 }
 
-/// How the p-values of each lab's solution are distributed: the share below p against p.
+/// Charts the distribution of the p-values of each lab's solution: the share below p against p.
 Chart p_value_chart(const Findings& findings) {
   Chart chart{"p-values of right solutions",
               "uniform ones lie on the diagonal; above it a comparison fails more than it claims",

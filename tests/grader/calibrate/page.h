@@ -7,14 +7,15 @@
 
 namespace carlo::grader {
 
-/// No false failure, every mistake caught in every run, and no p-values that are too small.
+/// Returns whether there is no false failure, every mistake is caught in every run, and no p-values
+/// are too small.
 bool sound(const Findings& findings);
 
-/// What matters, for the console: whole labs, and what needs a look.
+/// Returns the summary for the console: whole labs, and what needs attention.
 std::string report_text(const Findings& findings);
-/// All tables, for programs.
+/// Returns all tables, for programs.
 std::string report_json(const Findings& findings);
-/// All tables with what they say, and the distribution of the p-values.
+/// Returns all tables with explanations, and the distribution of the p-values.
 Page report_page(const Findings& findings);
 
 }  // namespace carlo::grader

@@ -21,7 +21,7 @@ fs::path program(const Places& places, const std::string& name) {
   return path;
 }
 
-/// The folder NN_name of a lab below `parent`.
+/// Returns the folder NN_name of a lab below `parent`.
 fs::path folder(const fs::path& parent, const Lab& lab) {
   return parent / fmt::format("{:02}_{}", lab.number, lab.name);
 }
@@ -63,7 +63,7 @@ std::uint64_t word_of_file(const fs::path& path) {
   return word;
 }
 
-/// Files are read once: a judge serves all mistakes of its lab.
+/// Reads each file only once: a judge serves all mistakes of its lab.
 class Fingerprints {
  public:
   std::string of(const Subject& subject) {

@@ -8,22 +8,22 @@
 
 namespace carlo::grader {
 
-/// The name of a lab's right answer, beside those of its mistakes.
+/// The name of a lab's correct answer, in the place of a mistake's name.
 constexpr const char* the_solution = "solution";
 
-/// What is judged: a lab's solution or one of its mistakes.
+/// A subject of judgement: a lab's solution or one of its mistakes.
 struct Subject {
   int lab = 0;
   std::string what = the_solution;  ///< or the mistake's name
-  std::string exercise = {};        ///< "1.2": the mistake's; empty: all are judged
-  std::string diagnosis = {};       ///< the one expected; "crash" when the program must be ended
+  std::string exercise = {};        ///< "1.2", if a mistake; empty: all are judged
+  std::string diagnosis = {};       ///< the expected one; "crash" if the program must be ended
   std::filesystem::path lab_json = {}, judge = {}, worker = {};
 
   bool is_solution() const { return what == the_solution; }
 };
 
-/// One judgement's name: what was judged, with which random numbers, by which programs. `programs`
-/// changes with the judge, the worker and lab.json, so that no result outlives what it is about.
+/// The key of one judgement: subject, seed, and programs. `programs` changes with the judge, the
+/// worker and lab.json, so that no result outlives its programs.
 struct JobKey {
   int lab = 0;
   std::string what;
@@ -50,8 +50,8 @@ struct Places {
 /// Error for a lab that does not exist, and a program or a list of mistakes that was not built.
 std::vector<Subject> subjects(const Places& places, const std::vector<int>& labs);
 
-/// `count` judgements of each solution, then `mistake_count` of each mistake, one seed after the
-/// other: whenever this is stopped, all subjects have been judged about equally often.
+/// Returns `count` judgements of each solution, then `mistake_count` of each mistake, one seed
+/// after the other: whenever the run is stopped, all subjects have been judged about equally often.
 std::vector<Job> jobs(const std::vector<Subject>& subjects, int count, int mistake_count,
                       std::uint64_t first_seed);
 

@@ -9,7 +9,7 @@
 namespace carlo::grader {
 namespace {
 
-/// What each comparison saw of one mistake.
+/// Returns what each comparison measured of one mistake.
 std::map<ComparisonName, Sight> sights(const Judged& mistake) {
   std::map<ComparisonName, Sight> result;
   for (const Record* record : mistake.records) {
@@ -17,7 +17,7 @@ std::map<ComparisonName, Sight> sights(const Judged& mistake) {
       Sight& sight = result[name];
       const double effect = std::abs(seen.measured);
       sight.mistake = mistake.subject.what;
-      // Values that are no numbers are as wrong as can be.
+      // Values that are not numbers are as wrong as can be.
       sight.effect += std::isnan(effect) ? std::numeric_limits<double>::infinity() : effect;
       sight.runs += 1;
       sight.caught += p >= comparison_alpha() ? 0 : 1;

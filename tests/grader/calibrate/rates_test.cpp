@@ -16,7 +16,7 @@ bool close(double a, double b, double relative) {
   return std::abs(a - b) <= relative * std::abs(b);
 }
 
-/// `count` numbers of density k x^(k-1) on [0, 1).
+/// Draws `count` numbers of density k x^(k-1) on [0, 1).
 std::vector<double> powers(std::uint64_t seed, int count, double k) {
   carlo::Rng rng(seed);
   std::vector<double> values;
@@ -43,7 +43,7 @@ TEST_CASE("Clopper and Pearson's bound is what it is by hand", "[calibrate]") {
 }
 
 TEST_CASE("Clopper and Pearson's bound puts 5 % below its count", "[calibrate]") {
-  // P(at most k failures of n) at the bound, summed by hand, is 1 - confidence.
+  // P(at most k failures in n) at the bound, summed by hand, is 1 - confidence.
   const std::size_t n = 40;
   for (const std::size_t k : {1U, 5U, 20U, 38U}) {
     const double bound = rate_upper_bound(k, n, .99);
@@ -72,7 +72,7 @@ TEST_CASE("the one-sided Kolmogorov-Smirnov tail agrees with closed forms", "[ca
 }
 
 // 4000 trials of 30 values: a tail that is off by a tenth at 1 % would show at 6 standard errors
-// only from .02 on; at 10 %, where p-values are tried too, .1 +- .028 holds with z = 5.9.
+// only from .02 on; at 10 %, which is also tested, .1 +- .028 holds with z = 5.9.
 TEST_CASE("the one-sided test fails uniform values as often as it says", "[calibrate]") {
   int below = 0;
   constexpr int trials = 4000;
@@ -81,7 +81,7 @@ TEST_CASE("the one-sided test fails uniform values as often as it says", "[calib
   CHECK(std::abs(below / double{trials} - .1) <= .028);
 }
 
-// 2000 values: x^k lies off the diagonal by .18 (k = 1/2 and 2: max of |sqrt(x) - x| is 1/4), more
+// 2000 values: x^k is off the diagonal by .18 (k = 1/2 and 2: max of |sqrt(x) - x| is 1/4), more
 // than ten times what the level of 1e-3 needs.
 TEST_CASE("p-values are told uniform, cautious or too small", "[calibrate]") {
   CHECK(uniformity(powers(3, 2000, 1)).behaviour(1e-6) == Behaviour::uniform);
@@ -91,7 +91,7 @@ TEST_CASE("p-values are told uniform, cautious or too small", "[calibrate]") {
 }
 
 TEST_CASE("the p-values of a fair coin's exact test are cautious and tied", "[calibrate]") {
-  // Of 5 throws; the two-sided p-value is 1/16, 3/8 or 1.
+  // 5 throws: the two-sided p-value is 1/16, 3/8 or 1.
   carlo::Rng rng(5);
   std::vector<double> p;
   for (int i = 0; i < 1000; ++i) {
@@ -107,7 +107,7 @@ TEST_CASE("the p-values of a fair coin's exact test are cautious and tied", "[ca
 }
 
 TEST_CASE("Kolmogorov-Smirnov p-values, down to 1e-15") {
-  // By Marsaglia, Tsang and Wang's matrix, with 60 decimal digits.
+  // By the matrix of Marsaglia, Tsang and Wang, with 60 decimal digits.
   struct Known {
     std::size_t n;
     double d, p;
@@ -118,7 +118,7 @@ TEST_CASE("Kolmogorov-Smirnov p-values, down to 1e-15") {
     INFO("n = " << n << ", d = " << d);
     CHECK(std::abs(carlo::kolmogorov_smirnov(d, n) / p - 1) <= .002);
   }
-  // Where the exact sum ends and the approximation begins.
+  // At the switch from the exact sum to the approximation.
   CHECK(std::abs(carlo::one_sided_kolmogorov_smirnov(.04, 20000) /
                      carlo::one_sided_kolmogorov_smirnov(.04, 20001) -
                  1) <= .06);

@@ -19,10 +19,11 @@ struct Record {
   LabResult result = {};
 };
 
-/// A comparison's name: exercise, test, what, and of several that agree in these which one it is.
+/// The name of a comparison: exercise, test, what, and its index among those that share these.
 using ComparisonName = std::tuple<std::string, std::string, std::string, int>;
 
-/// A statistical comparison of one judgement. What is not known, or no number, is NaN.
+/// A statistical comparison of one judgement. Unknown values, or those that are not numbers, are
+/// NaN.
 struct Comparison {
   ComparisonName name;
   double p;
@@ -30,15 +31,15 @@ struct Comparison {
 };
 std::vector<Comparison> comparisons(const Record& record);
 
-/// How many exact comparisons of an exercise failed, and tests that came to none.
+/// Returns how many exact comparisons of an exercise failed, plus the tests that ended without any.
 int exact_failures(const ExerciseResult& exercise);
 
-/// The same without what calibration does not need: figures, printed words, what passed exactly.
+/// Removes what calibration does not need: figures, printed text, exact comparisons that passed.
 LabResult kept_of(LabResult result);
 
-/// One line of the store, without its end.
+/// Returns one line of the store, without its line end.
 std::string to_line(const Record& record);
-/// Nothing for a line that to_line() has not written, such as one that was cut short.
+/// Parses a line; nothing if to_line() did not write it, e.g. if it was cut short.
 std::optional<Record> record_from(const std::string& line);
 
 }  // namespace carlo::grader

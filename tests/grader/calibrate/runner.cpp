@@ -23,14 +23,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a judge writes: "12.json" of the twelfth job.
+/// Returns the path of a judge's output: "12.json" for the twelfth job.
 fs::path file_of(const ScratchFolder& scratch, std::size_t job, const char* what) {
   return scratch.path() / fmt::format("{}.{}", job, what);
 }
 
 std::vector<std::string> command(const Job& job, const fs::path& verdicts) {
-  // A busy machine must not look like a slow answer: the processor time is limited all the same.
-  // Solutions and mistakes are the tree's own: a fence around each of their workers changes no
+  // A busy machine must not look like a slow answer; processor time is limited in any case.
+  // Solutions and mistakes are the tree's own: a sandbox around each of their workers changes no
   // verdict, and takes a third of all processor time.
   std::vector<std::string> words{job.subject.judge,
                                  "--lab",
@@ -52,7 +52,7 @@ std::vector<std::string> command(const Job& job, const fs::path& verdicts) {
   return words;
 }
 
-/// Starts a judge that ends with this program; what it says goes to `said`.
+/// Starts a judge that ends with this program; its output goes to `said`.
 pid_t start(const std::vector<std::string>& words, const fs::path& said) {
   const Descriptor output(::open(said.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600));
   if (output.get() < 0) throw Error("cannot write {}: {}", said.string(), std::strerror(errno));
@@ -64,7 +64,7 @@ double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// The judges under way, by process; what is left at the end is killed.
+/// The running judges, by process; those left at the end are killed.
 class Judges {
  public:
   ~Judges() {
@@ -80,7 +80,7 @@ class Judges {
   std::size_t count() const { return jobs_.size(); }
   void add(pid_t pid, std::size_t job) { jobs_[pid] = job; }
 
-  /// Waits for one to end; how it did goes to `status` and `usage`. Its job.
+  /// Waits for one to end and sets `status` and `usage`. Returns its job.
   std::size_t next(int& status, rusage& usage) {
     const pid_t pid = ::wait4(-1, &status, 0, &usage);
     const auto found = jobs_.find(pid);
@@ -94,7 +94,7 @@ class Judges {
   std::map<pid_t, std::size_t> jobs_;
 };
 
-/// When the programs of a subject were last built.
+/// Returns when the programs of a subject were last built.
 fs::file_time_type built(const Subject& subject) {
   return std::max(fs::last_write_time(subject.judge), fs::last_write_time(subject.worker));
 }

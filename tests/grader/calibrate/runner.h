@@ -8,9 +8,9 @@
 
 namespace carlo::grader {
 
-/// Runs the judges of all jobs, `at_once` at a time and at the lowest priority, and hands over each
-/// record as soon as it is there. Throws Error when a judge gives no verdicts, or when a program
-/// was built anew while this ran; the judges still under way are ended then.
+/// Runs the judges of all jobs, `at_once` at a time and at the lowest priority, and passes on each
+/// record as soon as it is complete. Throws Error if a judge gives no verdicts, or if a program was
+/// rebuilt meanwhile; running judges are ended then.
 void run_jobs(const std::vector<Job>& jobs, int at_once,
               const std::function<void(const Record&)>& done);
 

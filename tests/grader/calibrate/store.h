@@ -8,20 +8,20 @@
 
 namespace carlo::grader {
 
-/// All judgements made so far, a file labNN.jsonl a lab in one folder, a line a judgement. A line
-/// is appended in one write, so whoever is killed loses the judgements under way and no other; a
-/// line that was cut short all the same is passed over, and what follows starts on a new one.
+/// All judgements so far, one file labNN.jsonl per lab in a folder, one line per judgement. Each
+/// line is appended in a single write, so a kill loses only the running judgements; a line that was
+/// cut short nevertheless is skipped, and the next one starts on a new line.
 class Store {
  public:
-  /// Makes the folder if it is missing. Throws Error.
+  /// Creates the folder if it is missing. Throws Error.
   explicit Store(std::filesystem::path folder);
 
   bool has(const JobKey& key) const { return records_.count(key) > 0; }
-  /// Throws Error when it cannot be written.
+  /// Throws Error if it cannot be written.
   void append(const Record& record);
-  /// In order of lab, subject and seed, whatever the order they were made in.
+  /// Returns the records by lab, subject and seed, regardless of the order in which they were made.
   const std::map<JobKey, Record>& records() const { return records_; }
-  /// Lines that could not be read.
+  /// Returns the number of unreadable lines.
   int unreadable() const { return unreadable_; }
 
  private:
@@ -30,7 +30,7 @@ class Store {
 
   std::filesystem::path folder_;
   std::map<JobKey, Record> records_;
-  std::set<std::filesystem::path> begun_;  ///< files that have been appended to by this store
+  std::set<std::filesystem::path> begun_;  ///< files that this store has appended to
   int unreadable_ = 0;
 };
 

@@ -108,7 +108,7 @@ TEST_CASE("the store goes on where a killed run stopped", "[calibrate]") {
     store.append(record(2, 1));
   }
   const fs::path file = folder.path / "calibration" / "lab01.jsonl";
-  // A line that was cut short, as by a full disk or a power failure.
+  // A line cut short, as by a full disk or a power failure.
   const std::string text = carlo::read_file(file);
   std::ofstream(file, std::ios::binary) << text.substr(0, text.size() - 10);
   {

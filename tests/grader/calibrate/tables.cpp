@@ -28,12 +28,12 @@ Cell lab_cell(int lab) {
   return {fmt::format("{:02}", lab), static_cast<double>(lab)};
 }
 
-/// The level of one comparison's tests for uniformity.
+/// Returns the level of one comparison's tests for uniformity.
 double behaviour_level(const LabFinding& lab) {
   return sidak(uniformity_level, std::max<std::size_t>(1, lab.comparisons.size()));
 }
 
-/// In how many orders of magnitude below the level a mistake should lie to be caught for sure.
+/// How many orders of magnitude below the level a mistake should lie to be caught reliably.
 constexpr double close_margin = 3;
 
 Cell margin_cell(double margin) {
@@ -46,7 +46,7 @@ bool needs_attention(const MistakeFinding& mistake) {
          !(mistake.margin >= close_margin);
 }
 
-/// "the mean of ...: in the test ...", and which of several.
+/// Returns "the mean of ...: in the test ...", and its index among several.
 std::vector<Cell> name_cells(const ComparisonName& name) {
   const auto& [exercise, test, what, place] = name;
   return {exercise, place == 0 ? what : fmt::format("{} ({})", what, place + 1), test};

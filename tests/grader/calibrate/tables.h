@@ -7,7 +7,7 @@
 
 namespace carlo::grader {
 
-/// Everything that calibration found.
+/// All results of calibration.
 struct Findings {
   std::vector<LabFinding> labs;
   std::vector<MistakeFinding> mistakes;
@@ -16,19 +16,20 @@ struct Findings {
 
 Findings findings(const std::vector<Judged>& judged);
 
-/// A lab a row: how often right solutions fail, and what a grading costs.
+/// One row per lab: how often correct solutions fail, and what a grading costs.
 Table rates_table(const Findings& findings);
-/// A lab a row: whether the p-values of right solutions are uniform.
+/// One row per lab: whether the p-values of correct solutions are uniform.
 Table uniformity_table(const Findings& findings);
-/// A comparison a row: those whose p-values are not uniform, or all.
+/// One row per comparison: those whose p-values are not uniform, or all.
 Table behaviour_table(const Findings& findings, bool all);
-/// A lab a row: how many mistakes are caught and named, each time and often.
+/// One row per lab: how many mistakes are caught and named, always and often.
 Table catch_table(const Findings& findings);
-/// A mistake a row: those that were missed, not named or close to that, or all.
+/// One row per mistake: those missed, unnamed or close to that, or all.
 Table mistakes_table(const Findings& findings, bool all);
-/// A comparison a row: what it claims to see, and the weakest mistake that it caught.
+/// One row per comparison: the effect that it claims to detect, and the weakest mistake that it
+/// caught.
 Table power_table(const Findings& findings);
-/// A lab a row: how often effects as large as claimed were caught.
+/// One row per lab: how often effects as large as claimed were caught.
 Table claims_table(const Findings& findings);
 
 }  // namespace carlo::grader

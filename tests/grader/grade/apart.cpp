@@ -33,10 +33,10 @@ constexpr rlim_t most_memory = rlim_t{2} << 30, most_cpu_seconds = 120;
 constexpr std::size_t most_bytes = std::size_t{1} << 30;
 constexpr std::chrono::minutes longest{5};
 
-/// The first byte that a child sends: what follows is a result, or an Error's text.
+/// The first byte that a child sends: the rest is a result, or an Error's text.
 constexpr char returned = 'r', thrown = 'e';
 
-/// The kind of limit is a number or an enumeration, as the C library likes.
+/// The C library declares the kind of limit as a number or an enumeration.
 template <class Resource>
 bool limit(Resource resource, rlim_t value) {
   const rlimit wanted{value, value};
@@ -53,7 +53,7 @@ std::optional<LandlockRules> rules_for(const fs::path& readable) {
   return rules;
 }
 
-/// Limits always hold; Landlock and the filter as far as the kernel has them.
+/// Confines the process. Limits always hold; Landlock and the filter as far as the kernel has them.
 bool shut_in(const std::optional<LandlockRules>& rules, pid_t parent) {
   if (!ends_with_parent(SIGKILL) || ::getppid() != parent) return false;
   if (!gains_no_privileges()) return false;
@@ -89,7 +89,7 @@ bool send(int fd, std::string_view bytes) {
   ::_exit(send(fd, answer) ? 0 : 1);
 }
 
-/// All that comes until the other end is closed; nothing when it is too much or takes too long.
+/// Reads until the other end is closed; returns nothing if it is too much or takes too long.
 std::optional<std::string> all_of(int fd) {
   std::string bytes;
   std::array<char, 65536> block{};

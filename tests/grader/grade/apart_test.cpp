@@ -40,7 +40,7 @@ TEST_CASE("a child that crashes or ends without an answer ends nothing else", "[
   const ScratchFolder folder;
   CHECK_THROWS_AS(apart(folder.path(),
                         []() -> std::string {
-                          std::signal(SIGABRT, SIG_DFL);  // Catch2's would tell of it
+                          std::signal(SIGABRT, SIG_DFL);  // Catch2's handler would report it
                           std::abort();
                         }),
                   Error);

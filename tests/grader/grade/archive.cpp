@@ -33,8 +33,7 @@ std::string reason(archive* reader) {
   return text == nullptr ? "spoilt" : text;
 }
 
-/// What is wrong with an archive is the fault of whoever made it, and an Error; what keeps us from
-/// reading it is not.
+/// A faulty archive is its author's fault, and an Error; a failure on our side is not.
 [[noreturn]] void fail(archive* reader, const std::string& what) {
   static const std::set<int> of_the_machine{EACCES, EPERM,  EIO,    ENOMEM, EMFILE,
                                             ENFILE, ENOENT, ESTALE, EINTR,  EAGAIN};
@@ -43,7 +42,7 @@ std::string reason(archive* reader) {
   throw Error("{}", words);
 }
 
-/// Only formats that students' machines make: fewer parsers meet what strangers wrote.
+/// Accepts only formats that students' machines make: strangers' bytes reach fewer parsers.
 Reader make_reader() {
   Reader reader(archive_read_new());
   if (!reader) throw std::runtime_error("out of memory");
@@ -61,7 +60,8 @@ Reader reader_of(const fs::path& file) {
   return reader;
 }
 
-/// The path with slashes and without empty and "." parts; none when it leads out of the archive.
+/// Returns the path with slashes and without empty and "." parts; none if it leads out of the
+/// archive.
 std::optional<std::string> safe_path(std::string path) {
   std::replace(path.begin(), path.end(), '\\', '/');
   if (path.empty() || path.front() == '/' || (path.size() > 1 && path[1] == ':')) return {};
@@ -79,7 +79,7 @@ std::optional<std::string> safe_path(std::string path) {
   return safe;
 }
 
-/// One archive being read: counts what it unpacks.
+/// Reads one archive and counts what it unpacks.
 class EntryWalk {
  public:
   EntryWalk(archive* reader, const ArchiveLimits& limits)
@@ -156,8 +156,8 @@ class EntryWalk {
     return bytes;
   }
 
-  /// What is not read is unpacked all the same, so that it counts: a small archive may unpack to
-  /// more than any disk holds.
+  /// Unread data is unpacked too, so that it counts: a small archive may unpack to more than any
+  /// disk holds.
   void skip_rest() {
     take([](const char*, std::size_t) {});
   }
@@ -189,7 +189,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// The ending by which we know an archive, or "".
+/// Returns the ending that identifies an archive, or "".
 std::string archive_ending(const std::string& name) {
   const std::string small = lower(name);
   for (const char* ending : {".tar.gz", ".tgz", ".tar", ".zip"}) {

@@ -39,7 +39,7 @@ bool has_any(const std::string& line, const Words& words) {
                      [&](const char* word) { return line.find(word) != std::string::npos; });
 }
 
-/// "a.cpp:3:1: error: ...", or a line of a file.
+/// Returns whether the line is "a.cpp:3:1: error: ...", or quotes a file.
 bool is_quote(const std::string& line) {
   if (line.empty() || line.front() == ' ') return true;
   for (std::size_t at = line.find(':'); at != std::string::npos; at = line.find(':', at + 1)) {
@@ -51,7 +51,7 @@ bool is_quote(const std::string& line) {
   return false;
 }
 
-/// 9 of "out of memory allocating 9 bytes after a total of 3 bytes"; 0 elsewhere.
+/// Returns 9 for "out of memory allocating 9 bytes after a total of 3 bytes"; 0 for other lines.
 std::size_t bytes_asked(const std::string& line) {
   const std::string before = "allocating ";
   const auto at = line.find(before);

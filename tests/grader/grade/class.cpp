@@ -23,14 +23,14 @@ namespace {
 namespace fs = std::filesystem;
 enum ExitCode { graded = 0, there_already = 10, not_there = 11, failed = 1 };
 
-/// A file server's client may believe for a minute what it heard of a folder; whoever opens the
-/// folder makes it ask again.
+/// A file server's client may cache a folder's content for a minute; opening the folder makes it
+/// ask again.
 void refresh(const fs::path& folder) {
   std::error_code ec;
   const fs::directory_iterator opened(folder, ec);
 }
 
-/// Whether the marks of this submission are there.
+/// Returns whether this submission has its marks.
 bool has_marks(const Course& course, const Source& source, const Intake& intake,
                const fs::path& out) {
   refresh(out / source.name);
@@ -39,12 +39,12 @@ bool has_marks(const Course& course, const Source& source, const Intake& intake,
          earlier->key == record_key(course, source.name, intake);
 }
 
-/// The work of one child: a submission, from its files to its marks. Archives of strangers are
-/// unpacked here, so that a spoilt one can end this process and no other.
+/// The work of one child: a submission, from its files to its marks. Strangers' archives are
+/// unpacked here, so that a corrupt one can only end this process.
 int grade_one(const Course& course, const Source& source, const fs::path& out) {
   const Intake intake = take_in(source, course.labs);
   if (has_marks(course, source, intake, out)) return there_already;
-  // Nobody else may find it, and nobody else may pass: grade() opens it to this one's sandbox.
+  // Nobody else may find or enter it: grade() opens it to this submission's sandbox.
   std::string name = course.clean.path() / "at_work_XXXXXX";
   if (::mkdtemp(name.data()) == nullptr) throw Error("{}: {}", name, std::strerror(errno));
   const fs::path folder = name;
@@ -55,17 +55,17 @@ int grade_one(const Course& course, const Source& source, const fs::path& out) {
   return graded;
 }
 
-/// The work of one child that only looks.
+/// The work of one child that only reads.
 int look_at(const Course& course, const Source& source, const fs::path& out) {
   return has_marks(course, source, take_in(source, course.labs), out) ? there_already : not_there;
 }
 
 using Work = int (*)(const Course&, const Source&, const fs::path&);
 
-/// Starts the process for one submission; it and all that it starts end when we do.
+/// Starts the process for one submission; it and all that it starts end with this process.
 pid_t start(Work work, const Course& course, const Source& source, const fs::path& out) {
   return start_guarded([&]() -> int {
-    // Ends what no other limit does, such as an archive that is slow to read.
+    // Ends what no other limit covers, such as an archive that is slow to read.
     ::alarm(static_cast<unsigned>(3600 * (1 + course.labs.size())));
     try {
       return work(course, source, out);
@@ -76,7 +76,7 @@ pid_t start(Work work, const Course& course, const Source& source, const fs::pat
   });
 }
 
-/// The record that a child has left, or one that tells of its failure.
+/// Returns the record that a child has left, or one that reports its failure.
 Finished result_of(const Course& course, const Source& source, const fs::path& out, int status) {
   const bool again = WIFEXITED(status) && WEXITSTATUS(status) == there_already;
   if (again || (WIFEXITED(status) && WEXITSTATUS(status) == graded)) {
@@ -89,16 +89,17 @@ Finished result_of(const Course& course, const Source& source, const fs::path& o
   try {
     write_outputs(record, out / source.name);
   } catch (const std::exception& error) {
-    // A full disk, say. The others' marks may still find room; this one has none in either case.
+    // A full disk, for instance. The others' marks may still find room; this one has none in either
+    // case.
     fmt::print(stderr, "carlo: {}: {}\n", source.name, error.what());
   }
   return {record, false, 0};
 }
 
-/// Works on some of the submissions, `workers` at a time.
+/// Processes some of the submissions, `workers` at a time.
 class Round {
  public:
-  /// Hears of each by its index: its child's status, and the seconds that it took.
+  /// Called for each submission with its index, its child's status and the seconds that it took.
   using Tell = std::function<void(std::size_t, int, double)>;
 
   Round(Work work, const Course& course, const std::vector<Source>& sources, const fs::path& out)
@@ -119,7 +120,7 @@ class Round {
     WallClock clock;
   };
 
-  /// False when the machine has no process left for it; then one of ours must end first.
+  /// Returns false if the machine has no process left for it; then one of ours must end first.
   bool begin(std::size_t index) {
     try {
       running_[start(work_, course_, sources_[index], out_)] = {index, {}};
@@ -177,7 +178,7 @@ std::vector<Record> grade_class(const Course& course, const std::vector<Source>&
                 again.push_back(i);
               }
             });
-  // What the machine lacked for so many at a time it may have for fewer.
+  // The machine may have enough resources for fewer at a time.
   const auto fewer = static_cast<std::size_t>(std::max(1, workers / 8));
   round.run(again, fewer,
             [&](std::size_t i, int status, double seconds) { tell(finish(i, status, seconds)); });

@@ -9,24 +9,24 @@
 
 namespace carlo::grader {
 
-/// What one submission came to.
+/// The result of one submission.
 struct Finished {
   Record record;
-  bool again = false;  ///< marks that were there already
+  bool again = false;  ///< its marks existed already
   double seconds = 0;
 };
 
-/// Grades submissions, `workers` at a time, each in a process of its own, and writes their files
-/// into folders of their names below `out`. One whose record is there already, and follows from the
-/// same submission, grader and secret, is left as it is. Those that could not be graded are tried
-/// again in the end, an eighth as many at a time. `tell` hears of each as it is done.
-/// Returns the records in the order of `sources`.
+/// Grades submissions, `workers` at a time, each in its own process, and writes their files into
+/// folders of their names below `out`. A submission whose record exists already, and follows from
+/// the same files, grader and secret, is left as it is. Those that could not be graded are retried
+/// at the end, an eighth as many at a time. `tell` is called as each is done. Returns the records
+/// in the order of `sources`.
 std::vector<Record> grade_class(const Course& course, const std::vector<Source>& sources,
                                 const std::filesystem::path& out, int workers,
                                 const std::function<void(const Finished&)>& tell);
 
-/// What is there already: of each submission the record with its marks, in the order of `sources`,
-/// and nothing of one that is still to be graded. Grades and writes nothing.
+/// Returns what exists already: for each submission the record with its marks, in the order of
+/// `sources`, and nothing for one that is still to be graded. Grades and writes nothing.
 std::vector<std::optional<Record>> survey_class(const Course& course,
                                                 const std::vector<Source>& sources,
                                                 const std::filesystem::path& out, int workers);

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# class_test.sh SOURCE BUILD: grades a class in miniature, in lab 01: the marks are right, nothing
-# outside the class is read or written, a grader that was killed goes on where it was and comes to the
-# same CSV, and leaves no process or file behind.
+# class_test.sh SOURCE BUILD: grades a small class in lab 01: the marks are right, nothing outside
+# the class is read or written, and a killed grader resumes, produces the same CSV, and leaves no
+# process or file behind.
 set -euo pipefail
 source=$1
 build=$2
@@ -41,7 +41,7 @@ make_class() {
   echo 'see my e-mail' >"$class/nothing/README.txt"
   mkdir "$class/linked"
   ln -s "$solution" "$class/linked/integration.cpp"
-  # On Windows, with entries that lead out of the archive.
+  # Packed on Windows, with entries that lead out of the archive.
   mkdir -p "$scratch/pack/inner"
   sed 's/$/\r/' "$solution" >"$scratch/pack/inner/integration.cpp"
   echo stolen >"$scratch/pack/escaped.txt"
@@ -75,7 +75,7 @@ check_marks() {
 }
 
 make_class
-# Where nothing is shut off submissions would be root.
+# Without confinement, submissions would run as root.
 if [ "$(id -u)" = 0 ]; then
   ! "${grade[@]}" "$scratch/unsafe" --sandbox limits >"$scratch/log" 2>&1 ||
     fail 'root grades at the level "limits"'
@@ -104,12 +104,13 @@ grep -q 'leads out of the archive' "$scratch/whole/packed/report.txt" ||
 grep -q '^packed,.*,"./packed.tar.gz"$' "$scratch/whole/class.csv" ||
   fail "the CSV does not say where a submission was found"
 
-# Marks among submissions would be one.
+# Marks among submissions would be taken for one.
 ! "${grade[@]}" "$class/grades" >"$scratch/log" 2>&1 || fail "marks may be written into the class"
 grep -q 'would be a submission next time' "$scratch/log" || fail "nobody says why: $(cat "$scratch/log")"
 [ ! -e "$class/grades" ] || fail "the refused folder was made"
 
-# Two students whose names become one: the marks say whose they are, and the exit code that it matters.
+# Two students whose names become equal: the marks show whose they are, and the exit code reports
+# it.
 mkdir -p "$scratch/alike/a b" "$scratch/alike/a_b"
 touch "$scratch/alike/a b/README.txt" "$scratch/alike/a_b/README.txt"
 ! "$build/bin/carlo_grade" --tree "$source" --build "$build" "$scratch/alike" --labs 1 \
@@ -120,7 +121,7 @@ grep -q 'a b is graded as a_b-2: another submission has its name' "$scratch/log"
 grep -q '^a_b,.*,"./a_b"$' "$scratch/names/class.csv" || fail "a name is not whose own it is"
 grep -q '^a_b-2,.*,"./a b"$' "$scratch/names/class.csv" || fail "the CSV does not say who a_b-2 is"
 
-# Killed as soon as some marks are there, and started again.
+# Killed as soon as there are some marks, then restarted.
 "${grade[@]}" "$scratch/killed" >/dev/null 2>&1 &
 grader=$!
 for _ in $(seq 6000); do
@@ -140,7 +141,7 @@ grep -q 'as before' "$scratch/log" || fail "what was graded was graded again"
 cmp "$scratch/whole/class.csv" "$scratch/killed/class.csv" || fail "the interrupted run's CSV differs"
 [ -z "$(ls -A "$TMPDIR")" ] || fail "left behind: $(ls "$TMPDIR")"
 
-# Unchanged: nothing to do. Another file: that one alone is graded again.
+# Unchanged: nothing to do. A changed file: only that one is graded again.
 echo '// changed' >>"$class/stub/integration.cpp"
 "${grade[@]}" "$scratch/whole" >"$scratch/log"
 [ "$(grep -c 'as before' "$scratch/log")" = 9 ] || fail "what has not changed was graded again"

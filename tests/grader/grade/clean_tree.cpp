@@ -29,7 +29,7 @@ int locked(const fs::path& folder) {
   return -1;
 }
 
-/// Removes the folders of graders that are no more: nobody holds their locks.
+/// Removes the folders of dead graders: nobody holds their locks.
 void remove_leftovers() {
   std::error_code ec;
   for (const auto& entry : fs::directory_iterator(fs::temp_directory_path(), ec)) {
@@ -48,7 +48,7 @@ void remove_leftovers() {
 fs::path new_folder() {
   std::string name = fs::temp_directory_path() / (std::string(prefix) + "XXXXXX");
   if (::mkdtemp(name.data()) == nullptr) throw Error("{}: {}", name, std::strerror(errno));
-  // The sandbox's user passes through it to what its view names, and lists nothing.
+  // The sandbox's user may pass through it to the paths of its view, but not list it.
   fs::permissions(name, fs::perms::owner_all | fs::perms::group_exec | fs::perms::others_exec);
   return name;
 }
@@ -57,7 +57,8 @@ bool is_header(const fs::path& path) {
   return path.extension() == ".h" || path.extension() == ".hpp";
 }
 
-/// Whatever rights our tree's files have, the sandbox's user must read the copies.
+/// The sandbox's user must be able to read the copies, whatever the permissions of our tree's
+/// files.
 void copy_readable(const fs::path& from, const fs::path& to) {
   fs::copy_file(from, to);
   fs::permissions(to, fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read |
@@ -65,7 +66,7 @@ void copy_readable(const fs::path& from, const fs::path& to) {
 }
 
 void copy_headers_of(const fs::path& from, const fs::path& to) {
-  if (fs::exists(to)) return;  // an earlier lab needed it too
+  if (fs::exists(to)) return;  // copied for an earlier lab
   fs::create_directories(to);
   for (const auto& entry : fs::recursive_directory_iterator(from)) {
     if (!entry.is_regular_file() || !is_header(entry.path())) continue;

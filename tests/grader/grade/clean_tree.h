@@ -9,19 +9,19 @@
 
 namespace carlo::grader {
 
-/// What is needed to compile and link one lab's workers, copied to a place where nothing else is.
+/// Everything needed to compile and link one lab's workers, copied to a folder of its own.
 struct LabTools {
-  Recipe recipe;           ///< its folders and files are the copies
+  Recipe recipe;           ///< with the copies' folders and files
   std::string name_space;  ///< of the exercises: "lab01"
-  /// The folders of headers and the files to link that are copies.
+  /// The copied header folders and files to link.
   std::vector<std::filesystem::path> headers, inputs;
-  /// The exercise files as the course gives them, by name.
+  /// The course's exercise files, by name.
   std::map<std::string, std::string> stubs;
 };
 
-/// A folder of temporary files that holds what all submissions need: the headers of common/ and of
-/// the labs, probes and libraries. It goes with this object; what a killed grader left behind goes
-/// when the next one starts.
+/// A temporary folder with everything that all submissions need: the headers of common/ and of the
+/// labs, probes and libraries. Removed with this object; what a killed grader left behind is
+/// removed when the next one starts.
 class CleanTree {
  public:
   /// Throws Error.
@@ -33,7 +33,7 @@ class CleanTree {
 
   const LabTools& tools(int lab) const { return tools_.at(lab); }
   const std::filesystem::path& path() const { return path_; }
-  /// A digest of all that was copied.
+  /// A digest of everything copied.
   const std::string& digest() const { return digest_; }
 
  private:

@@ -36,7 +36,7 @@ int task_number(const ClusterPlan& plan) {
   return number;
 }
 
-/// As Slurm calls it.
+/// Returns the node's name in Slurm.
 std::string node_name() {
   std::string name = variable("SLURMD_NODENAME");
   if (!name.empty()) return name;
@@ -45,8 +45,8 @@ std::string node_name() {
   return host.data();
 }
 
-/// Beside other tasks, but not beside whoever is alone in the folder: whoever submits, for a
-/// moment.
+/// Takes the lock shared with other tasks, but not while a submitting process holds it alone, which
+/// it does only briefly.
 FolderLock take_together(const fs::path& out) {
   for (int attempt = 0; attempt < 1200; ++attempt) {
     if (std::optional<FolderLock> lock = FolderLock::take(out, FolderLock::Use::together))
@@ -56,13 +56,13 @@ FolderLock take_together(const fs::path& out) {
   throw Error("{}: {} is at work there", out.string(), FolderLock::holder(out));
 }
 
-/// Which folder is for temporary files was decided where the class was submitted.
+/// Ignores a TMPDIR of the submitting machine that does not exist here.
 void use_own_temporary_folder() {
   std::error_code ec;
   if (!fs::is_directory(variable("TMPDIR"), ec)) ::unsetenv("TMPDIR");
 }
 
-/// Throws Error unless this node sees what it is to read.
+/// Throws Error unless this node sees the files that it must read.
 void see_files(const ClusterPlan& plan) {
   std::vector<fs::path> paths{plan.settings.tree, plan.settings.build};
   if (!plan.sources.empty()) paths.push_back(plan.sources.front().path);
@@ -71,10 +71,10 @@ void see_files(const ClusterPlan& plan) {
   }
 }
 
-/// All that a node needs to grade.
+/// Everything that a node needs to grade.
 class Workplace {
  public:
-  /// Throws Error, which is about this node.
+  /// Throws Error about this node.
   explicit Workplace(const ClusterPlan& plan)
       : labs_((see_files(plan), course_labs(plan.settings.tree / "labs", plan.settings.labs))),
         clean_(plan.settings.tree, plan.settings.build, labs_),

@@ -29,8 +29,8 @@ constexpr fs::perms readable_by_all =
 constexpr fs::perms runnable =
     readable_by_all | fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec;
 
-/// What one file may take, and all files of a lab together with their linking: the machine may be
-/// busy with others.
+/// The time for one file, and for all files of a lab including linking: the machine may be busy
+/// with others.
 constexpr std::chrono::milliseconds file_budget = std::chrono::minutes(3),
                                     lab_budget = std::chrono::minutes(5);
 
@@ -45,7 +45,7 @@ Limits compile_limits() {
   return limits;
 }
 
-/// A folder that is the sandbox's to write into; it goes with this object.
+/// A folder that the sandbox may write into; removed with this object.
 class WorkFolder {
  public:
   explicit WorkFolder(fs::path path) : path_(std::move(path)) {
@@ -66,8 +66,8 @@ class WorkFolder {
   fs::path path_;
 };
 
-/// Takes a file out of a folder that was the sandbox's, when it is what it should be: a regular
-/// file that begins with ELF's mark. A link in its place is not followed.
+/// Moves a file out of a folder that was the sandbox's, if it is as expected: a regular file that
+/// begins with ELF's magic number. Does not follow a link in its place.
 bool take_elf(const fs::path& from, const fs::path& to, fs::perms permissions) {
   const Descriptor file(::open(from.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   struct stat status {};
@@ -92,14 +92,14 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
     text.replace(at, from.size(), to);
 }
 
-/// Compilers quote what students wrote: control characters too.
+/// Compilers quote what students wrote, control characters included.
 void add_harmless(std::string& messages, const std::string& said) {
   std::istringstream lines(said);
   for (std::string line; std::getline(lines, line);)
     messages += harmless(line) + "\n";
 }
 
-/// Why a compiler was ended, for the student; "" when it ended itself.
+/// Says, for the student, why a compiler was ended; "" if it ended by itself.
 std::string cut_short(const Outcome& outcome) {
   using End = Outcome::End;
   switch (outcome.end) {
@@ -124,7 +124,7 @@ bool has_ending(const std::string& text, const std::string& ending) {
   return text.find(ending) != std::string::npos;
 }
 
-/// Whether what was read, and not the machine, is why nm failed.
+/// Returns whether nm failed because of its input and not because of the machine.
 bool is_of_the_object(const Outcome& outcome) {
   using End = Outcome::End;
   if (outcome.end == End::exited) {
@@ -141,7 +141,7 @@ std::vector<std::string> compile_command(const LabTools& tools) {
   for (const fs::path& include : tools.recipe.includes)
     argv.push_back("-I" + include.string());
   argv.insert(argv.end(), {"-fno-lto", "-fdiagnostics-color=never"});
-  // What the program prints of itself (__FILE__, an assertion) tells no path of ours.
+  // What the program prints of itself (__FILE__, an assertion) shows no path of ours.
   for (const fs::path& header : tools.headers)
     argv.push_back("-ffile-prefix-map=" + header.string() + "/=");
   return argv;
@@ -168,7 +168,7 @@ bool Compilation::compile(const std::string& name, const std::string& text, cons
   fs::permissions(source, readable_by_all);
   const std::string ahead = header_ahead(tools_, text);
   Outcome outcome = compile_in(work.path(), source, ahead);
-  // The compiler that students have reads the header where it stands, and has the last word.
+  // The students' compiler reads the header in its place, and has the last word.
   if (!ahead.empty() && outcome.end == Outcome::End::exited && outcome.code != 0)
     outcome = compile_in(work.path(), source, {});
   std::string said = outcome.output;
@@ -214,7 +214,7 @@ bool Compilation::keeps_apart(const std::string& name, const fs::path& object,
 
 Symbols Compilation::symbols_of(const fs::path& object) {
   const Outcome outcome = symbols_in(object);
-  // It could be read before (keeps_apart()).
+  // It was readable before (keeps_apart()).
   if (!outcome.succeeded()) throw Error("nm cannot read {}", object.string());
   Symbols symbols;
   add_symbols(symbols, outcome.output);
@@ -230,7 +230,7 @@ void Compilation::rename(const fs::path& object, const std::string& redefinition
       run({"/usr/bin/objcopy", "--redefine-syms=" + (work.path() / "names.txt").string(),
            object.string(), renamed.string()},
           {{object}, work.path()});
-  // An object that was read before has names that can be replaced.
+  // An object that was readable before has names that can be replaced.
   if (!outcome.succeeded() || !take_elf(renamed, object, readable_by_all)) {
     throw Error("objcopy cannot rename in {}: {}", object.string(), outcome.output.substr(0, 300));
   }
@@ -277,7 +277,7 @@ Outcome Compilation::run(const std::vector<std::string>& argv, const View& view)
   left_ -= std::chrono::milliseconds(
       static_cast<std::int64_t>(1000 * (outcome.seconds - outcome.waited)));
   peak_ = std::max(peak_, outcome.peak_bytes);
-  // Over its own processor time a compiler gets another signal.
+  // Exceeding its own processor time gives a compiler another signal.
   const bool killed = outcome.end == Outcome::End::signalled && outcome.code == SIGKILL;
   const bool tells = tells_of_the_machine(outcome.output, outcome.peak_bytes, limits.memory_bytes);
   in_doubt_ = !outcome.succeeded() && (killed || tells);

@@ -12,60 +12,59 @@
 
 namespace carlo::grader {
 
-/// The compiler and its flags, the course's headers, and nothing of a file.
+/// Returns the compiler, its flags and the course's headers, without any file.
 std::vector<std::string> compile_command(const LabTools& tools);
 
 /// One lab's compilation in the sandbox: everything that stays the same from file to file, and the
-/// time that is left for all of them.
+/// time left for all of them.
 class Compilation {
  public:
-  /// `folder`: where each step has a folder of its own, the sandbox's to write into, while it runs.
+  /// `folder`: where each running step has its own folder, writable for the sandbox.
   Compilation(const LabTools& tools, const Sandbox& sandbox, const std::filesystem::path& folder);
 
-  /// Compiles one file to `object`, which keeps to itself. False when it does not compile, or
-  /// would put itself in the place of our code.
+  /// Compiles one file to `object` and checks that it keeps to itself. Returns false if it does not
+  /// compile, or would replace our code.
   bool make(const std::string& name, const std::string& text, const std::filesystem::path& object,
             std::string& messages);
 
-  /// Whether what failed last may have failed because of the machine.
+  /// Returns whether the last failure may be the machine's.
   bool in_doubt() const { return in_doubt_; }
 
-  /// The symbols of an object; none where nm cannot read it.
+  /// Returns the symbols of an object; none if nm cannot read it.
   Symbols symbols_of(const std::filesystem::path& object);
 
-  /// Gives names of an object new ones. Where that fails it stays as it is, and the linker has the
-  /// last word.
+  /// Renames symbols of an object. If that fails, it stays as it is, and the linker has the last
+  /// word.
   void rename(const std::filesystem::path& object, const std::string& redefinitions);
 
-  /// Links objects into `worker`. The flags keep the linker from running plugins on what students'
-  /// objects hold.
+  /// Links objects into `worker`. The flags keep the linker from running plugins on the contents of
+  /// students' objects.
   bool link(const std::vector<std::filesystem::path>& objects, const std::filesystem::path& worker,
             std::string& messages);
 
   std::size_t peak_bytes() const { return peak_; }
 
  private:
-  /// Compiles one file to `object`. False when it does not compile.
+  /// Compiles one file to `object`. Returns false if it does not compile.
   bool compile(const std::string& name, const std::string& text,
                const std::filesystem::path& object, std::string& messages);
-  /// False, and says why, when an object would put itself in the place of our code or calls into
-  /// it.
+  /// Returns false, and says why, if an object would replace our code or calls into it.
   bool keeps_apart(const std::string& name, const std::filesystem::path& object,
                    std::string& messages);
-  /// nm's list of an object or archive. Without plugin: that of a link-time optimiser believes what
-  /// an object says of itself in a section of its own, and looks no further.
+  /// Runs nm on an object or archive. Without plugin: a link-time optimiser's plugin believes what
+  /// an object says about itself in a section of its own, and looks no further.
   Outcome symbols_in(const std::filesystem::path& file);
-  /// The compiler on a file of the sandbox's folder; `ahead` names a header that it reads before
-  /// it, or none.
+  /// Runs the compiler on a file in the sandbox's folder; `ahead` names a header that it reads
+  /// first, or none.
   Outcome compile_in(const std::filesystem::path& work, const std::filesystem::path& source,
                      const std::string& ahead);
-  /// A compiler or linker, as long as the lab's time lasts.
+  /// Runs a compiler or linker within the lab's time.
   Outcome run(const std::vector<std::string>& argv, const View& view);
 
   const LabTools& tools_;
   const Sandbox& sandbox_;
   std::filesystem::path folder_;
-  Symbols ours_;  ///< of all that is linked but the exercises
+  Symbols ours_;  ///< of everything linked except the exercises
   std::chrono::milliseconds left_;
   std::size_t peak_ = 0;
   bool in_doubt_ = false;

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The object of an exercise file; '/' has no place in its name.
+/// Returns the path of an exercise file's object, without the '/' in its name.
 fs::path object_of(const fs::path& folder, std::string name) {
   std::replace(name.begin(), name.end(), '/', '_');
   return folder / (name + ".o");
@@ -28,13 +28,13 @@ std::vector<fs::path> paths(const Objects& objects) {
   return list;
 }
 
-/// The compilations of one lab of a submission. What takes the student's files' time takes none of
-/// ours, and none of their second trials.
+/// The compilations of one lab of a submission. Time that the student's files take is not taken
+/// from ours, nor from their second trials.
 struct Trials {
   Compilation first, ours, again;
 
-  /// Whether something of the student's works. `work` does it, `control` does the like with what
-  /// the course gives, and throws where that fails: then the student is not to blame.
+  /// Returns whether an operation on the student's files works. `work` does it, `control` does the
+  /// like with the course's own files, and throws if that fails: then the student is not to blame.
   template <class Work, class Control>
   bool succeed(const Work& work, const Control& control, std::string& messages) {
     std::string said;
@@ -67,7 +67,7 @@ void link_stubs(Compilation& ours, const Objects& stubs, const fs::path& worker)
   if (!ours.link(paths(stubs), worker, said)) throw Error("{}", no_stub(said));
 }
 
-/// Compiles and links what the course itself gives. When that fails the student is not to blame.
+/// Compiles and links the course's own files. If that fails the student is not to blame.
 Objects check_with_stubs(Compilation& compilation, const LabTools& tools, const fs::path& folder) {
   std::string messages;
   Objects objects;
@@ -81,8 +81,8 @@ Objects check_with_stubs(Compilation& compilation, const LabTools& tools, const 
   return objects;
 }
 
-/// Makes names that several files define each file's own. The stubs are compiled, by `ours`, only
-/// where there is something to settle.
+/// Makes names that several files define local to each. `ours` compiles the stubs only if there is
+/// a conflict.
 void settle_names(Compilation& ours, const LabTools& tools, const fs::path& folder,
                   const Objects& objects, Compiled& result) {
   std::map<std::string, Symbols> symbols, stubs;
@@ -100,12 +100,12 @@ void settle_names(Compilation& ours, const LabTools& tools, const fs::path& fold
 /// Compiles the course's own text of one file. Throws Error.
 void make_stub(Compilation& ours, const std::string& name, const std::string& text,
                const fs::path& object) {
-  std::string said;  // its warnings are no news for the student
+  std::string said;  // its warnings do not concern the student
   if (!ours.make(name, text, object, said)) throw Error("{}", no_stub(said));
 }
 
-/// Links as many of the student's files as go together, the first ones first, with stubs in the
-/// place of the others.
+/// Links as many of the student's files as fit together, the first ones first, with stubs for the
+/// others.
 void link_what_fits(Trials& trials, const Objects& stubs, const Objects& objects,
                     const fs::path& worker, Compiled& result) {
   Objects fitting = stubs;
@@ -129,8 +129,8 @@ void link_what_fits(Trials& trials, const Objects& stubs, const Objects& objects
   result.linked = links(fitting, said);
 }
 
-/// Compiles the files that were handed in, and stubs in the place of those that were not, or that
-/// do not compile. Of a lab that has one file there is nothing then.
+/// Compiles the files that were handed in, with stubs for those that were not, or that do not
+/// compile. Returns nothing if that is the lab's only file.
 std::optional<Objects> make_objects(Trials& trials, const std::map<std::string, std::string>& files,
                                     const LabTools& tools, const fs::path& folder,
                                     Compiled& result) {

@@ -10,30 +10,30 @@
 
 namespace carlo::grader {
 
-/// What became of a lab's exercise files.
+/// The result of compiling a lab's exercise files.
 struct Compiled {
-  bool linked = false;               ///< there is a worker
+  bool linked = false;               ///< the worker exists
   std::string messages;              ///< the compiler's, warnings too; for the student
-  std::vector<std::string> refused;  ///< files that do not compile, replaced by the stub's
-  std::vector<std::string> misfits;  ///< files that compile, but cannot be linked: the same
+  std::vector<std::string> refused;  ///< files that do not compile; the stub replaces them
+  std::vector<std::string> misfits;  ///< files that compile, but cannot be linked; likewise
   std::string own_names;             ///< names that several files define; each uses its own
   double seconds = 0;
   std::size_t peak_bytes = 0;
 };
 
-/// The folders of one submission: `ours`, for what we keep of it, and `theirs`, where what runs in
-/// the sandbox has its own.
+/// The folders of one submission: `ours`, for what we keep, and `theirs`, for the folders of
+/// programs in the sandbox.
 struct Folders {
   std::filesystem::path ours, theirs;
 };
 
-/// Compiles exercise files in the sandbox, where they see the headers of the clean tree and nothing
-/// of anybody else, and links them, in a second one where no text of theirs is interpreted, into
-/// `worker`. Of a lab with several files one that does not compile, or that cannot be linked with
-/// those before it, counts as not done.
+/// Compiles exercise files in the sandbox, where they see only the headers of the clean tree, and
+/// links them, in a second sandbox where none of their text is interpreted, into `worker`. In a lab
+/// with several files, one that does not compile, or cannot be linked with those before it, counts
+/// as not done.
 ///
-/// A failure is the student's only when it is proven: the stub can be compiled (or linked) right
-/// after it, the same fails once more after that, and what was said does not tell of the machine.
+/// A failure is the student's only if it is proven: the stub can be compiled (or linked) right
+/// after it, the same step fails again after that, and its messages do not blame the machine.
 /// Otherwise throws Error.
 Compiled compile(const std::map<std::string, std::string>& files, const LabTools& tools,
                  const Sandbox& sandbox, const Folders& folders,

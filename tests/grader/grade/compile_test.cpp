@@ -1,4 +1,4 @@
-// Whose fault a failed compilation is: with a compiler that this test plays.
+// Whose fault a failed compilation is: with a fake compiler.
 
 #include "grader/grade/compile.h"
 
@@ -23,8 +23,8 @@ constexpr const char* full_disk =
 constexpr const char* no_process =
     "c++: fatal error: cannot execute 'cc1plus': vfork: Resource temporarily unavailable";
 
-/// A compiler that does in its n-th call what the n-th line says: "good", or the words with which
-/// it fails; after the last line all is good.
+/// A fake compiler whose n-th call follows the n-th line: "good", or the message with which it
+/// fails; calls after the last line succeed.
 class PlayedCompiler {
  public:
   explicit PlayedCompiler(const std::vector<std::string>& calls) {
@@ -76,7 +76,7 @@ TEST_CASE("what fails once, for whatever reason, is no failure", "[compile]") {
   for (const char* words : {full_disk, no_process, "something", "x.cpp:1:1: error: so it seems"}) {
     INFO(words);
     CHECK(PlayedCompiler({words, "good", "good"}).compile().linked);
-    CHECK(PlayedCompiler({"good", words, "good"}).compile().linked);  // when it is linked
+    CHECK(PlayedCompiler({"good", words, "good"}).compile().linked);  // at linking
   }
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As add_lab() in common/course/cmake: steps/*.cpp, or else NAME.cpp.
+/// As in add_lab() of common/course/cmake: steps/*.cpp, or else NAME.cpp.
 std::vector<std::string> files_of(const fs::path& folder, const std::string& name) {
   std::vector<std::string> files;
   std::error_code ec;

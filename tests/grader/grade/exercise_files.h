@@ -8,8 +8,8 @@
 
 namespace carlo::grader {
 
-/// One lab of the course, and the files of it that students write: nothing else of a submission is
-/// ever compiled.
+/// One lab of the course and the files that students write: nothing else in a submission is ever
+/// compiled.
 struct CourseLab {
   Lab lab;
   std::string folder;              ///< "01_integration"
@@ -19,11 +19,11 @@ struct CourseLab {
   std::string number() const { return folder.substr(0, 2); }
 };
 
-/// The labs below `labs`, in order; `only` (numbers) leaves out the others unless it is empty.
-/// Throws Error when one of these does not exist, or a lab has no file for students.
+/// Returns the labs below `labs`, in order; `only` (numbers) selects some unless it is empty.
+/// Throws Error if one of these does not exist, or a lab has no file for students.
 std::vector<CourseLab> course_labs(const std::filesystem::path& labs, const std::vector<int>& only);
 
-/// The last part of a path: "a_camera.cpp" of "steps/a_camera.cpp".
+/// Returns the last part of a path: "a_camera.cpp" of "steps/a_camera.cpp".
 std::string last_part(const std::string& path);
 
 }  // namespace carlo::grader

@@ -20,13 +20,13 @@ std::string first_part(const std::string& path) {
   return path.substr(0, path.find('/'));
 }
 
-/// Names that may stand beside submissions and are none.
+/// Returns whether a name beside submissions is clutter and not one of them.
 bool is_clutter(const std::string& name) {
   return name == "__MACOSX" || name.starts_with(".");
 }
 
-/// Whether these paths, relative to a folder or an archive, are those of a single submission: it
-/// has exercise files or labs at its top.
+/// Returns whether these paths, relative to a folder or an archive, are those of a single
+/// submission: it has exercise files or labs at its top.
 bool looks_like_one(const std::vector<std::string>& paths, const std::vector<CourseLab>& labs) {
   std::set<std::string> files, folders{"labs", "steps"};
   for (const CourseLab& lab : labs) {
@@ -56,12 +56,12 @@ std::vector<std::string> entries_of(const fs::path& archive) {
     for (std::string path; std::getline(all, path, between_names);)
       paths.push_back(path);
   } catch (const Error&) {
-    // Spoilt: one submission, of which take_in() says what is wrong.
+    // Corrupt: one submission, whose fault take_in() reports.
   }
   return paths;
 }
 
-/// The folder that all paths share at their top, or "".
+/// Returns the top folder that all paths share, or "".
 std::string shared_folder(const std::vector<std::string>& paths) {
   std::string shared;
   for (const std::string& path : paths) {
@@ -123,8 +123,8 @@ class Finder {
     }
   }
 
-  /// A class of which one member looks like a lab would be taken for one submission: all others'
-  /// work with it.
+  /// A class with a member that looks like a lab would be taken for one submission, together with
+  /// everybody else's work.
   void refuse_class(const fs::path& path, const std::vector<std::string>& names) const {
     std::set<std::string> of_the_tree{"labs",  "steps", "common", "solutions", "tests",
                                       "build", "out",   "slides", "cmake",     "docs"};
@@ -182,7 +182,8 @@ class Finder {
   bool one_;
 };
 
-/// What is wanted comes before what only becomes it; a folder before an archive.
+/// Ranks claims to a name, 0 first: a folder of exactly that name, then an archive, then a name
+/// that was changed to it.
 int claim(const Source& source) {
   std::vector<std::string> none;
   if (folder_name(source.name, none) != source.name) return 2;

@@ -59,12 +59,12 @@ TEST_CASE("names of submissions are harmless, and no two are the same", "[intake
   CHECK(folder_name("=HYPERLINK(\"x\"),\n", taken) == "_HYPERLINK__x____");
   CHECK(folder_name("J\xC3\xB6rg", taken) == "J\xC3\xB6rg");
   CHECK(folder_name("J\xC3", taken) == "J_");
-  // U+202E, right-to-left override, byte by byte: a linter takes the escape for the character.
+  // U+202E, right-to-left override, as bytes: a linter mistakes the escape for the character.
   const std::string reversed{'a', '\xE2', '\x80', '\xAE', 'b'};
   CHECK(folder_name(reversed, taken) == "a___b");
   CHECK(folder_name("\xEF\xBC\x9D"
                     "cmd",
-                    taken) == "___cmd");  // a wide equals sign
+                    taken) == "___cmd");  // a fullwidth equals sign
   CHECK(folder_name("secret", taken) == "secret-2");
   CHECK(folder_name(std::string(300, 'a'), taken).size() == 100);
 }

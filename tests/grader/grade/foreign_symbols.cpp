@@ -13,8 +13,8 @@ namespace carlo::grader {
 
 namespace {
 
-/// Each reference back into a name (S_, S1_, T_) may double what is printed, so that a name of 400
-/// letters is one of 2^40: whoever hands it in chooses. What people write has a few.
+/// Each back reference in a name (S_, S1_, T_) may double what is printed, so that a name of 400
+/// letters may expand to 2^40: students can choose such names. Names that people write have a few.
 bool is_short_when_read(const std::string& symbol) {
   constexpr std::size_t longest = 1000, most_references = 12;
   if (symbol.size() > longest) return false;
@@ -48,30 +48,30 @@ bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-/// Weak and unique symbols: what templates and inline functions of headers become.
+/// Weak and unique symbols: those of templates and inline functions in headers.
 bool is_from_headers(const std::string& letters) {
   return letters.find_first_not_of("wWvVu") == std::string::npos;
 }
 
-/// operator new and delete, and names that are no C++: these can be put in the place of others'
-/// although those are no definitions of ours.
+/// operator new and delete, and names that are not C++: an object can replace these even if we do
+/// not define them.
 bool is_replaceable(const std::string& symbol) {
   return !symbol.starts_with("_Z") || symbol.starts_with("_Zn") || symbol.starts_with("_Zd");
 }
 
-/// By the letters of what is not: nm has others than T and D for definitions in sections of odd
-/// names.
+/// By exclusion: nm has letters other than T and D for definitions in unusual sections.
 bool is_defined(const std::string& letters) {
   return letters.find_first_not_of("Uwv") != std::string::npos;
 }
 
-/// Defined, and not as one of many equal copies: such a copy would be taken instead of it.
+/// Returns whether it is defined, but not as one of many equal copies: it would replace such a
+/// copy.
 bool is_defined_once(const std::string& letters) {
   return letters.find_first_not_of("UwWvVu") != std::string::npos;
 }
 
-/// Whether defining it would take the place of something of ours. `contract`: it is of the lab's
-/// own namespace, of which we define what is given, and use what is asked for.
+/// Returns whether defining it would replace something of ours. `contract`: it is in the lab's own
+/// namespace, in which we define what is given, and use what is asked for.
 bool replaces(const std::string& symbol, const std::string& letters, const Symbols& ours,
               bool contract) {
   const auto found = ours.find(symbol);
@@ -89,7 +89,7 @@ void add_symbols(Symbols& symbols, const std::string& nm_output) {
     std::istringstream words(line);
     std::string name, letter;
     if (!(words >> name >> letter) || letter.size() != 1) continue;
-    // To the linker write@@VERSION defines write.
+    // For the linker write@@VERSION defines write.
     if (const auto version = name.find('@'); version != 0) name = name.substr(0, version);
     std::string& letters = symbols[name];
     if (!has(letters, letter)) letters += letter;

@@ -5,20 +5,20 @@
 
 namespace carlo::grader {
 
-/// The symbols of objects and archives by their linker's names: the letters that nm gives them.
+/// The symbols of objects and archives: linker names with nm's letters.
 using Symbols = std::map<std::string, std::string>;
 
-/// Adds what `nm --format=posix` printed.
+/// Adds the output of `nm --format=posix`.
 void add_symbols(Symbols& symbols, const std::string& nm_output);
 
-/// A symbol as a programmer would write it, cut to 200 letters; as it is if it would not be short.
-/// In time that does not depend on who chose it.
+/// Returns a symbol as a programmer would write it, cut to 200 letters; unchanged if that would not
+/// be short. Takes bounded time for any symbol.
 std::string readable(const std::string& symbol);
 
-/// Why an exercise's object may not be linked with ours; empty when it may. It defines what belongs
-/// to the grader or to a library (main, write, operator new), so that our code would call the
-/// student's; or it calls into the grader or the probes, whose references are answers. What headers
-/// make every object define, and the lab's own namespace (`lab`: "lab01"), are no offence.
+/// Says why an exercise's object may not be linked with ours; empty if it may. It defines what
+/// belongs to the grader or to a library (main, write, operator new), so that our code would call
+/// the student's; or it calls into the grader or the probes, whose references are answers. Symbols
+/// that headers define in every object, and the lab's own namespace (`lab`: "lab01"), are allowed.
 std::string foreign_symbols(const Symbols& exercise, const Symbols& ours, const std::string& lab);
 
 }  // namespace carlo::grader

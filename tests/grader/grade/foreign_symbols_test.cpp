@@ -1,4 +1,4 @@
-// What an exercise's object may define and call.
+// Tests what an exercise's object may define and call.
 
 #include "grader/grade/foreign_symbols.h"
 
@@ -18,7 +18,7 @@ std::string why(const std::string& exercise, const std::string& ours) {
   return foreign_symbols(theirs, known, "lab01");
 }
 
-/// What nm prints of our objects: main, a use of write, the contract, an inline function.
+/// nm's output for our objects: main, a use of write, the contract, an inline function.
 const std::string ours =
     "libworker.a[main.cpp.o]:\nmain T 0 10\nwrite U\n_Znwm T 0 8\n"
     "_ZN5lab017averageE U\n_ZNSt6vectorIdE4growEv W 0 10\n";
@@ -64,14 +64,14 @@ TEST_CASE("the grader's own functions are not for exercises", "[symbols]") {
 TEST_CASE("names that double at each step are not read to their end", "[symbols]") {
   std::string name = "_Z1fN5carlo6grader1AE";
   CHECK(readable(name) == "f(carlo::grader::A)");
-  // Each B<x, x> of the one before: the odd references.
+  // Each is B<x, x> of the previous one: the odd references.
   for (int step = 0; step < 17; ++step) {
     const char last = "13579BDFHJLNPRTVX"[step];
     name += fmt::format("1BIS{0}_S{0}_E", last);
   }
   CHECK(readable(name).size() <= 203);
   CHECK(why(name + " U\n", ours).find("part of the grader") != std::string::npos);
-  // What is nested deeply without, too.
+  // Deep nesting without back references, too.
   CHECK(readable("_Z1f" + std::string(100'000, 'P') + "i").size() <= 203);
   CHECK(readable("_Z1f" + std::string(900, 'P') + "i").size() <= 203);
 }

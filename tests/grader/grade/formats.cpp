@@ -12,8 +12,8 @@
 namespace carlo::grader {
 namespace {
 
-/// What pugixml writes. It can write streams, too, but those of the standard library that it was
-/// built with.
+/// Collects what pugixml writes. It can also write streams, but only those of the standard library
+/// that it was built with.
 struct Text : pugi::xml_writer {
   std::string all;
   void write(const void* data, std::size_t size) override {
@@ -25,15 +25,15 @@ double seconds_of(const LabGrade& lab) {
   return lab.compile_seconds + lab.judge_seconds;
 }
 
-/// The text for the student; where nothing was judged, what the compiler said too.
+/// Returns the text for the student; if nothing was judged, the compiler's messages too.
 std::string output_of(const LabGrade& lab, const ExerciseResult& exercise) {
   std::string text = text_of(lab, exercise);
   if (lab.unjudged && !lab.compiler.empty()) text += "\n" + lab.compiler;
   return text;
 }
 
-/// XML 1.0 has no place for most control characters, for U+FFFE and U+FFFF, nor for bytes that are
-/// no UTF-8: a student's program may have said any of them.
+/// Removes what XML 1.0 does not allow: most control characters, U+FFFE, U+FFFF, and invalid UTF-8.
+/// A student's program may have printed any of them.
 std::string xml_text(const std::string& text) {
   std::string clean = valid_utf8(text);
   for (char& c : clean) {
@@ -60,7 +60,7 @@ void add_case(pugi::xml_node& suite, const LabGrade& lab, const ExerciseResult& 
 
 namespace {
 
-/// What Gradescope knows of one exercise.
+/// Gradescope's data about one exercise.
 struct GradescopeTest {
   const LabGrade* lab = nullptr;
   const ExerciseResult* exercise = nullptr;

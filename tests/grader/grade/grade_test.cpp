@@ -155,7 +155,7 @@ TEST_CASE("Gradescope's and JUnit's files are well formed whatever a program sai
 
 TEST_CASE("a record is read back as it was written", "[grade]") {
   LabGrade lab = judged(demo_lab(), verdict(2, 1.5));
-  lab.note.assign(1, 'n');  // a literal here draws a false warning from GCC 12
+  lab.note.assign(1, 'n');  // a literal here causes a false warning in GCC 12
   lab.judge_seconds = 1.5;
   const Record before = record("a", lab);
   const Record after = record_from_json(to_json(before));

@@ -46,7 +46,7 @@ std::string folder_name(const std::string& wanted, std::vector<std::string>& tak
     const bool plain = std::isalnum(byte) != 0 || c == '.' || c == '_' || c == '-';
     name += (byte < 0x80 && plain) || (byte >= 0x80 && keep_letters) ? c : '_';
   }
-  while (!name.empty() && !is_harmless_utf8(name))  // cut within a letter
+  while (!name.empty() && !is_harmless_utf8(name))  // cut within a character
     name.pop_back();
   while (!name.empty() && (name.front() == '.' || name.front() == '-'))
     name.erase(0, 1);

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # hundred_test.sh SOURCE BUILD WORK: grades a class of a hundred in all labs: right answers, stubs,
 # typical mistakes and attacks. The marks are those deserved; a grader that is killed half-way and
-# started again ends with the same CSV as one that was left alone. Prints seconds and memory.
+# restarted produces the same CSV as one that was left alone. Prints seconds and memory.
 set -euo pipefail
 source=$(readlink -f "$1")
 build=$(readlink -f "$2")
@@ -9,7 +9,7 @@ work=$3
 
 labs=(01_integration 02_pi 03_rng 04_stratification 05_inversion_rejection 06_importance
   07_hemisphere 08_path_tracer 09_bias)
-# What fills the disk, the memory or the list of processes is among them; compilers' bombs take long.
+# Includes attacks that fill the disk, the memory or the process table; compiler bombs take long.
 attacks=exits,crashes,hangs,memory,processes,floods,disk,fake_reports,forged_frames,results_written
 attacks+=,strange_values,other_processes,network,reads_answers,includes_solution,syntax_error
 attacks+=,odd_names,zip_paths_out,knows_the_lists,exit_before_main
@@ -19,14 +19,14 @@ fail() {
   exit 1
 }
 
-# take NAME FROM LAB: this student hands in the lab's exercise files as they stand below FROM/.
+# take NAME FROM LAB: this student hands in the lab's exercise files from FROM/.
 take() {
   local from=$source/$2/$3 to=$class/$1/labs/$3
   mkdir -p "$to"
   if [ -d "$from/steps" ]; then cp -r "$from/steps" "$to/"; else cp "$from/${3#*_}.cpp" "$to/"; fi
 }
 
-# Two labs each, so that every lab has several.
+# Two labs each, so that every lab has several submissions.
 make_students() {
   local i
   for i in 0 1; do
@@ -54,7 +54,7 @@ make_mistaken() {
   done >"$work/mistaken.txt"
 }
 
-# column CSV NAME: the numbers of that column of class.csv, by student.
+# column CSV NAME: prints the numbers of that column of class.csv, by student.
 column() {
   awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) c = i; next }
                         { print $1, $c }' "$1"
@@ -67,7 +67,7 @@ check_marks() {
       fail "$name does not have the $points points of its honest part"
   done <"$work/attacks.txt"
   column "$csv" total | grep '^stub_' | grep -vq ' 0$' && fail "a stub has points"
-  # A student who handed in two labs has their sum; nothing is lost by the others' tricks.
+  # A student who handed in two labs has their sum; the others' tricks lose nothing.
   awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i ~ /^lab /) is[i] = 1; next }
            $1 ~ /right_/ { for (i in is) if ($i > full[i]) full[i] = $i }
            { row[NR] = $0 }
@@ -86,7 +86,7 @@ check_marks() {
 
 records() { find "$1" -name record.json 2>/dev/null | wc -l; }
 
-# By lab: what a submission takes, compiling and judging.
+# Prints, by lab, what compiling and judging a submission takes.
 print_timing() {
   awk -F, 'NR > 1 && $3 + $4 > 0 {
       n[$2]++; c[$2] += $3; j[$2] += $4; t = $3 + $4; if (t > worst[$2]) worst[$2] = t

@@ -24,14 +24,14 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t largest_source = std::size_t{1} << 20;
 constexpr std::size_t most_ignored = 200;          // names that are kept
-constexpr std::size_t longest_name = 300;          // in bytes, of what is told
+constexpr std::size_t longest_name = 300;          // in bytes, in messages
 constexpr std::size_t most_looked_at = 1'000'000;  // files and folders of a submission
 constexpr int deepest_archive = 2;
 
 /// Folders that no student writes into.
 const std::set<std::string> hidden_folders{".git", "__MACOSX", ".carlo"};
-/// And those that are not the student's work in a whole tree that was handed in, where files of the
-/// exercises' names stand too. Where nothing else was handed in they are.
+/// Also those that are not the student's work when a whole tree is handed in, though files with the
+/// exercises' names are in them too. If nothing else was handed in, they count.
 const std::set<std::string> course_folders{"solutions", "tests", "common", "build", "out"};
 
 std::string plain_text(std::string text) {
@@ -54,10 +54,10 @@ struct Collected {
   std::vector<std::string> ignored;
 };
 
-/// Gathers what a submission holds.
+/// Collects the files of a submission.
 class Collector {
  public:
-  /// With `all`, also from course_folders.
+  /// With `all`, also searches course_folders.
   Collector(const std::vector<CourseLab>& labs, bool all) : all_(all) {
     for (const CourseLab& lab : labs) {
       for (const std::string& file : lab.files)
@@ -80,7 +80,7 @@ class Collector {
         taken.insert(path);
       } else {
         others.insert(path);
-        // Those whose names are told, whatever order the disk has them in.
+        // Keeps the names to be shown, regardless of the order in which the disk lists them.
         if (others.size() > most_ignored + 1) others.erase(std::prev(others.end()));
       }
       if (++seen > most_looked_at) {
@@ -88,7 +88,7 @@ class Collector {
         break;
       }
     }
-    // What was not seen may be what is graded.
+    // What we could not read may be what should be graded.
     if (ec) throw std::runtime_error(fmt::format("{}: {}", root.string(), ec.message()));
     for (const std::string& path : taken)
       disk_file(root / path, path);
@@ -117,8 +117,8 @@ class Collector {
     if (list.size() == most_ignored) list.push_back("and more");
   }
 
-  /// A file that is there and that we cannot read is not the student's fault: no Error, which would
-  /// be told as one.
+  /// A file that exists but cannot be read is not the student's fault: no Error, which would be
+  /// reported as one.
   static std::string must_read(const fs::path& path) {
     try {
       return read_file(path);
@@ -127,7 +127,7 @@ class Collector {
     }
   }
 
-  /// A spoilt archive is the student's fault and ends nothing but itself.
+  /// A corrupt archive is the student's fault and affects only itself.
   template <class Body>
   void guarded(const std::string& path, const Body& body) {
     try {
@@ -154,7 +154,7 @@ class Collector {
     return fs::symlink_status(path, ec).type() == fs::file_type::regular;
   }
 
-  /// Whether a file of that path is opened, or told of as one that should be.
+  /// Returns whether a file of that path is opened, or reported as one that should be.
   bool is_taken(const std::string& path) const {
     const std::string name = last_part(path);
     return wanted_.count(name) != 0 || is_archive_name(name);
@@ -180,7 +180,7 @@ class Collector {
     }
   }
 
-  /// An entry of an archive of which only the part `inside` is the submission.
+  /// Handles an entry of an archive of which only the part `inside` is the submission.
   void in_part(const ArchiveEntry& entry, const std::string& inside) {
     if (inside.empty()) {
       file(entry.path, entry.read, 0);
@@ -216,7 +216,7 @@ class Collector {
       found.problem = fmt::format("{}: larger than 1 MB, which no solution is", found.path);
       found.text = sha256(found.text);
     }
-    // Two that differ tell all; a thousand copies would fill the memory.
+    // Two that differ are enough; a thousand copies would fill the memory.
     std::vector<Candidate>& list = collected.candidates[last_part(path)];
     const bool known = std::any_of(list.begin(), list.end(), [&](const Candidate& earlier) {
       return earlier.text == found.text;
@@ -226,12 +226,12 @@ class Collector {
 
   bool all_;
   std::set<std::string> wanted_;
-  // Archives in archives count together: each alone may be small.
+  // Nested archives count together: each alone may be small.
   ArchiveUse use_;
   ArchiveLimits limits_{.together = &use_};
 };
 
-/// The file of that name, or why there is none.
+/// Chooses the file of that name, or says why there is none.
 void choose(const std::string& file, const std::vector<Candidate>& found, LabFiles& lab) {
   for (const Candidate& other : found) {
     if (other.text == found.front().text) continue;
@@ -286,7 +286,7 @@ Intake gather(const Source& source, const std::vector<CourseLab>& labs) {
   return intake;
 }
 
-/// An intake as bytes. CBOR, whose texts may hold any bytes.
+/// Serialises an intake as CBOR, whose texts may hold any bytes.
 std::string packed(const Intake& intake) {
   nlohmann::json labs = nlohmann::json::object();
   for (const auto& [number, lab] : intake.labs)

@@ -115,13 +115,13 @@ TEST_CASE("paths and links that lead out of an archive are refused, the rest is 
 }
 
 TEST_CASE("tens of thousands of other files do not hide those that are graded", "[intake]") {
-  // A disk takes ten seconds to make so many.
+  // A disk takes ten seconds to create so many.
   const bool in_memory = fs::is_directory("/dev/shm");
   if (in_memory) ::setenv("TMPDIR", "/dev/shm", 0);
   const ScratchFolder folder;
   const std::vector<std::string> wanted{"integration.cpp", "a_camera.cpp", "b_direct.cpp"};
   std::vector<Entry> entries;
-  // In a folder they come in whatever order the disk has them in.
+  // The disk lists them in any order.
   for (int i = 0; i < 30'000; ++i) {
     entries.push_back({"a" + std::to_string(i), ""});
     std::ofstream(folder.path() / ("a" + std::to_string(i)));
@@ -260,7 +260,7 @@ TEST_CASE("what stands beside submissions is told of, and a class is no submissi
   CHECK_THROWS_AS(submission_names(folder.path()), Error);
 }
 
-// As root nothing is unreadable: in a process of somebody else's.
+// Root can read everything, so this runs as another user.
 TEST_CASE("what we may not read is an error, not work that was not handed in", "[intake]") {
   const ScratchFolder folder;
   put(folder.path() / "alice/deep/integration.cpp", "one");

@@ -43,8 +43,8 @@ std::string end_in_words(const Outcome& outcome) {
 /// Files and settings of one submission.
 struct Desk {
   const Course& course;
-  const Sandbox& sandbox;  ///< the course's, with a user of this submission's own
-  std::string identity;    ///< of the submission: its name and what it holds, so that seeds differ
+  const Sandbox& sandbox;  ///< the course's, with a user for this submission alone
+  std::string identity;    ///< of the submission: its name and contents, so that seeds differ
   Folders folders;
 };
 
@@ -120,7 +120,7 @@ LabGrade grade_lab(const Desk& desk, const CourseLab& lab, const LabFiles& files
       return build_and_judge(desk, lab, files);
     } catch (const std::exception& error) {
       if (attempt == attempts) return unjudged(lab.lab, Status::grader_error, error.what());
-      std::this_thread::sleep_for(std::chrono::seconds(2));  // for what the machine lacks to pass
+      std::this_thread::sleep_for(std::chrono::seconds(2));  // for the shortage to pass
     }
   }
 }
@@ -131,13 +131,13 @@ Record grade(const Course& course, const std::string& name, const Intake& intake
              const fs::path& folder) {
   const Sandbox sandbox = course.sandbox.with_new_user();
   open_to_pass(folder, sandbox.user());
-  // A little more than a program may fill, so that it is seen to have done so.
+  // Slightly more than a program may fill, so that exceeding the limit is noticed.
   const OwnDisk disk(folder / "disk", Limits{}.scratch_bytes * 5 / 4, sandbox.user());
   const Desk desk{course, sandbox, name + ":" + intake.digest, {folder, disk.path()}};
   fs::create_directory(disk.path() / "tmp");
   open_to_pass(disk.path() / "tmp", sandbox.user());
-  // The report tells the seed. It must not tell of other seeds, so the judge is given no more of
-  // the secret than a digest for this submission alone.
+  // The report shows the seed. It must not reveal other seeds, so the judge gets only a digest of
+  // the secret for this submission.
   Sha256 own_secret;
   own_secret.add_text(course.secret);
   own_secret.add_text(desk.identity);

@@ -11,31 +11,32 @@
 
 namespace carlo::grader {
 
-/// What grading needs to know, the same for all submissions.
+/// The settings of grading, the same for all submissions.
 struct Course {
   std::filesystem::path tree, build;  ///< the repository and its build folder
   std::vector<CourseLab> labs;
   const CleanTree& clean;
   Sandbox sandbox;
   std::string secret;
-  double deadline = 10;   ///< seconds that one probe may take
-  std::string toolchain;  ///< what compiles here: toolchain_of()
+  double deadline = 10;   ///< seconds per probe
+  std::string toolchain;  ///< the toolchain here: toolchain_of()
   std::string digest;     ///< of the grader and the secret
 };
 
 /// Grades one submission: compiles and judges lab after lab. `name` is its name, `folder` is for
-/// files in between. A lab that cannot be judged through no fault of the student is tried once
-/// more, then has no marks.
+/// temporary files. A lab that cannot be judged through no fault of the student is retried once,
+/// then has no marks.
 Record grade(const Course& course, const std::string& name, const Intake& intake,
              const std::filesystem::path& folder);
 
-/// What the marks of a submission follow from.
+/// Returns a digest of what the marks of a submission depend on.
 std::string record_key(const Course& course, const std::string& name, const Intake& intake);
 
-/// A digest of the judges, the clean tree, the labs, the secret, the compiler and this program.
+/// Returns a digest of the judges, the clean tree, the labs, the secret, the compiler and this
+/// program.
 std::string course_digest(const Course& course);
 
-/// A record without marks: the grader failed.
+/// Returns a record without marks: the grader failed.
 Record failed_record(const Course& course, const std::string& name, const std::string& why);
 
 }  // namespace carlo::grader

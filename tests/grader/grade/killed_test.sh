@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# killed_test.sh SOURCE BUILD LEVEL: a grader that is killed (kill -9) leaves no process behind at that
-# level of the sandbox: not the judge, not the student's program, not what that has scattered into
-# sessions of their own.
+# killed_test.sh SOURCE BUILD LEVEL: a grader that is killed (kill -9) leaves no process behind at
+# that level of the sandbox: not the judge, not the student's program, not processes that the
+# program has moved into sessions of their own.
 set -euo pipefail
 source=$1
 build=$2

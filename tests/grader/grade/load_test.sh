@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# load_test.sh SOURCE BUILD [COPIES JOBS ...]: a class of right answers, mistakes and attacks in lab 01,
-# COPIES of each (8: 64 submissions), graded with each number of JOBS at a time (1 8 32 64), then while
-# other programs take the memory, then killed (kill -9) and started again: the marks are those that are
-# deserved, and class.csv has the same bytes each time. As root also on a volume that is nearly full:
-# whoever gets marks there gets the same, the others get none, and all of them in a second run with room.
+# load_test.sh SOURCE BUILD [COPIES JOBS ...]: a class of right answers, mistakes and attacks in lab
+# 01, COPIES of each (8: 64 submissions), graded with each number of JOBS at a time (1 8 32 64),
+# then while other programs take the memory, then killed (kill -9) and restarted: the marks are
+# those deserved, and class.csv has the same bytes each time. As root also on a nearly full volume:
+# those who get marks there get the same, the others none, and all get them in a second run with
+# room.
 set -euo pipefail
 source=$(readlink -f "$1")
 build=$(readlink -f "$2")
@@ -30,7 +31,7 @@ fail() {
   exit 1
 }
 
-# Eight kinds: half of them right, so that what an attack takes from others shows.
+# Eight kinds, half of them right, to show what an attack takes from others.
 make_class() {
   local i kind
   for i in $(seq "$copies"); do
@@ -38,7 +39,7 @@ make_class() {
       mkdir -p "$1/$kind$i"
       cp "$solution" "$1/$kind$i/integration.cpp"
     done
-    # All right answers are different submissions.
+    # No two right answers are identical.
     for kind in a b c; do echo "// $i $kind" >>"$1/right_$kind$i/integration.cpp"; done
     cp "$source/labs/01_integration/integration.cpp" "$1/stub$i/"
     "$source/tests/grader/mistakes.awk" put "$1/mistaken$i/integration.cpp" \
@@ -46,14 +47,14 @@ make_class() {
     echo '#error No space left on device, vfork: Resource temporarily unavailable' \
       >>"$1/broken$i/integration.cpp"
     sed -i "1i #include \"$solution\"" "$1/thief$i/integration.cpp"
-    # Takes what disk, processes and memory it can get, then answers rightly.
+    # Takes all the disk, processes and memory it can get, then answers correctly.
     sed -i -e '1i #include <fcntl.h>\n#include <unistd.h>\n#include <vector>' \
       -e 's|^double average(.*{$|&\n  static const bool once = [] {\n    const int fd = ::open("large", O_WRONLY \| O_CREAT, 0600);\n    (void)::posix_fallocate(fd, 0, 8 << 20);\n    for (int i = 0; i < 40; ++i)\n      if (::fork() == 0) { ::sleep(1); ::_exit(0); }\n    return std::vector<char>(100 << 20, 1)[7] == 1;\n  }();\n  if (!once) return 0;|' \
       "$1/hog$i/integration.cpp"
   done
 }
 
-# deserved NAME: the total and the status of a submission.
+# expected NAME: prints the total and the status of a submission.
 expected() {
   local i
   for i in $(seq "$copies"); do
@@ -86,7 +87,7 @@ run() {
 
 for count in "${jobs[@]}"; do run "jobs_$count" "$count"; done
 
-# Half of what memory is left, in programs that touch it again and again.
+# Half of the remaining memory, in programs that touch it again and again.
 half=$(awk '/^MemAvailable/ { print int($2 / 2048) }' /proc/meminfo)
 for _ in 1 2; do
   perl -e '$x = "x" x ($ARGV[0] << 19); while (1) { for (my $i = 0; $i < length $x; $i += 4096)
@@ -117,7 +118,7 @@ run killed "${jobs[-1]}"
 if [ "$(id -u)" = 0 ] && mkdir "$scratch/small" &&
   mount -t tmpfs -o size=60M,mode=711 small "$scratch/small" 2>/dev/null; then
   mkdir -m 711 "$scratch/small/tmp"
-  # Fuller and fuller while it runs, then empty again.
+  # Fills up while it runs, then is emptied again.
   head -c 30M /dev/zero >"$scratch/small/filler"
   TMPDIR=$scratch/small/tmp "${grade[@]}" -j "${jobs[-1]}" -o "$scratch/small/out" \
     >"$scratch/full.log" 2>&1 &

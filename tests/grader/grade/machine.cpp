@@ -24,15 +24,15 @@ namespace fs = std::filesystem;
 constexpr Level strongest_first[] = {Level::bubblewrap, Level::landlock, Level::user,
                                      Level::limits};
 
-/// What a submission may take of memory (its program, its disk, a judge) and, where it has no disk
-/// of its own, of the disk.
+/// The memory that a submission may take (its program, its disk, a judge) and, if it has no disk of
+/// its own, the disk space.
 constexpr std::size_t memory_of_one = std::size_t{2500} << 20, disk_of_one = std::size_t{512} << 20;
 
 std::string machine_row(const std::string& name, const std::string& text) {
   return fmt::format("{:12} {}\n", name, text);
 }
 
-/// Bytes that programs can have: what the system says is available, and what a container is given.
+/// Returns the bytes available to programs: the system's figure, within the container's limit.
 std::size_t free_memory() {
   std::size_t least = std::numeric_limits<std::size_t>::max();
   std::ifstream info("/proc/meminfo");
@@ -64,7 +64,7 @@ bool kernel_tells_of_kills() {
   return false;
 }
 
-/// The levels, strongest first; `strongest` is the first one that may be used.
+/// Lists the levels, strongest first; sets `strongest` to the first usable one.
 std::string levels_text(std::string& strongest) {
   std::string text;
   for (const Level level : strongest_first) {
@@ -79,7 +79,7 @@ std::string levels_text(std::string& strongest) {
   return text;
 }
 
-/// What the strongest level can lack.
+/// Says what the strongest level may lack.
 std::string lacks(bool own_disk) {
   std::string text;
   if (::geteuid() != 0) {

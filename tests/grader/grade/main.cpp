@@ -71,7 +71,7 @@ void add_options(CommandLine& app, Options& options) {
   app.option("--build", options.build, "its build folder, with judges and workers");
 }
 
-/// Marks in a class's folder would be the next run's submission. In a student's they are nothing.
+/// Marks in a class's folder would be the next run's submission; in a student's they are ignored.
 void refuse_among(const std::vector<Source>& sources, const Options& options) {
   const std::string out = fs::weakly_canonical(options.out).string() + "/";
   for (const std::string& path : options.paths) {
@@ -91,7 +91,7 @@ int tell_machine() {
   return machine.good ? 0 : 1;
 }
 
-/// Here, on this machine.
+/// Grades on this machine.
 std::vector<Record> grade_here(const Course& course, const std::vector<Source>& sources,
                                const Options& options) {
   fmt::print("{} submissions, sandbox: {}\n", sources.size(), course.sandbox.description());
@@ -136,7 +136,7 @@ int run_on_cluster(const Options& options, const Settings& settings,
   return graded ? finish_class(labs, graded->records, submissions, options.out) : 0;
 }
 
-/// What makes no sense together, or lacks what it needs.
+/// Rejects options that contradict each other or lack what they need.
 void check(const Options& options) {
   for (const auto& [name, missing] :
        {std::pair("PATH", options.paths.empty()), std::pair("--tree", options.tree.empty()),

@@ -22,17 +22,17 @@ using slurm::FolderLock;
 using slurm::Jobs;
 using Clock = std::chrono::steady_clock;
 
-/// A submission, the files it writes, its judge and its compiler.
+/// A submission, the files that it writes, its judge and its compiler.
 constexpr int megabytes_of_one = 2500;
 
-/// A task's start costs some seconds of a node and reads the build, so a task has ten submissions
-/// where there are many; more tasks than this Slurm does not take by itself (MaxArraySize).
+/// Starting a task costs a node some seconds and reads the build, so a task has ten submissions if
+/// there are many; Slurm's default (MaxArraySize) allows no more tasks than this.
 int good_tasks(std::size_t submissions) {
   const auto count = static_cast<int>(submissions);
   return std::min({count, std::max(16, (count + 9) / 10), 1000});
 }
 
-/// The controller may be away for a while: it is asked again for some minutes.
+/// The controller may be away for a while: retries for some minutes.
 Jobs ask(const std::string& name) {
   for (int attempt = 0;; ++attempt) {
     try {
@@ -45,7 +45,7 @@ Jobs ask(const std::string& name) {
   }
 }
 
-/// Which of an array's submissions have been graded since it was planned.
+/// Determines which of an array's submissions have been graded since it was planned.
 class Fresh {
  public:
   explicit Fresh(const fs::path& out) : out_(out) {
@@ -103,13 +103,13 @@ void wait_for_jobs(const std::string& name, const fs::path& out) {
     }
     progress.update(static_cast<double>(done) /
                     static_cast<double>(std::max<std::size_t>(1, fresh.total())));
-    // A short class is not kept waiting, and a long one does not keep Slurm busy.
+    // Short classes should not be delayed, and long ones should not keep Slurm busy.
     const std::chrono::duration<double> waited = Clock::now() - begun;
     std::this_thread::sleep_for(std::clamp(waited / 20, least_pause, longest_pause));
   }
 }
 
-/// Alone in the folder; who has it is waited for.
+/// Takes the folder's exclusive lock, waiting for its holder.
 FolderLock take_alone(const fs::path& out) {
   for (bool told = false;; told = true) {
     if (std::optional<FolderLock> lock = FolderLock::take(out, FolderLock::Use::alone))
@@ -126,7 +126,7 @@ void tell_refused(const std::vector<RefusedNode>& nodes) {
     fmt::print(stderr, "carlo: {} has graded nobody: {}\n", node.name, node.why);
 }
 
-/// What there was to do when an array was submitted.
+/// The work left when an array was submitted.
 struct Before {
   std::size_t missing = 0, refused = 0;
 };
@@ -146,7 +146,7 @@ class Rounds {
     for (;;) {
       if (!wait()) return later();
       FolderLock lock = take_alone(settings_.out);
-      // Another may have submitted while we waited for the lock.
+      // Another process may have submitted while we waited for the lock.
       if (ask(name_).any()) continue;
       const Survey survey = look();
       const std::vector<RefusedNode> refused = refused_nodes(settings_.out);
@@ -168,14 +168,14 @@ class Rounds {
     std::vector<Source> missing;
   };
 
-  /// What to type when there is nothing more to be waited for now.
+  /// Prints the command for later, when there is nothing to wait for now.
   std::nullopt_t later() const {
     fmt::print("the same command, later, writes {}, or submits what is missing then\n",
                (settings_.out / "class.csv").string());
     return std::nullopt;
   }
 
-  /// Until no task is left. False when there are some, and nobody waits.
+  /// Waits until no task is left. Returns false if some are left, but waiting is off.
   bool wait() const {
     const Jobs jobs = ask(name_);
     if (!jobs.any()) return true;

@@ -21,7 +21,7 @@ std::string of_points(const std::optional<double>& points, int max) {
   return fmt::format("{} of {} points", points ? points_text(*points) : "not graded:", max);
 }
 
-/// A text of many lines, each behind a margin.
+/// Puts a margin before each line of a text.
 std::string quoted(const std::string& text) {
   std::string out;
   std::istringstream lines(text);
@@ -58,7 +58,7 @@ std::string heading(const Record& record) {
   return line + ",total,max,status,source\n";
 }
 
-/// A name that a stranger chose, as a cell: in quotes, and begun so that it is no formula.
+/// Formats a stranger's name as a cell: quoted, with a start that prevents a formula.
 std::string source_cell(const std::string& source) {
   std::string text = "\"./";
   const std::string shown = clipped(harmless(source), 300);

@@ -16,12 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As many as the watcher lets a program make, and a few of ours.
+/// As many as the watcher lets a program create, plus some of ours.
 constexpr int most_files = 110'000;
 
 bool mount_over(const fs::path& folder, std::size_t bytes) {
   if (::geteuid() != 0 || ::unshare(CLONE_NEWNS) != 0) return false;
-  // What is mounted from here on is nobody else's to see.
+  // Mounts from here on are visible to nobody else.
   if (::mount(nullptr, "/", nullptr, MS_REC | MS_SLAVE, nullptr) != 0) return false;
   const std::string options = fmt::format("size={},nr_inodes={},mode=0700", bytes, most_files);
   return ::mount("carlo", folder.c_str(), "tmpfs", MS_NOSUID | MS_NODEV, options.c_str()) == 0;

@@ -8,13 +8,13 @@
 
 namespace carlo::grader {
 
-/// A folder over which lies a file system of its own size, in memory, as long as this object
-/// lives: whatever is written there fills no disk of others. Only this process and those that it
-/// starts see it; it goes with the last of them, however they end.
+/// A folder covered by an in-memory file system of its own size while this object lives: writing
+/// there fills no shared disk. Only this process and those that it starts see it; it disappears
+/// with the last of them, however they end.
 class OwnDisk {
  public:
-  /// `owner`: whose group may pass through the folder; else it is ours alone. Where the system
-  /// allows no such thing (it is for root outside of most containers) the folder stays on its disk.
+  /// `owner`: whose group may pass through the folder; otherwise only we may. If the system does
+  /// not allow mounting (it takes root, outside most containers) the folder stays on its disk.
   OwnDisk(std::filesystem::path folder, std::size_t bytes, std::optional<uid_t> owner);
   ~OwnDisk();
   OwnDisk(const OwnDisk&) = delete;
@@ -28,8 +28,8 @@ class OwnDisk {
   bool mounted_ = false;
 };
 
-/// Closes a folder of ours to all but ourselves and, to pass through it, the user of a sandbox.
-/// Throws Error.
+/// Closes a folder of ours to all but us and, to pass through it, the user of a sandbox. Throws
+/// Error.
 void open_to_pass(const std::filesystem::path& folder, std::optional<uid_t> user);
 
 }  // namespace carlo::grader

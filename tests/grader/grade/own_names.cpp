@@ -10,7 +10,7 @@ namespace carlo::grader {
 namespace {
 
 /// By nm's letters: neither undefined nor one of many equal copies. 'i' (chosen at run time) and
-/// 'C' (without a start value) are definitions like others.
+/// 'C' (uninitialised) are definitions too.
 bool is_definition(const std::string& letters) {
   return letters.find_first_not_of("UwWvVu") != std::string::npos;
 }

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-// What tests hand in: files and archives, in a course of two labs.
+// Submissions for tests: files and archives, in a course of two labs.
 
 namespace carlo::grader {
 
@@ -32,7 +32,7 @@ struct Entry {
   bool link = false;
 };
 
-/// A zip in memory, with names as they are given.
+/// Makes a zip in memory, with names as given.
 inline std::string zip(const std::vector<Entry>& entries) {
   std::string bytes(std::size_t{8} << 20, '\0');
   std::size_t used = 0;
@@ -57,7 +57,7 @@ inline std::string zip(const std::vector<Entry>& entries) {
   return bytes;
 }
 
-/// What the submissions in `path` are called.
+/// Returns the names of the submissions in `path`.
 inline std::vector<std::string> submission_names(const std::filesystem::path& path,
                                                  bool one = false) {
   std::vector<std::string> list;

@@ -1,6 +1,6 @@
-// Stands in for a compiler: in its n-th call it does what the n-th line of the file "plan" beside
-// it says, "good" or the words with which it fails; after the last line all is good. What it makes
-// is a copy of itself: nm can read that.
+// A fake compiler: its n-th call follows the n-th line of the file "plan" beside it, "good" or the
+// message with which it fails; calls after the last line succeed. Its output is a copy of itself,
+// which nm can read.
 
 #include <filesystem>
 #include <fstream>

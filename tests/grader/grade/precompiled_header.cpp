@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* include = "#include \"";
 
-/// Whether a text includes a header, and nothing but other headers stands before.
+/// Returns whether a text includes a header, preceded only by other includes.
 bool begins_with(const std::string& text, const std::string& header) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -30,7 +30,7 @@ bool begins_with(const std::string& text, const std::string& header) {
   return false;
 }
 
-/// Of the lab's own folder, with which all its stubs begin; empty where there is none.
+/// Returns the header in the lab's folder with which all its stubs begin; empty if there is none.
 fs::path common_header(const LabTools& tools) {
   if (tools.stubs.empty() || tools.headers.empty()) return {};
   const std::string begin = include;
@@ -46,7 +46,7 @@ fs::path common_header(const LabTools& tools) {
   return {};
 }
 
-/// What g++ takes in a header's place.
+/// Returns the file that g++ reads instead of a header.
 fs::path read_ahead(const fs::path& header) {
   return header.string() + ".gch";
 }
@@ -57,14 +57,14 @@ void precompile(const LabTools& tools) {
   constexpr std::size_t files_for_which_it_pays = 4;
   const fs::path header = common_header(tools);
   if (header.empty() || tools.stubs.size() < files_for_which_it_pays) return;
-  // Each submission has a process of its own: the first one makes it.
+  // Each submission has its own process: the first one makes it.
   const Descriptor mine(
       ::open((header.string() + ".begun").c_str(), O_CREAT | O_EXCL | O_CLOEXEC, 0600));
   if (!mine.open()) return;
   const fs::path half = header.string() + ".half";
   std::vector<std::string> argv = compile_command(tools);
   argv.insert(argv.end(), {"-x", "c++-header", "-o", half.string(), header.string()});
-  // Ours alone, so outside of the sandbox.
+  // Only our own code, so no sandbox.
   Limits limits;
   limits.deadline = std::chrono::minutes(3);
   limits.memory_bytes = limits.file_bytes = limits.processes = unlimited;

@@ -7,13 +7,13 @@
 
 namespace carlo::grader {
 
-/// Has g++ read the header that all files of a lab share, as "path_tracer.h" of lab 08, once for a
-/// clean tree, where the lab has so many files that this pays. Who comes meanwhile, or where it
-/// fails, goes on without.
+/// Precompiles, with g++, the header that all files of a lab share, e.g. "path_tracer.h" of lab 08,
+/// once per clean tree, if the lab has so many files that this pays. Processes that arrive
+/// meanwhile, or after a failure, compile without it.
 void precompile(const LabTools& tools);
 
-/// The header's name, for -include, where it was read ahead and that changes nothing for `text`: it
-/// includes the header itself, and defines nothing before that. Else empty.
+/// Returns the header's name, for -include, if it was precompiled and using it changes nothing for
+/// `text`: the text includes the header itself, and defines nothing before that. Otherwise empty.
 std::string header_ahead(const LabTools& tools, const std::string& text);
 
 }  // namespace carlo::grader

@@ -1,4 +1,4 @@
-// The header that all files of a lab share, compiled once: with the real compiler.
+// The header shared by all files of a lab, compiled once: with the real compiler.
 
 #include "grader/grade/precompiled_header.h"
 
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A lab of so many files that begin with shared.h.
+/// A lab with so many files that begin with shared.h.
 class SharedHeader {
  public:
   explicit SharedHeader(int files) {
@@ -64,7 +64,7 @@ TEST_CASE("the header of a lab of many files is read once", "[compile]") {
   REQUIRE(header_ahead(lab.tools, begin) == "shared.h");
   CHECK(lab.compiles(begin + "static_assert(shared_value == 1);\n"));
   CHECK_FALSE(lab.compiles(begin + "static_assert(shared_value == 2);\n"));
-  // Another text is read besides, and tells what was read ahead from it.
+  // Another version shows which one was read.
   lab.write_header("#pragma once\nconstexpr int other = 2;\n");
   CHECK(lab.compiles(begin + "static_assert(shared_value == 1 && other == 2);\n"));
 }

@@ -35,13 +35,13 @@ std::string ninja_commands(const fs::path& build, const std::string& target) {
   return outcome.output;
 }
 
-/// The word after `flag`, or "".
+/// Returns the word after `flag`, or "".
 std::string after(const std::vector<std::string>& words, const std::string& flag) {
   const auto found = std::find(words.begin(), words.end(), flag);
   return found == words.end() || std::next(found) == words.end() ? "" : *std::next(found);
 }
 
-/// The compile command, taken apart. What stands before the compiler is a launcher such as ccache.
+/// Parses the compile command. Words before the compiler are a launcher such as ccache.
 void read_compile(const std::vector<std::string>& words, Recipe& recipe) {
   auto word = std::find(words.begin(), words.end(), recipe.compiler);
   if (word == words.end()) throw Error("the compiler is not the one that links: {}", words.front());

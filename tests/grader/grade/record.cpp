@@ -11,7 +11,8 @@
 namespace carlo::grader {
 namespace {
 
-/// Points that the rules of results.h can give: quarters of whole numbers, from 0 to the most.
+/// Returns whether the rules of results.h can give these points: quarters of whole numbers, from 0
+/// to `max`.
 bool possible_points(double points, int max) {
   const double quarters = points * 4;
   return points >= 0 && points <= max &&
@@ -25,7 +26,7 @@ std::string in_words(Status unjudged) {
   return words;
 }
 
-/// The longest text for a student: a program can make what is said of it long.
+/// The longest text for a student: a program can make messages about it long.
 constexpr std::size_t most_text = 20'000;
 
 }  // namespace

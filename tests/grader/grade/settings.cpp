@@ -30,11 +30,11 @@ std::string random_secret() {
   return text;
 }
 
-/// The secret stays with the marks that follow from it, readable for their owner alone.
+/// Stores the secret next to the marks that follow from it, readable only by their owner.
 std::string kept_secret(const fs::path& file) {
   if (!fs::exists(file)) {
     const mode_t before = ::umask(077);
-    // Of several graders that begin at once, the first one's stays.
+    // If several graders start at once, the first one's secret stays.
     const fs::path own = file.string() + "." + random_secret().substr(0, 16);
     write_file(own, random_secret());
     ::umask(before);
@@ -50,9 +50,9 @@ std::string version_of(const std::string& program) {
   return text.substr(0, text.find('\n'));
 }
 
-/// What a machine compiles and runs students' code with, in a line: compiler, linker, C library and
-/// kind of processor. Two machines of the same line come to the same marks. Throws Error where
-/// there is no such compiler.
+/// Describes in a line what a machine compiles and runs students' code with: compiler, linker, C
+/// library and kind of processor. Two machines with the same line give the same marks. Throws Error
+/// if there is no such compiler.
 std::string toolchain_of(const std::string& compiler) {
   struct utsname system {};
   if (::uname(&system) != 0) throw Error("the system does not tell its kind of processor");
@@ -77,7 +77,7 @@ std::string secret_of(const Settings& settings) {
 }
 
 Sandbox sandbox_of(const Settings& settings, const CleanTree& clean) {
-  // At the level that shuts nothing off submissions have the rights of whoever grades.
+  // At the level without confinement submissions have the rights of whoever grades.
   const View view{{clean.path() / "tree", clean.path() / "link"}, {}};
   Sandbox sandbox = settings.sandbox == "auto" ? Sandbox::strongest(view)
                                                : Sandbox::at(level_of(settings.sandbox), view);

@@ -8,23 +8,23 @@
 
 namespace carlo::grader {
 
-/// What a class is graded by, in the words of whoever asks for it.
+/// The settings for grading a class, as the caller specifies them.
 struct Settings {
   std::filesystem::path tree, build, out;
   std::vector<int> labs = {};    ///< empty: all
-  std::string secret_file = {};  ///< empty: $CARLO_SECRET, else OUT/secret, made once
+  std::string secret_file = {};  ///< empty: $CARLO_SECRET, else OUT/secret, created once
   std::string sandbox = "auto";  ///< or the name of a level
-  double deadline = 10;          ///< seconds that one probe may take
+  double deadline = 10;          ///< seconds per probe
 };
 
-/// What seeds follow from. Throws Error when it is empty.
+/// Returns the secret from which seeds follow. Throws Error if it is empty.
 std::string secret_of(const Settings& settings);
 
-/// The sandbox that is asked for, of a build's workers and the clean tree. Throws Error when it
-/// does not work here, or when submissions would have root's rights.
+/// Returns the requested sandbox, for a build's workers and the clean tree. Throws Error if it does
+/// not work here, or if submissions would have root's rights.
 Sandbox sandbox_of(const Settings& settings, const CleanTree& clean);
 
-/// What follows from the settings, with its digest.
+/// Returns the course for these settings, with its digest.
 Course course_of(const Settings& settings, const std::vector<CourseLab>& labs,
                  const CleanTree& clean, const Sandbox& sandbox);
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# steps_test.sh SOURCE BUILD: steps of lab 08 that define the same helper each use their own; one that
-# cannot be linked with the others costs its own points and no others.
+# steps_test.sh SOURCE BUILD: steps of lab 08 that define the same helper each use their own; one
+# that cannot be linked with the others loses only its own points.
 set -euo pipefail
 source=$1
 build=$2
@@ -15,8 +15,8 @@ fail() {
   exit 1
 }
 
-# helper STEP NUMBER: gives a step a helper that the linker sees, and ends the program when what the
-# step calls is another step's.
+# helper STEP NUMBER: gives a step a helper that the linker sees, and that ends the program if the
+# step calls another step's helper.
 helper() {
   cat >>"$1" <<EOF
 #include <cstdlib>
@@ -35,7 +35,7 @@ done
 helper "$class/helpers/b_direct.cpp" 2
 helper "$class/helpers/c_phong.cpp" 3
 helper "$class/helpers/h_path_tracer.cpp" 4
-# And a step that brings another step's exercise too; that one stays what the other has.
+# And a step that also defines another step's exercise; that exercise keeps its own code.
 cat >>"$class/helpers/h_path_tracer.cpp" <<'EOF'
 #include <cstdlib>
 namespace lab08 {
@@ -48,7 +48,7 @@ echo 'namespace lab08 { int nowhere(); static const int lost = nowhere(); }' \
 "$build/bin/carlo_grade" --tree "$source" --build "$build" "$class" --labs 8 -j 1 \
   -o "$scratch/out" | tee "$scratch/log" || fail "the grader ended with $?"
 
-# The exercises' points of a student, 8.1 first.
+# Prints a student's points by exercise, 8.1 first.
 points() { grep "^$1," "$scratch/out/class.csv" | cut -d, -f2-9; }
 
 [ "$(points helpers)" = 1,3,3,3,2,2,2,4 ] ||

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The largest and the mean cost of a lab over all submissions that were judged.
+/// Returns the largest and the mean cost of a lab over all judged submissions.
 std::string costs(const std::vector<Record>& records, const CourseLab& lab) {
   double worst = 0, sum = 0;
   std::size_t peak = 0;
@@ -36,7 +36,7 @@ std::string costs(const std::vector<Record>& records, const CourseLab& lab) {
                      count, format_seconds(sum / count), format_seconds(worst), peak >> 20);
 }
 
-/// Who is who is not for the grader to guess. Returns how many.
+/// Reports renamed submissions: the grader must not guess who is who. Returns how many.
 std::size_t tell_renamed(const std::vector<Source>& sources) {
   std::size_t count = 0;
   for (const Source& source : sources) {
@@ -48,7 +48,7 @@ std::size_t tell_renamed(const std::vector<Source>& sources) {
   return count;
 }
 
-/// A file beside the submissions may be one. Returns how many.
+/// Reports files beside the submissions: they may be some. Returns how many.
 std::size_t tell_left_out(const std::vector<std::string>& files) {
   constexpr std::size_t shown = 20;
   for (std::size_t i = 0; i < std::min(files.size(), shown); ++i) {

@@ -8,12 +8,12 @@
 
 namespace carlo::grader {
 
-/// What is told of a submission that is done, in a line.
+/// Returns a line about a finished submission.
 std::string line_of(const Finished& finished);
 
-/// Writes class.csv and timing.csv, and tells what the class cost and where to look. Returns 0.
-/// Throws Error when marks are missing, or when somebody has to look at names or at files that are
-/// no submissions.
+/// Writes class.csv and timing.csv, and prints what the class cost and what needs attention.
+/// Returns 0. Throws Error if marks are missing, or if somebody has to check names or files that
+/// are not submissions.
 int finish_class(const std::vector<CourseLab>& labs, const std::vector<Record>& records,
                  const Submissions& submissions, const std::filesystem::path& out);
 

@@ -10,16 +10,16 @@
 
 namespace carlo::grader {
 
-/// One question that the judge put to a worker, and how it ended: enough to put it again by hand.
+/// One question from the judge to a worker, and its outcome: enough to repeat it by hand.
 struct Asked {
   std::string tag;       ///< "Lab 1.2"
-  std::string sentence;  ///< the test's, without the tag
+  std::string sentence;  ///< the test's sentence, without the tag
   std::string probe;
   Params params;
   std::string question;  ///< in words; may be empty
-  std::size_t rows = 0;  ///< what was expected
+  std::size_t rows = 0;  ///< expected rows
   std::size_t columns = 0;
-  Status status = Status::passed;  ///< passed: values came, whatever the checks made of them
+  Status status = Status::passed;  ///< passed: values came, whatever the checks concluded
   std::string problem = {};        ///< why there are no values
 };
 
@@ -29,9 +29,9 @@ struct Questions {
   std::vector<Asked> asked;
 };
 
-/// JSON; whole numbers of 64 bits are kept as text where a reader might round them.
+/// Writes JSON; 64-bit integers become text where a reader might round them.
 std::string to_json(const Questions& questions);
-/// Throws Error when the text is not what to_json() writes.
+/// Throws Error unless the text was written by to_json().
 Questions questions_from_json(const std::string& text);
 
 }  // namespace carlo::grader

@@ -34,9 +34,9 @@ std::vector<std::string> bubblewrap(const std::vector<std::string>& argv, const 
   for (const fs::path& path : view.readable)
     add("--ro-bind", path);
   add("--bind", scratch);
-  // Root's user needs no capability to write the kernel's settings below /proc/sys, and with them
-  // may start programs outside; bubblewrap 0.8 leaves them open. Folders that bubblewrap makes lie
-  // in memory that no limit counts: nothing may be written there.
+  // Root's user needs no capability to write kernel settings below /proc/sys, and with them could
+  // start programs outside; bubblewrap 0.8 leaves them writable. Folders that bubblewrap makes are
+  // in memory that no limit counts: they must not be writable.
   for (const char* path : {"/proc", "/dev", "/"})
     line.insert(line.end(), {"--remount-ro", path});
   line.insert(line.end(), {"--chdir", scratch.string(), "--"});

@@ -11,15 +11,16 @@ namespace carlo::grader {
 
 inline constexpr const char* bubblewrap_program = "/usr/bin/bwrap";
 
-/// Where the system's programs and libraries are, and what finds them; not all exist everywhere.
+/// Returns the paths of the system's programs and libraries, and of what locates them; not all
+/// exist everywhere.
 const std::vector<std::filesystem::path>& system_paths();
 
-/// The command line that runs `argv` with namespaces of its own. The filter of system calls comes
-/// over descriptor 4; over 5 it tells its exit code, if the program was begun.
+/// Returns the command line that runs `argv` in its own namespaces. bubblewrap reads the system
+/// call filter from descriptor 4, and writes the exit code to 5 if the program was started.
 std::vector<std::string> bubblewrap(const std::vector<std::string>& argv, const View& view,
                                     const std::filesystem::path& scratch);
 
-/// A filter as bubblewrap reads it. Throws Error.
+/// Returns a filter in bubblewrap's format. Throws Error.
 Descriptor filter_file(const SyscallFilter& filter);
 
 }  // namespace carlo::grader

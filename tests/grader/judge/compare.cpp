@@ -29,9 +29,9 @@ double mean_square_about(std::span<const double> values, double centre) {
          static_cast<double>(values.size());
 }
 
-/// Whether a value comes from a variable or an array without a start value. Judged code finds a
-/// pattern there (carlo_lab.cmake, worker/heap_guard.cpp): a double of it is -5.3e303, and sums,
-/// means and small multiples of it are nearly that; counts begin at a whole number of it.
+/// Returns whether a value comes from an uninitialised variable or array. Judged code finds a
+/// pattern there (carlo_lab.cmake, worker/heap_guard.cpp): as a double it is -5.3e303, and sums,
+/// means and small multiples are close to that; counts begin at a whole number of it.
 bool is_without_start(double value) {
   const auto is_near = [value](double start, double within) {
     return std::abs(value - start) <= within;
@@ -60,7 +60,8 @@ void name_suspects(Verdict& verdict, const Suspects& suspects,
   }
 }
 
-/// How many standard deviations a value may lie off a suspect's to be taken for it.
+/// The largest distance from a suspect's value, in standard deviations, at which a value is
+/// attributed to it.
 constexpr double fit = 6;
 
 }  // namespace
@@ -99,7 +100,7 @@ Verdict mean_is(const std::string& what, std::span<const double> values, const T
   conclude(verdict, "z = " + z_text, normal_two_sided(z));
   verdict.effect = effect_on_mean(mean - theory.mean, theory.sd, static_cast<double>(values.size()),
                                   spread * spread);
-  // A mistake has a spread of its own, which the values show.
+  // A mistake has its own spread, which the values show.
   const double slack = fit * spread / root;
   name_suspects(
       verdict, suspects, [slack](double) { return slack; }, mean);
@@ -166,7 +167,7 @@ Verdict equals(const std::string& what, double measured, double expected, double
   verdict.what = what;
   verdict.passed = std::abs(measured - expected) <= tolerance;
   const bool close = std::abs(measured - expected) <= 1e-4 * std::abs(expected);
-  // With as many digits as show a difference, and no more.
+  // Only as many digits as show a difference.
   verdict.measured = number_in_report(measured, close ? 16 : 6);
   verdict.expected = number_in_report(expected, close ? 16 : 6);
   if (tolerance > 0) verdict.expected += fmt::format(" within {:.1g}", tolerance);

@@ -8,7 +8,7 @@
 namespace carlo::grader {
 namespace {
 
-/// All tags "Lab N.K" of this lab in a text.
+/// Returns all tags "Lab N.K" of this lab in a text.
 std::set<std::string> tags_in(const Lab& lab, const std::string& text) {
   const std::string tag = fmt::format("Lab {}.", lab.number);
   std::set<std::string> found;

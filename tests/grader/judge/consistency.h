@@ -7,15 +7,15 @@
 
 namespace carlo::grader {
 
-/// A test case as the framework knows it.
+/// A test case's name and tags in the framework.
 struct TestName {
   std::string name;
   std::vector<std::string> tags;  ///< without brackets
 };
 
-/// What in a lab does not agree, one line each: every exercise of lab.json has its tag in the stub
-/// and in the handout, at least one test case "TAG: sentence" tagged [labNN] and [exK], and at
-/// least two hints; and none of them speaks of an exercise of this lab that does not exist.
+/// Returns a lab's inconsistencies, one line each: every exercise of lab.json has its tag in the
+/// stub and in the handout, at least one test case "TAG: sentence" tagged [labNN] and [exK], and at
+/// least two hints; and none of them mentions an exercise of this lab that does not exist.
 std::vector<std::string> disagreements(const Lab& lab, const std::string& stub,
                                        const std::string& handout,
                                        const std::vector<TestName>& tests);

@@ -19,7 +19,7 @@ constexpr std::string_view thrown_type = "terminate called after throwing an ins
 constexpr std::string_view thrown_words = "  what():  ";
 constexpr std::string_view nothing_thrown = "terminate called without an active exception";
 
-/// What follows `start`, up to `end` or the line's end; empty when it does not say so.
+/// Returns the text after `start`, up to `end` or the line's end; empty if `start` is missing.
 std::string after(const std::string& said, std::string_view start, std::string_view end) {
   const std::size_t at = said.find(start);
   if (at == std::string::npos) return "";
@@ -27,7 +27,7 @@ std::string after(const std::string& said, std::string_view start, std::string_v
   return line.substr(0, line.find(end));
 }
 
-/// AddressSanitizer's word for a signal, as it is called where there is no sanitizer.
+/// Returns the usual name for a signal that AddressSanitizer abbreviates.
 std::string in_words(const std::string& word) {
   constexpr std::array<std::pair<std::string_view, int>, 5> signals{
       {{"SEGV", SIGSEGV}, {"ABRT", SIGABRT}, {"FPE", SIGFPE}, {"ILL", SIGILL}, {"BUS", SIGBUS}}};
@@ -37,7 +37,7 @@ std::string in_words(const std::string& word) {
   return word;
 }
 
-/// What the library says when std::terminate() ends the program; empty when it did not.
+/// Returns the library's message if std::terminate() ended the program; otherwise empty.
 std::string termination(const std::string& said) {
   const std::string type = after(said, thrown_type, "'");
   if (!type.empty()) {
@@ -52,7 +52,7 @@ std::string termination(const std::string& said) {
          "neither joined nor detached";
 }
 
-/// Whether a line is the library's, ahead of an abort.
+/// Returns whether a line is the library's, before an abort.
 bool is_of_library(const std::string& line) {
   return line.find(": Assertion '") != std::string::npos || line.rfind(thrown_type, 0) == 0 ||
          line.rfind(thrown_words, 0) == 0 || line.rfind(nothing_thrown, 0) == 0;
@@ -73,9 +73,10 @@ std::string cause_of(const Outcome& outcome) {
   return signal_name(outcome.code);
 }
 
-/// Whether `path` is a C++ file's in a lab's folder, such as "labs/07_hemisphere/hemisphere.cpp".
+/// Returns whether `path` is a C++ file in a lab's folder, such as
+/// "labs/07_hemisphere/hemisphere.cpp".
 bool in_a_lab(std::string_view path) {
-  constexpr std::size_t name = 8;  // where it begins, behind "labs/NN_"
+  constexpr std::size_t name = 8;  // its start, after "labs/NN_"
   const std::size_t slash = path.find('/', name);
   return slash != std::string_view::npos && slash > name && std::isdigit(path[5]) != 0 &&
          std::isdigit(path[6]) != 0 && path[7] == '_' &&
@@ -119,8 +120,8 @@ std::string without_reports(const std::string& said) {
     const bool ruler = line.size() > 20 && line.find_first_not_of('=') == std::string::npos;
     if (ruler || line.find(address_report) != std::string::npos) break;
     if (line.find(undefined_report) != std::string::npos) break;
-    if (line.rfind("AddressSanitizer:", 0) == 0) continue;  // of a signal, ahead of the report
-    // At the text's end there may be none.
+    if (line.rfind("AddressSanitizer:", 0) == 0) continue;  // for a signal, before the report
+    // The last line may have no line end.
     if (!lines.eof()) line += '\n';
     if (!is_of_library(line)) out += line;
   }

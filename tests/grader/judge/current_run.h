@@ -7,7 +7,7 @@
 namespace carlo::grader {
 
 /// The run that test cases report to: Catch2 calls them without arguments, so it must be reachable
-/// from anywhere. main() makes it before the first test case starts.
+/// from anywhere. main() creates it before the first test case starts.
 std::unique_ptr<Run>& current_run();
 
 }  // namespace carlo::grader

@@ -1,4 +1,4 @@
-// Which of the typical mistakes that single comparisons named are told to the student.
+// Chooses which of the typical mistakes named by single comparisons the student sees.
 
 #include "grader/judge/results.h"
 
@@ -10,7 +10,7 @@
 namespace carlo::grader {
 namespace {
 
-/// One diagnosis and how it did: the failed comparisons that it explains, and how many of those
+/// One diagnosis with its evidence: the failed comparisons that it explains, and how many of those
 /// that looked for it found something else.
 struct Candidate {
   Diagnosis diagnosis;
@@ -18,7 +18,7 @@ struct Candidate {
   int misses = 0;
 
   int merit() const { return static_cast<int>(explains.size()) - misses; }
-  /// Nothing tells the two apart.
+  /// Returns whether nothing distinguishes the two.
   bool fits_like(const Candidate& other) const {
     return explains == other.explains && misses == other.misses;
   }
@@ -43,7 +43,7 @@ std::vector<const Verdict*> failures(const std::vector<TestRecord>& tests) {
   return list;
 }
 
-/// In the order in which they were first named.
+/// Returns the candidates in the order in which they were first named.
 std::vector<Candidate> candidates(const std::vector<const Verdict*>& failures) {
   std::vector<Candidate> list;
   for (std::size_t i = 0; i < failures.size(); ++i) {

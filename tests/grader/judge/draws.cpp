@@ -10,7 +10,7 @@
 namespace carlo::grader {
 namespace {
 
-/// Distances from the nearer end of [0, 1], in order: the same for u and for 1 - u.
+/// Returns the distances from the nearer end of [0, 1], sorted: the same for u and for 1 - u.
 std::vector<double> folded(std::vector<double> shares) {
   for (double& share : shares)
     share = std::min(share, 1 - share);
@@ -44,12 +44,12 @@ Verdict draws(const Rng& before, const NextWords& next, double expected) {
 }
 
 Verdict made_of(const std::string& what, std::vector<double> shares, Rng before) {
-  // Shares found back from points carry the points' rounding; floats are 3e-8 off.
+  // Shares recovered from points carry the points' rounding; floats are 3e-8 off.
   constexpr double rounding = 1e-9;
   std::vector<double> drawn(shares.size());
   for (double& number : drawn)
     number = before.uniform();
-  // NaN has no place in an order.
+  // NaN cannot be sorted.
   bool same = std::all_of(shares.begin(), shares.end(), [](double x) { return std::isfinite(x); });
   if (same) {
     shares = folded(std::move(shares));

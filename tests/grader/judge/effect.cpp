@@ -10,10 +10,11 @@
 namespace carlo::grader {
 namespace {
 
-/// No effect at all can be seen: of a comparison that has no values, or whose theory is no number.
+/// No effect can be detected: the comparison has no values, or its theory is not a number.
 constexpr double blind = std::numeric_limits<double>::infinity();
 
-/// How many standard errors the level and the power lie from the middle of a normal statistic.
+/// Return the distances of the level and of the power from the middle of a normal statistic, in
+/// standard errors.
 double level_z() {
   return normal_two_sided_quantile(comparison_alpha());
 }
@@ -34,7 +35,7 @@ Effect effect_on_variance(double ratio, double freedom) {
   const std::string unit = "of the variance";
   if (!(freedom > 0) || std::isinf(freedom)) return {ratio - 1, blind, unit};
   const double critical = chi_square_upper_quantile(comparison_alpha() / 2, freedom);
-  // Too large a variance is harder to see than too small a one.
+  // Too large a variance is harder to detect than too small a one.
   return {ratio - 1, critical / chi_square_lower_quantile(1 - claimed_power, freedom) - 1, unit};
 }
 

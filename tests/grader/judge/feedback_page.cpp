@@ -11,7 +11,7 @@
 namespace carlo::grader {
 namespace {
 
-/// The lab's number, or that of the one exercise: no lab has so few.
+/// Returns the lab's number, or that of its only exercise: no lab has so few.
 std::string what_was_judged(const LabResult& lab) {
   return lab.exercises.size() == 1 ? lab.exercises.front().number() : std::to_string(lab.lab);
 }

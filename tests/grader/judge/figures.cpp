@@ -21,7 +21,8 @@ struct Range {
   bool contains(double x) const { return x >= first && x <= last; }
 };
 
-/// Where the finite values lie but for a part `tail` at either end, and `also`, with some air.
+/// Returns the range of the finite values except a part `tail` at either end, and of `also`, with a
+/// margin.
 Range central_range(std::span<const double> values, const std::vector<double>& also,
                     double tail = 0.005) {
   std::vector<double> sorted;
@@ -46,7 +47,8 @@ Range central_range(std::span<const double> values, const std::vector<double>& a
   return {*low - around, *low + around};
 }
 
-/// All finite values, unless a few of them lie so far out that the others would lie flat.
+/// Returns the range of all finite values, unless a few are so far out that the others would look
+/// flat.
 Range whole_range(std::span<const double> values) {
   const Range central = central_range(values, {}, 0.05);
   double first = HUGE_VAL, last = -HUGE_VAL;
@@ -60,7 +62,7 @@ Range whole_range(std::span<const double> values) {
   return {std::min(first, central.first), std::max(last, central.last)};
 }
 
-/// A histogram of the values in `range`; says in words how many lie elsewhere.
+/// Makes a histogram of the values in `range`; the note says how many are elsewhere.
 Figure histogram(const std::string& title, std::span<const double> values, Range range,
                  std::vector<Mark> marks) {
   constexpr std::size_t bins = 40;
@@ -99,8 +101,7 @@ double average_of(std::span<const double> values) {
   return static_cast<double>(sum / static_cast<long double>(values.size()));
 }
 
-/// The mean of the first n values. The earliest means, whose error bars dwarf what is to be seen,
-/// are left out.
+/// Plots the mean of the first n values. Omits the earliest means, whose error bars dwarf the rest.
 Figure running_mean(std::span<const double> values, double mean, double sd) {
   PointsFigure p{"number of values", "mean so far", true, false, {}};
   const double off = std::abs(average_of(values) - mean);
@@ -121,13 +122,13 @@ Figure running_mean(std::span<const double> values, double mean, double sd) {
   return {"The mean of the first n values", "Bars: three standard errors to either side.", p};
 }
 
-/// As many digits as tell the two apart, but no more than a double has.
+/// Formats with as many digits as distinguish the two, but no more than a double has.
 std::string digits(double value, double other) {
   const bool close = std::abs(value - other) <= 1e-4 * std::abs(other);
   return close && value != other ? fmt::format("{:.16g}", value) : fmt::format("{:.6g}", value);
 }
 
-/// "3.142 (pi)" for the factors that a formula loses most often.
+/// Returns "3.142 (pi)" for the factors that formulas lose most often.
 std::string factor_text(double ratio) {
   constexpr double pi = 3.14159265358979;
   constexpr std::array names{std::pair{pi, " (pi)"}, std::pair{1 / pi, " (1/pi)"},
@@ -142,7 +143,7 @@ std::string factor_text(double ratio) {
 
 struct Differences {
   std::size_t count = 0;
-  double ratio = 0;  ///< of all that differ; NaN when they have none in common
+  double ratio = 0;  ///< the common ratio of all that differ; NaN if there is none
 };
 
 Differences differences(std::span<const double> measured, std::span<const double> expected,
@@ -166,7 +167,7 @@ std::string differences_note(const Differences& d, std::size_t all) {
   return note;
 }
 
-/// `values` with `group` neighbours added up.
+/// Returns `values` with `group` neighbours summed.
 std::vector<double> added_up(std::span<const double> values, std::size_t group) {
   std::vector<double> sums((values.size() + group - 1) / group);
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -196,7 +197,8 @@ Figure spread_figure(std::span<const double> values, double mean, double sd) {
     squares += (x - mean) * (x - mean) / number(values.size());
   const double own = std::sqrt(squares);
   Range range = central_range(values, {mean - sd, mean + sd});
-  // A spread that outliers make lies where nearly no value is: then the picture ends before.
+  // A spread inflated by outliers lies where there are almost no values: the picture ends before
+  // it.
   std::vector<Mark> marks{{mean - sd, "expected spread", Mark::Role::expected},
                           {mean + sd, "", Mark::Role::expected}};
   if (range.contains(mean - own) && range.contains(mean + own)) {
@@ -211,7 +213,7 @@ Figure spread_figure(std::span<const double> values, double mean, double sd) {
 Figure uniform_figure(std::span<const double> sorted, double lower, double upper) {
   constexpr std::size_t steps = 64;
   const double width = upper - lower;
-  // A wild value is one value too many outside, however far it is.
+  // A single wild value counts as outside, however far it is.
   const Range range{std::clamp(sorted.front(), lower - width, lower),
                     std::clamp(sorted.back(), upper, upper + width)};
   PointsFigure p{"x", "share of the values up to x", false, true, {}};
@@ -234,7 +236,7 @@ Figure counts_figure(const CellAxis& axis, std::span<const double> counts,
   h.last = numbered ? number(counts.size()) + 0.5 : axis.last;
   h.measured = added_up(counts, group);
   h.expected = added_up(expected, group);
-  // The last bin is as wide as the others, though it may hold fewer cells.
+  // The last bin is as wide as the others, even if it holds fewer cells.
   h.last +=
       (h.last - h.first) * (number(h.measured.size()) * number(group) / number(counts.size()) - 1);
   for (const double e : h.expected)
@@ -302,7 +304,7 @@ Figure curve_figure(const std::string& x_label, std::span<const double> at,
                     std::span<const double> measured, std::span<const double> expected,
                     const std::function<bool(std::size_t)>& wrong) {
   const Range right = whole_range(expected), theirs = whole_range(measured);
-  // What lies far outside of all that is right would flatten the curve.
+  // Values far outside everything correct would flatten the curve.
   const double far = 3 * right.width();
   const Range shown{std::min(right.first, std::max(theirs.first, right.first - far)),
                     std::max(right.last, std::min(theirs.last, right.last + far))};

@@ -16,7 +16,7 @@
 namespace carlo::grader {
 namespace {
 
-/// The signals that a guardian waits for: a child's end, and the caller's.
+/// Returns the signals that a guardian waits for: a child's end, and the caller's.
 sigset_t awaited() {
   sigset_t set{};
   ::sigemptyset(&set);
@@ -25,30 +25,30 @@ sigset_t awaited() {
   return set;
 }
 
-/// How the body ended; that it was killed, when the caller is gone.
+/// Returns how the body ended; "killed" if the caller is gone.
 int wait_for(pid_t child, pid_t caller) {
   [[maybe_unused]] const sigset_t signals = awaited();
   while (true) {
     int status = 0;
     pid_t ended = 0;
-    // Others are orphans that the body has left.
+    // The others are orphans of the body.
     while ((ended = ::waitpid(-1, &status, WNOHANG)) > 0) {
       if (ended == child) return status;
     }
     if (::getppid() != caller) return SIGKILL;
 #if defined(__APPLE__)
-    // No waiting for one signal with an end to it: the signals stay pending.
+    // sigtimedwait() is missing here: the signals stay pending.
     const timespec moment{0, 20'000'000};
     ::nanosleep(&moment, nullptr);
 #else
-    // A signal that was missed costs a second.
+    // A missed signal costs a second.
     const timespec second{1, 0};
     ::sigtimedwait(&signals, nullptr, &second);
 #endif
   }
 }
 
-/// Ends this process as another one ended.
+/// Ends this process in the way another one ended.
 [[noreturn]] void end_as(int status) {
   if (WIFSIGNALED(status)) {
     std::signal(WTERMSIG(status), SIG_DFL);
@@ -59,7 +59,7 @@ int wait_for(pid_t child, pid_t caller) {
 }
 
 [[noreturn]] void guard(const std::function<int()>& body, pid_t caller) {
-  // Out of reach of what is typed at the terminal, and of whoever ends the caller's whole group.
+  // Out of reach of the terminal's signals, and of whoever kills the caller's group.
   ::setsid();
   sigset_t signals = awaited(), before{};
   ::sigprocmask(SIG_BLOCK, &signals, &before);
@@ -79,7 +79,7 @@ int wait_for(pid_t child, pid_t caller) {
       end_orphans();
       break;
     } catch (const Error&) {
-      // Ten seconds more.
+      // Tries for ten more seconds.
     }
   }
   end_as(status);

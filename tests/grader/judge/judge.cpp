@@ -11,7 +11,7 @@
 namespace carlo::grader {
 namespace {
 
-/// Tells the run where one test case begins and ends.
+/// Notifies the run when a test case begins and ends.
 class Follower : public Catch::EventListenerBase {
  public:
   using EventListenerBase::EventListenerBase;
@@ -28,7 +28,7 @@ class Follower : public Catch::EventListenerBase {
 };
 CATCH_REGISTER_LISTENER(Follower)
 
-/// Says nothing: the report is written after the run.
+/// Prints nothing: the report is written after the run.
 class Silent : public Catch::StreamingReporterBase {
  public:
   using StreamingReporterBase::StreamingReporterBase;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What checks are written with:
+// The functions for writing checks:
 //   TEST_CASE("Lab 1.2: the integral over [a, b] is unbiased", "[lab01][ex2]") {
 //     const Rows rows = probe("Lab 1.2 estimates", {.n = 16, .numbers = {{"a", -1}}}, {.rows =
 //     99}); judge(mean_is("the mean", rows.values, {...}));
@@ -15,17 +15,17 @@
 
 namespace carlo::grader {
 
-/// Runs a probe for the current test case; a failure of it ends the test case.
+/// Runs a probe for the current test case; if it fails, the test case ends.
 Answer probe(const std::string& name, const Params& params, const Shape& shape);
 
-/// Notes the verdict for the current test case.
+/// Records the verdict for the current test case.
 void judge(const Verdict& verdict);
 
-/// Leaves the current test case unjudged, and not passed: another one has found wrong what it would
-/// judge the cost of. `why`: "not judged: ...".
+/// Leaves the current test case unjudged, and not passed, because another one has already found
+/// wrong the code whose cost it would judge. `why`: "not judged: ...".
 void leave_unjudged(const std::string& why);
 
-/// One column of a table.
+/// Returns one column of a table.
 std::vector<double> column(const Rows& rows, std::size_t index);
 
 }  // namespace carlo::grader

@@ -15,7 +15,7 @@ bool ends_with_parent(int signal) {
 }
 
 bool adopts_orphans() {
-  // Every kernel since 3.4 knows this; QEMU, where it plays one for another processor, does not.
+  // Every kernel since 3.4 has this; QEMU's emulation of one for another processor does not.
   return ::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0) == 0 || errno == EINVAL;
 }
 

@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Documented in the kernel's userspace-api/landlock.rst; the headers of Debian 12 know version 2
-// and miss what came later.
+// Documented in the kernel's userspace-api/landlock.rst; the headers of Debian 12 have version 2
+// and lack what came later.
 constexpr long create_ruleset = 444, add_rule = 445, restrict_self = 446;
 
 constexpr std::uint64_t execute = 1 << 0, write_file = 1 << 1, read_file = 1 << 2,
@@ -37,7 +37,7 @@ struct [[gnu::packed]] PathBeneath {
   std::int32_t folder;
 };
 
-/// All rights over files that this version knows, so that all are taken away but what rules give.
+/// Returns all file rights of this version, so that everything is denied except what rules allow.
 std::uint64_t all_rights(int version) {
   if (version >= 5) return (1ULL << 16) - 1;
   if (version >= 3) return (1ULL << 15) - 1;

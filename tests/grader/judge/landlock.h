@@ -6,23 +6,23 @@
 
 namespace carlo::grader {
 
-/// Which version of Landlock the kernel has; 0: none. At most the environment's
-/// CARLO_LANDLOCK_VERSION, for tests of what holds on older kernels.
+/// Returns the kernel's version of Landlock; 0: none. At most the environment's
+/// CARLO_LANDLOCK_VERSION, for tests of older versions.
 int landlock_version();
 
-/// The rules for one process: what it may open. Paths are not hidden (stat() still answers), but
-/// nothing outside of the rules can be read, run or changed. Rules are made before fork(), with the
-/// rights of the one who makes them.
+/// The rules for what one process may open. Paths are not hidden (stat() still answers), but
+/// nothing outside the rules can be read, run or changed. Make rules before fork(); they use the
+/// maker's rights.
 class LandlockRules {
  public:
-  /// Throws Error where the kernel has no Landlock.
+  /// Throws Error if the kernel has no Landlock.
   LandlockRules();
 
-  /// Files and folders that may be read and run; those that do not exist are passed over.
+  /// Allows files and folders to be read and run; skips those that do not exist.
   void allow_reading(const std::filesystem::path& path);
-  /// A folder in which everything may be done but running what stands in it.
+  /// Allows everything in a folder except running its files.
   void allow_writing(const std::filesystem::path& folder);
-  /// A device such as /dev/null.
+  /// Allows a device such as /dev/null.
   void allow_device(const std::filesystem::path& device);
 
   int descriptor() const { return rules_.get(); }
@@ -33,7 +33,7 @@ class LandlockRules {
   Descriptor rules_;
 };
 
-/// Puts the calling process, and all that it starts, under the rules. False when the kernel
+/// Applies the rules to the calling process and all that it starts. Returns false if the kernel
 /// refuses. Safe between fork and exec.
 bool restrict_to_landlock_rules(int descriptor);
 

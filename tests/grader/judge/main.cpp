@@ -1,4 +1,5 @@
-// The judge of one lab: a Catch2 program of checks that starts workers and holds no student code.
+// The judge of one lab: a Catch2 program of checks that starts workers and contains no student
+// code.
 
 #include "course/cli/arguments.h"
 #include "course/cli/main_guard.h"
@@ -40,7 +41,7 @@ struct Options {
   double deadline = 10;
   bool verbose = false;
   bool seed_given = false;
-  std::string probes;  ///< where its questions go
+  std::string probes;  ///< output path for its questions
 };
 
 /// Returns the option --seed.
@@ -100,7 +101,7 @@ void run_tests(const std::string& tag) {
   config.reporterSpecifications.push_back({"silent", {}, {}, {}});
   if (!tag.empty()) config.testsOrTags.push_back("\"" + tag + ": *\"");
   session.useConfigData(config);
-  session.run();  // its exit code says less than the records
+  session.run();  // the records say more than its exit code
 }
 
 OwnCode code_beside(const Options& options, const Lab& lab) {

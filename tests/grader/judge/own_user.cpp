@@ -17,11 +17,11 @@ namespace carlo::grader {
 
 namespace {
 
-// Inside the 65536 ids that a container has, above those that Debian gives out.
+// Within the 65536 ids of a container, above those that Debian assigns.
 constexpr uid_t first = 61200, count = 4000;
 
-/// A socket whose name only one process can have, that no file stands for, and that the kernel
-/// removes with its last owner. None when another has the name.
+/// Claims a user id by a socket whose name only one process can have, that is not a file, and that
+/// the kernel removes with its last owner. Returns none if another process has the name.
 std::optional<Descriptor> claim(uid_t user) {
   const Descriptor low(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
   sockaddr_un address{};
@@ -44,7 +44,7 @@ OwnUser::OwnUser() {
     const uid_t user = first + (start + i) % count;
     if (::getpwuid(user) != nullptr) continue;
     std::optional<Descriptor> held = claim(user);
-    // Somebody's service may run under an id that has no name.
+    // Some service may run under an id that has no name.
     if (!held || has_process_of(user)) continue;
     id_ = user;
     claim_ = std::make_shared<const Descriptor>(std::move(*held));
@@ -55,7 +55,7 @@ OwnUser::OwnUser() {
 
 #else
 
-// A name that no file stands for, and that ends with its process, is Linux's alone.
+// Only Linux has names that are not files and that end with their process.
 OwnUser::OwnUser() {
   throw Error("only on Linux programs get a user of their own");
 }

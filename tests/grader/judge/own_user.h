@@ -8,13 +8,13 @@
 
 namespace carlo::grader {
 
-/// A user id that nobody has and that no other object of this kind has, in any process of this
-/// machine: limits that the kernel counts by users hold for its programs alone, and files that are
-/// its own are closed to all others'. It is given back when the last copy goes, and when the
-/// process that made it is killed.
+/// A user id that nobody has, nor any other object of this class in any process of this machine:
+/// limits that the kernel counts per user apply to its programs alone, and its files are closed to
+/// all others. Released when the last copy is destroyed, or when the process that made it is
+/// killed.
 class OwnUser {
  public:
-  /// Throws Error when all are taken.
+  /// Throws Error if all are taken.
   OwnUser();
 
   uid_t id() const { return id_; }

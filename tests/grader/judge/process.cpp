@@ -25,8 +25,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Reads all that is there now. False when more than `most` bytes have come; of them only `kept`
-/// are stored. Closes the descriptor at its end.
+/// Reads everything available. Returns false if more than `most` bytes have come; stores only
+/// `kept` of them. Closes the descriptor at its end.
 class Reader {
  public:
   Reader(Descriptor fd, std::size_t most, std::size_t kept)
@@ -54,19 +54,20 @@ class Reader {
   int fd() const { return fd_.get(); }
   bool open() const { return fd_.open(); }
   std::string take() { return std::move(text_); }
-  /// Lines begun in what was not stored.
+  /// Returns how many lines began in the part that was not stored.
   std::size_t lost_lines() const { return lost_lines_; }
 
  private:
   Descriptor fd_;
   std::size_t most_, kept_;
   std::size_t seen_ = 0, lost_lines_ = 0;
-  char last_ = '\n';  ///< of all bytes seen
+  char last_ = '\n';  ///< of all bytes read
   std::string text_;
   std::array<char, 65536> block_{};
 };
 
-/// Whether the child has ended, and how. It is not reaped yet, so its process group keeps its name.
+/// Returns whether the child has ended, and how. It is not reaped yet, so its process group keeps
+/// its id.
 bool ended(pid_t pid, Outcome& outcome) {
   siginfo_t info{};
   if (::waitid(P_PID, static_cast<id_t>(pid), &info, WEXITED | WNOHANG | WNOWAIT) != 0) {
@@ -79,7 +80,8 @@ bool ended(pid_t pid, Outcome& outcome) {
   return true;
 }
 
-/// The limit that all processes together break, if any: no single one's limits see it.
+/// Returns the limit that the processes together exceed, if any; no limit of a single process
+/// detects that.
 std::optional<Outcome::End> broken_together(const Family& family, const Command& command,
                                             const Limits& limits) {
   const std::optional<std::string>& folder = command.confinement.measured;
@@ -88,7 +90,7 @@ std::optional<Outcome::End> broken_together(const Family& family, const Command&
   }
   const bool counted = limits.memory_bytes != unlimited && !address_sanitizer();
   if (counted && memory_bytes(family) > limits.memory_bytes) return Outcome::End::flooded_memory;
-  // The system counts them by users, and together with those of others whose user is the same.
+  // The system counts them per user, together with those of others who have the same user.
   constexpr std::size_t sandbox_own = 16;
   const bool few =
       limits.processes == unlimited || threads_of(family) <= limits.processes + sandbox_own;
@@ -96,15 +98,15 @@ std::optional<Outcome::End> broken_together(const Family& family, const Command&
   return {};
 }
 
-/// Seconds since a child was started; without those for which it was kept waiting by others, or by
-/// the disk from which its pages come.
+/// The seconds since a child was started, except those in which it waited for a processor that
+/// others used, or for the disk from which its pages come.
 class Charge {
  public:
   double taken() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
-  /// To be called each time round. Who watches sleeps for hundredths of a second and looks for
-  /// tenths: when it comes much later than that, and did not wait for a processor, all of us stood
-  /// still (a control group that was frozen, a virtual machine that was moved).
+  /// Call on every pass. The watcher sleeps for hundredths of a second and looks every tenth: if it
+  /// comes much later, without having waited for a processor, everything stood still (a frozen
+  /// control group, a migrated virtual machine).
   void beat() {
     const double now = taken(), waited = held_up();
     const double gap = (now - last_beat_) - (waited - last_wait_);
@@ -113,13 +115,13 @@ class Charge {
     last_wait_ = waited;
   }
 
-  /// Looks at all its processes.
+  /// Inspects all its processes.
   void look(const Family& family) {
     const double now = taken(), held = held_up(), passed = now - last_.taken;
     const double worked = (processor_seconds(family) + reaped() - reaped_) / processors_;
-    // As it is found, so it was since the last look.
+    // The current state is taken as that since the last look.
     if (blocked(family)) blocked_ += passed;
-    // Whoever starts it and takes it down waits too, on its behalf.
+    // The process that starts it and takes it down waits too, on its behalf.
     const double longest = std::max(waits_.look(family, passed), held - last_.held_up);
     const double most = passed - (frozen_ - last_.frozen) - (worked - worked_);
     waited_ += std::clamp(longest, 0., std::max(0., most));
@@ -127,18 +129,19 @@ class Charge {
     last_ = {now, held, frozen_};
   }
 
-  /// A program can make itself wait for a disk, and so gains as much as two deadlines.
+  /// A program can make itself wait for a disk, and so gains up to two deadlines.
   double waited(std::chrono::duration<double> deadline) const {
     return waited_ + frozen_ + std::min(blocked_, 2 * deadline.count());
   }
   double ran() const { return waits_.longest_run(); }
   Pressure pressure() const { return {taken(), held_up() + frozen_, worked_}; }
 
-  /// Whether its time was over at the last beat, and whether that is its own doing. Of the time
-  /// since then nobody knows yet whether all stood still.
+  /// Returns whether its time was over at the last beat, and whether that is its own fault. Whether
+  /// everything has stood still since then is not known yet.
   std::optional<Outcome::End> over(std::chrono::duration<double> deadline) const {
     const bool enough = last_beat_ - waited(deadline) >= deadline.count();
-    // Many processes that take from one another run little each, and together as long as any may.
+    // Many processes that compete with one another run little each, but together as long as one
+    // may.
     const bool ran = this->ran() >= deadline.count() || worked_ >= deadline.count();
     const bool proven = ran || !pressure().is_high();
     if (enough && proven) return Outcome::End::deadline;
@@ -151,7 +154,7 @@ class Charge {
 
   double held_up() const { return own_times().waited - own_wait_; }
 
-  /// Of children that are gone.
+  /// Returns the processor seconds of children that have been reaped.
   static double reaped() {
     rusage usage{};
     ::getrusage(RUSAGE_CHILDREN, &usage);
@@ -170,16 +173,16 @@ class Charge {
   Waits waits_;
   struct {
     double taken = 0, held_up = 0, frozen = 0;
-  } last_;  ///< look
+  } last_;  ///< values at the last look
 };
 
-/// Follows the child to its end or to the first limit that it breaks.
+/// Watches the child until it ends or exceeds a limit.
 void follow(pid_t pid, Reader& result, Reader& output, const Command& command, const Limits& limits,
             Charge& charge, Outcome& outcome) {
   Clock::time_point next_look = Clock::now() + std::chrono::milliseconds(100);
   while (true) {
     charge.beat();
-    const bool over = ended(pid, outcome);  // asked first: what it wrote is there by now
+    const bool over = ended(pid, outcome);  // checked first: all that it wrote is available by now
     if (!result.drain()) outcome.end = Outcome::End::flooded_result;
     if (!output.drain()) outcome.end = Outcome::End::flooded_output;
     if (over || outcome.end != Outcome::End::not_started) return;
@@ -195,13 +198,13 @@ void follow(pid_t pid, Reader& result, Reader& output, const Command& command, c
         outcome.end = *broken;
         return;
       }
-      // Where many are watched at a time, those who watch must not take the machine for it.
+      // When many are watched at a time, the watchers must not use up the machine.
       const Clock::duration cost = Clock::now() - begun;
       next_look =
           Clock::now() + std::clamp<Clock::duration>(10 * cost, std::chrono::milliseconds(100),
                                                      std::chrono::milliseconds(500));
     }
-    // Closed descriptors are -1, which poll() skips. The short wait bounds how late we learn of an
+    // Closed descriptors are -1, which poll() skips. The short wait bounds how late we notice an
     // end that a surviving grandchild hides by holding the pipes.
     std::array<pollfd, 2> waiting{pollfd{result.fd(), POLLIN, 0}, pollfd{output.fd(), POLLIN, 0}};
     ::poll(waiting.data(), waiting.size(), result.open() || output.open() ? 10 : 1);

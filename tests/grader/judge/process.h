@@ -10,49 +10,50 @@
 
 namespace carlo::grader {
 
-/// What a process that we do not trust may use.
+/// The limits of an untrusted process.
 struct Limits {
-  /// From start to the last byte, without the time for which it was ready to run but others had the
-  /// processors; with it at most `patience` times as long. What its own processes take from one
-  /// another counts. Of the time for which it waits for a disk, up to two deadlines do not count.
+  /// From start to the last byte, without the time in which it was ready to run but others had the
+  /// processors; including that, at most `patience` times as long. Competition among its own
+  /// processes counts. Time waiting for a disk does not count, up to two deadlines.
   std::chrono::milliseconds deadline{10'000};
-  std::chrono::seconds cpu{0};  ///< processor time; 0: a second over the deadline
+  std::chrono::seconds cpu{0};  ///< processor time; 0: a second more than the deadline
   std::size_t memory_bytes = std::size_t{2} << 30;     ///< of each process, and of all together
   std::size_t file_bytes = std::size_t{16} << 20;      ///< the largest file
   std::size_t scratch_bytes = std::size_t{256} << 20;  ///< all files in the scratch folder
   std::size_t open_files = 64;
-  /// And threads: as many at a time where the user is its own; elsewhere as seen by who watches.
+  /// Including threads: simultaneous ones if the user is its own; otherwise as the watcher counts
+  /// them.
   std::size_t processes = 256;
   std::size_t result_bytes = std::size_t{64} << 20;
-  std::size_t output_bytes = std::size_t{4} << 20;  ///< printed; of it `output_kept` is kept
+  std::size_t output_bytes = std::size_t{4} << 20;  ///< printed; `output_kept` of it is kept
   std::size_t output_kept = std::size_t{8} << 10;
 };
 
-/// How many deadlines of wall clock a program may take on a busy machine.
+/// How many deadlines of wall time a program may take on a busy machine.
 constexpr int patience = 8;
 
-/// The value of a limit that is none.
+/// The value that means no limit.
 constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
 
-/// How busy the machine was while a program ran, by what we can measure from outside.
+/// How busy the machine was while a program ran, as measured from outside.
 struct Pressure {
   double seconds = 0;  ///< wall clock
-  double held_up = 0;  ///< of these the one who watches was kept from a processor
-  double worked = 0;   ///< of these the program's processes could have worked all processors
+  double held_up = 0;  ///< of these, the watcher waited for a processor
+  double worked = 0;   ///< of these, the program's processes could have used all processors
 
-  /// Whether others had the processors, so that seconds prove nothing: we ourselves, who mostly
-  /// sleep, had to wait, and not for those whom we watch.
+  /// Returns whether others had the processors, so that seconds prove nothing: this process, which
+  /// mostly sleeps, had to wait, and not because of those that it watches.
   bool is_high() const { return held_up > .1 * seconds && worked < .4 * seconds; }
   Pressure& operator+=(const Pressure& other);
 };
 
-/// How it ended. The first thing that went wrong counts.
+/// How a program ended. The first thing that went wrong counts.
 struct Outcome {
   enum class End {
     exited,
     signalled,
     deadline,
-    starved,  ///< others had the processors: too late, and no proof that it is its own doing
+    starved,  ///< others had the processors: too late, perhaps through no fault of its own
     flooded_output,
     flooded_result,
     flooded_disk,
@@ -61,18 +62,18 @@ struct Outcome {
     not_started
   };
   End end = End::not_started;
-  int code = 0;                ///< the exit code or the signal
-  std::string result;          ///< what came over descriptor 3
-  std::string output;          ///< the start of what it printed on stdout and stderr; why it was
-                               ///< not started
-  std::size_t lost_lines = 0;  ///< that it printed beyond `output`, or began to
+  int code = 0;                ///< exit code or signal
+  std::string result;          ///< the bytes from descriptor 3
+  std::string output;          ///< the start of what it printed on stdout and stderr; or why it
+                               ///< was not started
+  std::size_t lost_lines = 0;  ///< lines that it printed, or began, beyond `output`
   double seconds = 0;          ///< wall clock
-  /// Of these: ready to run, but others had the processors; a disk was awaited; and all of us stood
-  /// still. Not charged.
+  /// Of these, not charged: ready to run, but others had the processors; waiting for a disk;
+  /// everything stood still.
   double waited = 0;
-  double ran = 0;              ///< of these the thread that ran longest had a processor
-  Pressure pressure;           ///< what the machine was like meanwhile
-  std::size_t peak_bytes = 0;  ///< resident memory of the largest process, as far as it was reaped
+  double ran = 0;              ///< of these, its longest-running thread had a processor
+  Pressure pressure;           ///< how busy the machine was meanwhile
+  std::size_t peak_bytes = 0;  ///< resident memory of the largest process, as far as reaped
 
   bool succeeded() const { return end == End::exited && code == 0; }
 };
@@ -85,15 +86,15 @@ struct Command {
 };
 
 /// Runs a program with descriptor 0 from /dev/null, 1 and 2 captured, 3 the result's pipe and no
-/// other, no environment but its own, in its own session, within `limits`; it ends with the thread
-/// that called. Returns when it and every process that it left behind are gone. The caller has no
-/// other child that it wants to keep.
+/// other, only the given environment, in its own session, within `limits`; it ends with the calling
+/// thread. Returns when it and every process that it left behind are gone. The caller must not have
+/// other children that it wants to keep.
 Outcome run_limited(const Command& command, const Limits& limits);
 
-/// "segmentation fault" for SIGSEGV; "signal 63" for one without a common name.
+/// Returns "segmentation fault" for SIGSEGV; "signal 63" for a signal without a common name.
 std::string signal_name(int signal);
 
-/// Whether this build runs under AddressSanitizer, which needs terabytes of address space.
+/// Returns whether this build runs under AddressSanitizer, which needs terabytes of address space.
 bool address_sanitizer();
 
 }  // namespace carlo::grader

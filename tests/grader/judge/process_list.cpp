@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file of /proc, of which one read() gives all. Streams take three times as long, and a judge
-/// reads those of all processes ten times a second.
+/// Reads a file of /proc, which one read() returns in full. Streams take three times as long, and a
+/// judge reads the files of all processes ten times a second.
 std::string proc_file(const std::string& path) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   std::array<char, 2048> text{};
@@ -34,9 +34,9 @@ std::string proc_file(pid_t id, const char* name) {
   return proc_file(fmt::format("/proc/{}/{}", id, name));
 }
 
-/// From /proc/PID/stat. The name in the second field may hold anything, so the fields are counted
-/// from its last parenthesis: the state is the 3rd, the parent's id the 4th, the ticks of processor
-/// time are the 14th to 17th, the number of threads is the 20th, the resident pages are the 24th.
+/// Parses /proc/PID/stat. The name in the second field may hold anything, so fields are counted
+/// from its last parenthesis: the 3rd is the state, the 4th the parent's id, the 14th to 17th the
+/// ticks of processor time, the 20th the number of threads, the 24th the resident pages.
 ProcessEntry entry_of(pid_t id) {
   ProcessEntry entry{id};
   const std::string line = proc_file(id, "stat");
@@ -61,7 +61,7 @@ ProcessEntry entry_of(pid_t id) {
   return entry;
 }
 
-/// The numbers that name a folder's entries: in /proc, the ids of all that are there now.
+/// Returns the numeric names in a folder: in /proc, the ids of all current processes.
 std::vector<pid_t> ids_in(const fs::path& folder) {
   std::vector<pid_t> ids;
   std::error_code ec;
@@ -72,7 +72,7 @@ std::vector<pid_t> ids_in(const fs::path& folder) {
   return ids;
 }
 
-/// Of a file that holds nanoseconds on a processor, and nanoseconds of waiting for one.
+/// Parses a file with nanoseconds on a processor, and nanoseconds of waiting for one.
 ThreadTimes times_in(const std::string& schedstat) {
   std::istringstream words(proc_file(schedstat));
   double ran = 0, waited = 0;
@@ -80,7 +80,7 @@ ThreadTimes times_in(const std::string& schedstat) {
   return {ran * 1e-9, waited * 1e-9};
 }
 
-/// From /proc/PID/task/TID/stat, as entry_of().
+/// Parses /proc/PID/task/TID/stat, like entry_of().
 bool is_ready(const std::string& stat) {
   const std::string line = proc_file(stat);
   const auto name_end = line.rfind(')');

@@ -22,7 +22,7 @@ double points_of(const ExerciseResult& result) {
 
 std::vector<std::string> missing_functions(const Exercise& exercise,
                                            const std::vector<TestRecord>& tests) {
-  // "Moments::merge" in lab.json, "merge" in what the worker says: a name of ours or none.
+  // "Moments::merge" in lab.json, "merge" in the worker's message: one of our names or none.
   const auto is_missing = [&](const std::string& function) {
     const std::size_t colon = function.rfind(':');
     const std::string name = colon == std::string::npos ? function : function.substr(colon + 1);
@@ -42,7 +42,7 @@ bool is_begun(const ExerciseResult& result, const Exercise& exercise) {
       std::any_of(result.tests.begin(), result.tests.end(), [](const TestRecord& test) {
         return !test.skipped && test.status != Status::not_implemented;
       });
-  // Where nothing is written, every test comes upon the first function.
+  // If nothing is written, every test meets the first function.
   const std::vector<std::string>& missing = result.missing;
   const bool beyond_the_first =
       !missing.empty() &&
@@ -50,7 +50,7 @@ bool is_begun(const ExerciseResult& result, const Exercise& exercise) {
   return found_values || beyond_the_first;
 }
 
-/// Exercises judged here that this one builds on and that are not right.
+/// Returns the exercises judged here that this one builds on and that are not right.
 std::vector<std::string> unsound_ground(const Exercise& exercise, const LabResult& lab) {
   std::vector<std::string> tags;
   for (const ExerciseResult& other : lab.exercises) {

@@ -20,7 +20,7 @@ std::string shape_text(std::size_t rows, std::size_t columns) {
   return fmt::format("{} x {} values", rows, columns);
 }
 
-/// The failure with what the program said itself.
+/// Adds the program's own output to the failure.
 ProbeFailure printing(ProbeFailure failure, const Outcome& outcome) {
   failure.printed = without_reports(outcome.output);
   failure.lost_lines = outcome.lost_lines;
@@ -45,13 +45,13 @@ void check_rows(const Rows& rows, const Shape& shape) {
           rows.count() > 1 ? fmt::format(", in answer {} of {}", row + 1, rows.count()) : ""));
 }
 
-/// The names of parameters that tell a student nothing.
+/// The names of parameters that mean nothing to a student.
 std::set<std::string>& unsaid() {
   static std::set<std::string> names{"repetitions", "points"};
   return names;
 }
 
-/// What a probe was asked, in words: what the check calls it, or its parameters.
+/// Describes what a probe was asked: in the check's words, or by its parameters.
 std::string question(const Params& params, const Shape& shape) {
   if (!shape.of.empty()) return shape.of;
   std::string text;
@@ -65,16 +65,16 @@ std::string question(const Params& params, const Shape& shape) {
   return text;
 }
 
-/// Why the tests after one that ended so are not run.
+/// Says why the tests after one that ended so are not run.
 std::string why_hopeless(Status status) {
   return status == Status::not_implemented ? "your code came upon what is not implemented yet"
                                            : "your code took too long";
 }
 
-/// Of a probe for which the machine may have had no room.
+/// Attempts for a probe for which the machine may have lacked resources.
 constexpr int most_attempts = 4;
 
-/// Of a function: whoever names it chooses how long it is.
+/// The longest name of a function, which its author chooses.
 constexpr std::size_t longest_name = 200;
 
 ProbeFailure undone(const Frame& frame) {
@@ -86,21 +86,21 @@ ProbeFailure undone(const Frame& frame) {
   return failure;
 }
 
-/// A crash; of most the reports of sanitizers, which tell the line, are not there.
+/// Makes the failure of a crash; most lack a sanitizer's report, which names the line.
 ProbeFailure crashed(const Outcome& outcome) {
   ProbeFailure failure(Status::crashed, fmt::format("it crashed: {}", crash_cause(outcome)));
   failure.lacks_line = place_in_report(outcome.output).empty();
   return printing(std::move(failure), outcome);
 }
 
-/// What kept it from coming to its end. Of many threads in loops each runs little.
+/// Guesses what kept it from ending. Many threads in loops run little each.
 std::string guess(const Outcome& outcome) {
   const double ran = std::max(outcome.ran, outcome.pressure.worked);
   if (ran >= .3 * (outcome.seconds - outcome.waited)) return ": a loop that does not end?";
   return ", in which it hardly ran: it waits for what does not come?";
 }
 
-/// Throws unless the worker ended as it should.
+/// Throws unless the worker ended properly.
 void check_end(const Outcome& outcome, const Limits& limits) {
   using End = Outcome::End;
   const auto fail = [&](Status status, const std::string& message) {
@@ -172,7 +172,7 @@ Answer run_probe(const Worker& worker, const std::string& name, const Params& pa
                  const Shape& shape, const Limits& limits, Charged* charged) {
   Outcome outcome;
   std::optional<Frame> frame;
-  // A thread that cannot be started may be the doing of others, whose threads count with ours.
+  // A thread that cannot be started may be the fault of others, whose threads count with ours.
   for (int attempt = 1; attempt <= most_attempts; ++attempt) {
     if (attempt > 1) std::this_thread::sleep_for(std::chrono::milliseconds(250) * attempt);
     outcome = worker.run({"--probe", name, "--params", to_text(params), "--fd", "3"}, limits);
@@ -242,7 +242,7 @@ void Run::check_time(TestRecord& test) const {
   const auto found = seconds_of_.find(test.tag);
   const bool exercise = found != seconds_of_.end() && found->second > exercise_deadlines * deadline;
   if (!exercise && seconds_ <= lab_deadlines * deadline) return;
-  // Of short probes' seconds many are those of starting them.
+  // Short probes spend much of their time starting.
   if (pressure_.is_high()) throw Error("the machine was too busy to tell how long the probes take");
   test.skipped = true;
   throw ProbeFailure(

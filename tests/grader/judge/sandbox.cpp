@@ -26,12 +26,12 @@ namespace fs = std::filesystem;
 constexpr Level all_levels[] = {Level::bubblewrap, Level::landlock, Level::user, Level::limits};
 
 /// Leaks are no fault of an answer, and the leak checker cannot trace inside a sandbox. The memory
-/// limit holds here too, where the address space cannot be limited.
+/// limit applies here too, where the address space cannot be limited.
 std::vector<std::string> environment(const fs::path& scratch, const Limits& limits) {
   std::vector<std::string> variables{"PATH=/usr/bin:/bin", "LANG=C.UTF-8",
                                      "TMPDIR=" + scratch.string()};
   if (address_sanitizer()) {
-    // An abort() too says where it came from: a student is told the line.
+    // An abort() also reports its origin, so that the student learns the line.
     variables.push_back(
         fmt::format("ASAN_OPTIONS=detect_leaks=0:handle_abort=1:hard_rss_limit_mb={}",
                     limits.memory_bytes >> 20));
@@ -48,14 +48,15 @@ LandlockRules landlock_rules(const View& view, const fs::path& scratch) {
     rules.allow_device(device);
   for (const fs::path& path : view.readable)
     rules.allow_reading(path);
-  // The sanitizers find their options there; marks are not given with them.
+  // The sanitizers find their options there; marks are not given with sanitizers.
   if (address_sanitizer()) rules.allow_reading("/proc");
   rules.allow_writing(scratch);
   return rules;
 }
 
-/// What bubblewrap tells over a descriptor of its own. Its exit code comes only when the program
-/// was begun, and the program cannot reach it: without it, bubblewrap itself failed.
+/// bubblewrap's messages on its own descriptor. Its exit code comes only if the program was
+/// started, and the program cannot reach the descriptor: without the code, bubblewrap itself
+/// failed.
 class BubblewrapStatus {
  public:
   BubblewrapStatus() {
@@ -79,7 +80,7 @@ class BubblewrapStatus {
   Descriptor read_, write_;
 };
 
-/// bubblewrap reports a child's death by signal as exit code 128 + signal, as shells do.
+/// bubblewrap reports a child's death by signal as exit code 128 + signal, like a shell.
 void tell_signal(Outcome& outcome) {
   if (outcome.end != Outcome::End::exited) return;
   constexpr int last_signal = 64;
@@ -88,17 +89,17 @@ void tell_signal(Outcome& outcome) {
   outcome.code -= 128;
 }
 
-/// Whether the program's libraries could not be loaded, for want of memory or files: the loader
-/// says so before anything of the program runs, with the code that shells have for it.
+/// Returns whether the program's libraries could not be loaded, for lack of memory or files: the
+/// loader says so before the program starts, with the exit code that shells use for it.
 bool loader_failed(const Outcome& outcome, const std::string& program) {
   return outcome.end == Outcome::End::exited && outcome.code == 127 && outcome.result.empty() &&
          outcome.output.starts_with(program + ": error while loading shared libraries: ");
 }
 
-/// Programs that ended with less than this were not killed for what they took.
+/// A program that took less than this was not killed for its own use.
 constexpr std::size_t modest_bytes = std::size_t{512} << 20;
 
-/// How often the kernel has ended a process because memory had run out; 0 where it does not tell.
+/// Returns how often the kernel has killed a process for lack of memory; 0 if it does not say.
 long memory_kills() {
   std::ifstream file("/proc/vmstat");
   std::string name;
@@ -153,9 +154,9 @@ Sandbox Sandbox::at(Level level, const View& view) {
     Sandbox sandbox = with_own_user(level);
     if (sandbox.works(view)) return sandbox;
   }
-  // As anybody but root there is no own user, and the level "user" would promise more than it
-  // holds. Root's processes need one but under bubblewrap, which cannot show a tree below a folder
-  // of root's alone to another.
+  // Without root there is no own user, and the level "user" would promise more than it holds.
+  // Root's processes need one except under bubblewrap, which cannot show another user a tree below
+  // a folder of root's alone.
   const bool possible =
       root ? level == Level::limits || level == Level::bubblewrap : level != Level::user;
   Sandbox sandbox(level, std::nullopt);
@@ -216,8 +217,8 @@ Outcome Sandbox::run(const std::vector<std::string>& argv, const View& view,
           "have in {} times as long",
           patience);
     }
-    // Whoever takes little and is killed while the kernel kills for memory is not to blame. Without
-    // such a kill it may be: a program can do that to itself, and does it again.
+    // A program that takes little and is killed while the kernel kills for memory is not to blame.
+    // Without such a kill it may be: a program can kill itself, and does so again.
     const bool killed = outcome.end == End::signalled && outcome.code == SIGKILL;
     const bool in_need = memory_kills() != kills && outcome.peak_bytes < modest_bytes;
     if (outcome.end != End::not_started && !(killed && in_need)) return outcome;

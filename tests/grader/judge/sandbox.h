@@ -10,9 +10,9 @@
 
 namespace carlo::grader {
 
-/// How strongly a program is shut in, weakest first.
+/// How strongly a program is confined, weakest first.
 ///   limits      own session, resource limits, no new privileges, no descriptors
-///   user        and a user id that nobody has (where we are root), and a system call filter
+///   user        and a user id that nobody has (if we are root), and a system call filter
 ///   landlock    and the disk: it can open what its view names, nothing else
 ///   bubblewrap  and namespaces: what its view does not name does not exist; no network, no other
 ///               process
@@ -20,43 +20,45 @@ enum class Level { limits, user, landlock, bubblewrap };
 
 std::string to_string(Level level);
 
-/// The level of that name. Throws Error listing the names.
+/// Returns the level of that name. Throws Error listing the names.
 Level level_of(const std::string& name);
 
-/// What a program sees of the disk besides the system's programs and libraries, at the paths that
-/// it has outside.
+/// The parts of the disk that a program sees besides the system's programs and libraries, at their
+/// paths outside.
 struct View {
   std::vector<std::filesystem::path> readable = {};  ///< files and folders
-  /// Its working folder and all it may write, kept when it ends; empty: one that goes then.
+  /// Its working folder and the only place that it may write to, kept when it ends; empty: a
+  /// temporary one.
   std::filesystem::path scratch = {};
 };
 
 /// Runs programs at one level.
 class Sandbox {
  public:
-  /// The strongest level that works here, found by running a harmless program with this view.
+  /// Returns the strongest level that works here, found by running a harmless program with this
+  /// view.
   static Sandbox strongest(const View& view);
-  /// This level and no other. Throws Error when it does not work here.
+  /// Returns exactly this level. Throws Error if it does not work here.
   static Sandbox at(Level level, const View& view);
-  /// Why a level does not work here, in a line; empty when it does.
+  /// Says why a level does not work here, in a line; empty if it does.
   static std::string trouble_at(Level level);
-  /// One that was found to work before, with the user that it had or none.
+  /// Returns a sandbox that was found to work before, with the same user or none.
   static Sandbox as_found(Level level, std::optional<uid_t> user) { return {level, user}; }
-  /// The same, with another user of its own where it has one: what it runs shares no limit, no
-  /// process and no file with what others run. Throws Error.
+  /// Returns the same, with a new user of its own if it has one: its programs share no limit, no
+  /// process and no file with others'. Throws Error.
   Sandbox with_new_user() const;
 
   Level level() const { return level_; }
   std::optional<uid_t> user() const { return user_; }
-  /// "bubblewrap, own user": the level, and what it has besides.
+  /// Returns "bubblewrap, own user": the level, and its additions.
   std::string description() const;
 
-  /// Runs a program (argv[0] is its path, part of the view or of the system). A scratch folder that
-  /// the view names is given to the sandbox's user. A death by signal is told as such at every
-  /// level. What keeps the program from being begun is tried again for some seconds: a busy machine
-  /// may lack processes, memory or namespaces for a moment. Throws Error when the sandbox itself
-  /// does not work then, or when the machine kept the program from running (too busy, no memory):
-  /// what it would have done is not known.
+  /// Runs a program (argv[0] is its path, part of the view or of the system). The sandbox's user
+  /// becomes owner of a scratch folder in the view. A death by signal is reported as such at every
+  /// level. A failure to start the program is retried for some seconds: a busy machine may briefly
+  /// lack processes, memory or namespaces. Throws Error if the sandbox itself still fails, or if
+  /// the machine kept the program from running (too busy, no memory): what it would have done is
+  /// unknown.
   Outcome run(const std::vector<std::string>& argv, const View& view, const Limits& limits) const;
 
  private:
@@ -68,7 +70,7 @@ class Sandbox {
 
   Level level_;
   std::optional<uid_t> user_;
-  std::optional<OwnUser> claim_;  ///< of that user, where this sandbox or its original made it
+  std::optional<OwnUser> claim_;  ///< to that user, if this sandbox or its original made it
 };
 
 }  // namespace carlo::grader

@@ -23,7 +23,7 @@
 namespace carlo::grader {
 namespace {
 
-/// A pipe whose ends lie above the descriptors that the child is given, and do not reach it.
+/// Makes a pipe whose ends are above the child's descriptors and are not inherited.
 Pipe lifted_pipe(bool blocks = false) {
   const Pipe low = make_pipe();
   Pipe pipe{low.read.lifted(), low.write.lifted()};
@@ -45,7 +45,7 @@ Descriptor open_lifted(const char* path, int flags) {
   return low.lifted();
 }
 
-/// All that the child needs, made before the fork.
+/// Everything the child needs, made before the fork.
 struct Plan {
   std::vector<char*> argv, environment;
   Confinement confinement;
@@ -55,16 +55,16 @@ struct Plan {
   pid_t parent;
 };
 
-/// What a child tells of a step that failed: its name, as a number below, and errno.
+/// A child's report of a failed step: its number in the list below, and errno.
 struct Problem {
   int step = 0, error = 0;
 };
 constexpr const char* steps[] = {"its session", "its descriptors", "its limits", "its program"};
 
-// From here to exec() only calls that are safe between fork and exec.
+// From here to exec(): only calls that are safe between fork and exec.
 
-/// `soft`: the limit that a signal tells of, where it is another.
-/// The kind of limit is a number or an enumeration, as the C library likes.
+/// `soft`: the limit at which a signal is sent, if different. The C library declares the kind of
+/// limit as a number or an enumeration.
 template <class Resource>
 bool limit(Resource resource, rlim_t value, rlim_t soft = RLIM_INFINITY) {
   rlimit current{};
@@ -76,11 +76,11 @@ bool limit(Resource resource, rlim_t value, rlim_t soft = RLIM_INFINITY) {
 
 bool apply_limits(const Limits& limits, bool own_user) {
   const auto deadline = std::chrono::ceil<std::chrono::seconds>(limits.deadline).count() + 1;
-  // Whoever uses up the time gets SIGXCPU a second before SIGKILL, which is everybody's: the
-  // machine's too, when it has no memory left.
+  // A process that uses up its time gets SIGXCPU a second before SIGKILL, which has other causes
+  // too, such as a machine without memory.
   const auto cpu = static_cast<rlim_t>(limits.cpu.count() > 0 ? limits.cpu.count() : deadline);
-  // For a user that has other processes too the limit counts all of them: a stop for fork bombs and
-  // no tight bound.
+  // If the user has other processes, the limit counts them too: it stops fork bombs and is no tight
+  // bound.
   const rlim_t processes = own_user ? limits.processes : std::max(limits.processes, rlim_t{4096});
   return limit(RLIMIT_CORE, 0) && limit(RLIMIT_CPU, cpu + 1, cpu) &&
          limit(RLIMIT_FSIZE, limits.file_bytes) && limit(RLIMIT_NOFILE, limits.open_files) &&
@@ -97,12 +97,12 @@ bool become_user(uid_t user) {
 #endif
 }
 
-/// All descriptors from `first` on end at exec().
+/// Makes all descriptors from `first` on close at exec().
 bool close_at_exec(unsigned first) {
 #if defined(__linux__)
   if (::close_range(first, ~0U, CLOSE_RANGE_CLOEXEC) == 0) return true;
 #endif
-  rlimit open{};  // before Linux 5.11, and elsewhere: one by one
+  rlimit open{};  // one by one before Linux 5.11 and elsewhere
   if (::getrlimit(RLIMIT_NOFILE, &open) != 0) return false;
   for (rlim_t fd = first; fd < std::min(open.rlim_cur, rlim_t{65536}); ++fd)
     ::fcntl(static_cast<int>(fd), F_SETFD, FD_CLOEXEC);
@@ -116,8 +116,8 @@ bool set_descriptors(const Plan& plan) {
          (inherited < 0 || ::dup2(inherited, 4) == 4) && (status < 0 || ::dup2(status, 5) == 5);
 }
 
-/// When memory runs out, the kernel ends these programs before it ends what judges them. Where it
-/// cannot be said, nothing is lost.
+/// If memory runs out, the kernel kills these programs before those that judge them. Failure to set
+/// this is harmless.
 void go_first() {
   const int file = ::open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC);
   if (file < 0) return;
@@ -125,8 +125,8 @@ void go_first() {
   ::close(file);
 }
 
-/// The order matters: what needs privileges first, the system calls' filter last. Changing the user
-/// clears the signal that tells of the parent's death, so it is asked for after that.
+/// The order matters: steps that need privileges first, the system call filter last. Changing the
+/// user clears the parent-death signal, so that is requested afterwards.
 bool confine(Plan& plan) {
   Confinement& own = plan.confinement;
   if (!own.folder.empty() && ::chdir(own.folder.c_str()) != 0) return false;
@@ -140,20 +140,20 @@ bool confine(Plan& plan) {
   return own.filter->install();
 }
 
-/// The steps to the program; the number of the one that failed.
+/// Runs the steps up to the program; returns the number of the one that failed.
 int begin(Plan& plan) {
   if (::setsid() < 0) return 0;
   if (plan.confinement.untrusted) go_first();
   if (!set_descriptors(plan)) return 1;
   if (!confine(plan)) return 2;
-    // By its descriptor, which was opened with our rights: the folders above it may be closed to
-    // the user that the child has become.
+    // By its descriptor, opened with our rights: the child's user may have no access to the folders
+    // above.
 #if defined(__linux__)
   ::syscall(SYS_execveat, plan.program.get(), "", plan.argv.data(), plan.environment.data(),
             AT_EMPTY_PATH);
   if (errno != ENOSYS) return 3;
 #endif
-  // Elsewhere, and where QEMU plays a kernel for another processor: by its path.
+  // By its path elsewhere, and where QEMU emulates a kernel for another processor.
   ::execve(plan.argv.front(), plan.argv.data(), plan.environment.data());
   return 3;
 }
@@ -167,8 +167,8 @@ int begin(Plan& plan) {
 
 // Back in the parent.
 
-/// Waits until the child has begun its program, which closes the pipe's other end, or has told why
-/// not.
+/// Waits until the child has started its program, which closes the pipe's other end, or has
+/// reported why not.
 std::string problem_told(const Descriptor& read_end) {
   Problem problem;
   ssize_t got = 0;

@@ -23,7 +23,7 @@ void kill_descendants() {
     ::kill(entry.id, SIGKILL);
 }
 
-/// Reaps what has ended and notes how large it was. True while children remain.
+/// Reaps ended children and records how large they were. Returns true while children remain.
 bool reap(std::size_t& peak) {
   while (true) {
     rusage usage{};
@@ -44,8 +44,8 @@ void adopt_orphans() {
 std::size_t end_orphans() {
   std::size_t peak = 0;
   const auto start = std::chrono::steady_clock::now();
-  // Some are started meanwhile, and killing a parent hands us its children: we look again until
-  // none is left.
+  // More may be started meanwhile, and killing a parent gives us its children: repeat until none is
+  // left.
   while (reap(peak)) {
     if (std::chrono::steady_clock::now() - start > std::chrono::seconds(10)) {
       throw Error("processes that the program started could not be ended");

@@ -6,11 +6,11 @@
 
 namespace carlo::grader {
 
-// What checks name as the grader's.
+// Lets checks name it as the grader's.
 using carlo::Diagnosis;
 using carlo::Verdict;
 
-/// What a typical mistake would have given in place of the right value.
+/// The value that a typical mistake would give instead of the right one.
 struct Suspect {
   double value;
   Diagnosis diagnosis;

@@ -27,7 +27,7 @@ constexpr std::uint32_t architecture = AUDIT_ARCH_AARCH64;
 
 constexpr unsigned refusal = SECCOMP_RET_ERRNO | EPERM;
 
-// Those above 423 have the same number on every machine; older headers do not name them all.
+// Those above 423 have the same number on every machine; older headers lack some names.
 constexpr long denied[] = {
     // the network, and sockets of any kind
     SYS_socket,
@@ -68,9 +68,9 @@ constexpr long denied[] = {
     // namespaces
     SYS_unshare,
     SYS_setns,
-    // the size of a file by its path: Landlock does not guard it before its version 3
+    // a file's size by its path: Landlock controls it only from version 3 on
     SYS_truncate,
-    437,  // openat2, whose flags no filter can look at
+    437,  // openat2, whose flags no filter can read
     // memory and queues that outlive their process, or that no limit counts
     SYS_shmget,
     SYS_semget,
@@ -79,7 +79,7 @@ constexpr long denied[] = {
     SYS_memfd_create,
     447,  // memfd_secret
     SYS_io_setup,
-    // parts of the kernel that exercises have no business with
+    // parts of the kernel that no exercise needs
     SYS_bpf,
     SYS_perf_event_open,
     SYS_userfaultfd,
@@ -111,8 +111,8 @@ constexpr long denied[] = {
 #endif
 };
 
-// Rights, owners and times of files: Landlock does not guard them, and where the sandbox has no
-// user of its own they may be those of files of ours; of the machine's devices, where it is root's.
+// Permissions, owners and times of files: Landlock does not control them, and if the sandbox has no
+// user of its own they may be those of our files, or of the machine's devices, if it is root's.
 constexpr long denied_on_our_disk[] = {
     SYS_fchmod,    SYS_fchmodat,
     452,  // fchmodat2
@@ -129,7 +129,7 @@ constexpr long denied_on_our_disk[] = {
 constexpr unsigned new_namespaces = CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS | CLONE_NEWIPC |
                                     CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNET;
 
-// A descriptor's owner gets a signal of choice when there is something to read: kill() by another
+// A descriptor's owner gets a chosen signal when there is something to read: kill() by another
 // name. A lease makes whoever opens the file wait.
 const std::vector<unsigned> denied_fcntl{F_SETOWN, F_SETOWN_EX, F_SETSIG, F_SETLEASE};
 const std::vector<unsigned> denied_ioctl{FIOSETOWN, SIOCSPGRP, TIOCSTI};
@@ -185,8 +185,7 @@ void SyscallFilter::only_own_process(long call, bool zero_too) {
   statement(BPF_LD | BPF_W | BPF_ABS, first_argument);
   places_.push_back(program_.size());
   jump(BPF_JEQ, 0, 2, 0);
-  // 0 stands for the caller or its own group; where it stands for neither, the comparison is with
-  // the process once more.
+  // 0 means the caller or its own group; where it does not, this compares with the process again.
   if (!zero_too) places_.push_back(program_.size());
   jump(BPF_JEQ, 0, 1, 0);
   statement(BPF_RET | BPF_K, refusal);
@@ -199,15 +198,15 @@ SyscallFilter::SyscallFilter(bool own_process_only) {
   statement(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS);
   statement(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr));
 #if defined(__x86_64__)
-  jump(BPF_JGE, 0x40000000, 0, 1);  // x32: the same calls under other numbers
+  jump(BPF_JGE, 0x40000000, 0, 1);  // x32: the same calls with other numbers
   statement(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS);
 #endif
   for (const long call : denied)
     deny(call);
-  // clone3 keeps its flags where a filter cannot look: without it, the C library uses clone.
+  // clone3 has its flags where a filter cannot look: without it, the C library uses clone.
   refuse(435, ENOSYS);
-  // Gigabytes in one call, and behind a file's end no limit of its size counts them. Where it is
-  // not to be had, the C library's posix_fallocate() writes.
+  // Allocates gigabytes in one call, and beyond a file's end no size limit counts them. Without it,
+  // the C library's posix_fallocate() writes.
   refuse(SYS_fallocate, EOPNOTSUPP);
   jump(BPF_JEQ, SYS_clone, 0, 4);
   statement(BPF_LD | BPF_W | BPF_ABS, first_argument);

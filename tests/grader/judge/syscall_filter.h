@@ -10,25 +10,25 @@
 namespace carlo::grader {
 
 #if !defined(__linux__)
-/// The kernel's name for an instruction of a filter, where there are none.
+/// Stands in for the kernel's filter instruction, on systems without filters.
 struct sock_filter {};
 #endif
 
 /// A seccomp filter: the system calls that no exercise needs fail with EPERM. These are sockets,
-/// looking into, signalling or slowing other processes, mounts, namespaces, keys, shared memory
-/// that outlives its process, rights and owners of files, emptying a file that is not opened for
-/// writing, disk that is taken without writing, kernel facilities with a history of holes, leaving
-/// the session. Linux's alone: elsewhere it is empty, and install() is false.
+/// inspecting, signalling or slowing other processes, mounts, namespaces, keys, shared memory that
+/// outlives its process, permissions and owners of files, truncating a file without opening it for
+/// writing, allocating disk without writing, kernel facilities with a history of vulnerabilities,
+/// leaving the session. Linux only: elsewhere it is empty, and install() returns false.
 class SyscallFilter {
  public:
-  /// `own_process_only`: signals and limits reach the filtered process alone, named to limit_to()
-  /// before install(). False where namespaces see to that.
+  /// `own_process_only`: signals and limits may target only the filtered process, passed to
+  /// limit_to() before install(). False if namespaces ensure that.
   explicit SyscallFilter(bool own_process_only);
 
-  /// For a child after fork(): puts its id where the filter asks for it. Allocates nothing.
+  /// For a child after fork(): inserts its id into the filter. Does not allocate.
   void limit_to(int process);
-  /// Filters this process and all that it starts. It needs no privileges but no_new_privs. False
-  /// when the kernel refuses. Safe between fork and exec.
+  /// Filters this process and all that it starts. Needs no privileges except no_new_privs. Returns
+  /// false if the kernel refuses. Safe between fork and exec.
   bool install() const;
 
   const std::vector<sock_filter>& program() const { return program_; }
@@ -37,15 +37,16 @@ class SyscallFilter {
   void statement(unsigned code, unsigned value);
   void jump(unsigned test, unsigned value, unsigned char yes, unsigned char no);
   void deny(long call);
-  /// It fails with an error other than EPERM.
+  /// Makes the call fail with an error other than EPERM.
   void refuse(long call, unsigned error);
-  /// O_TRUNC with O_RDONLY, which Linux takes for leave to empty a file, and Landlock for reading.
+  /// Denies O_TRUNC with O_RDONLY, which Linux accepts for truncating a file although Landlock
+  /// takes it for reading.
   void deny_emptying(long call, unsigned flags_at);
   void deny_commands(long call, const std::vector<unsigned>& commands);
   void only_own_process(long call, bool zero_too);
 
   std::vector<sock_filter> program_;
-  std::vector<std::size_t> places_;  ///< of the instructions that compare with the process's id
+  std::vector<std::size_t> places_;  ///< of the instructions that compare with the process id
 };
 
 }  // namespace carlo::grader

@@ -6,8 +6,8 @@
 namespace carlo::grader {
 
 double Waits::newly_waited(Thread& thread, const ThreadEntry& entry, double passed) {
-  if (entry.times.ran < thread.times.ran) thread = {};  // another, of the same id
-  // Of its waiting for a processor the system tells only when it gets one.
+  if (entry.times.ran < thread.times.ran) thread = {};  // another thread with the same id
+  // The system reports a wait for a processor only when it ends.
   const bool in_line = entry.ready && entry.times == thread.times;
   thread.in_line = in_line ? thread.in_line + passed : 0;
   thread.times = entry.times;

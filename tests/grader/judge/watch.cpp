@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t most_files = 100'000;
 constexpr int deepest = 64;
 
-/// What no folder shows: files that were removed while they were open, and those that never had a
-/// name.
+/// Returns the bytes that no folder shows: files that were removed while open, and those that never
+/// had a name.
 std::size_t nameless_bytes(const Family& family) {
   std::set<std::pair<dev_t, ino_t>> seen;
   std::size_t bytes = 0;

@@ -8,14 +8,14 @@
 
 namespace carlo::grader {
 
-/// A lab's worker program, in a sandbox where it sees the system's libraries and itself.
+/// A lab's worker program, in a sandbox where it sees only the system's libraries and itself.
 class Worker {
  public:
-  /// In the strongest sandbox that works here. Throws Error when it is no program that can be run.
+  /// Uses the strongest sandbox that works here. Throws Error if the program cannot be run.
   explicit Worker(const std::filesystem::path& program);
-  /// At this level. Throws Error, also when the level does not work here.
+  /// Uses this level. Throws Error, also if the level does not work here.
   Worker(const std::filesystem::path& program, Level level);
-  /// In a sandbox that is known to work.
+  /// Uses a sandbox that is known to work.
   Worker(const std::filesystem::path& program, Sandbox sandbox);
 
   const Sandbox& sandbox() const { return sandbox_; }

@@ -15,7 +15,7 @@ namespace carlo::grader {
 
 namespace {
 
-/// Of many failures the first few tell the story: comparisons of a test in full, those that fit in
+/// The first few of many failures tell the story: comparisons of a test in full, those that fit in
 /// a line, and diagnoses.
 constexpr std::size_t shown_comparisons = 4;
 constexpr std::size_t shown_brief = 6;
@@ -60,7 +60,7 @@ Look look_of(Status status) {
   return {"failed", "✗", "failed"};
 }
 
-/// Whether the values are right and only their variance or their cost is not.
+/// Returns whether the values are right and only their variance or cost is not.
 bool right_but(const ExerciseResult& exercise) {
   return exercise.status != Status::passed && exercise.passed(Aspect::correctness);
 }
@@ -76,7 +76,8 @@ std::string points(const ExerciseResult& exercise) {
   return fmt::format("{} of {} points", none ? "?" : points_text(exercise.points), exercise.max);
 }
 
-/// Correctness, variance, efficiency: those that this exercise is judged by, if more than one.
+/// Returns correctness, variance, efficiency: those that this exercise is judged by, if more than
+/// one.
 std::string aspects(const ExerciseResult& exercise) {
   if (!exercise.has(Aspect::variance) && !exercise.has(Aspect::efficiency)) return "";
   if (exercise.status == Status::not_implemented) return "";
@@ -90,7 +91,7 @@ std::string aspects(const ExerciseResult& exercise) {
   return "<span class=\"aspects\">" + out + "</span>";
 }
 
-/// Of an open exercise: the one to do first.
+/// For an open exercise: returns the one to do first.
 std::string needs_of(const ExerciseResult& exercise) {
   for (const TestRecord& test : exercise.tests) {
     if (test.needs.starts_with("Lab ")) return test.needs;
@@ -104,7 +105,7 @@ std::string hint(const std::string& number) {
 
 // One comparison -------------------------------------------------------------------------------
 
-/// An exact comparison without a figure says all in one line.
+/// Returns whether it fits in a line: an exact comparison without a figure.
 bool is_brief(const Verdict& verdict) {
   return verdict.certainty.empty() && !verdict.figure;
 }
@@ -120,7 +121,7 @@ std::string verdict_html(const Verdict& verdict) {
       html(verdict.what), words, verdict.figure ? figure_html(*verdict.figure) : "");
 }
 
-/// Comparisons in short: one line each.
+/// Returns brief comparisons, one line each.
 std::string verdict_rows(const std::vector<const Verdict*>& verdicts) {
   std::string out =
       "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Table\"><table>"
@@ -181,7 +182,7 @@ std::string failed_test(const TestRecord& test, const std::string& number) {
   return out + "</div>\n";
 }
 
-/// The tests that failed, in their order, but first of all one that crashed.
+/// Returns the failed tests in order, except that a crashed one comes first.
 std::vector<const TestRecord*> failed_tests(const ExerciseResult& exercise) {
   std::vector<const TestRecord*> list;
   for (const TestRecord& test : exercise.tests) {
@@ -240,7 +241,8 @@ std::string unsound_ground(const ExerciseResult& exercise) {
   return out;
 }
 
-/// Whether there is more to say than the overview does: of one that is not done, if it is begun.
+/// Returns whether there is more to say than in the overview; an unfinished exercise has more if
+/// begun.
 bool has_details(const ExerciseResult& exercise) {
   const std::vector<TestRecord>& tests = exercise.tests;
   if (exercise.status != Status::not_implemented) return !tests.empty();

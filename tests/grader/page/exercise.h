@@ -6,14 +6,14 @@
 
 namespace carlo::grader {
 
-/// One line of the overview: status, number (a link where there is more below), title, marks of the
-/// aspects that are judged apart, points; where nothing is done yet, how to start. `lab` is the
+/// Returns one line of the overview: status, number (a link if there is more below), title, marks
+/// of the separately judged aspects, points; if nothing is done yet, how to start. `lab` is the
 /// lab's number, for links.
 std::string overview_row(const ExerciseResult& exercise, int lab);
 
-/// All that is known of an exercise that has failed: what it looks like, the hint's command, failed
-/// tests with their figures, passed ones folded away. Of a passed one, its tests folded away. ""
-/// where nothing is done yet or nothing was judged.
+/// Returns everything about a failed exercise: likely causes, the hint's command, failed tests with
+/// their figures, passed ones folded. For a passed one, its folded tests. "" if nothing is done yet
+/// or nothing was judged.
 std::string exercise_html(const ExerciseResult& exercise, int lab);
 
 }  // namespace carlo::grader

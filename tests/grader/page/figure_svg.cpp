@@ -20,7 +20,7 @@ double number(std::size_t n) {
   return static_cast<double>(n);
 }
 
-/// A value of a figure, to six digits.
+/// Formats a value of a figure to six digits.
 Cell value_cell(double value) {
   return number_cell(value, 6);
 }
@@ -36,7 +36,7 @@ Axis linear(const std::string& label) {
 
 // Histogram ------------------------------------------------------------------------------------
 
-/// Measured is orange, expected blue, on every figure.
+/// Measured is orange, expected blue, in every figure.
 constexpr const char *measured = "c2", *expected = "c1";
 
 const char* style_of(Mark::Role role) {
@@ -49,7 +49,7 @@ const char* sign_of(Mark::Role role) {
   return role == Mark::Role::suspect ? "┅" : "━";
 }
 
-/// The expected counts as steps, and their band.
+/// Draws the expected counts as steps, and their band.
 void draw_expected(Plot& plot, const HistogramFigure& h, double width) {
   std::vector<Point> steps, upper, lower;
   for (std::size_t i = 0; i < h.expected.size(); ++i) {
@@ -144,8 +144,8 @@ double deviation(const GridFigure& g, std::size_t i) {
   return (g.measured[i] - g.expected[i]) / g.sd[i];
 }
 
-/// Nothing up to one standard deviation, full colour from nine on. A cell that is no number is
-/// ink.
+/// Transparent up to one standard deviation, full colour from nine on. A cell that is not a number
+/// is ink.
 std::string fill(double z) {
   if (std::isnan(z)) return "fill=\"currentColor\"";
   const double strength = std::clamp((std::abs(z) - 1) / 8, 0.0, 1.0);
@@ -153,7 +153,7 @@ std::string fill(double z) {
                      z > 0 ? "c2" : "c1", strength);
 }
 
-/// The cells that are furthest off.
+/// Returns the cells that are furthest off.
 std::string worst_cells(const GridFigure& g) {
   std::vector<std::size_t> order(g.measured.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

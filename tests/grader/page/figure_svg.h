@@ -6,8 +6,8 @@
 
 namespace carlo::grader {
 
-/// A figure as HTML: title, drawing, key, note, and its numbers folded away below. All its text is
-/// escaped.
+/// Returns a figure as HTML: title, drawing, key, note, and its numbers folded below. Escapes all
+/// its text.
 std::string figure_html(const Figure& figure);
 
 }  // namespace carlo::grader

@@ -16,12 +16,12 @@ std::string_view grade_css();
 namespace carlo::grader {
 namespace {
 
-/// Printable, valid UTF-8.
+/// Makes text printable, valid UTF-8.
 std::string cleaned(const std::string& text) {
   return valid_utf8(printable(text));
 }
 
-/// What stands in place of exercises that were not judged.
+/// Returns the text in place of exercises that were not judged.
 std::string problem_html(const LabPage& lab) {
   std::string out;
   if (!lab.note.empty()) {

@@ -8,25 +8,25 @@
 
 namespace carlo::grader {
 
-/// The words around the verdicts.
+/// The text around the verdicts.
 struct PageWords {
   std::string title;          ///< "Lab 07", or a submission's name
-  std::string subtitle = {};  ///< empty: the points in all
-  std::vector<std::pair<std::string, std::string>> facts = {};  ///< lines of the foot
+  std::string subtitle = {};  ///< empty: the total points
+  std::vector<std::pair<std::string, std::string>> facts = {};  ///< lines at the foot
 };
 
 /// One lab on a page.
 struct LabPage {
   LabResult result;
   std::string note = {};      ///< why it was not judged, or files left out
-  std::string compiler = {};  ///< what it said
+  std::string compiler = {};  ///< its messages
 };
 
-/// The page of one lab's verdicts, or of several labs': one HTML file that needs nothing else. All
-/// text is escaped, and the page is valid UTF-8 where the results are.
+/// Returns the page of one or several labs' verdicts: one HTML file that needs nothing else.
+/// Escapes all text; the page is valid UTF-8 if the results are.
 std::string grade_page(const std::vector<LabPage>& labs, const PageWords& words);
 
-/// Whether a page helps: some exercise has neither passed nor been left undone.
+/// Returns whether a page helps: some exercise has neither passed nor been left undone.
 bool something_failed(const LabResult& lab);
 
 }  // namespace carlo::grader

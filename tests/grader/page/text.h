@@ -3,14 +3,14 @@
 #include <string>
 #include <string_view>
 
-// Words from verdicts, which a student's program may have had a hand in, for HTML.
+// Prepares text from verdicts, which a student's program may have influenced, for HTML.
 
 namespace carlo::grader {
 
-/// The text with spaces for control characters but for line ends and tabs.
+/// Replaces control characters except line ends and tabs by spaces.
 std::string printable(std::string_view text);
 
-/// Printable text as HTML content or attribute value.
+/// Returns printable text as HTML content or attribute value.
 std::string html(std::string_view text);
 
 }  // namespace carlo::grader

@@ -57,7 +57,7 @@ std::optional<Frame> decode(std::string_view bytes) {
     frame.text = payload.substr(header.columns + header.rows);
     return frame;
   }
-  // The payload bounds rows and columns one by one, so their product cannot overflow.
+  // The payload bounds rows and columns separately, so their product cannot overflow.
   const std::uint64_t values = payload.size() / sizeof(double);
   if (header.columns > values || header.rows > values) return std::nullopt;
   if (header.columns * header.rows * sizeof(double) != payload.size()) return std::nullopt;

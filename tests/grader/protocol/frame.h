@@ -17,26 +17,26 @@ struct Rows {
   double at(std::size_t row, std::size_t column) const { return values[row * columns + column]; }
 };
 
-/// What a worker sends back, once: a table, or a text saying why there is none.
+/// What a worker sends back, once: a table, or the reason why there is none.
 struct Frame {
-  /// exhausted: an error that the system gives when there are too many threads, of whomever.
+  /// exhausted: the system's error for too many threads, whoever has them.
   enum class Status : std::uint32_t { rows = 0, error = 1, not_implemented = 2, exhausted = 3 };
   Status status = Status::rows;
   Rows rows;
   std::string text;
-  std::string tag = {}, function = {};  ///< of what is not implemented
+  std::string tag = {}, function = {};  ///< of the function that is not implemented
 };
 
 /// The largest frame that a judge reads, in bytes.
 constexpr std::size_t max_frame_bytes = std::size_t{64} << 20;
 
-/// The frame as bytes of this machine: a header of 32 (magic, status, columns, rows, bytes of
-/// payload), then the values or the text. Of what is not implemented, tag and function stand before
-/// the text, and the header holds their lengths in place of columns and rows.
+/// Encodes the frame as bytes of this machine: a header of 32 (magic, status, columns, rows, bytes
+/// of payload), then the values or the text. If something is not implemented, tag and function
+/// precede the text, and the header holds their lengths instead of columns and rows.
 std::string encode(const Frame& frame);
 
-/// The frame that `bytes` hold from the first to the last; nothing when they are anything else: cut
-/// short, too long, of impossible sizes. Never reads outside `bytes`.
+/// Decodes the frame that fills `bytes`; returns nothing if they are anything else: cut short, too
+/// long, of impossible sizes. Never reads outside `bytes`.
 std::optional<Frame> decode(std::string_view bytes);
 
 }  // namespace carlo::grader

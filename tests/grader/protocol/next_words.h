@@ -7,8 +7,8 @@
 
 namespace carlo::grader {
 
-/// The next 32-bit words of a generator, as an answer carries them: they tell how far it has come.
-/// A judge that knows the seed need not believe a count of what was drawn.
+/// The next 32-bit words of a generator, as part of an answer: they show how far it has advanced. A
+/// judge that knows the seed need not believe a reported count.
 using NextWords = std::array<double, 4>;
 
 inline NextWords next_words(Rng rng) {
@@ -18,8 +18,8 @@ inline NextWords next_words(Rng rng) {
   return words;
 }
 
-/// How many words a generator has given since it was `before` when `next` are those that follow; -1
-/// when they do not come within `most` words.
+/// Returns how many words a generator has given since `before` if `next` are those that follow; -1
+/// if they do not occur within `most` words.
 inline double words_drawn(Rng before, const NextWords& next, std::int64_t most) {
   NextWords window{};
   for (double& word : window)

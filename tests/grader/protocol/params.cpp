@@ -14,7 +14,7 @@ namespace carlo::grader {
 
 namespace {
 
-/// The words "name=value" of a text, one after the other.
+/// Splits a text into its words "name=value".
 class Words {
  public:
   explicit Words(std::string_view text) : all_(text), rest_(text) {}

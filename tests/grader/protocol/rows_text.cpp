@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view and_so_on = " ...";
 constexpr std::size_t screen_width = 80;
-/// As wide as the longest double that reads back the same, "-2.2250738585072014e-308".
+/// The width of the longest double that reads back the same, "-2.2250738585072014e-308".
 constexpr std::size_t value_width = 24;
 
 std::string counted(std::size_t count, const std::string& what) {
@@ -21,8 +21,8 @@ bool repeats(const std::string& name) {
   return std::string_view(name).ends_with(and_so_on);
 }
 
-/// A name for each of the first `shown` of `count` values in a column; the last of `names` is
-/// numbered where it is left to several. None where there are more names than values.
+/// Returns a name for each of the first `shown` of `count` values in a column; numbers the last of
+/// `names` if it stands for several. None if there are more names than values.
 std::vector<std::string> names_of_list(std::size_t count, const std::vector<std::string>& names,
                                        std::size_t shown) {
   std::vector<std::string> list;
@@ -38,7 +38,7 @@ std::vector<std::string> names_of_list(std::size_t count, const std::vector<std:
   return list;
 }
 
-/// A name for each column; none where they do not come out even.
+/// Returns a name for each column; none if they do not come out even.
 std::vector<std::string> names_of_columns(std::size_t columns,
                                           const std::vector<std::string>& names) {
   const auto repeated =
@@ -60,7 +60,7 @@ std::vector<std::string> names_of_columns(std::size_t columns,
   return list;
 }
 
-/// One value a line, of the first `names.size()` ones.
+/// Returns the first `names.size()` values, one per line.
 std::string lines_text(const std::vector<double>& values, const std::vector<std::string>& names) {
   std::size_t width = 0;
   for (const std::string& name : names)
@@ -74,7 +74,7 @@ std::string lines_text(const std::vector<double>& values, const std::vector<std:
   return out;
 }
 
-/// The columns from `first` to before `last` of a table, below their names.
+/// Returns the columns from `first` to before `last` of a table, below their names.
 std::string part_text(const Rows& rows, std::size_t shown, const std::vector<std::string>& names,
                       const std::vector<std::size_t>& widths, std::size_t first, std::size_t last) {
   const std::size_t number_width = std::max<std::size_t>(3, std::to_string(shown).size());
@@ -91,8 +91,8 @@ std::string part_text(const Rows& rows, std::size_t shown, const std::vector<std
   return out;
 }
 
-/// `shown` rows of the first `names.size()` columns; those that find no place on the screen (0: it
-/// has no end) go below.
+/// Returns `shown` rows of the first `names.size()` columns; columns that do not fit on the screen
+/// (0: any width) go below.
 std::string table_text(const Rows& rows, std::size_t shown, const std::vector<std::string>& names,
                        std::size_t screen) {
   std::vector<std::size_t> widths;
@@ -101,7 +101,7 @@ std::string table_text(const Rows& rows, std::size_t shown, const std::vector<st
     for (std::size_t row = 0; row < shown; ++row)
       widths.back() = std::max(widths.back(), fmt::format("{}", rows.at(row, column)).size());
   }
-  constexpr std::size_t margin = 7;  // where the rows' numbers stand
+  constexpr std::size_t margin = 7;  // where the row numbers are
   std::string out;
   for (std::size_t first = 0; first < names.size();) {
     std::size_t last = first + 1, width = margin + 2 + widths[first];

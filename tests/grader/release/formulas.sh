@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# formulas.sh SUITE K: the formulas of the slides up to lab K's, by their names, as Markdown. Handouts
-# and hints cite them, "slides 04:neyman", and students have no slides to look into.
+# formulas.sh SUITE K: prints the slides' formulas up to lab K's, by name, as Markdown. Handouts and
+# hints cite them, e.g. "slides 04:neyman", and students do not have the slides.
 set -euo pipefail
 suite=$1 last=$2
 
@@ -14,7 +14,8 @@ for deck in "$suite"/slides/[0-9][0-9]*.md; do
   number=$(basename "$deck")
   number=${number:0:2}
   [ "$((10#$number))" -le "$last" ] || continue
-  # The first heading is the deck's title; a formula goes from its label to the line that ends in $$.
+  # The first heading is the deck's title; a formula goes from its label to the line that ends in
+  # $$.
   awk -v number="$number" '
     !deck && /^# / { deck = substr($0, 3); next }
     /^# / { slide = substr($0, 3); next }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the zip that Gradescope grades a lab with; ./carlo gradescope. See usage.
+# Makes the zip with which Gradescope grades a lab; ./carlo gradescope. See usage.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 root=$(readlink -f "$here/../../..")

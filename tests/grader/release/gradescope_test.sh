@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# gradescope_test.sh SOURCE: run_autograder with a grader that we play: results come through whole, and
-# whatever goes wrong gives JSON with a message and without score and tests.
+# gradescope_test.sh SOURCE: run_autograder with a fake grader: results come through complete, and
+# any failure gives JSON with a message and without score and tests.
 set -euo pipefail
 source=$1
 scratch=$(mktemp -d)
@@ -15,7 +15,7 @@ complain() {
   failures=$((failures + 1))
 }
 
-# json FIELD: its value in the results, or NOTFOUND; fails when they are no JSON.
+# json FIELD: prints its value in the results, or NOTFOUND; fails if they are not JSON.
 json() {
   printf 'file(READ "%s" t)\nstring(JSON v ERROR_VARIABLE e GET "${t}" %s)\n' "$results" "$1" \
     >"$scratch/json.cmake"
@@ -23,7 +23,7 @@ json() {
   cmake -P "$scratch/json.cmake" 2>&1
 }
 
-# graded SCRIPT: lays an autograder out whose grader is SCRIPT, and runs it.
+# graded SCRIPT: sets up an autograder whose grader is SCRIPT, and runs it.
 graded() {
   rm -rf "$AUTOGRADER"
   mkdir -p "$AUTOGRADER/source/carlo" "$AUTOGRADER/submission"
@@ -35,7 +35,7 @@ graded() {
   "$source/tests/grader/release/gradescope/run_autograder" >"$scratch/stdout" 2>&1
 }
 
-# The place of the results: the last argument of the grader holds it.
+# The results' folder: the grader's last argument.
 out='mkdir -p "${@: -1}/submission"; results=${@: -1}/submission/results.json'
 
 graded "$out; "'printf "{\"score\": 3, \"tests\": []}" >"$results"; echo "$@"' ||
@@ -45,7 +45,7 @@ grep -q -- 'grade --one .*/submission --labs 1 --secret-file' "$scratch/stdout" 
   complain "the grader was called otherwise"
 [ "$(stat -c %a "$AUTOGRADER/results")" = 700 ] || complain "others may write results"
 
-# expect_failure PATTERN SCRIPT: no score, and staff reads why.
+# expect_failure PATTERN SCRIPT: there is no score, and staff can read why.
 expect_failure() {
   if graded "$2"; then complain "passes for graded: $2"; fi
   [[ $(json score) == *NOTFOUND* && $(json tests) == *NOTFOUND* ]] || complain "a score for: $2"

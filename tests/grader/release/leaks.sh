@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# leaks.sh SUITE TREE K: no line of the solutions of lab K and later stands in TREE, a students' tree.
-# A line counts when it has more than 20 characters, is no #include, does not stand in the stub and
-# is not among known_lines.txt, those that anybody would write. Prints what leaks; exit code 1 then.
+# leaks.sh SUITE TREE K: checks that TREE, a students' tree, contains no line of the solutions of
+# lab K and later. A line counts if it has more than 20 characters, is no #include, is not in the
+# stub and is not in known_lines.txt, lines that anybody would write. Prints the leaks; exit code 1
+# then.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 suite=$1 tree=$2 first=$3
@@ -26,7 +27,7 @@ for solution in "$suite"/solutions/[0-9]*/*.cpp "$suite"/solutions/[0-9]*/steps/
   fi
 done
 
-# An empty list would find nothing, whatever the tree holds.
+# An empty list would find nothing, whatever the tree contains.
 [ "$looked_at" -ge 40 ] || { printf 'FAILED: only %d lines looked for\n' "$looked_at" && exit 1; }
 printf 'labs from %d on: %d lines of solutions looked for, %d found\n' "$first" "$looked_at" "$leaks"
 [ "$leaks" = 0 ]

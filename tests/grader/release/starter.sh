@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the archive that students get; ./carlo starter. See usage.
+# Makes the students' archive; ./carlo starter. See usage.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 root=$(readlink -f "$here/../../..")

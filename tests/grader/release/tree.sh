@@ -1,11 +1,11 @@
 # shellcheck shell=bash
-# Which files of the suite leave it, and how archives of them are made. To be sourced; ROOT is the
-# suite's folder.
+# Selects the files that leave the suite, and makes archives of them. Source it; ROOT is the suite's
+# folder.
 #
-# What leaves is listed, what stays is not: a folder that somebody adds to the suite stays at home
-# until its name is written here.
+# What leaves is listed, what stays is not: a folder added to the suite stays until its name is
+# listed here.
 
-# fail MESSAGE: one line, and the end.
+# fail MESSAGE: prints a line and exits.
 fail() {
   printf 'carlo: %s\n' "$*" >&2
   exit 1
@@ -17,7 +17,8 @@ lab_names() { (cd "$1/labs" && printf '%s\n' [0-9][0-9]_*/lab.json | sed 's,/lab
 # number_of LAB: 07_hemisphere -> 7
 number_of() { printf '%d' "$((10#${1%%_*}))"; }
 
-# student_patterns ROOT K: regular expressions for the paths that students of labs 1 to K get.
+# student_patterns ROOT K: prints regular expressions for the paths that students of labs 1 to K
+# get.
 student_patterns() {
   local root=$1 last=$2 lab
   cat <<'END'
@@ -37,14 +38,14 @@ END
   done < <(lab_names "$root")
 }
 
-# all_files ROOT: what the suite consists of, tracked or about to be.
+# all_files ROOT: lists the suite's files, tracked or to be added.
 all_files() {
   git -C "$1" ls-files --cached --others --exclude-standard |
     while read -r file; do [ ! -f "$1/$file" ] || printf '%s\n' "$file"; done
 }
 
-# released_solutions ROOT K: the exercise files of the solutions of labs before K. What else stands
-# beside them (benchmarks) is no solution.
+# released_solutions ROOT K: lists the exercise files of the solutions of labs before K. Other files
+# beside them (benchmarks) are not solutions.
 released_solutions() {
   local root=$1 last=$2 file rest
   while read -r file; do
@@ -54,7 +55,7 @@ released_solutions() {
   done < <(all_files "$root" | grep -E '^solutions/[0-9]{2}_.*\.cpp$')
 }
 
-# student_files ROOT K: all of it, sorted.
+# student_files ROOT K: lists all of these, sorted.
 student_files() {
   {
     all_files "$1" | grep -E -f <(student_patterns "$1" "$2")
@@ -62,7 +63,7 @@ student_files() {
   } | LC_ALL=C sort
 }
 
-# committed_tree ROOT DIRTY: fails unless what would leave is what is committed.
+# committed_tree ROOT DIRTY: fails unless everything that would leave is committed.
 committed_tree() {
   git -C "$1" rev-parse --verify -q HEAD >/dev/null 2>&1 ||
     fail "archives are made from the suite's git repository, and this is none"
@@ -70,7 +71,7 @@ committed_tree() {
     fail "there are uncommitted changes: commit them, or say --dirty to give them away too"
 }
 
-# check_output FILE: an archive's name tells its kind.
+# check_output FILE: the archive's name determines its kind.
 check_output() {
   case $1 in
     *.tar.gz | *.tgz | *.zip) ;;
@@ -78,7 +79,7 @@ check_output() {
   esac
 }
 
-# lab_number ROOT TEXT COMPLAINT: 07 -> 7; fails with the complaint without a text.
+# lab_number ROOT TEXT COMPLAINT: prints 7 for 07; fails with the complaint if there is no text.
 lab_number() {
   [ -n "$2" ] || fail "$3"
   [[ $2 =~ ^[0-9]{1,2}$ ]] || fail "a lab is a number such as 1, got '$2'"
@@ -88,16 +89,17 @@ lab_number() {
   printf '%d' "$number"
 }
 
-# plain_rights FOLDER: one set of rights, whoever makes the archive.
+# plain_rights FOLDER: sets the same permissions, whoever makes the archive.
 plain_rights() { chmod -R u=rwX,go=rX "$1"; }
 
-# need_for ROOT FILE: installs what packs such a file, once all that was typed is known to be right.
+# need_for ROOT FILE: installs the programs that pack such a file, once the arguments have been
+# checked.
 need_for() {
   case $2 in *.zip) "$1/common/course/setup.sh" zip || exit 1 ;; esac
 }
 
-# pack FOLDER FILE SECONDS: FOLDER's content as an archive whose bytes depend on nothing but that
-# content and SECONDS, the time that all files get: sorted, owner 0.
+# pack FOLDER FILE SECONDS: archives FOLDER's content so that the bytes depend only on that content
+# and on SECONDS, the time of all files: sorted, owner 0.
 pack() {
   local folder=$1 file=$2 seconds=$3 new
   mkdir -p "$(dirname "$file")" || fail "cannot write $file"

@@ -1,5 +1,5 @@
-// carlo_replay: shows what the judge asked one exercise, and puts one of its questions again,
-// without sandbox and limits, so that the values can be seen and the code be followed.
+// carlo_replay: shows what the judge asked one exercise, and repeats one of its questions without
+// sandbox and limits, so that students can see the values and follow the code.
 
 #include "course/cli/arguments.h"
 #include "course/cli/main_guard.h"
@@ -44,18 +44,18 @@ const Exercise& exercise_of(const Lab& lab, const std::string& number) {
   return *exercise;
 }
 
-/// The command for one question; the seed that ./carlo test has by itself need not be named.
+/// Returns the command for one question; omits the seed if it is ./carlo test's default.
 std::string again(const Options& options, std::uint64_t seed, std::size_t number) {
   return fmt::format("./carlo replay {}{} --probe {}", options.exercise,
                      seed == local_seed() ? "" : fmt::format(" --seed {}", seed), number);
 }
 
-/// Every digit, and whole numbers as reports have them.
+/// Formats every digit, and integers as in reports.
 std::string exact(double value) {
   return value == std::floor(value) ? number_in_report(value) : fmt::format("{}", value);
 }
 
-/// What the probe was given, by name: the first `most` numbers of its own.
+/// Returns the probe's arguments by name: the first `most` of its own numbers.
 std::string arguments(const Params& params, std::size_t most) {
   std::string text;
   if (params.n != 0) text += fmt::format("n = {}, ", exact(static_cast<double>(params.n)));
@@ -71,7 +71,7 @@ std::string arguments(const Params& params, std::size_t most) {
   return text + fmt::format("seed = {}", params.seed);
 }
 
-/// The list, and how to go on: with the first question that brought no values.
+/// Prints the list, and the next command: for the first question that brought no values.
 void show(const Options& options, const Exercise& exercise, const Questions& questions) {
   fmt::print("{}", wrapped(fmt::format("{}  {}  (seed {})\n{}", exercise.tag, exercise.title,
                                        questions.seed, listing(questions.asked))));

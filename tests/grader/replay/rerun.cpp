@@ -19,15 +19,15 @@
 namespace carlo::grader {
 namespace {
 
-/// The sanitizers show where an abort() came from, and who called; leaks are no fault of an answer.
-/// What the user has set stays.
+/// Makes sanitizers show the origin and callers of an abort(); leaks are no fault of an answer.
+/// Keeps the user's settings.
 void ask_sanitizers() {
   ::setenv("ASAN_OPTIONS", "detect_leaks=0:handle_abort=1", 0);
   ::setenv("UBSAN_OPTIONS", "print_stacktrace=1", 0);
 }
 
-/// Copies `from` to our stderr and returns its start, of which a sanitizer's report is a small
-/// part.
+/// Copies `from` to our stderr and returns its start; a sanitizer's report is small compared to
+/// that.
 std::string pass_on(int from) {
   constexpr std::size_t kept = std::size_t{1} << 20;
   std::string text;
@@ -61,7 +61,7 @@ Rerun rerun(const std::vector<std::string>& command) {
   if (WIFSIGNALED(status)) result.how = signal_name(WTERMSIG(status));
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
   if (code == 127) throw Error("{} cannot be run", command.front());
-  // A sanitizer ends the program with exit code 1, after its report.
+  // A sanitizer ends the program with exit code 1 after its report.
   if (code != 0 && has_report(said)) result.how = "the sanitizer's report above";
   if (code != 0 && code != 1) result.how = fmt::format("exit code {}", code);
   result.values = status == 0;

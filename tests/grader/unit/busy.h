@@ -1,6 +1,6 @@
 #pragma once
 
-// What tests of deadlines do on a machine that others keep busy.
+// Helpers for tests of deadlines on a busy machine.
 
 #include "grader/judge/run.h"
 #include "support/error.h"
@@ -14,16 +14,16 @@
 
 namespace grader_test {
 
-/// Whether more programs than processors want to run, by the system's own count: a judge that calls
-/// an idle machine too busy is wrong.
+/// Returns whether more programs than processors want to run, by the system's own count: a judge
+/// that calls an idle machine too busy is wrong.
 inline bool is_busy() {
   double load = 0;
   return ::getloadavg(&load, 1) == 1 && load > 1.5 * std::thread::hardware_concurrency();
 }
 
-/// Calls as the grader does: where the machine was too busy for a verdict, once more. A machine
-/// that is too busy four times tells nothing of the judge, and the test is skipped. Not within a
-/// CHECK, which takes a skip for a failure.
+/// Calls as the grader does: retries if the machine was too busy for a verdict. Four such failures
+/// say nothing about the judge, so the test is skipped. Not inside a CHECK, which takes a skip for
+/// a failure.
 template <class F>
 auto again_if_busy(const F& f) {
   for (int attempt = 1;; ++attempt) {
@@ -38,7 +38,7 @@ auto again_if_busy(const F& f) {
   }
 }
 
-/// Whether the probe is ended or fails.
+/// Returns whether the probe is ended or fails.
 inline bool fails(const carlo::grader::Worker& worker, const std::string& probe,
                   const carlo::grader::Limits& limits, const carlo::grader::Params& params = {}) {
   return again_if_busy([&] {

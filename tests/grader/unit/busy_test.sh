@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# busy_test.sh GRADER_TESTS [bomb]: deadlines on a machine whose processors others keep busy. Each of them in
-# a session of its own: Linux shares processors out among sessions first. `bomb`: a fork bomb is proven to
-# be one all the same, by the processor time that all its processes take together. For two processors; of
-# more, others leave it too little of each.
+# busy_test.sh GRADER_TESTS [bomb]: deadlines on a machine whose processors others keep busy, each
+# of them in its own session: Linux divides processors among sessions first. `bomb`: a fork bomb is
+# still recognised, by the processor time that all its processes take together. On two processors;
+# with more, others leave it too little of each.
 set -euo pipefail
 others=()
 trap 'kill -KILL "${others[@]}" 2>/dev/null || true' EXIT
@@ -19,5 +19,5 @@ for ((i = 0; i < crowd; ++i)); do
 done
 code=0
 "$1" "$tests" || code=$?
-[ "$code" != 4 ] || exit 77 # Catch2's for tests that were all skipped
+[ "$code" != 4 ] || exit 77 # Catch2's code if all tests were skipped
 exit "$code"

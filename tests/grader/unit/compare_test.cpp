@@ -32,8 +32,8 @@ const Diagnosis known{"known", "a known mistake."};
 
 }  // namespace
 
-// alpha = 1e-6 each. 2000 p-values a test: a distribution of p-values that is off by .12 anywhere
-// is caught with power .999. The values are 500 means of 16 numbers, as checks have them.
+// alpha = 1e-6 each. 2000 p-values per test: a distribution of p-values that is off by .12 anywhere
+// is caught with power .999. The values are 500 means of 16 numbers, as in checks.
 TEST_CASE("a right solution's p-values are uniform", "[compare]") {
   carlo::Rng rng(11);
   std::vector<double> of_mean, of_variance, of_uniform;

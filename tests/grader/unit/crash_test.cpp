@@ -1,4 +1,4 @@
-// What a student is told of a crash: why, and in which line where a sanitizer knows it.
+// What a student learns about a crash: why, and in which line if a sanitizer knows it.
 
 #include "grader/judge/crash.h"
 
@@ -48,7 +48,7 @@ TEST_CASE("a crash is told by its signal, the library's check or the sanitizer's
   Outcome illegal = crash("");
   illegal.code = SIGILL;
   CHECK(crash_cause(illegal) == "illegal instruction");
-  // What a program prints about itself is no report.
+  // A program's own output about itself is no report.
   CHECK(crash_cause(crash("labs/02_pi/pi.cpp:9\n")) == signal_name(SIGABRT));
 }
 

@@ -37,8 +37,8 @@ TEST_CASE("the probes of an exercise have a time in all", "[run]") {
   CHECK(started < 30);
 }
 
-// Whoever watches is stopped for longer than the deadline, as all are when a control group is
-// frozen; by the probe, so that it runs by then.
+// The watcher is stopped for longer than the deadline, as in a frozen control group; the probe does
+// that, so it is running by then.
 TEST_CASE("a deadline leaves out the time for which the grader stood still", "[worker]") {
   const Worker worker(fixture_worker(), Level::limits);
   Limits limits;
@@ -48,7 +48,7 @@ TEST_CASE("a deadline leaves out the time for which the grader stood still", "[w
   CHECK(seconds > 4);
 }
 
-// With programs beside it that keep all processors busy: busy_test.sh, in_line_test.sh.
+// Run while other programs keep all processors busy: busy_test.sh, in_line_test.sh.
 TEST_CASE("a deadline leaves out the time for which others had the processors", "[.busy]") {
   Limits limits;
   limits.deadline = std::chrono::milliseconds(1200);
@@ -70,8 +70,8 @@ TEST_CASE("a deadline leaves out the time for which others had the processors", 
 
 namespace {
 
-/// Whether who starts a child by vfork() is kept waiting, as by a disk, until it ends: under QEMU
-/// nobody is.
+/// Returns whether a process that starts a child by vfork() waits, as for a disk, until it ends:
+/// not under QEMU.
 bool vfork_waits() {
   const auto begun = std::chrono::steady_clock::now();
   // NOLINTNEXTLINE(clang-analyzer-security.insecureAPI.vfork)

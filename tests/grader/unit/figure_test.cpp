@@ -171,7 +171,7 @@ TEST_CASE("a mean far off is shown in a histogram, a small bias against n", "[fi
   REQUIRE(points.size() > 5);
   CHECK(points.back().x == 40'000);
   CHECK(std::abs(points.back().half_width - 3 * sd / 200) <= 1e-12);
-  const std::vector<double> coins(1000, 1.0);  // two values at most say nothing as a histogram
+  const std::vector<double> coins(1000, 1.0);  // two values at most make no useful histogram
   CHECK(std::holds_alternative<PointsFigure>(mean_figure(coins, 0.5, 0.5).data));
 }
 

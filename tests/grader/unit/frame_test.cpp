@@ -48,8 +48,8 @@ TEST_CASE("a frame that is cut short or too long is refused", "[frame]") {
 }
 
 TEST_CASE("a frame with impossible sizes is refused", "[frame]") {
-  // Status, columns, rows and bytes of payload stand at these offsets; all ones overflow any
-  // product that is not checked.
+  // Status, columns, rows and bytes of payload are at these offsets; all ones overflow any
+  // unchecked product.
   for (const std::size_t offset : {8U, 12U, 16U, 24U}) {
     std::string bytes = encode(table);
     for (std::size_t i = 0; i < 4; ++i)
@@ -120,7 +120,7 @@ TEST_CASE("values are shown beside their names, and numbered where they have non
   const Rows list{1, {0.1, 2, 4, 8}};
   CHECK(squeezed(rows_text(list, {}, 2)) ==
         "4 values came back; the first 2:\n value 1 0.1\n value 2 2\n ... 2 more: --all\n");
-  // The last name of a list is that of all that follow.
+  // The last name of a list applies to all that follow.
   CHECK(squeezed(rows_text(list, {"mean", "point"}, 0)) ==
         "4 values came back:\n mean 0.1\n point 1 2\n point 2 4\n point 3 8\n");
   CHECK(squeezed(rows_text({1, {7}}, {"hits"}, 10)) == "1 value came back:\n hits 7\n");
@@ -152,7 +152,7 @@ TEST_CASE("names that repeat share the columns, and are never guessed", "[rows]"
   CHECK_FALSE(names_fit({"x", "y"}, 1, 1));
   CHECK(names_fit({"x", "y"}, 2, 1));
   CHECK(rows_text({5, {0, 0.5, 1, 1, 3}}, corners, 5).find("upper 2") != std::string::npos);
-  // Named values are all shown; of those that repeat as many as rows are.
+  // Named values are all shown; repeated ones as far as rows are shown.
   const std::string cut = rows_text({4, {9, 1, 2, 3}}, {"count", "x ..."}, 3);
   CHECK(cut.find("x 2") != std::string::npos);
   CHECK(cut.find("x 3") == std::string::npos);

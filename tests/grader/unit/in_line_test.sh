@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# in_line_test.sh GRADER_TESTS: a worker stands in line for a processor for longer than its deadline, and its
-# judge, which is favoured, does not: the wait is not charged, though the system tells of it only when it is
-# over. As root.
+# in_line_test.sh GRADER_TESTS: a worker waits for a processor longer than its deadline, while its
+# judge has priority: the wait is not charged, although the system reports it only when it is over.
+# As root.
 set -euo pipefail
 for tool in chrt taskset; do
   command -v "$tool" >/dev/null || { echo "skipped: needs $tool" && exit 77; }
@@ -16,5 +16,5 @@ other=$!
 trap 'kill -KILL "$other" 2>/dev/null || true' EXIT
 code=0
 taskset -c "$last" chrt -R -f 5 "$1" '[.busy]' || code=$?
-[ "$code" != 4 ] || exit 77 # Catch2's for tests that were all skipped
+[ "$code" != 4 ] || exit 77 # Catch2's code if all tests were skipped
 exit "$code"

@@ -9,7 +9,7 @@
 
 namespace grader_test {
 
-/// Whether the system refuses what goes beyond a limit of memory: QEMU does not.
+/// Returns whether the system enforces memory limits: QEMU does not.
 inline bool memory_limits_hold() {
   const pid_t child = ::fork();
   if (child == 0) {

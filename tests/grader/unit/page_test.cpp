@@ -26,7 +26,7 @@ std::size_t count_of(const std::string& text, const std::string& part) {
   return count;
 }
 
-/// Elements are closed as often as they are opened.
+/// Checks that elements are closed as often as they are opened.
 void check_balanced(const std::string& html) {
   for (const std::string tag : {"svg", "figure", "table", "details", "article", "div", "dl", "p",
                                 "span", "pre", "section", "main", "title"}) {
@@ -65,7 +65,7 @@ std::vector<Figure> every_kind() {
       hostile_listing()};
 }
 
-/// As a page gets it: of bounded size, in valid UTF-8.
+/// Returns the result as a page gets it: of bounded size, in valid UTF-8.
 LabResult read_back(const LabResult& result) {
   return lab_result_from_text(to_text(result));
 }
@@ -141,7 +141,7 @@ TEST_CASE("nothing that a student's program says becomes markup", "[page]") {
     CHECK_FALSE(has(page, "onload=\""));
     CHECK_FALSE(has(page, "\x1b"));
     CHECK_FALSE(has(page, "\xFF"));
-    CHECK_NOTHROW((void)json(page).dump());  // throws where it is no UTF-8
+    CHECK_NOTHROW((void)json(page).dump());  // throws if it is not UTF-8
   }
 }
 

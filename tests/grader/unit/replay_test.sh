@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# replay_test.sh CARLO_REPLAY FIXTURE_WORKER SOURCE: questions put again to the fixture worker: values,
-# exceptions and crashes come out as they should.
+# replay_test.sh CARLO_REPLAY FIXTURE_WORKER SOURCE: questions repeated to the fixture worker:
+# values, exceptions and crashes come out as they should.
 set -euo pipefail
 replay=$1 worker=$2 lab=$3/labs/01_integration/lab.json
 scratch=$(mktemp -d)
@@ -17,7 +17,7 @@ question() {
     "$(question throws)" "$(question crash)" "$(question 'not implemented')" "$(question 'exit 3')"
 } >"$scratch/questions.json"
 
-# expect CODE PATTERN ARGUMENT...: both streams together hold the pattern.
+# expect CODE PATTERN ARGUMENT...: both output streams together contain the pattern.
 expect() {
   local code=0 want=$1 pattern=$2 text
   shift 2

@@ -62,7 +62,7 @@ TEST_CASE("variance and efficiency earn the second half of the points", "[report
   CHECK(earned({good, with(good, Aspect::variance), with(bad, Aspect::variance)}) == 1);
   CHECK(earned({good, with(good, Aspect::variance), with(bad, Aspect::efficiency)}) == 1.5);
   CHECK(earned({good, with(bad, Aspect::variance), with(bad, Aspect::efficiency)}) == 1);
-  // What is wrong earns nothing, however fast.
+  // A wrong answer earns nothing, however fast.
   CHECK(earned({bad, with(good, Aspect::variance)}) == 0);
   CHECK(earned({good, bad, with(good, Aspect::efficiency)}) == 0);
   CHECK_THROWS_AS(earned({with(good, Aspect::variance)}), carlo::Error);
@@ -91,7 +91,7 @@ TEST_CASE("a report names the fewest mistakes that explain what was seen", "[rep
   const auto seen = [&](double value) {
     return equals("it", value, 0, 0, {{1, by_n}, {2, of_one}, {value == 5 ? 5.0 : 1.0, other}});
   };
-  // 1 is what two mistakes give: the one that explains the rest too is told.
+  // Two mistakes give 1: the one that also explains the rest is named.
   CHECK(ids({seen(1)}) == "by-n other ");
   CHECK(ids({seen(1), seen(5)}) == "other ");
   // Each explains something, and neither was looked for in vain.
@@ -257,7 +257,7 @@ TEST_CASE("of an exercise that is begun it is said what is missing and what work
   CHECK(has(text, "still to write: Sums::merge\n    ✓ it holds\n    – parts add up\n"));
   CHECK(has(text, "Next: write Sums::merge; for help: ./carlo hint 1.2"));
   CHECK(has(shortfall(result.exercises[1]), "still to write: Sums::merge"));
-  // A name that is none of the exercise's is not repeated.
+  // A function name that is not the exercise's is not repeated.
   const LabResult forged =
       collect(lab, {passed("Lab 1.1"), passed("Lab 1.2"), open("parts add up", "everything")}, "");
   CHECK_FALSE(has(report_text(forged), "everything"));

@@ -1,4 +1,4 @@
-// A scratch folder goes with all that is in it, whatever was left there.
+// A scratch folder is removed with everything left in it.
 
 #include "course/cli/scratch_folder.h"
 
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder in a folder in a folder; the deepest holds a file.
+/// Nests folders; the deepest holds a file.
 void dig(const fs::path& top, int levels) {
   int at = ::open(top.c_str(), O_RDONLY | O_DIRECTORY);
   for (int i = 0; i < levels; ++i) {

@@ -30,7 +30,7 @@ using Clock = std::chrono::steady_clock;
 
 namespace {
 
-/// What run_probe() threw, or passed with an empty message.
+/// What run_probe() threw; passed with an empty message if it did not.
 struct Result {
   Status status = Status::passed;
   std::string message, printed;
@@ -38,7 +38,8 @@ struct Result {
   std::size_t lost_lines = 0;
 };
 
-/// Short for workers that hang, long for those that end by themselves, however busy the machine is.
+/// A short deadline for workers that hang, a long one for those that end by themselves, however
+/// busy the machine is.
 Result run(Level level, const std::string& probe, bool hangs = false) {
   Limits limits;
   limits.deadline = std::chrono::milliseconds(hangs ? 800 : 60000);
@@ -62,7 +63,7 @@ bool works(Level level) {
   }
 }
 
-/// The levels that work on this machine.
+/// Returns the levels that work on this machine.
 std::vector<Level> levels() {
   std::vector<Level> list;
   for (const Level level : {Level::limits, Level::user, Level::landlock, Level::bubblewrap}) {
@@ -71,12 +72,12 @@ std::vector<Level> levels() {
   return list;
 }
 
-/// Skips a test where the level does not work, and says so.
+/// Skips a test if the level does not work, and says so.
 void need(Level level) {
   if (!works(level)) SKIP("the level \"" << to_string(level) << "\" does not work here");
 }
 
-/// The single value of a probe at a level.
+/// Returns the single value of a probe at a level.
 double value(Level level, const std::string& probe, const Params& params = {}) {
   return run_probe(Worker(fixture_worker(), level), probe, params, {}, {}).values[0];
 }
@@ -184,11 +185,11 @@ TEST_CASE("what a program printed before it failed is shown, cut to size", "[wor
   const Level level = GENERATE(Catch::Generators::from_range(levels()));
   const Result flood = run(level, "flood stdout");
   CHECK(flood.printed.size() == Limits{}.output_kept);
-  CHECK(flood.lost_lines == 0);  // without end, but on one line
+  CHECK(flood.lost_lines == 0);  // endless, but on one line
   const Result many = run(level, "prints 5000 lines");
   const auto kept =
       static_cast<std::size_t>(std::count(many.printed.begin(), many.printed.end(), '\n'));
-  CHECK(kept + 1 + many.lost_lines == 5000);  // it is cut in the middle of one
+  CHECK(kept + 1 + many.lost_lines == 5000);  // one line is cut in the middle
   const Result crash = run(level, "no such probe");
   CHECK(has(crash.printed, "no probe"));
   CHECK(run(level, "prints").status == Status::passed);
@@ -200,7 +201,7 @@ TEST_CASE("a worker inherits four descriptors and no environment", "[worker]") {
   const Rows open = run_probe(sandbox, "open descriptors", {}, {}, {});
   CHECK(open.values[0] == 4);
   const Rows variables = run_probe(sandbox, "environment", {}, {}, {});
-  // PATH, LANG, TMPDIR; PWD from bubblewrap; the sanitizers' two, where there are any.
+  // PATH, LANG, TMPDIR; PWD from bubblewrap; the sanitizers' two, if any.
   CHECK(variables.values[0] <= (address_sanitizer() ? 6 : 4));
 }
 
@@ -238,7 +239,7 @@ TEST_CASE("no file outside can be emptied, before version 3 of Landlock neither"
   need(Level::landlock);
   const std::filesystem::path file = fixture_folder() / "not_to_be_emptied";
   carlo::write_file(file, "something");
-  // Everybody may write it: only the sandbox keeps a worker from it.
+  // Writable for everybody: only the sandbox keeps a worker from it.
   std::filesystem::permissions(file, std::filesystem::perms::all);
   ::setenv("CARLO_LANDLOCK_VERSION", version.c_str(), 1);
   const double own = value(Level::landlock, "empties a file");
@@ -263,7 +264,7 @@ TEST_CASE("threads that cannot be started are no proof against whoever starts th
   } catch (const Error& error) {
     CHECK(has(error.what(), "could not be started"));
   }
-  // Too many are: seen from outside where the user is not its own.
+  // Too many are detected: by the watcher if the user is not its own.
   limits.processes = 64;
   try {
     run_probe(worker, "many threads", {}, {}, limits);

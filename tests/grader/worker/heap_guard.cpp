@@ -1,9 +1,8 @@
-// Every block that the worker's code gets from operator new stands between two marks; when it is
-// given back, marks that changed tell that somebody wrote outside of it. So `x[n] = 0` on an array
-// of n numbers fails the test in every build, and not only where a sanitizer watches. And a block
-// begins with the same pattern as a local variable without a start value (carlo_lab.cmake), so that
-// `new double[n]` holds no zeros by luck. The sanitizers bring their own operator new: there this
-// file is empty.
+// Puts every block that the worker's code gets from operator new between two marks; if a mark has
+// changed when the block is freed, somebody has written outside it. So `x[n] = 0` on an array of n
+// numbers fails the test in every build, not only with a sanitizer. A block also begins with the
+// same pattern as an uninitialised local variable (carlo_lab.cmake), so that `new double[n]` does
+// not hold zeros by luck. The sanitizers bring their own operator new: for them this file is empty.
 
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)
@@ -31,14 +30,15 @@
 namespace {
 
 using Mark = std::array<std::uint64_t, 2>;
-/// What a block is filled with, as GCC fills variables: a double of it is -5.3e303. Of a large
-/// block only the beginning is, so that memory that is set aside and never used stays unused.
+/// The fill byte of a block, the same as GCC's for variables: as a double it is -5.3e303. Only the
+/// beginning of a large block is filled, so that memory that is reserved and never used stays
+/// unused.
 constexpr int pattern = 0xFE;
 constexpr std::size_t filled_bytes = std::size_t{64} << 10;
 
 constexpr Mark mark_value{0xC4121095A5C3965A, 0x3C69A5C35AC41210};
 
-/// What stands before a block; as long as two alignments, so that the block is aligned too.
+/// The header before a block; as long as two alignments, so that the block is aligned too.
 struct Header {
   std::uint64_t size, unused;
   Mark mark;
@@ -75,7 +75,7 @@ void operator delete(void* block) noexcept {
   char* const start = static_cast<char*>(block) - sizeof(Header);
   Header header{};
   std::memcpy(&header, start, sizeof header);
-  // The size is only believed when the mark behind it is whole.
+  // The size is only trusted if the mark after it is intact.
   if (!intact(start + offsetof(Header, mark))) complain();
   if (!intact(static_cast<char*>(block) + header.size)) complain();
   std::free(start);

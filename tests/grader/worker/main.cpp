@@ -1,5 +1,5 @@
-// The worker: one lab's probes linked with one implementation. Runs one probe and sends what it
-// returned as one frame. It judges nothing and writes no file.
+// The worker: one lab's probes linked with one implementation. Runs one probe and sends its result
+// as one frame. It judges nothing and writes no file.
 
 #include "course/cli/arguments.h"
 #include "course/cli/main_guard.h"
@@ -50,7 +50,7 @@ Frame run(Probe probe, const Params& params) {
   return frame;
 }
 
-/// The frame for people: its first `most` rows (all for 0). Nothing but a table is a success.
+/// Prints the frame for people: its first `most` rows (all for 0). Only a table is a success.
 int print(const Frame& frame, const NamedProbe& probe, std::size_t most) {
   if (frame.status != Frame::Status::rows) {
     fmt::print("no values: {}{}\n", frame.text,
@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
   if (as_text.given()) return print(frame, found->second, rows);
   std::fflush(nullptr);
   send(fd, encode(frame));
-  // Without the handlers that the student's code may have left behind: the answer is given.
+  // Skips exit handlers that the student's code may have left: the answer is given.
   ::_exit(0);
 }
 

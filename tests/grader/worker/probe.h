@@ -11,21 +11,21 @@
 namespace carlo::grader {
 
 /// A probe calls an exercise and returns raw values; it draws no conclusion. It runs in the worker,
-/// beside the student's code.
+/// together with the student's code.
 using Probe = Rows (*)(const Params&);
 
-/// A probe and what its values are called, for people who look at them (rows_text.h).
+/// A probe and the names of its values, for people who look at them (rows_text.h).
 struct NamedProbe {
   Probe run = nullptr;
   std::vector<std::string> names;
-  std::string remark;  ///< which rows hold something else than the names say, if any do
+  std::string remark;  ///< which rows hold something other than the names say, if any
 };
 
 /// All probes of this worker by name.
 std::map<std::string, NamedProbe>& probes();
 
-/// Puts a probe into probes() before main() starts. `words`: its name, then those of its values;
-/// and a remark in parentheses, if there is one.
+/// Puts a probe into probes() before main() starts. `words`: its name, the names of its values, and
+/// a remark in parentheses, if there is one.
 struct Registration {
   Registration(Probe probe, std::initializer_list<const char*> words);
 };
@@ -46,7 +46,8 @@ class RowWriter {
 #define CARLO_JOIN(a, b) CARLO_JOIN_(a, b)
 
 /// PROBE("Lab 1.1 estimates", "estimate") { ... params.seed ... return rows; }
-/// The probe's name; then what its values are called, which a lab's probes all say; then perhaps
+/// The probe's name; then the names of its values, which all of a lab's probes give; then
+/// optionally
 /// "(last row: how many there were)".
 #define PROBE(...) CARLO_PROBE(CARLO_JOIN(carlo_probe_, __COUNTER__), __VA_ARGS__)
 #define CARLO_PROBE(function, ...)                                                        \

@@ -5,12 +5,12 @@
 
 namespace carlo::grader {
 
-/// What refusal() returns, for people who look at it.
+/// Explains refusal()'s codes to people.
 constexpr const char* refusal_codes =
     "(refusal: 1 if carlo::Error was thrown, 0 if nothing was, 2 if something else)";
 
-/// For probes of what an exercise must refuse. 1: carlo::Error, as asked for; 0: nothing was
-/// thrown; 2: something else was.
+/// For probes of inputs that an exercise must refuse. Returns 1: carlo::Error, as required; 0:
+/// nothing was thrown; 2: something else was.
 template <class Work>
 double refusal(const Work& work) {
   try {

@@ -1,9 +1,9 @@
-# carlo::exr where LLVM's standard library meets OpenImageIO of GCC's (exr_boundary.h).
+# carlo::exr where LLVM's standard library meets an OpenImageIO built with GCC's (exr_boundary.h).
 set(here "${PROJECT_SOURCE_DIR}/tests/machines/libcxx")
 add_library(carlo_exr_there MODULE "${here}/exr_there.cpp" exr.cpp exr_header.cpp exr_window.cpp primaries.cpp
             ../support/atomic_file.cpp)
 set_target_properties(carlo_exr_there PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON UNITY_BUILD OFF)
-# After CMAKE_CXX_FLAGS, so the last word.
+# After CMAKE_CXX_FLAGS, and so decisive.
 target_compile_options(carlo_exr_there PRIVATE -stdlib=libstdc++ -DFMT_HEADER_ONLY)
 target_link_options(carlo_exr_there PRIVATE -stdlib=libstdc++ -Wl,-Bsymbolic)
 target_include_directories(carlo_exr_there PRIVATE "${PROJECT_SOURCE_DIR}/common" "${here}")

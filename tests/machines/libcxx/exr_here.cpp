@@ -12,8 +12,8 @@
 namespace carlo {
 namespace {
 
-/// A function of the library. Both standard libraries share what throws and catches: the one that
-/// the program links first.
+/// Loads a function of the library. Both standard libraries share the code that throws and catches:
+/// the one that the program links first.
 template <class Function>
 Function* there(const char* name) {
   void* const library = ::dlopen(CARLO_EXR_LIBRARY, RTLD_NOW | RTLD_LOCAL);

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <exception>
 
-// That side of the boundary: OpenImageIO's standard library.
+// The far side of the boundary: with OpenImageIO's standard library.
 
 namespace {
 

@@ -1,14 +1,16 @@
 #!/usr/bin/env bash
-# libraries.sh FOLDER: Debian's sources of those C++ libraries whose functions take or throw what the standard
-# library defines, built with LLVM's in place of GCC's and installed in FOLDER. As root, in a Debian of its
-# own (chroot.sh libcxx); what was installed there before is left alone. Embree, Highway, pugixml, libarchive and nettle
-# are C, or nearly; OpenImageIO is behind a boundary (exr_boundary.h).
+# libraries.sh FOLDER: builds Debian's sources of those C++ libraries whose interfaces use types of
+# the standard library with LLVM's instead of GCC's, and installs them in FOLDER. As root, in its
+# own Debian (chroot.sh libcxx); does not rebuild what is already installed. Embree, Highway,
+# pugixml, libarchive and nettle are C, or nearly; OpenImageIO is behind a boundary
+# (exr_boundary.h).
 set -euo pipefail
 folder=${1:?libraries.sh needs a folder}
 mkdir -p "$folder/src"
 sources=/etc/apt/sources.list.d/sources.list
 if [ ! -f "$sources" ]; then
-  # And of the release before: mirrors keep sources of point releases less carefully than packages.
+  # Also from the previous release: mirrors keep sources of point releases less reliably than
+  # packages.
   sed 's/^deb /deb-src /; p; s/trixie/bookworm/' /etc/apt/sources.list >"$sources"
   apt-get -qq update
 fi
@@ -30,6 +32,6 @@ library() {
 }
 
 library fmtlib -DFMT_TEST=OFF -DFMT_DOC=OFF
-# Embree and OpenImageIO bring Debian's own beside it, so ours has no name that a loader could find.
+# Embree and OpenImageIO also load Debian's own, so ours is static: no loader finds it by name.
 library onetbb -DTBB_TEST=OFF -DTBB_STRICT=OFF -DBUILD_SHARED_LIBS=OFF -DTBBMALLOC_BUILD=OFF
 library catch2 -DCATCH_INSTALL_DOCS=OFF

@@ -1,5 +1,6 @@
 "use strict";
-// In a box with a slider, what has data-first and data-last is shown while the slider is between.
+// In a box with a slider, elements with data-first and data-last are shown while the slider is
+// between.
 for (const box of document.querySelectorAll(".slider")) {
   const input = box.querySelector("input");
   const show = () => {

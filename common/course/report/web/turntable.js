@@ -1,5 +1,5 @@
 "use strict";
-// Draws the clouds of points that the page describes in its "turntable" JSON block, to be turned.
+// Draws the clouds of points in the page's "turntable" JSON block so that they can be turned.
 
 (() => {
   const { clouds, wires } = JSON.parse(document.getElementById("turntable-data").textContent);

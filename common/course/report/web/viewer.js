@@ -1,6 +1,6 @@
 "use strict";
-// Viewers of images: two of them under a split slider, or one and a map of its errors, with
-// exposure, zoom and the numbers of a pixel. By pointer, touch and keyboard.
+// Image viewers: two images under a split slider, or one and a map of its errors, with exposure,
+// zoom and the numbers of a pixel. Used by pointer, touch and keyboard.
 
 (() => {
   const { load, roundRange, gradient, paintImage, paintMap, drawSplit, drawPixel, modes, number,
@@ -34,7 +34,7 @@
                x: this.spec.width / 2, y: this.spec.height / 2, pixel: null };
     }
 
-    // Which maps the left image has.
+    // Returns the maps that the left image has.
     modesOf(image) {
       const compared = this.reference && image !== this.reference;
       return Object.keys(modes).filter((mode) =>
@@ -51,7 +51,8 @@
       return this.maps.get(key);
     }
 
-    // Colours of the current map: where a value stands on the scale, and the scale's numbers.
+    // Returns the colours of the current map: where a value is on the scale, and the scale's
+    // numbers.
     scale(map) {
       const mode = modes[this.state.mode];
       if (mode.place) return { place: mode.place, ticks: mode.ticks };
@@ -135,7 +136,7 @@
 
     // Drawing -----------------------------------------------------------------------------------
 
-    // Fills the two layers, when what they show has changed.
+    // Fills the two layers if their content has changed.
     paint() {
       const s = this.state, mode = modes[s.mode], left = this.images[s.left];
       const shown = [s.left, s.right, s.mode, s.stops].join(" ");
@@ -172,7 +173,8 @@
         ". Arrow keys choose a pixel, plus and minus zoom.");
     }
 
-    // Where image coordinates (0, 0) lie on the canvas, and how large a pixel is; in CSS pixels.
+    // Returns where image coordinates (0, 0) are on the canvas, and the size of a pixel; in CSS
+    // pixels.
     view() {
       const s = this.state, width = this.canvas.clientWidth, height = this.canvas.clientHeight;
       const scale = s.zoom * width / this.spec.width;
@@ -204,7 +206,7 @@
       }
       const size = 100 * view.scale * ratio;
       this.find(".viewer-zoom").textContent = `${number(+size.toPrecision(3))} %`;
-      // A finger scrolls the page until there is something to move.
+      // A finger scrolls the page unless the image is zoomed.
       this.canvas.style.touchAction = s.zoom > 1 ? "none" : "pan-y";
     }
 
@@ -260,7 +262,7 @@
 
     // Moving ------------------------------------------------------------------------------------
 
-    // Zooms so that the place (x, y) of the canvas, by default its middle, stays where it is.
+    // Zooms so that the place (x, y) of the canvas, by default its middle, stays fixed.
     zoomBy(factor, x, y) {
       const view = this.view(), s = this.state;
       const cx = x ?? view.width / 2, cy = y ?? view.height / 2;
@@ -287,7 +289,7 @@
       const from = s.pixel ?? [Math.floor(s.x) - dx, Math.floor(s.y) - dy];
       const [px, py] = s.pixel = [clamp(from[0] + dx, 0, width - 1),
                                   clamp(from[1] + dy, 0, height - 1)];
-      // In sight, with a tenth of the view around it.
+      // Keeps it in sight, with a tenth of the view around it.
       const reach = 0.4 / s.zoom;
       this.set({ x: clamp(s.x, px + 0.5 - reach * width, px + 0.5 + reach * width),
                  y: clamp(s.y, py + 0.5 - reach * height, py + 0.5 + reach * height) });
@@ -322,7 +324,7 @@
                          view.y + view.scale * (pixel[1] + 0.5));
     }
 
-    // One pointer moves the image or the split, two zoom.
+    // One pointer moves the image or the split; two zoom.
     listen() {
       const canvas = this.canvas, down = new Map();
       let onSplit = false;

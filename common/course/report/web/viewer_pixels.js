@@ -1,11 +1,11 @@
 "use strict";
-// What the viewer of images (viewer.js) knows about pixels: how they came into the page, what maps
-// of errors are made of, and which colours stand for which numbers.
+// The image viewer's (viewer.js) pixel code: how images are stored in the page, how maps of errors
+// are computed, and which colours stand for which numbers.
 
 const viewerPixels = (() => {
   // Data ----------------------------------------------------------------------------------------
 
-  // Base64 of deflated floats, whose upper 24 bits come as three planes of bytes.
+  // Unpacks base64 of deflated floats, whose upper 24 bits come as three planes of bytes.
   const unpack = async (text, count) => {
     const packed = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
     const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
@@ -18,7 +18,7 @@ const viewerPixels = (() => {
     return new Float32Array(words.buffer);
   };
 
-  // An image has three planes of numbers, R, G and B; so has its standard error.
+  // An image has three planes of numbers, R, G and B, and so has its standard error.
   const load = async (spec, size) => {
     const image = { name: spec.name };
     image.rgb = await unpack(spec.rgb, 3 * size);
@@ -39,7 +39,7 @@ const viewerPixels = (() => {
     (a.rgb[i] - r.rgb[i] + a.rgb[i + size] - r.rgb[i + size] +
      a.rgb[i + 2 * size] - r.rgb[i + 2 * size]) / 3);
 
-  // As `compare()` of common/image/metrics.h does, a pixel at a time.
+  // The same as `compare()` in common/image/metrics.h, a pixel at a time.
   const relMse = (a, r, size) => map(size, (i) => {
     let sum = 0;
     for (let k = i; k < 3 * size; k += size) {
@@ -58,7 +58,8 @@ const viewerPixels = (() => {
     return variance === 0 ? 0 : Math.sqrt(3 * variance) / mean;
   });
 
-  // A round number, 1, 2 or 5 times a power of ten, that 99 % of the map's sizes do not exceed.
+  // Returns a round number, 1, 2 or 5 times a power of ten, that 99 % of the map's absolute values
+  // do not exceed.
   const roundRange = (values) => {
     const sizes = values.filter(Number.isFinite).map(Math.abs).sort();
     const size = Math.max(sizes[Math.floor(0.99 * (sizes.length - 1))] || 0, 1e-6);
@@ -74,7 +75,7 @@ const viewerPixels = (() => {
   const encoded = Uint8ClampedArray.from({ length: steps + 1 }, (_, i) => 255 * encode(i / steps));
   const toByte = (x) => (x > 0 ? encoded[x < 1 ? (x * steps) | 0 : steps] : 0);
 
-  // 256 colours between anchors of linear RGB.
+  // Interpolates 256 colours between anchors of linear RGB.
   const palette = (anchors) => {
     const colours = new Uint8ClampedArray(3 * 256);
     for (let i = 0; i < 256; ++i) {
@@ -88,7 +89,7 @@ const viewerPixels = (() => {
     return colours;
   };
 
-  // Ordered in brightness, so readable in grey; and blue for too dark, orange for too bright.
+  // Ordered by brightness, so readable in grey; and blue for too dark, orange for too bright.
   const sequential = palette([[0.005, 0.005, 0.04], [0.03, 0.05, 0.25], [0.25, 0.05, 0.25],
                               [0.8, 0.2, 0.05], [1, 0.85, 0.3]]);
   const diverging = palette([[0.003, 0.09, 0.4], [0.1, 0.38, 0.78], [0.85, 0.85, 0.85],
@@ -114,7 +115,7 @@ const viewerPixels = (() => {
     }
   };
 
-  // `place` sends a value to [0, 1]; what has no value is grey.
+  // `place` maps a value to [0, 1]; pixels without a value are grey.
   const paintMap = (values, place, colours, out) => {
     for (let i = 0; i < values.length; ++i) {
       const t = place(values[i]);
@@ -124,7 +125,7 @@ const viewerPixels = (() => {
     }
   };
 
-  // The line between left and right, and a frame around one pixel.
+  // Draws the line between left and right, and a frame around one pixel.
   const drawSplit = (context, edge, height) => {
     context.fillStyle = "#000";
     context.fillRect(edge - 2, 0, 4, height);
@@ -161,7 +162,7 @@ const viewerPixels = (() => {
 
   // Modes ---------------------------------------------------------------------------------------
 
-  // What the left side can show. `of` gives a map's numbers, `place` sends them to [0, 1].
+  // The modes of the left side. `of` returns a map's numbers, `place` maps them to [0, 1].
   const logarithmic = (low, high) => (v) =>
     v <= low ? 0 : Math.log(v / low) / Math.log(high / low);
   const modes = {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Gradescope runs this once, as root, when it builds the autograder's image: installs, builds, and
-# grades the stub as a trial, so that a grader that does not work is seen now and not by students.
+# grades the stub as a trial, so that a broken grader is noticed now and not by students.
 set -euo pipefail
 source=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 lab=$(cat "$source/lab")
@@ -11,8 +11,8 @@ fail() {
 }
 
 [ "$(id -u)" = 0 ] || fail "setup.sh must run as root"
-# Ubuntu 22.04, Gradescope's default image, has no Catch2 3; Debian's package, a static library, works
-# there. Its signature is checked with the key that came with the zip.
+# Ubuntu 22.04, Gradescope's default image, has no Catch2 3; Debian's package, a static library,
+# works there. Checks its signature with the key that came with the zip.
 catch2_from_debian() {
   local key=/usr/share/keyrings/carlo-debian.gpg
   cp "$source/debian-archive-keyring.gpg" "$key"
@@ -39,15 +39,15 @@ case $ID:$VERSION_ID in
   *) fail "the autograder needs Debian 12 or Ubuntu 22.04, this image is ${PRETTY_NAME:-unknown}" ;;
 esac
 
-# Nobody but root gets in here. The grader runs student code under other users, to whom it hands copies
-# of what they may see; so the files themselves are not root's alone.
+# Only root can enter this folder. The grader runs student code under other users, with copies of
+# what they may see; so the files themselves need not be closed to them.
 umask 022
 chown -R 0:0 "$source"
 chmod -R u=rwX,go=rX "$source"
 chmod 600 "$source/secret"
 chmod 700 "$source"
 
-# The image is kept for a term: nothing that only this build needs stays in it.
+# The image is kept for a term: leave nothing in it that only this build needs.
 export CCACHE_DISABLE=1
 cd "$source/carlo"
 ./carlo setup
