@@ -51,7 +51,7 @@ def add_camera(properties, spec):
     camera = spec["camera"]
     wide = spec["width"] >= spec["height"]
     tangent = camera["tan_half_x"] * (1 if wide else spec["height"] / spec["width"])
-    # Without a filter each sample is counted a row too low.
+    # Without a filter, LuxCore counts each sample one row too low.
     width, height = spec["width"], spec["height"]
     x, y = max(width / height, 1.0), max(height / width, 1.0)
     row = 2 * y / height

@@ -54,7 +54,7 @@ def mesh(spec, name):
     return {"type": "ply", "filename": path, "face_normals": True}
 
 
-FINER = {"columns": 8, "rows": 32}  # Mitsuba's texels for one of ours
+FINER = {"columns": 8, "rows": 32}  # Mitsuba texels per texel of ours
 
 
 def image_around(spec):
@@ -129,9 +129,9 @@ def main():
         drjit.sync_thread()
         images.append(image)
 
-    render(spec["seed"] + 1000)  # the LLVM variant compiles its kernel, and keeps it
+    render(spec["seed"] + 1000)  # the LLVM variant compiles its kernel once and keeps it
     seconds = peer.processor_seconds(lambda: render(spec["seed"]))
-    drjit.set_thread_count(2)  # one alone waits for itself when it writes
+    drjit.set_thread_count(2)  # with a single thread, writing waits for itself
     mi.Bitmap(images[-1]).write(spec["output"])
     peer.answer(mi.__version__, seconds)
 
