@@ -37,8 +37,8 @@ struct AddedLight {
   double covers = 0;
 };
 
-/// Adds a black light that gives the origin about this irradiance (below the horizon: the origin
-/// with normal -w). All are symmetric about w and have a size of a fifth of the distance, so that
+/// Adds a black light that gives the origin about this irradiance (if below the horizon: as if
+/// it were at -w). All are symmetric about w and have a size of a fifth of the distance, so that
 /// closed forms hold: L pi sin^2 cos for a disk or a ball with the sine of its half-angle,
 /// Lambert's formula for polygons, I cos / d^2 for points. Material 1 of the scene is black.
 AddedLight add_light(carlo::Scene& scene, LightKind kind, const Stand& stand, double irradiance);
