@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What tests of a program's messages share. To be sourced; `finish` comes last.
+# Shared by tests of a program's messages. To be sourced; call `finish` last.
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 failures=0

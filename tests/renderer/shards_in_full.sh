@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# shards_in_full.sh BIN SOURCE [bits|cost|thousand ...]: what shards promise, at length (nightly; minutes).
+# shards_in_full.sh BIN SOURCE [bits|cost|thousand ...]: thorough tests of shards (nightly; minutes).
 #
 #   bits      three scenes in 1, 2, 7 and 64 shards, on one thread and on two, a third of them killed and
-#             gone on with; merged in 20 random orders and groupings each: one SHA-256 of the sums
-#   cost      eight shards, two at once, against one process: processor time, 1.1 times at most. Each
-#             starts (a fifth of a second, mostly the libraries) and tries techniques (1/256 of it all)
-#   thousand  1000 parts of 512 x 512: 60 s of one core and three images of memory at most
+#             resumed; merged in 20 random orders and groupings each: one SHA-256 of the sums
+#   cost      eight shards, two at once, against one process: processor time, at most 1.1 times. Each
+#             has to start (a fifth of a second, mostly libraries) and run the pilot (1/256 of the total)
+#   thousand  1000 parts of 512 x 512: at most 60 s of one core and three images of memory
 set -euo pipefail
 bin=$(readlink -f "$1") source=$(readlink -f "$2")
 shift 2

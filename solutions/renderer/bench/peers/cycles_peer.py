@@ -18,8 +18,8 @@ from mathutils import Matrix
 
 
 def add_material(spec):
-    """Lambert's reflection and an emission; what stands in front only is mixed with black by the side
-    that is seen."""
+    """Lambertian reflection plus emission; one-sided materials are mixed with black by the visible
+    side."""
     material = bpy.data.materials.new("material")
     material.use_nodes = True
     nodes, links = material.node_tree.nodes, material.node_tree.links
@@ -74,7 +74,7 @@ def add_camera(spec):
 
 
 def unbiased_path_tracing(scene, spec):
-    """Everything that would change the image's expectation is off; nothing reaches beyond its pixel."""
+    """Switches off whatever changes the image's expectation; samples count only for their own pixel."""
     scene.render.engine = "CYCLES"
     cycles = scene.cycles
     cycles.device = "CPU"
@@ -116,7 +116,7 @@ def linear_exr(scene, spec):
 
 def processor_seconds(scene, samples):
     """Cycles' very first sample goes through the pixel's centre, which at 64 samples makes the lamp of
-    the Cornell box .1 % of the image too dark; a later block of the sequence is as even."""
+    the Cornell box too dark by .1 % of the image; a later block of the sequence is equally even."""
     scene.render.threads_mode, scene.render.threads = "FIXED", 1
     scene.cycles.samples = scene.cycles.sample_offset = samples
     start = time.process_time()

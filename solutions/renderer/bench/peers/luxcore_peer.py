@@ -19,7 +19,7 @@ def set_all(properties, prefix, values):
 
 
 def add_material(properties, name, spec):
-    """What stands in front only has black behind. Emission is on the side of the normal."""
+    """One-sided materials are black on the back. Emission is on the side of the normal."""
     prefix = "scene.materials." + name
     if spec["kind"] == "mirror":
         set_all(properties, prefix + "front", {"type": "mirror", "kr": list(spec["reflectance"])})
@@ -85,7 +85,7 @@ def scene_of(spec):
 
 
 def settings_of(spec):
-    """Unbiased but for the cache: no clamping, no filter, no colour corrections, one thread."""
+    """Unbiased except for the cache: no clamping, no filter, no colour corrections, one thread."""
     depth = spec["max_depth"] - 1 if spec["max_depth"] else 1024
     properties = pyluxcore.Properties()
     set_all(properties, "film", {
