@@ -17,7 +17,7 @@ Quad::Quad(const Parallelogram& s) : origin(s.origin) {
   const Vec3d across = glm::cross(v, n), along = glm::cross(n, u);
   a = across / glm::dot(across, u);
   b = along / glm::dot(along, v);
-  // Half a unit in the last place of each corner, of this one and a neighbour.
+  // Half a unit in the last place of each corner, for this one and a neighbour.
   const Vec3d blur =
       static_cast<double>(rounding_bound(2)) * (glm::abs(origin) + glm::abs(u) + glm::abs(v));
   reach_a = glm::dot(glm::abs(a), blur);
@@ -37,10 +37,10 @@ double intersect_quad(const Quad& quad, Vec3 o, Vec3 d, float tnear, float tfar)
 }
 
 double intersect_sphere(const Sphere& sphere, Vec3 o, Vec3 d, float tnear, float tfar) {
-  // The discriminant from the distance of the centre to the line, the far root without
-  // cancellation, the near one from the product of the roots.
-  // Source: Haines, Guenther, Akenine-Moeller, "Precision improvements for ray/sphere
-  // intersection", Ray Tracing Gems, chapter 7.
+  // The discriminant comes from the distance of the centre to the line, the far root without
+  // cancellation, the near one from the product of the roots. Source: Haines, Guenther,
+  // Akenine-Moeller, "Precision improvements for ray/sphere intersection", Ray Tracing Gems,
+  // chapter 7.
   const Vec3d f = Vec3d(o) - Vec3d(sphere.center);
   const Vec3d dir = Vec3d(d) / glm::length(Vec3d(d));
   const double r = sphere.radius;
@@ -67,7 +67,7 @@ double intersect_disk(const Disk& disk, Vec3 o, Vec3 d, float tnear, float tfar)
 }
 
 SurfacePoint quad_point(const Quad& quad, Vec3 o, Vec3 d, double t) {
-  // t may have been rounded to float on its way: put the point back into the plane.
+  // t may have been rounded to float since: put the point back into the plane.
   const Vec3d p = Vec3d(o) + t * Vec3d(d);
   return {Vec3(p - glm::dot(p - quad.origin, quad.n) * quad.n), Vec3(quad.n)};
 }
@@ -80,7 +80,7 @@ SurfacePoint sphere_point(const Sphere& sphere, Vec3 o, Vec3 d, double t) {
 }
 
 SurfacePoint disk_point(const Disk& disk, Vec3 o, Vec3 d, double t) {
-  // t may have been rounded to float on its way: put the point back into the plane.
+  // t may have been rounded to float since: put the point back into the plane.
   const Vec3d n(disk.normal), p = Vec3d(o) + t * Vec3d(d);
   const double height = glm::dot(p - Vec3d(disk.center), n) / glm::dot(n, n);
   return {Vec3(p - height * n), disk.normal};

@@ -4,18 +4,18 @@
 
 namespace carlo {
 
-/// A parallelogram ready for rays. In double, and planes and edges taken where the ray is: float
-/// products of the corners of a large one would blur what lies close to it.
+/// A parallelogram prepared for rays. In double, with planes and edges computed where the ray is:
+/// float products of a large one's corners would blur what lies close to it.
 struct Quad {
   glm::dvec3 origin, n;  ///< n of length 1
   glm::dvec3 a, b;       ///< dual to the edges: a u = 1, a v = 0, b u = 0, b v = 1
   double reach_a,
-      reach_b;  ///< what its coordinates may have lost by rounding, in units of the edges
+      reach_b;  ///< the possible rounding error of its coordinates, in units of the edges
 
   explicit Quad(const Parallelogram& s);
 
-  /// Whether a point of its plane lies on it. Of two that share an edge one does, however their
-  /// corners were rounded.
+  /// True if a point of its plane lies on it. Of two that share an edge, at least one returns true,
+  /// however their corners were rounded.
   bool holds(const glm::dvec3& p) const;
 };
 

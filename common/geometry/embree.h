@@ -1,7 +1,7 @@
 #pragma once
 
-// Embree 3 and 4 behind one spelling. Embree 4 moved what a query passes from a context into its
-// arguments, and took the ray out of the callbacks' context.
+// A common interface to Embree 3 and 4. Embree 4 moved a query's context into its arguments, and
+// took the ray out of the callbacks' context.
 
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
@@ -15,7 +15,7 @@ namespace carlo {
 
 struct Mesh;
 
-/// The mesh as Embree's; not committed. Throws Error if memory is short.
+/// Makes an Embree geometry of the mesh; not committed. Throws Error if out of memory.
 RTCGeometry embree_triangles(RTCDevice device, const Mesh& mesh);
 
 inline void embree_intersect(RTCScene scene, RTCRayHit* query) {

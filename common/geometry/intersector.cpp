@@ -23,7 +23,7 @@ struct Primitive {
   std::uint32_t shape;
 };
 
-/// A parallelogram among those of its plane.
+/// A parallelogram and the others of its plane.
 struct Flat {
   Quad quad;
   std::uint32_t shape;
@@ -43,8 +43,9 @@ struct Flat {
   }
 };
 
-/// Callbacks for surfaces that Embree does not know. It calls them for single rays only, since we
-/// make no others. What tfar loses of the distance by rounding to float goes into the hit's u.
+/// Callbacks for surfaces that Embree does not know. Embree calls them only for single rays, since
+/// we make no others. The part of the distance that tfar loses by rounding to float is passed in
+/// the hit's u.
 template <class S, double (*meet)(const S&, Vec3, Vec3, float, float)>
 struct UserGeometry {
   static const S& surface(const void* user, unsigned primitive) {
@@ -151,10 +152,10 @@ struct Intersector::Impl {
   std::vector<SphereTracer> tracers;
   std::vector<Primitive<SphereTracer>> sdfs;
   std::vector<Primitive<Mesh>> meshes;
-  std::size_t added = 0;  ///< shapes that Embree has
+  std::size_t added = 0;  ///< shapes that Embree knows
 
   explicit Impl(const Scene& s) : scene(s) {
-    // No "threads=1" here: it would limit the whole program's TBB.
+    // No "threads=1" here: it would limit TBB in the whole program.
     device = rtcNewDevice(nullptr);
     if (device == nullptr) throw Error("Embree did not start");
     embree = rtcNewScene(device);
@@ -178,7 +179,8 @@ struct Intersector::Impl {
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
-  /// Embree's geometry numbers: one for each kind that shares one, then one for each mesh.
+  /// Embree's geometry numbers: one for each kind of shape that shares a geometry, then one for
+  /// each mesh.
   enum class Kind : unsigned { parallelograms, spheres, disks, sdfs, meshes };
   static constexpr auto first_mesh = static_cast<unsigned>(Kind::meshes);
 
@@ -213,7 +215,7 @@ struct Intersector::Impl {
       parallelograms.push_back({&flat, flat.shape});
   }
 
-  /// A ray that leaves one of the parallelograms in a plane starts beyond all of them.
+  /// Makes rays that leave a parallelogram start beyond all others in its plane.
   void tell_planes(const Planes& planes) {
     std::vector<std::vector<std::uint32_t>> members(flats.size());
     for (std::uint32_t i = 0; i < flats.size(); ++i)
@@ -230,8 +232,8 @@ struct Intersector::Impl {
     }
   }
 
-  /// Of the parallelograms in one plane that lie at p, one whose front the ray meets, if there is:
-  /// which of them Embree names is chance.
+  /// Among the parallelograms of one plane that lie at p, one whose front the ray meets, if there
+  /// is one: which of them Embree reports is chance.
   const Flat& facing(const Flat& met, Vec3 p, Vec3 d) const {
     const auto fronts = [d](const Flat& flat) { return glm::dot(Vec3(flat.quad.n), d) < 0; };
     if (fronts(met)) return met;
@@ -287,8 +289,8 @@ struct Intersector::Impl {
 
 namespace {
 
-/// A point that was rounded from double to float once. What double leaves is relative to the
-/// surface's coordinates and size: where p's own coordinate is about 0, it is all there is.
+/// For a point that was rounded from double to float once. The error of double is relative to the
+/// surface's coordinates and size: where a coordinate of p is about 0, it is the whole error.
 void fill_analytic(const SurfacePoint& point, Vec3 coordinates, Hit& hit) {
   hit.p = point.p;
   hit.p_error = rounding_bound(3) * glm::abs(point.p) +
@@ -297,7 +299,7 @@ void fill_analytic(const SurfacePoint& point, Vec3 coordinates, Hit& hit) {
   hit.n = point.n;
 }
 
-/// Of a sphere or a disk.
+/// For a sphere or a disk.
 template <class S>
 Vec3 coordinates_of(const S& s) {
   return glm::abs(s.center) + Vec3(s.radius);
@@ -323,7 +325,7 @@ void Intersector::Impl::fill(const RTCRayHit& query, const Ray& ray, Hit& hit) c
   const unsigned id = query.hit.geomID, primitive = query.hit.primID;
   hit.t = query.ray.tfar;
   hit.primitive = 0;
-  // What tfar lost by rounding (UserGeometry).
+  // The part that tfar lost by rounding (UserGeometry).
   const double exact_t = static_cast<double>(hit.t) + static_cast<double>(query.hit.u);
   switch (static_cast<Kind>(id)) {
     case Kind::parallelograms:
@@ -346,7 +348,7 @@ void Intersector::Impl::fill(const RTCRayHit& query, const Ray& ray, Hit& hit) c
     case Kind::meshes:
       break;
   }
-  // This number, and all that follow.
+  // All numbers from here on are meshes.
   const Primitive<Mesh>& mesh = meshes[id - first_mesh];
   hit.shape = mesh.shape;
   hit.primitive = primitive;

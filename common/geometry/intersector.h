@@ -18,7 +18,7 @@ struct Hit {
   std::uint32_t primitive = 0;  ///< triangle of a mesh
 };
 
-/// Answers ray queries against a scene's shapes, through Embree, triangles in its robust
+/// Answers ray queries against a scene's shapes through Embree, with triangles in its robust
 /// (watertight) mode; parallelograms, spheres, disks and sdfs are intersected in double precision.
 /// Queries may come from any thread.
 class Intersector {
@@ -34,9 +34,9 @@ class Intersector {
 
   static constexpr std::uint32_t nothing = 0xFFFFFFFF;
 
-  /// Whether anything lies at 0 < t < tmax, but for one shape, which must be a parallelogram, a
-  /// sphere or a disk: the lamp that the ray is to reach. A sphere is in its own way, by rounding,
-  /// where the ray grazes it.
+  /// True if anything lies at 0 < t < tmax, except for one shape, which must be a parallelogram, a
+  /// sphere or a disk: the lamp that the ray aims at. Where a ray grazes a sphere, rounding could
+  /// make it occlude itself.
   bool occluded(const Ray& ray, float tmax, std::uint32_t but_for = nothing) const;
 
  private:

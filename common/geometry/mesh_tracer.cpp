@@ -65,7 +65,7 @@ TriangleHit triangle_hit(const Mesh& mesh, std::uint32_t triangle, Vec3 o, Vec3 
   const Vec3d normal = glm::cross(from_a, ab);
   const double t = inverse * glm::dot(ac, normal);
   if (!std::isfinite(t)) return about;
-  // By so much as Embree lets neighbours overlap, a hit may lie outside.
+  // A hit may lie outside by the amount that Embree lets neighbours overlap.
   const double u = std::clamp(inverse * glm::dot(from_a, across), 0.0, 1.0);
   const double v = std::clamp(inverse * glm::dot(along, normal), 0.0, 1 - u);
   return {std::max(static_cast<float>(t), std::numeric_limits<float>::min()), static_cast<float>(u),
@@ -104,7 +104,7 @@ MeshTracer::MeshTracer(std::vector<const Mesh*> meshes)
 
 MeshTracer::~MeshTracer() = default;
 
-// Ray by ray: a million triangles were met no faster by Embree's packets of 16.
+// Ray by ray: Embree's packets of 16 were no faster on a million triangles.
 std::uint32_t MeshTracer::intersect(MeshRays& rays, std::uint32_t wanted) const {
   std::uint32_t met = 0;
   for (std::uint32_t left = wanted; left != 0; left &= left - 1) {

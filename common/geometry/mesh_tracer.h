@@ -22,16 +22,16 @@ struct TriangleHit {
   float t, u, v;
 };
 
-/// The same of a ray that Embree says to meet the triangle, there or thereabouts: in double,
-/// rounded once. Embree's own numbers are those of the processor's approximate reciprocals.
+/// Computes the hit of a ray that, according to Embree, meets the triangle or nearly so: in double,
+/// rounded once. Embree's own numbers depend on the processor's approximate reciprocals.
 TriangleHit triangle_hit(const Mesh& mesh, std::uint32_t triangle, Vec3 o, Vec3 d,
                          const TriangleHit& about);
 
-/// Where (1 - u - v) a + u b + v c lies on a triangle.
+/// The point (1 - u - v) a + u b + v c of a triangle.
 TrianglePoint triangle_point(const Mesh& mesh, std::uint32_t triangle, float u, float v);
 
-/// Several rays o + x d, 0 < x < t, a column a coordinate; and what they met: the mesh by its
-/// number, its triangle, and where in it (triangle_point()). `t` becomes its distance.
+/// Several rays o + x d, 0 < x < t, one column per coordinate; and their hits: the mesh's number,
+/// its triangle, and the place in it (triangle_point()). `t` becomes the distance.
 struct MeshRays {
   static constexpr std::size_t most = 16;
   template <class T>
@@ -53,11 +53,11 @@ class MeshTracer {
 
   const Mesh& mesh(std::size_t i) const { return *meshes_[i]; }
 
-  /// Bit i of `wanted` asks for ray i: of those, which meet a triangle. Of others nothing is read
-  /// or written.
+  /// Bit i of `wanted` asks for ray i. Returns those that meet a triangle. Other rays are neither
+  /// read nor written.
   std::uint32_t intersect(MeshRays& rays, std::uint32_t wanted) const;
 
-  /// And whether anything lies there at all.
+  /// Returns those of the wanted rays with any hit.
   std::uint32_t occluded(const MeshRays& rays, std::uint32_t wanted) const;
 
  private:

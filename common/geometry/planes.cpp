@@ -28,7 +28,7 @@ struct Plane {
   }
 };
 
-/// How far `points` lie from the plane; below 0 if that is more than rounding can be.
+/// How far `points` lie from the plane; below 0 if that is more than rounding explains.
 double gap_to(const std::array<Vec3d, 4>& points, const Plane& plane) {
   constexpr double unit = rounding_bound(4);
   double gap = 0;

@@ -13,7 +13,7 @@ namespace {
 
 using Vec3d = glm::dvec3;
 
-/// The part of [begin, end] in which the ray o + s d is inside the box.
+/// Clips [begin, end] to the part in which the ray o + s d is inside the box.
 void clip(const sdf::Box& box, Vec3d o, Vec3d d, double& begin, double& end) {
   for (int i = 0; i < 3; ++i) {
     if (d[i] == 0) {
@@ -37,7 +37,7 @@ struct SphereTracer::LocalRay {
 
 SphereTracer::SphereTracer(const Sdf& sdf) : sdf_(sdf), box_(sdf::bounds(sdf, {})) {
   size_ = 0.5 * glm::length(box_.upper - box_.lower);
-  // Room for rounding, and for a ray to be outside before it meets the surface.
+  // Room for rounding, so that a ray is outside before it meets the surface.
   box_.lower -= least_step * size_;
   box_.upper += least_step * size_;
   reach_ = glm::length(glm::max(glm::abs(box_.lower), glm::abs(box_.upper)));
@@ -55,8 +55,8 @@ SphereTracer::LocalRay SphereTracer::to_local(Vec3 o, Vec3 d) const {
   return {sdf_.place.inverse(Vec3d(o)), turned / length, sdf_.place.scale / length};
 }
 
-/// How exactly a point of a ray from o can be known to lie on the surface: 64 roundings of the
-/// largest number on the way.
+/// The precision with which a point of a ray from o can be known to lie on the surface: 64
+/// roundings of the largest number involved.
 double SphereTracer::resolution(Vec3d o) const {
   return 0x1p-46 * (glm::length(o) + reach_);
 }
@@ -79,7 +79,7 @@ double SphereTracer::first_root(const LocalRay& ray, double begin, double end,
   double s = begin, f = sdf::distance(sdf_, ray.at(s));
   double side = starts_outside || f > 0 ? 1 : -1;
   if (!starts_outside && std::abs(f) <= fine) {
-    // On the surface: the side is the one that the ray goes to.
+    // On the surface: the side is the one that the ray heads for.
     side = glm::dot(sdf::gradient(sdf_, ray.at(s)), ray.d) >= 0 ? 1 : -1;
     f = side * fine;
   }
@@ -110,12 +110,12 @@ SphereTracer::Point SphereTracer::point(Vec3 o, Vec3 d, double t) const {
   const LocalRay ray = to_local(o, d);
   const Vec3d exact = Vec3d(o) + t * Vec3d(d);
   const Vec3 p(exact);
-  // Rounded to float once, besides what the search leaves open.
+  // Rounded to float once, plus the uncertainty of the search.
   const auto open = static_cast<float>(2 * sdf_.place.scale * resolution(ray.o));
   const Vec3 p_error = rounding_bound(3) * glm::abs(p) + Vec3(open);
   const Vec3d gradient = sdf_.place.rotation * sdf::gradient(sdf_, ray.at(t / ray.t_per_s));
   const double length = glm::length(gradient);
-  // Where two surfaces just touch there is no normal: let it face the ray.
+  // Where two surfaces just touch there is no normal: use one that faces the ray.
   const Vec3d outwards = length > 0 ? gradient / length : -Vec3d(d);
   return {p, p_error, Vec3(sdf_.flipped ? -outwards : outwards)};
 }

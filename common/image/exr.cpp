@@ -26,11 +26,11 @@ const std::string attribute_prefix = "carlo:";
 /// OpenEXR files carry a date; a fixed one keeps equal images equal.
 constexpr const char* fixed_date = "2000:01:01 00:00:00";
 
-/// Lines that are put together at once: several of the format's bands of 16.
+/// Lines that are assembled at once: several of the format's bands of 16.
 constexpr int lines_at_once = 64;
 
-/// Channels one after the other, of each pixel of some lines, as 32-bit words: floats, then whole
-/// numbers.
+/// The channels of some lines, one after the other for each pixel, as 32-bit words: floats, then
+/// whole numbers.
 std::vector<std::uint32_t> interleave(const ExrFile& file, int first_line, int end_line) {
   std::vector<std::uint32_t> data;
   const std::size_t first = file.image.index(0, first_line);
@@ -87,7 +87,7 @@ std::string in_one_line(std::string text) {
   return text;
 }
 
-/// The places of three named channels among a file's, or nothing if one is missing.
+/// The positions of three named channels in a file, or nothing if one is missing.
 std::optional<std::array<std::size_t, 3>> find_channels(const std::vector<std::string>& names,
                                                         const std::array<std::string, 3>& wanted) {
   std::array<std::size_t, 3> places{};
@@ -99,7 +99,7 @@ std::optional<std::array<std::size_t, 3>> find_channels(const std::vector<std::s
   return places;
 }
 
-/// `count` channels from the one at `first` on, interleaved, of 32-bit values.
+/// Reads `count` channels of 32-bit values from `first` on, interleaved.
 template <class T>
 std::vector<T> read_channels(OIIO::ImageInput& in, const OIIO::ImageSpec& spec, std::size_t first,
                              std::size_t count, const std::filesystem::path& path) {
@@ -114,7 +114,7 @@ std::vector<T> read_channels(OIIO::ImageInput& in, const OIIO::ImageSpec& spec, 
   return data;
 }
 
-/// Three channels; only those that lie between them are read besides.
+/// Reads three channels, and besides them only those that lie between.
 Image read_colours(OIIO::ImageInput& in, const OIIO::ImageSpec& spec, const ExrWindow& window,
                    const std::array<std::size_t, 3>& places, const std::filesystem::path& path) {
   const auto [first, last] = std::minmax_element(places.begin(), places.end());
@@ -131,8 +131,8 @@ Image read_colours(OIIO::ImageInput& in, const OIIO::ImageSpec& spec, const ExrW
   return image;
 }
 
-/// Those of the named channels that the file has as whole numbers, by one read: each read unpacks
-/// the channels between as well, and a render's sums are scores of them.
+/// Reads those of the named channels that the file has as whole numbers, in one read: each read
+/// unpacks the channels in between as well, and a render's sums are scores of them.
 std::map<std::string, std::vector<std::uint32_t>> read_counts(OIIO::ImageInput& in,
                                                               const OIIO::ImageSpec& spec,
                                                               const ExrWindow& window,
@@ -165,9 +165,9 @@ std::map<std::string, std::vector<std::uint32_t>> read_counts(OIIO::ImageInput& 
   return counts;
 }
 
-/// OpenEXR unpacks what a header claims, and takes what is not there for zeros. Deflate makes at
-/// most 1032 bytes of one (with PXR24 4/3 of that); PIZ and DWA pack a blank block of lines into
-/// scores.
+/// OpenEXR unpacks as much as a header claims, and fills up missing data with zeros. Deflate
+/// expands a byte to at most 1032 (with PXR24 4/3 of that); PIZ and DWA pack a blank block of lines
+/// into scores of bytes.
 void require_plausible_size(const OIIO::ImageSpec& spec, const std::filesystem::path& path) {
   if (std::int64_t{spec.width} * spec.height > most_pixels) {
     throw Error("cannot read {}: it has {} x {} pixels, expected {} at most", path.string(),
@@ -182,7 +182,7 @@ void require_plausible_size(const OIIO::ImageSpec& spec, const std::filesystem::
   }
 }
 
-/// The first part with R, G, B, which the reader then stands at.
+/// Finds the first part with R, G, B and moves the reader to it.
 OIIO::ImageSpec find_part(OIIO::ImageInput& in, const std::filesystem::path& path,
                           std::vector<std::string>& notes) {
   const OIIO::ImageSpec first = in.spec();
@@ -206,7 +206,7 @@ OIIO::ImageSpec find_part(OIIO::ImageInput& in, const std::filesystem::path& pat
   return in.spec();
 }
 
-/// To linear Rec. 709.
+/// Converts to linear Rec. 709.
 void convert_colours(const OIIO::ImageSpec& spec, ExrFile& file,
                      const std::filesystem::path& path) {
   for (const char* name : {"whiteLuminance", "adoptedNeutral"}) {
@@ -232,7 +232,7 @@ void convert_colours(const OIIO::ImageSpec& spec, ExrFile& file,
   convert(file.image, *matrix);
   file.notes.push_back(
       fmt::format("its chromaticities, {}, are taken to those of Rec. 709", text_of(primaries)));
-  // How the errors of three channels go together is not told.
+  // The correlation of the three channels' errors is not known.
   if (file.standard_error) file.notes.emplace_back("its standard errors are not used");
   file.standard_error.reset();
 }
@@ -251,12 +251,12 @@ void write_exr(const std::filesystem::path& path, const ExrFile& file) {
 }
 
 ExrFile read_exr(const std::filesystem::path& path, const std::vector<std::string>& counts) {
-  // By itself OpenImageIO sets room for 256 lines aside, however few a file has: 400 MB for two
+  // By default OpenImageIO reserves room for 256 lines, however few a file has: 400 MB for two
   // lines of many channels. Its other bound, 64 MB, stays.
   OIIO::attribute("read_chunk", 1);
   require_honest_header(path);
-  // By its format alone: of a file that OpenEXR refuses, OpenImageIO would ask the readers of all
-  // other formats, and some of them set aside whatever it claims.
+  // Opened by its format alone: for a file that OpenEXR refuses, OpenImageIO would otherwise try
+  // the readers of all other formats, some of which allocate whatever the file claims.
   auto in = OIIO::ImageInput::create("openexr");
   if (!in) throw Error("cannot read {}: {}", path.string(), OIIO::geterror());
   OIIO::ImageSpec spec;

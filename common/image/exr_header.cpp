@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t magic = 20000630, of_many_parts = 0x1000;
 
-/// Little-endian, as all of OpenEXR.
+/// Little-endian, like all of OpenEXR.
 std::uint32_t read_word(std::istream& in) {
   std::uint32_t word = 0;
   for (int shift = 0; shift < 32; shift += 8)
@@ -23,8 +23,8 @@ std::uint32_t read_word(std::istream& in) {
   return word;
 }
 
-/// What values of a type take; OpenEXR reads so many whatever the file says, and takes what follows
-/// for the next attribute.
+/// The sizes of values by type; OpenEXR reads this many bytes whatever the file says, and takes
+/// what follows for the next attribute.
 const std::map<std::string, std::uint32_t> sizes = {
     {"box2f", 16},      {"box2i", 16},   {"chromaticities", 32},
     {"compression", 1}, {"double", 8},   {"envmap", 1},
@@ -35,25 +35,25 @@ const std::map<std::string, std::uint32_t> sizes = {
     {"v2f", 8},         {"v2i", 8},      {"v3d", 24},
     {"v3f", 12},        {"v3i", 12},     {"deepImageState", 1}};
 
-/// What OpenEXR sets aside for one block of lines, which follows from three of the attributes. Of a
-/// part that is tiled it is more than what OpenEXR takes.
+/// What OpenEXR allocates for one block of lines, derived from three of the attributes. For a tiled
+/// part it is more than what OpenEXR needs.
 struct Block {
   std::uintmax_t width = 0, bytes_of_pixel = 0, lines = 1;
 
   std::uintmax_t bytes_of_column() const { return bytes_of_pixel * lines; }
 };
 
-/// OpenEXR takes as much for each of several threads.
+/// OpenEXR allocates as much for each of several threads.
 constexpr std::uintmax_t most_block_bytes = std::uintmax_t{128} << 20;
 
-/// How many lines are packed together, by the number of the method.
+/// The number of lines packed together, by compression method.
 std::uintmax_t lines_of(int compression) {
   constexpr std::array<std::uintmax_t, 10> lines{1, 1, 1, 16, 32, 16, 32, 32, 32, 256};
   const auto place = static_cast<std::size_t>(compression);
   return place < lines.size() ? lines[place] : 1;
 }
 
-/// Left and right ends, both within, as signed words; top and bottom follow.
+/// Reads left and right ends, both inclusive, as signed words; top and bottom follow.
 std::uintmax_t width_of_window(std::istream& in) {
   const auto left = static_cast<std::int32_t>(read_word(in));
   (void)read_word(in);
@@ -61,8 +61,8 @@ std::uintmax_t width_of_window(std::istream& in) {
   return right < left ? 0 : static_cast<std::uintmax_t>(std::int64_t{right} - left + 1);
 }
 
-/// The bytes of a list of channels (name, 0, type, 12 more), which ends with an empty name. Adds
-/// what they take to a pixel: two bytes for halves (type 1), four for others.
+/// The size in bytes of a list of channels (name, 0, type, 12 more), which ends with an empty name.
+/// Adds the channels' bytes per pixel: two for halves (type 1), four for others.
 std::uintmax_t size_of_channels(std::istream& in, std::uintmax_t& bytes_of_pixel) {
   std::uintmax_t size = 1;
   for (std::string name; std::getline(in, name, '\0') && !name.empty();) {
@@ -73,14 +73,14 @@ std::uintmax_t size_of_channels(std::istream& in, std::uintmax_t& bytes_of_pixel
   return size;
 }
 
-/// And of a preview: width, height, and four bytes a pixel.
+/// The size in bytes of a preview: width, height, and four bytes a pixel.
 std::uintmax_t size_of_preview(std::istream& in) {
   const std::uintmax_t width = read_word(in), height = read_word(in);
   return 8 + 4 * width * height;
 }
 
-/// What a value of the type that starts here will be read from, of `claimed` bytes. What it says of
-/// blocks goes there.
+/// The number of bytes from which the value that starts here will be read; the attribute claims
+/// `claimed`. Records what it says about blocks.
 std::uintmax_t size_of_value(std::istream& in, const std::string& name, const std::string& type,
                              std::uint32_t claimed, Block& block) {
   if (type == "chlist") return size_of_channels(in, block.bytes_of_pixel);
@@ -94,7 +94,7 @@ std::uintmax_t size_of_value(std::istream& in, const std::string& name, const st
 }  // namespace
 
 // A header is a list of attributes (name, 0, type, 0, bytes, value) that ends with an empty name; a
-// file of many parts has headers until an empty one.
+// multipart file has headers until an empty one.
 void require_honest_header(const std::filesystem::path& path) {
   std::error_code missing;
   const std::uintmax_t size = std::filesystem::file_size(path, missing);

@@ -9,20 +9,21 @@
 
 namespace carlo {
 
-/// Where the pixels of an OpenEXR file (its data window) lie in its image (its display window).
+/// Maps the pixels of an OpenEXR file (its data window) to its image (its display window).
 class ExrWindow {
  public:
-  /// Throws Error naming the path if the display window is no image, or one of too many pixels.
+  /// Throws Error naming the path if the display window is empty or has too many pixels.
   ExrWindow(const OIIO::ImageSpec& spec, const std::filesystem::path& path);
 
-  /// Of the image.
+  /// Size of the image.
   int width() const { return width_; }
   int height() const { return height_; }
 
-  /// The number of the data's pixel that is the image's pixel x, y; nothing where there is none.
+  /// The index of the data pixel at the image's pixel x, y; nothing if there is none.
   std::optional<std::size_t> find(int x, int y) const;
 
-  /// What of the image is black for want of data, and what of the data is outside of the image.
+  /// Describes which part of the image is black for lack of data, and which data lies outside the
+  /// image.
   std::optional<std::string> note() const;
 
  private:

@@ -9,7 +9,8 @@
 
 namespace carlo {
 
-/// What one pixel has gathered. The sums are exact: they do not depend on the order of additions.
+/// The accumulated samples of one pixel. The sums are exact: they do not depend on the order of
+/// additions.
 struct PixelSums {
   std::array<ExactSum, 3> sum;      ///< of block means
   std::array<ExactSum, 3> squares;  ///< of squared block means
@@ -22,9 +23,9 @@ struct PixelSums {
 /// The samples of a pixel come in blocks of equal size (a power of two); the spread of the block
 /// means gives the standard error. For independent samples that estimate is unbiased. Blocks of
 /// stratified and of scrambled Sobol' points are negatively correlated, which makes it an upper
-/// bound, but for few Sobol' points (below 32: tests/renderer/error_bars_test.cpp). Films that
-/// share size and block may be merged in any order. Radiances may be any finite floats: what is far
-/// below a pixel's largest sample is lost in its sums, as exact_sum.h says.
+/// bound, except for few Sobol' points (below 32: tests/renderer/error_bars_test.cpp). Films of the
+/// same size and block may be merged in any order. Radiances may be any finite floats: values far
+/// below a pixel's largest sample are lost in its sums, as exact_sum.h says.
 class Film {
  public:
   /// Throws Error if the film is empty or over 2^25 pixels.
@@ -38,14 +39,12 @@ class Film {
   /// to different pixels at once.
   void add_block(int x, int y, const std::array<double, 3>& mean);
 
-  /// Stores what was estimated elsewhere, for a pixel that has no block yet: two blocks, one
-  /// standard error to either side of the mean, have that mean and that standard error. Both
-  /// finite.
+  /// Stores an estimate made elsewhere, for a pixel without blocks: two blocks, one standard error
+  /// to either side of the mean, have that mean and that standard error. Both finite.
   void set_estimate(int x, int y, const std::array<double, 3>& mean,
                     const std::array<double, 3>& standard_error, std::uint64_t samples);
 
-  /// All that is known of a pixel, exactly; another film of the same size and block may go on
-  /// from there.
+  /// The exact state of a pixel; another film of the same size and block may continue from it.
   const PixelSums& sums(int x, int y) const { return pixels_[index(x, y)]; }
   void set_sums(int x, int y, const PixelSums& sums) { pixels_[index(x, y)] = sums; }
 
@@ -80,7 +79,7 @@ class Film {
   std::vector<PixelSums> pixels_;
 };
 
-/// The mean over all pixels that have samples and its standard error, per channel.
+/// The mean over all pixels that have samples, and its standard error, per channel.
 struct MeanRadiance {
   std::array<double, 3> value{};
   std::array<double, 3> standard_error{};

@@ -15,7 +15,7 @@ namespace {
 
 using Colour = std::array<double, 3>;
 
-/// One number a pixel.
+/// One number per pixel.
 struct Plane {
   int width = 0, height = 0;
   std::vector<double> values;
@@ -31,7 +31,7 @@ struct Plane {
 
 // Colour spaces -----------------------------------------------------------------------------------
 
-/// Linear sRGB to CIE XYZ (IEC 61966-2-1), and the white that both have.
+/// Linear sRGB to CIE XYZ (IEC 61966-2-1), and the white of both.
 constexpr std::array<Colour, 3> to_xyz = {{{0.4124564, 0.3575761, 0.1804375},
                                            {0.2126729, 0.7151522, 0.0721750},
                                            {0.0193339, 0.1191920, 0.9503041}}};
@@ -64,7 +64,7 @@ Colour rgb_from_ycxcz(const Colour& c) {
   return times(to_rgb, {white[0] * (y + c[1] / 500), white[1] * y, white[2] * (y - c[2] / 200)});
 }
 
-/// CIELAB, whose colours fade with the lightness (Hunt).
+/// CIELAB, with colours that fade with the lightness (Hunt).
 Colour hunt_lab(const Colour& rgb) {
   const auto f = [](double t) {
     constexpr double edge = 6.0 / 29;
@@ -76,7 +76,7 @@ Colour hunt_lab(const Colour& rgb) {
           0.01 * lightness * 200 * (f(y) - f(z))};
 }
 
-/// A distance that is fit for large differences of colour (Abasi et al. 2020).
+/// A distance suited to large colour differences (Abasi et al. 2020).
 double hyab(const Colour& a, const Colour& b) {
   return std::fabs(a[0] - b[0]) + std::hypot(a[1] - b[1], a[2] - b[2]);
 }
@@ -93,7 +93,7 @@ Kernel kernel(int radius, const std::function<double(double)>& weight) {
   return result;
 }
 
-/// Filters the rows, then the columns; outside of the image its edge goes on.
+/// Filters the rows, then the columns; outside the image its edge is repeated.
 Plane filtered(const Plane& plane, const Kernel& along_x, const Kernel& along_y) {
   Plane rows(plane.width, plane.height), result(plane.width, plane.height);
   const int rx = static_cast<int>(along_x.size() / 2), ry = static_cast<int>(along_y.size() / 2);
@@ -125,8 +125,8 @@ constexpr Sensitivity red_green_sensitivity[] = {{1, 0.0053}};
 constexpr Sensitivity blue_yellow_sensitivity[] = {{34.1, 0.04}, {13.5, 0.025}};
 constexpr double widest = 0.04;
 
-/// What the eye sees of one channel from its distance: blurred by the inverse transform of the
-/// contrast sensitivity, a sum of Gaussians, whose weights in the plane sum to 1.
+/// One channel as the eye sees it from its distance: blurred by the inverse transform of the
+/// contrast sensitivity, a sum of Gaussians whose weights in the plane sum to 1.
 template <std::size_t n>
 Plane seen(const Plane& channel, const Sensitivity (&terms)[n], double pixels_per_degree) {
   constexpr double pi2 = std::numbers::pi * std::numbers::pi;
@@ -153,7 +153,7 @@ Plane seen(const Plane& channel, const Sensitivity (&terms)[n], double pixels_pe
 
 // The two differences -----------------------------------------------------------------------------
 
-/// What FLIP needs of one image: its channels as a screen shows them, in the opponent space.
+/// An image's channels as a screen shows them, in the opponent space.
 std::array<Plane, 3> opponent_channels(const Image& image) {
   const Plane empty(image.width, image.height);
   std::array<Plane, 3> planes{empty, empty, empty};
@@ -185,7 +185,7 @@ std::vector<Colour> seen_colours(const std::array<Plane, 3>& channels, double pi
   return colours;
 }
 
-/// The colour difference in [0, 1]: large ones are squeezed into the last twentieth.
+/// The colour difference in [0, 1]: large ones are compressed into the last twentieth.
 double colour_difference(const Colour& a, const Colour& b) {
   constexpr double power = 0.7, knee = 0.4, knee_value = 0.95;
   static const double most = std::pow(hyab(hunt_lab({0, 1, 0}), hunt_lab({0, 0, 1})), power);
@@ -194,12 +194,12 @@ double colour_difference(const Colour& a, const Colour& b) {
   return knee_value + (difference - knee * most) / ((1 - knee) * most) * (1 - knee_value);
 }
 
-/// How strong edges and points are at each pixel.
+/// The strength of edges and points at each pixel.
 struct Features {
   std::vector<double> edges, points;
 };
 
-/// Weights whose positive ones sum to 1, and whose negative ones sum to -1.
+/// Scales the weights so that the positive ones sum to 1 and the negative ones to -1.
 Kernel balanced(Kernel weights) {
   double positive = 0, negative = 0;
   for (const double w : weights)
@@ -251,7 +251,7 @@ std::vector<float> flip_map(const Image& image, const Image& reference, double p
   for (std::size_t i = 0; i < a_colours.size(); ++i) {
     const double feature = std::max(std::fabs(a_features.edges[i] - b_features.edges[i]),
                                     std::fabs(a_features.points[i] - b_features.points[i]));
-    // A difference in features makes that of colours count for more.
+    // A difference in features gives the colour difference more weight.
     const double exponent = 1 - std::clamp(std::sqrt(feature / std::numbers::sqrt2), 0.0, 1.0);
     map.push_back(
         static_cast<float>(std::pow(colour_difference(a_colours[i], b_colours[i]), exponent)));

@@ -21,10 +21,11 @@
 namespace carlo {
 namespace {
 
-constexpr int least_packed = 8, most_packed = 32767;  ///< widths of rows that may come in runs
+constexpr int least_packed = 8, most_packed = 32767;  ///< widths of rows that may be run-length
+                                                      ///< encoded
 using Rgbe = std::array<std::uint8_t, 4>;
 
-// Why a reader of our own: OpenImageIO 2.4.7 and 3.2.2 give pixels without dividing by EXPOSURE.
+// Used instead of OpenImageIO, whose versions 2.4.7 and 3.2.2 do not divide pixels by EXPOSURE.
 class HdrReader {
  public:
   explicit HdrReader(const std::filesystem::path& path)
@@ -54,8 +55,8 @@ class HdrReader {
 
   void note(const std::string& what) { notes_.push_back(name_ + ": " + what); }
 
-  /// Headers that were edited may have lines that end in \r\n. Blanks before a line stay: those of
-  /// an image that this one was made of are indented.
+  /// Edited headers may have lines that end in \r\n. Leading blanks are kept: header lines of the
+  /// image that this one was made from are indented.
   std::string_view line() {
     const std::size_t end = rest_.find('\n');
     if (end == std::string_view::npos) fail("its header has no end");
@@ -70,7 +71,7 @@ class HdrReader {
     return text.substr(0, text.find_last_not_of(blanks) + 1);
   }
 
-  /// The number that all of `text` is, but for blanks before it; fails otherwise.
+  /// All of `text` as a number, except leading blanks; fails otherwise.
   template <class T>
   T number(std::string_view text, std::string_view what) const {
     text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
@@ -79,7 +80,7 @@ class HdrReader {
     return *value;
   }
 
-  /// So many numbers, separated by blanks.
+  /// Exactly `count` numbers, separated by blanks.
   template <std::size_t count>
   std::array<double, count> numbers(std::string_view text, std::string_view what) const {
     std::array<double, count> values{};
@@ -108,7 +109,7 @@ class HdrReader {
     }
   }
 
-  /// Others (SOFTWARE, CAPDATE, ...) and the lines of programs say where it is from.
+  /// Other variables (SOFTWARE, CAPDATE, ...) and lines of programs only describe the origin.
   void read_variable(std::string_view name, std::string_view value) {
     if (name == "FORMAT" && value != "32-bit_rle_rgbe") fail("its FORMAT is not 32-bit_rle_rgbe");
     if (name == "EXPOSURE") divide_by(glm::dvec3(number<double>(value, "its EXPOSURE")));
@@ -148,8 +149,8 @@ class HdrReader {
     note(fmt::format("its PRIMARIES, {}, are taken to those of Rec. 709", text_of(primaries)));
   }
 
-  /// Fewer bytes than a row has are no row that the size leaves out: an editor's end of line, or
-  /// what fills the file up.
+  /// Fewer bytes than a row takes are not a row that the size leaves out, but an editor's end of
+  /// line or padding.
   void check_end(int width) {
     if (rest_.empty()) return;
     if (static_cast<std::int64_t>(rest_.size()) >= least_bytes_of_row(width))
@@ -162,7 +163,7 @@ class HdrReader {
     return std::min(4 * width, 4 + 8 * ((width + 126) / 127));
   }
 
-  /// "-Y height +X width", and enough bytes behind it.
+  /// Reads "-Y height +X width", and checks that enough bytes follow.
   Image sized() {
     const std::string_view text = line();
     const std::size_t x = text.find(" +X ");
@@ -186,7 +187,7 @@ class HdrReader {
     return static_cast<std::uint8_t>(c);
   }
 
-  /// Rows in runs begin with 2, 2 and their width.
+  /// Run-length encoded rows begin with 2, 2 and their width.
   void read_row(std::vector<Rgbe>& row) {
     const auto width = static_cast<int>(row.size());
     const std::string start{2, 2, static_cast<char>(width >> 8), static_cast<char>(width & 255)};
@@ -204,7 +205,7 @@ class HdrReader {
     }
   }
 
-  /// Above 128: one byte so many times less 128; else so many bytes.
+  /// A count above 128 repeats one byte (count - 128) times; otherwise `count` bytes follow.
   void read_runs(std::vector<Rgbe>& row, std::size_t channel) {
     for (std::size_t x = 0; x < row.size();) {
       const std::uint8_t code = byte();
@@ -229,7 +230,7 @@ class HdrReader {
   static constexpr std::string_view blanks = " \t\r";
   std::string path_, name_, bytes_;
   std::string_view rest_;
-  glm::dvec3 per_correction_{1};  ///< 1 over what the pixels were multiplied by
+  glm::dvec3 per_correction_{1};  ///< 1 over the factor that the pixels were multiplied by
   std::optional<Primaries> primaries_;
   std::vector<std::string> notes_;
 };

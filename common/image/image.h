@@ -8,7 +8,7 @@
 
 namespace carlo {
 
-/// No image has more, as a film or in a file: 8K UHD, 7680 x 4320, fits.
+/// The most pixels of any image, as a film or in a file: 8K UHD, 7680 x 4320, fits.
 constexpr std::int64_t most_pixels = std::int64_t{1} << 25;
 
 /// Linear RGB, row-major, the top row first.

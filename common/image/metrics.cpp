@@ -15,8 +15,8 @@ void require_same_size(const Image& a, const Image& b) {
               b.height);
 }
 
-/// z of the difference of means over the rectangle [x0, x1) x [y0, y1); `ties`: of the sum's
-/// variance what is not the sum of the pixels'.
+/// z of the difference of means over the rectangle [x0, x1) x [y0, y1); `ties`: the part of the
+/// sum's variance that is due to correlation between pixels.
 double rectangle_z(const Image& image, const Image& error, const Image& reference,
                    const Image& reference_error, int x0, int y0, int x1, int y1, int c,
                    double ties = 0) {

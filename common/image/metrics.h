@@ -7,7 +7,8 @@
 
 namespace carlo {
 
-/// How far an image is from a reference of the same size; means over pixels and channels.
+/// The difference between an image and a reference of the same size; means over pixels and
+/// channels.
 struct ImageError {
   double mse = 0;
   double rel_mse = 0;            ///< of (a - r)^2 / (r^2 + 0.01)
@@ -18,18 +19,18 @@ struct ImageError {
 /// Throws Error when the sizes differ. NaN in either image makes the result NaN.
 ImageError compare(const Image& image, const Image& reference);
 
-/// The difference of the means of two images in standard errors of that difference, per channel;
-/// the standard errors are those of the two images' pixels. `ties` is what the variance of the
-/// image's mean has beyond that of independent pixels.
+/// The difference of the means of two images in standard errors of that difference, per channel,
+/// from the standard errors of the two images' pixels. `ties`: the variance of the image's mean
+/// beyond that of independent pixels.
 std::array<double, 3> bias_z(const Image& image, const Image& standard_error,
                              const Image& reference, const Image& reference_error,
                              const std::array<double, 3>& ties = {});
 
-/// The same for each tile of `tile` x `tile` pixels, tiles row by row, three channels a tile.
+/// The same for each tile of `tile` x `tile` pixels, tiles row by row, three channels per tile.
 std::vector<double> tile_z(const Image& image, const Image& standard_error, const Image& reference,
                            const Image& reference_error, int tile);
 
-/// Pixels with a channel that is NaN or infinite.
+/// The number of pixels with a channel that is NaN or infinite.
 std::size_t count_non_finite(const Image& image);
 
 }  // namespace carlo

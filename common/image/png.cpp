@@ -45,7 +45,7 @@ std::string png(const Image& image, float stops) {
 }
 
 void write_png(const std::filesystem::path& path, const Image& image, float stops) {
-  // In memory first: stb's own file output does not notice a full disk.
+  // Encodes to memory first: stb's own file output does not notice a full disk.
   write_file(path, png(image, stops));
 }
 

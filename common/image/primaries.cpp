@@ -13,7 +13,7 @@ using Xy = std::array<double, 2>;
 
 constexpr Primaries rec709{{.64, .33}, {.3, .6}, {.15, .06}, {.3127, .329}};
 
-/// Three numbers that are in the ratio of a colour's X, Y, Z.
+/// Three numbers in the ratio of a colour's X, Y, Z.
 glm::dvec3 direction(const Xy& xy) {
   return {xy[0], xy[1], 1 - xy[0] - xy[1]};
 }
@@ -29,7 +29,7 @@ glm::dmat3 xyz_from(const Primaries& p) {
   return {directions[0] * lengths[0], directions[1] * lengths[1], directions[2] * lengths[2]};
 }
 
-/// From one white to another, both in XYZ.
+/// Maps one white to another, both in XYZ.
 glm::dmat3 bradford(const glm::dvec3& from, const glm::dvec3& to) {
   const glm::dmat3 cones = glm::transpose(
       glm::dmat3(.8951, .2664, -.1614, -.7502, 1.7135, .0367, .0389, -.0685, 1.0296));
@@ -45,7 +45,7 @@ bool near(const Xy& a, const Xy& b) {
 bool is_finite(const glm::dmat3& m) {
   for (int c = 0; c < 3; ++c) {
     for (int r = 0; r < 3; ++r) {
-      // What is larger comes from primaries that are almost one.
+      // Larger numbers come from primaries that nearly coincide.
       if (!(std::abs(m[c][r]) < 1e3)) return false;
     }
   }

@@ -9,7 +9,7 @@ struct Ray {
   Vec3 d;  ///< of length 1
 };
 
-/// Which side of the film the field of view spans.
+/// The side of the film that the field of view spans.
 enum class FovAxis { x, y, smaller, larger };
 
 /// A pinhole camera.
@@ -17,7 +17,7 @@ struct Camera {
   Vec3 origin{0};
   Vec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};  ///< orthonormal
   FovAxis fov_axis = FovAxis::x;
-  float tan_half_fov = 1;                ///< half of that side at distance 1
+  float tan_half_fov = 1;                ///< half of the spanned side at distance 1
   float tan_half_x = 1, tan_half_y = 1;  ///< half the film's width and height at distance 1
 
   /// Sets tan_half_x and tan_half_y for a film of this many square pixels.

@@ -9,8 +9,8 @@ namespace carlo {
 /// The diagonal of the box around all shapes, lamps and the camera of a scene.
 double diameter(const Scene& scene);
 
-/// The middle of all shapes, lamps and the camera of a scene whose coordinates lose digits by where
-/// it lies: if that is more than eight times their extent away from the origin. Nothing otherwise.
+/// The middle of all shapes, lamps and the camera, if the scene is so far from the origin that its
+/// coordinates lose digits: more than eight times its extent. Nothing otherwise.
 std::optional<glm::dvec3> far_center(const Scene& scene);
 
 }  // namespace carlo

@@ -4,16 +4,16 @@
 
 namespace carlo {
 
-// What may be asked of a property by itself, before it is used: its kind, what stands in it and in
-// which range its value lies. Each throws Error at what is at fault.
+// Checks of a single property before it is used: its kind, its contents and the range of its value.
+// Each throws Error at what is wrong.
 
-/// Any value of a kind: is<number_value>.
+/// Accepts any value of a kind: is<number_value>.
 template <auto value>
 void is(const XmlElement& property) {
   (void)value(property);
 }
 
-/// A property that is refused whatever it is.
+/// Accepts a property that is refused whatever its value.
 void anything(const XmlElement& property);
 
 void above_zero(const XmlElement& property);
@@ -26,7 +26,7 @@ void a_reflectance(const XmlElement& property);
 void an_emission(const XmlElement& property);
 void a_transform(const XmlElement& property);
 
-// One value only: others would change the image.
+// Accept only one value: others would change the image.
 void only_true(const XmlElement& property);
 void only_false(const XmlElement& property);
 void only_zero(const XmlElement& property);
@@ -35,8 +35,8 @@ void only_half(const XmlElement& property);
 void only_one(const XmlElement& property);
 void only_none(const XmlElement& property);
 
-/// What stands inside a property and can be told apart: attributes that it does not have, those
-/// that are no numbers, steps of a transform. Whether nothing is wrong.
+/// Checks the parts of a property that can be judged separately: unknown attributes, attributes
+/// that are not numbers, steps of a transform. Returns true if nothing is wrong.
 bool check_parts(const XmlElement& property, SceneErrors& errors);
 
 }  // namespace carlo

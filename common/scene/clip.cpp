@@ -12,7 +12,7 @@ namespace {
 
 using Vec3d = glm::dvec3;
 
-/// The distance of p from a triangle: of its plane above its inside, else of its edges.
+/// The distance of p from a triangle: from its plane above its inside, otherwise from its edges.
 double to_triangle(Vec3d p, const std::array<Vec3d, 3>& corner) {
   const Vec3d normal = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
   double nearest = std::numeric_limits<double>::infinity();
@@ -46,7 +46,7 @@ double to_mesh(Vec3d p, const Mesh& s) {
   return nearest;
 }
 
-/// The distance of the nearest surface from p, or less.
+/// A lower bound on the distance of the nearest surface from p.
 double clearance(Vec3d p, const Shape& shape) {
   return match(
       shape.geometry, [&](const Parallelogram& s) { return to_parallelogram(p, s); },
@@ -57,7 +57,7 @@ double clearance(Vec3d p, const Shape& shape) {
       [&](const Sdf& s) { return std::abs(sdf::distance(s, p)); });
 }
 
-/// How far a shape reaches along `forward` from p, or more.
+/// An upper bound on how far a shape reaches along `forward` from p.
 double reach(Vec3d p, Vec3d forward, const Shape& shape) {
   const auto depth = [&](Vec3d q) { return glm::dot(q - p, forward); };
   return match(

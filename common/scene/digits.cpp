@@ -14,13 +14,14 @@ namespace {
 using Vec3d = glm::dvec3;
 
 constexpr double enough = 1000, touching = 8;  ///< in units of a plane's error
-constexpr std::size_t most_things = 3000;      ///< each is looked at with each: a second at most
+constexpr std::size_t most_things = 3000;      ///< all pairs are compared: this takes a second at
+                                               ///< most
 
 /// Something that may be close to a plane.
 struct Thing {
   std::vector<Vec3d> points;
   double radius = 0;  ///< about its only point
-  double size = 0;    ///< its shortest side; 0: it has none
+  double size = 0;    ///< its shortest side; 0 if it has none
 };
 
 Thing thing_of(const Shape& shape) {
@@ -41,7 +42,7 @@ Thing thing_of(const Shape& shape) {
   return std::visit(Visitor{}, shape.geometry);
 }
 
-/// A parallelogram's plane in double, and how exactly floats place it.
+/// A parallelogram's plane in double, and the accuracy of its position in floats.
 struct Plane {
   Vec3d o, u, v, n;
   double error = 0;  ///< 0 if it is parallel to a coordinate plane
@@ -65,7 +66,7 @@ struct Plane {
     return std::min(a, b) > -.01 && std::max(a, b) < 1.01;
   }
 
-  /// Of the thing's distance, or of its size where it touches; in units of the error.
+  /// The thing's distance, or its size where it touches, in units of the error.
   double digits(const Thing& thing) const {
     double least = enough;
     for (const Vec3d& p : thing.points) {
@@ -82,7 +83,7 @@ struct Plane {
 
 std::optional<std::string> too_few_digits(const Scene& scene) {
   const auto& [points, environment, envmap] = scene.lights;
-  (void)environment, (void)envmap;  // are near to nothing
+  (void)environment, (void)envmap;  // are near nothing
   if (scene.shapes.size() + points.size() > most_things) return std::nullopt;
   std::vector<Thing> things;
   for (const Shape& shape : scene.shapes)

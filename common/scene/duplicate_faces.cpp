@@ -10,7 +10,7 @@
 namespace carlo {
 namespace {
 
-/// Whether corner(0), ... corner(count - 1) of the one are those of the other, from any of them on.
+/// True if corner(0), ... corner(count - 1) of one are those of the other, up to rotation.
 template <class A, class B>
 bool same_around(std::size_t count, const A& a, const B& b) {
   for (std::size_t start = 0; start < count; ++start) {
@@ -33,7 +33,7 @@ class DuplicateFaces {
   }
 
   std::size_t mark() {
-    // A polygon from its second corner on has the same corners and other triangles.
+    // A polygon that starts at another corner has the same corners but other triangles.
     const std::size_t polygons = mark_polygons();
     return polygons + mark_triangles();
   }
@@ -80,7 +80,7 @@ class DuplicateFaces {
     const auto corners = [&](std::size_t i) { return std::span(&file_.triangles[i].x, 3); };
     std::vector<std::uint64_t> keys;
     keys.reserve(file_.triangles.size());
-    // What is left out already is like nothing else.
+    // Triangles that are left out already have no duplicates.
     for (std::size_t i = 0; i < file_.triangles.size(); ++i)
       keys.push_back(left_out_[i] == 0 ? key(corners(i)) : spread(i));
     std::size_t count = 0;

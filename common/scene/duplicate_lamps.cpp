@@ -16,7 +16,7 @@ namespace {
 
 using Vec3d = glm::dvec3;
 
-/// Of the largest coordinate: four roundings of float, as a corner has that is a sum.
+/// Relative to the largest coordinate: four float roundings, as for a corner that is a sum.
 constexpr double rounding = 0x1p-22;
 
 std::array<Vec3d, 4> corners_of(const Parallelogram& p) {
@@ -28,7 +28,7 @@ double largest(Vec3d p) {
   return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
 }
 
-/// A point that lamps share which are the same, and by how much rounding may move it.
+/// A point that identical lamps share, and its possible rounding error.
 struct Middle {
   Vec3d point;
   double error;
@@ -47,7 +47,7 @@ struct MiddleOf {
     const Vec3d center(s.center);
     return {center, rounding * (largest(center) + static_cast<double>(s.radius))};
   }
-  Middle operator()(const Mesh&) const { return {}; }  // by its triangles
+  Middle operator()(const Mesh&) const { return {}; }  // compared by its triangles
   Middle operator()(const Sdf&) const { return {}; }   // no lamp
 };
 
@@ -59,12 +59,12 @@ bool near(float a, float b, double error) {
   return std::abs(static_cast<double>(a) - static_cast<double>(b)) <= error;
 }
 
-/// Whether two shapes are the same place, facing the same way.
+/// Compares two shapes: true if they occupy the same place and face the same way.
 struct SamePlace {
   double error;
 
   bool operator()(const Parallelogram& a, const Parallelogram& b) const {
-    // The corners go around in the same sense, from any of them on.
+    // The corners have the same cyclic order, from any of them on.
     const auto p = corners_of(a), q = corners_of(b);
     for (std::size_t start = 0; start < 4; ++start) {
       std::size_t i = 0;
@@ -82,7 +82,7 @@ struct SamePlace {
     return near(a.radius, b.radius, error) && near(Vec3d(a.center), Vec3d(b.center), error) &&
            near(Vec3d(a.normal), Vec3d(b.normal), 2 * rounding);
   }
-  bool operator()(const Mesh&, const Mesh&) const { return false; }  // by their triangles
+  bool operator()(const Mesh&, const Mesh&) const { return false; }  // compared by their triangles
   bool operator()(const Sdf&, const Sdf&) const { return false; }    // no lamps
   template <class A, class B>
   requires(!std::is_same_v<A, B>) bool operator()(const A&, const B&) const { return false; }
@@ -106,8 +106,8 @@ class DuplicateLamps {
         fmt::format("{} {} left out that lie where others lie, facing the same way", count, what));
   }
 
-  /// All but meshes: along a line that few planes of lamps stand across, only neighbours can be in
-  /// one place.
+  /// All but meshes. Sorted along a line that few planes of lamps are perpendicular to, only
+  /// neighbours can coincide.
   void find_lamps() {
     gone_.resize(scene_.shapes.size());
     struct Lamp {
@@ -144,7 +144,7 @@ class DuplicateLamps {
     Triangle corners;
   };
 
-  /// Halves of parallelograms before all others: those stay.
+  /// Halves of parallelograms come before all others: those stay.
   std::vector<LampTriangle> lamp_triangles() const {
     std::vector<LampTriangle> out;
     for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
@@ -194,7 +194,7 @@ class DuplicateLamps {
         });
   }
 
-  /// A triangle whose corners are one is left out below.
+  /// A triangle whose corners coincide is left out below.
   static void mark(Mesh& mesh, std::size_t triangle) {
     glm::uvec3& t = mesh.triangles[triangle];
     t = {t.x, t.x, t.x};

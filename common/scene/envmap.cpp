@@ -9,7 +9,7 @@ namespace carlo {
 
 std::size_t texel_at(const Envmap& map, Vec3 d) {
   const glm::dvec3 v = glm::transpose(map.rotation) * glm::dvec3(d);
-  // By atan2: next to the poles acos would lose half of the digits.
+  // atan2, since next to the poles acos would lose half of the digits.
   const double around = std::atan2(v.x, -v.z) / (2 * pi);
   const double down = std::atan2(std::hypot(v.x, v.z), v.y) / pi;
   const double s = around < 0 ? around + 1 : around;

@@ -26,10 +26,10 @@ namespace fs = std::filesystem;
 struct ImageFile {
   Image image;
   std::vector<std::string> notes;
-  const char* size_of;  ///< what has the image's size
+  const char* size_of;  ///< something of the image's size
 };
 
-/// By its first bytes, whatever it is called.
+/// Chooses the reader by the file's first bytes, whatever its name.
 ImageFile read_image(const fs::path& path) {
   std::string start(8, '\0');
   std::ifstream(path, std::ios::binary).read(start.data(), 8);
@@ -45,7 +45,7 @@ ImageFile read_image(const fs::path& path) {
   throw Error("{} is no image of radiances, expected OpenEXR or Radiance HDR", path.string());
 }
 
-// What is wrong inside an image is reported where the scene names it, like all else.
+// Errors inside an image are reported where the scene names it.
 ImageFile read_image(const std::string& filename, Position at) {
   const fs::path path = find_file(at, filename);
   std::error_code ec;
@@ -64,7 +64,7 @@ float scale_of(Properties& emitter) {
   return scale;
 }
 
-/// The image is infinitely far away: it can be turned and mirrored, and nothing else would show.
+/// The image is infinitely far away: only rotations and reflections have an effect.
 glm::dmat3 rotation_of(Properties& emitter) {
   const auto to_world = emitter.transform("toWorld");
   if (!to_world) return glm::dmat3(1);
@@ -90,7 +90,7 @@ void check(const ImageFile& file, const std::string& filename, Position at) {
       for (int c = 0; c < 3; ++c) {
         const float value = image.at(x, y)[c];
         if (value >= 0 && std::isfinite(value)) continue;
-        // Colours outside of Rec. 709 become negative by its primaries.
+        // Colours outside Rec. 709 have negative components in its primaries.
         fail(at, "{} has {} {} in column {}, row {}, expected radiances >= 0{}",
              in_quotes(filename), "RGB"[c], value, x + 1, y + 1,
              file.notes.empty() ? "" : fmt::format(" ({})", fmt::join(file.notes, "; ")));

@@ -8,9 +8,9 @@
 
 namespace carlo {
 
-/// The image of an <emitter type="envmap">, with its scale and its place. Throws Error at what is
-/// at fault: where the file is named for what is wrong in it. What in the file is not as it stands
-/// there goes to `notes`.
+/// Reads the image of an <emitter type="envmap"> with its scale and transform. Throws Error at what
+/// is wrong; for errors in the file, where it is named. Deviations from the file's contents go to
+/// `notes`.
 Envmap parse_envmap(Properties& emitter, std::vector<std::string>& notes);
 
 }  // namespace carlo

@@ -7,14 +7,14 @@
 
 namespace carlo {
 
-/// The errors of a scene's files. Reading goes on behind each of them, so that one run tells all.
-/// What an error leaves undone must not be told of again: who finds one marks the element
-/// (XmlElement::broken) or puts something in its place, for what follows.
+/// The errors of a scene's files. Reading continues after each of them, so that one run reports
+/// all. Consequences of an error must not be reported again: the finder marks the element
+/// (XmlElement::broken) or substitutes something for what follows.
 class SceneErrors {
  public:
   void add(const PlacedError& error) { errors_.push_back(error); }
 
-  /// Does `work` and keeps the PlacedError that it throws. Whether it threw none.
+  /// Does `work` and keeps the PlacedError that it throws. Returns true if there was none.
   template <class Work>
   bool guard(const Work& work) {
     try {
@@ -28,16 +28,16 @@ class SceneErrors {
 
   std::size_t count() const { return errors_.size(); }
 
-  /// That a file is read: errors are told in the order of files, then of places.
+  /// Registers a file that is read: errors are reported in the order of files, then of positions.
   void reads(const std::string& file) { files_.push_back(file); }
 
-  /// That something could not be read that may have declared ids, parameters or the sensor: nobody
-  /// misses them from then on.
+  /// Notes that something unreadable may have declared ids, parameters or the sensor; from then on
+  /// they are not reported as missing.
   void lose_names() { names_lost_ = true; }
   bool names_lost() const { return names_lost_; }
 
-  /// Throws one PlacedError that has a line for each error, in order and each once; of more than 50
-  /// the last line counts the others. Does nothing when there is none.
+  /// Throws one PlacedError with a line for each error, in order and without repeats; beyond 50 the
+  /// last line counts the others. Does nothing if there are none.
   void raise() const;
 
  private:

@@ -10,8 +10,8 @@
 namespace carlo {
 namespace {
 
-/// Takes in values one after the other. What has members is taken apart by structured bindings, so
-/// that a new member is an error here until it is taken in too.
+/// Digests values one after the other. Structs are taken apart by structured bindings, so that a
+/// new member is a compile error here until it is digested too.
 class Digest {
  public:
   std::uint64_t value() const { return value_; }
@@ -50,7 +50,7 @@ class Digest {
   void add(const Camera& camera) {
     const auto& [origin, right, up, forward, axis, half, half_x, half_y] = camera;
     add_all(origin, right, up, forward, half_x, half_y);
-    // How the film's sides follow from each other is no part of the image.
+    // How the film's sides depend on each other does not affect the image.
     (void)axis, (void)half;
   }
 
@@ -106,7 +106,7 @@ class Digest {
   void add(const OtherLights& l) {
     const auto& [points, environment, envmap] = l;
     add_all(points, environment);
-    // Scenes without one keep the fingerprint that they had before there were any.
+    // Scenes without one keep the fingerprint that they had before envmaps existed.
     if (envmap) add(*envmap);
   }
   void add(const Envmap& map) {

@@ -34,7 +34,7 @@ class Grammar {
     }
     object.broken = object.broken || errors_.count() > before;
     all_known = check_objects(object) && all_known;
-    // What seems to be missing may be what nobody knows.
+    // What seems to be missing may be one of the unknown elements.
     if (object.plugin != nullptr && all_known) check_required(object, given);
   }
 
@@ -106,7 +106,7 @@ class Grammar {
 
   [[noreturn]] static void fail_unknown(const XmlElement& property, const XmlElement& object,
                                         const std::string& name) {
-    // As they are called in this file, or as somebody writes them who writes like this.
+    // The names as in this file, or in the style of its author.
     const bool new_names = name.find('_') != std::string::npos;
     const Dialect dialect = new_names ? Dialect::mitsuba3 : object.at.source->dialect;
     std::vector<std::string> taken, read;
@@ -121,13 +121,13 @@ class Grammar {
          in_quotes(object.get("type").value), in_quotes(name), hint);
   }
 
-  /// Whether each of them may stand there.
+  /// Checks that each of them may stand there; returns true if so.
   bool check_objects(XmlElement& object) {
     std::set<std::string> given;
     bool all_known = true;
     for (XmlElement& child : object.children) {
       if (is_property(child)) continue;
-      // Of an object that nobody knows its own error tells enough, but not of materials inside.
+      // For an unknown object its own error is enough, but materials inside are checked.
       if (object.plugin == nullptr && child.name != "bsdf" && child.name != "ref") {
         child.broken = true;
         continue;
@@ -147,7 +147,7 @@ class Grammar {
     return all_known;
   }
 
-  /// Throws Error at an element that may not stand inside `object`, or not once more.
+  /// Throws Error at an element that may not stand inside `object`, or not twice.
   static void check_place(const XmlElement& child, const XmlElement& object,
                           std::set<std::string>& given) {
     const auto type = [&] { return in_quotes(object.get("type").value); };

@@ -10,10 +10,10 @@ namespace carlo {
 /// The ids of a scene and its includes: each names one object.
 class Ids {
  public:
-  /// Takes in the ids of `element` and of all below it, and tells of each that is taken.
+  /// Declares the ids of `element` and everything below it, and reports those already taken.
   void declare(const XmlElement& element, SceneErrors& errors);
 
-  /// The element name ("bsdf") of the object with that id; null when there is none.
+  /// The element name ("bsdf") of the object with that id; null if there is none.
   const std::string* kind(const std::string& id) const;
 
  private:

@@ -54,7 +54,7 @@ class Loader {
   }
 
  private:
-  /// What is wrong inside the file is kept. Throws Error if it is no file of a scene at all.
+  /// Errors inside the file are collected. Throws Error if it is not a scene file at all.
   void load_file(const fs::path& path, Position asked_at) {
     if (sources_.size() >= most_files) fail(asked_at, "more than {} files included", most_files);
     sources_.push_back(read_xml_source(path, asked_at));
@@ -165,7 +165,7 @@ class Loader {
     scene_.lights.points.push_back(light);
   }
 
-  /// Of an emitter that does not say it, 1 as in Mitsuba.
+  /// 1 if the emitter does not give it, as in Mitsuba.
   Rgb emission(Properties& emitter, const std::string& name) {
     const XmlElement* given = emitter.take(name);
     if (given != nullptr && is_equal_energy(*given)) {
@@ -199,7 +199,7 @@ class Loader {
   ClipRange clip_;
   std::vector<std::unique_ptr<XmlSource>> sources_;  // errors point into them
   std::vector<fs::path> open_;                       // the files being read, outermost first
-  const XmlSource* sensor_ = nullptr;                // the file that has it, once there is one
+  const XmlSource* sensor_ = nullptr;                // the file with the sensor, once one is found
   const XmlSource* integrator_ = nullptr;
   const XmlSource* environment_ = nullptr;
 };
@@ -217,7 +217,7 @@ Scene load_scene(const fs::path& path, const std::map<std::string, std::string>&
     add_note(scene, too_few_digits(scene));
     return scene;
   }
-  // Once more, since what rounding took from the coordinates is lost.
+  // Loads it again, since rounding has already taken digits from the coordinates.
   Scene moved = Loader(parameters, *center).load(path);
   moved.notes.push_back(fmt::format(
       "the scene lies around ({:g}, {:g}, {:g}), far from the origin for its size: it is rendered "

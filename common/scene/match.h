@@ -17,8 +17,8 @@ template <class Variant, class... Cases>
 concept CaseForEachAlternative =
     sizeof...(Cases) == std::variant_size_v<std::remove_cvref_t<Variant>>;
 
-/// What the case gives that takes the variant's value. An alternative that is added is an error in
-/// every place that does not say what becomes of it there: no case stands for several.
+/// The result of the case that takes the variant's value. Adding an alternative is a compile error
+/// wherever it is not handled: no case covers several alternatives.
 template <class Variant, class... Cases>
 requires CaseForEachAlternative<Variant, Cases...>
 decltype(auto) match(Variant&& variant, Cases... cases) {

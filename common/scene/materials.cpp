@@ -11,7 +11,7 @@ namespace carlo {
 namespace {
 
 Diffuse parse_diffuse(Properties& bsdf) {
-  // Mitsuba 0.6 has two names for it.
+  // Mitsuba 0.6 has two names for this property.
   const auto reflectance = bsdf.reflectance("reflectance");
   const auto other = bsdf.reflectance("diffuseReflectance");
   if (reflectance && other)
@@ -20,7 +20,7 @@ Diffuse parse_diffuse(Properties& bsdf) {
 }
 
 Mirror parse_conductor(Properties& bsdf) {
-  // Without a material it is copper in Mitsuba 0.6, a perfect mirror in Mitsuba 3.
+  // The default is copper in Mitsuba 0.6, a perfect mirror in Mitsuba 3.
   if (!bsdf.string("material") && bsdf.dialect() == Dialect::mitsuba06) {
     fail(bsdf.object_at(),
          "only <string name=\"material\" value=\"none\"/>, a perfect mirror, is supported, got "
@@ -117,7 +117,7 @@ Phong Materials::parse_phong(Properties& bsdf) {
   }
   for (int i = 0; i < 3; ++i) {
     const float sum = phong.kd[i] + phong.ks[i];
-    // 0.3 + 0.7 in float may exceed 1 by a rounding.
+    // 0.3 + 0.7 in float may exceed 1 by rounding.
     if (sum <= 1.000001f) continue;
     fail(bsdf.at("specularReflectance"),
          "diffuseReflectance + specularReflectance must be <= 1 (energy is not created), got {} in "
@@ -158,10 +158,10 @@ Materials::Entry& Materials::resolve(const XmlElement& ref) {
   if (found != named_.end()) return found->second;
   if (std::find(open_.begin(), open_.end(), id.value) != open_.end())
     fail(id.value_at, "the bsdf {} stands inside itself", in_quotes(id.value));
-  // It may stand in a file that could not be read, or its name be a parameter's that nobody knows.
+  // It may be in a file that could not be read, or its name may contain an unknown parameter.
   if (errors_.names_lost() || ref.broken) return unknown_;
   if (const std::string* kind = ids_.kind(id.value)) {
-    if (*kind == "bsdf") return unknown_;  // inside something that was refused
+    if (*kind == "bsdf") return unknown_;  // inside a refused element
     fail(id.value_at, "the id {} names a <{}>, expected a <bsdf>", in_quotes(id.value), *kind);
   }
   std::vector<std::string> known;

@@ -11,25 +11,26 @@
 
 namespace carlo {
 
-/// The largest exponent of a Phong lobe. Larger ones are taken as this one, with a note: its lobe
-/// is 5e-7 wide, where directions are floats, and above 1e15 their rounding would leave the lobe.
+/// The largest exponent of a Phong lobe. Larger ones are replaced by this one, with a note: its
+/// lobe is 5e-7 wide, as narrow as float directions allow, and above 1e15 their rounding would
+/// leave the lobe.
 inline constexpr float sharpest_exponent = 1e13f;
 
-/// Reads <bsdf> elements and keeps those that shapes use.
+/// Reads <bsdf> elements and keeps those used by shapes.
 class Materials {
  public:
   Materials(const Ids& ids, SceneErrors& errors) : ids_(ids), errors_(errors) {}
 
-  /// A <bsdf> that stands in the scene for <ref>s to name.
+  /// Declares a <bsdf> of the scene that <ref>s may name.
   void define(const XmlElement& bsdf);
 
-  /// The index into list() of the material of a shape: of its <bsdf> or <ref>, else Mitsuba's
+  /// The index into list() of a shape's material: from its <bsdf> or <ref>, otherwise Mitsuba's
   /// default, grey 0.5, or black for a light.
   std::uint32_t of_shape(const Properties& shape, bool emits);
 
   const std::vector<Material>& list() const { return list_; }
 
-  /// What is worth a note, as that no shape uses a material.
+  /// Facts that deserve a note, such as materials that no shape uses.
   std::vector<std::string> notes() const;
 
  private:
@@ -39,8 +40,8 @@ class Materials {
     bool used = false;
   };
 
-  /// What is wrong is told of. Then the result stands in for the material, so that nobody misses
-  /// it.
+  /// Reports errors; the result then stands in for the material, so that it is not reported as
+  /// missing.
   Material parse(const XmlElement& bsdf);
   Material built(const XmlElement& bsdf);
   Material parse_two_sided(const Properties& bsdf);
@@ -51,7 +52,7 @@ class Materials {
   const Ids& ids_;
   SceneErrors& errors_;
   Entry unknown_;
-  std::vector<std::string> open_;  // ids of those being read, outermost first
+  std::vector<std::string> open_;  // ids of the materials being read, outermost first
   std::map<std::string, Entry> named_;
   std::vector<Material> list_;
   std::vector<std::string> notes_;

@@ -7,7 +7,7 @@
 
 namespace carlo {
 
-/// The refractive index of a medium by its name in Mitsuba; nothing if there is no such medium.
+/// The refractive index of a medium by its name in Mitsuba; nothing for unknown names.
 std::optional<float> medium_ior(std::string_view name);
 
 /// The names of all media.

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What is wrong inside a mesh file is reported where the scene names it, like all else.
+// Errors inside a mesh file are reported where the scene names it.
 MeshFile read_mesh_file(const Properties& shape, const std::string& filename) {
   const Position at = shape.at("filename");
   const fs::path path = find_file(at, filename);
@@ -44,7 +44,7 @@ void check_normals(Properties& shape, const MeshFile& file) {
   }
 }
 
-/// The file's vertices and triangles without what would do harm, and notes that say so.
+/// The file's vertices and triangles without the harmful ones, and notes about what was left out.
 class MeshBuilder {
  public:
   MeshBuilder(const MeshFile& file, std::vector<Vec3> positions)
@@ -78,7 +78,7 @@ class MeshBuilder {
     }
   }
 
-  /// Exporters leave vertices that no face uses, wherever: the scene's extent is none of them.
+  /// Exporters leave unused vertices anywhere: they must not count for the scene's extent.
   void leave_out_unused() {
     constexpr auto unused = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> places(mesh_.positions.size(), unused);
@@ -102,7 +102,7 @@ class MeshBuilder {
   std::size_t degenerate_ = 0, duplicates_ = 0;
 };
 
-/// Where the file's vertex normals say that its faces are wound the wrong way around.
+/// A note if the file's vertex normals suggest that its faces are wound the wrong way around.
 std::optional<std::string> note_on_normals(const MeshFile& file, bool flipped) {
   if (file.faces_against == 0) return std::nullopt;
   if (file.faces_against < file.faces_with_normals) {

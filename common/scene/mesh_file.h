@@ -12,42 +12,41 @@
 
 namespace carlo {
 
-/// A face of more than three corners, and where it stands: the line of the file or, where it has no
+/// A face of more than three corners, and its place: the line of the file or, in files without
 /// lines, the face's number from 1.
 struct Polygon {
   std::size_t first_triangle, first_corner, corners, place;
 };
 
-/// What a mesh file holds, in its own coordinates. Indices are all below positions.size().
+/// The contents of a mesh file, in its own coordinates. Indices are all below positions.size().
 struct MeshFile {
   std::vector<glm::dvec3> positions;
-  std::vector<glm::uvec3> triangles;  ///< in the order of the faces; n - 2 for one of n corners
-  std::vector<Polygon> polygons;      ///< those of the faces that have more than three corners
+  std::vector<glm::uvec3> triangles;  ///< in the order of the faces; n - 2 for a face of n corners
+  std::vector<Polygon> polygons;      ///< the faces with more than three corners
   std::vector<std::uint32_t> polygon_corners;
   bool vertex_normals = false;  ///< the faces refer to vertex normals, which are not kept
   std::size_t faces_with_normals = 0;
-  std::size_t faces_against = 0;   ///< those whose vertex normals point to their other side
-  std::vector<std::string> notes;  ///< what else the file holds and is not used
+  std::size_t faces_against = 0;   ///< faces whose vertex normals point to the other side
+  std::vector<std::string> notes;  ///< contents of the file that are not used
 };
 
-/// Wavefront OBJ: v, f (also with /vt/vn and negative indices), statements that go on after a \ at
-/// the line's end. What changes no polygon is passed over: vt, o, g, s and mtllib without a word,
-/// all else, lines and points with a note; what makes other geometry is an error.
-/// Throws Error "FILE:LINE: what is wrong".
+/// Reads Wavefront OBJ: v, f (also with /vt/vn and negative indices); a \ at the end of a line
+/// continues a statement. Skips whatever changes no polygon: vt, o, g, s and mtllib silently,
+/// everything else, lines and points with a note. Other geometry is an error. Throws Error
+/// "FILE:LINE: what is wrong".
 MeshFile read_obj(const std::filesystem::path& path);
 
-/// PLY 1.0, ascii and binary: elements vertex (x, y, z), face and tristrips (vertex_indices or
-/// vertex_index, in strips -1 begins another); further properties and elements are passed over with
-/// a note.
-/// Throws Error "FILE: what is wrong" or, where there are lines, "FILE:LINE: what is wrong".
+/// Reads PLY 1.0, ascii and binary: elements vertex (x, y, z), face and tristrips (vertex_indices
+/// or vertex_index; -1 begins another strip); skips further properties and elements with a note.
+/// Throws Error "FILE: what is wrong" or, for files with lines, "FILE:LINE: what is wrong".
 MeshFile read_ply(const std::filesystem::path& path);
 
-/// Adds a face of three corners or more; a polygon for the time being as a fan.
+/// Adds a face of at least three corners; a polygon provisionally as a fan.
 void add_face(MeshFile& mesh, std::span<const std::uint32_t> corners, std::size_t place);
 
-/// Cuts those polygons anew that a fan does not fit (polygon.h), once all positions are known.
-/// `place`: what numbers the places, such as ":" of lines. Throws Error
-/// "NAME<place>12: what is wrong".
+/// Cuts polygons again that a fan does not fit (polygon.h), once all positions are known. `place`:
+/// the separator before place numbers, such as ":" for lines. Throws Error "NAME<place>12: what is
+/// wrong".
 void cut_polygons(MeshFile& mesh, const std::string& name, std::string_view place);
 
 /// Calls visit(corners, first triangle, number of triangles) for each face, in the file's order.

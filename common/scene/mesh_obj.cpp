@@ -39,12 +39,13 @@ std::string_view take_word(std::string_view& line) {
   return word;
 }
 
-/// Statement by statement. What stands after # is a comment; \ at a line's end joins the next one.
+/// Splits the file into statements. Text after # is a comment; a \ at the end of a line joins the
+/// next one.
 class ObjLines {
  public:
   explicit ObjLines(std::string_view text) : rest_(text) {}
 
-  /// The next statement, and line() is its first line. Nothing after the last one.
+  /// Returns the next statement; line() is then its first line. Nothing after the last one.
   std::optional<std::string_view> next() {
     line_ += taken_;
     taken_ = 0;
@@ -147,7 +148,7 @@ class ObjReader {
     normals_.emplace_back(numbers[0], numbers[1], numbers[2]);
   }
 
-  /// How many there are, also when they are too many to be kept.
+  /// Returns how many there are, even if too many to be stored.
   template <std::size_t most>
   std::size_t read_numbers(std::string_view line, std::array<double, most>& numbers) const {
     std::size_t count = 0;
@@ -177,7 +178,7 @@ class ObjReader {
     const std::size_t last = word.rfind('/');
     if (last == slash || last == std::string_view::npos || last + 1 == word.size()) return;
     mesh_.vertex_normals = true;
-    // Exporters name normals that they leave out. Nothing is shaded by them.
+    // Exporters refer to normals that they leave out. They are not used for shading.
     const auto number = parse_integer(word.substr(last + 1));
     if (!number) wrong(fmt::format("expected a normal number, got {}", in_quotes(word)));
     const auto place = place_of(*number, normals_.size());
@@ -187,7 +188,7 @@ class ObjReader {
       ++missing_normals_;
   }
 
-  /// Negative numbers count back from the newest.
+  /// Negative numbers count back from the latest.
   std::uint32_t index(std::string_view word, std::string_view number, std::string_view what,
                       std::size_t size) const {
     const auto index = parse_integer(number);
@@ -197,7 +198,7 @@ class ObjReader {
     return *place;
   }
 
-  /// Nothing out of range.
+  /// Nothing if out of range.
   static std::optional<std::uint32_t> place_of(std::ptrdiff_t index, std::size_t size) {
     const auto count = static_cast<std::ptrdiff_t>(size);
     const std::ptrdiff_t place = index > 0 ? index - 1 : count + index;
@@ -229,7 +230,7 @@ class ObjReader {
   bool materials_ = false;
   std::vector<std::string> unused_;
   std::vector<glm::dvec3> normals_;
-  std::vector<std::uint32_t> corners_, corner_normals_;  ///< of the face that is read
+  std::vector<std::uint32_t> corners_, corner_normals_;  ///< of the current face
   MeshFile mesh_;
 };
 

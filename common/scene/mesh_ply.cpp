@@ -18,7 +18,7 @@
 namespace carlo {
 namespace {
 
-/// What becomes of a property's values.
+/// How a property's values are used.
 enum class Use { none, x, y, z, nx, ny, nz, face, strip };
 
 Use use_of(const PlyElement& element, const PlyProperty& p) {
@@ -36,9 +36,9 @@ Use use_of(const PlyElement& element, const PlyProperty& p) {
   return static_cast<Use>(static_cast<int>(Use::x) + (found - names.begin()));
 }
 
-// Why a reader of our own: Debian 12 has Assimp's only, and 5.2.5 reads, without a word, a file
-// that ends too early and one triangle of each strip; it crashes on a count below 0 and takes
-// minutes for one that is larger than the file.
+// Used instead of Assimp, the only reader in Debian 12: version 5.2.5 silently reads a file that
+// ends too early and only one triangle of each strip; it crashes on a count below 0 and takes
+// minutes for one larger than the file.
 class PlyReader {
  public:
   PlyReader(std::string_view text, const std::string& name)
@@ -57,7 +57,7 @@ class PlyReader {
     }
     if (const auto note = data_.finish()) mesh_.notes.push_back(*note);
     check_indices();
-    // The places of a binary file's faces are their numbers.
+    // In a binary file the places of faces are their numbers.
     cut_polygons(mesh_, name_, data_.has_lines() ? ":" : ": face ");
     if (mesh_.vertex_normals) compare_normals();
     return std::move(mesh_);
@@ -131,7 +131,8 @@ class PlyReader {
     add_face(mesh_, corners_, data_.has_lines() ? data_.line() : faces_);
   }
 
-  /// Each corner from the third on makes a triangle with the two before it, whose turn alternates.
+  /// Each corner from the third on makes a triangle with the two before it, with alternating
+  /// orientation.
   void read_strip(const PlyProperty& p) {
     const std::size_t length = data_.whole(p, p.count_type);
     std::array<std::uint32_t, 3> last{};
@@ -177,7 +178,7 @@ class PlyReader {
     });
   }
 
-  /// For what stands in no line.
+  /// For errors that belong to no line.
   [[noreturn]] void wrong(const std::string& message) const {
     throw Error("{}: {}", name_, message);
   }

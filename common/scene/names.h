@@ -9,13 +9,12 @@
 
 namespace carlo {
 
-/// What Mitsuba 0.6 and Mitsuba 2 and 3 call the same thing.
+/// A thing's names in Mitsuba 0.6 and in Mitsuba 2 and 3.
 struct Name {
   std::string_view mitsuba06, mitsuba3;
 };
 
-/// The properties whose names differ. Either name is understood in every file; within this library
-/// each goes by the first.
+/// The properties whose names differ. Every file may use either name; this library uses the first.
 inline constexpr auto property_names = std::to_array<Name>({
     {"attachLog", "attach_log"},
     {"componentFormat", "component_format"},
@@ -52,13 +51,13 @@ inline constexpr auto property_names = std::to_array<Name>({
     {"toWorld", "to_world"},
 });
 
-/// The first name of a property; `name` itself if it has only one, or is none.
+/// The first name of a property; `name` itself if it has only one, or is unknown.
 std::string mitsuba06_name(std::string_view name);
 
-/// What files of `dialect` call the property that Mitsuba 0.6 calls `name`.
+/// The name in files of `dialect` of the property that Mitsuba 0.6 calls `name`.
 std::string name_in(Dialect dialect, std::string_view name);
 
-/// The dialect of a <scene version="...">; nothing for a version that is not read.
+/// The dialect of a <scene version="...">; nothing for an unsupported version.
 std::optional<Dialect> dialect_of(std::string_view version);
 
 }  // namespace carlo

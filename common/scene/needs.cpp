@@ -53,7 +53,7 @@ std::string counted(std::size_t number, std::string_view thing) {
   return fmt::format("{} {}{}", number, thing, number == 1 ? "" : "s");
 }
 
-// The parts that there are, with commas between them.
+// Joins the existing parts with commas.
 class List {
  public:
   void add(std::size_t number, std::string_view thing) {
@@ -90,7 +90,7 @@ bool passes_light(const Material& material) {
 }
 
 std::string describe(const Needs& n) {
-  // A member that is added is an error here, until it is told or is not told on purpose.
+  // Adding a member is a compile error here, until it is described or ignored on purpose.
   const auto& [parallelograms, spheres, disks, meshes, triangles, sdfs, diffuse, phong, mirror,
                dielectric, one_sided, two_sided, parallelogram_lights, sphere_lights, disk_lights,
                triangle_lights, point_lights, environment, envmap, depth_limit] = n;

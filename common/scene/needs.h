@@ -7,8 +7,8 @@
 
 namespace carlo {
 
-/// What a scene asks of a renderer: how many of each shape and light, and which materials occur on
-/// a shape. "Only what a scene needs is modelled": a renderer picks its kernel by this.
+/// What a scene demands of a renderer: the numbers of each shape and light, and the materials that
+/// occur on shapes. "Only what a scene needs is modelled": a renderer picks its kernel by this.
 struct Needs {
   std::size_t parallelograms = 0, spheres = 0, disks = 0, meshes = 0, triangles = 0, sdfs = 0;
   bool diffuse = false, phong = false, mirror = false, dielectric = false;
@@ -27,7 +27,7 @@ struct Needs {
 
 Needs needs(const Scene& scene);
 
-/// Whether light goes through: such a surface has no black back.
+/// True if light passes through: such a surface has no black back.
 bool passes_light(const Material& material);
 
 /// One line for the report: "18 parallelograms; phong, two-sided; 1 parallelogram light".

@@ -8,7 +8,7 @@ namespace {
 constexpr std::string_view name_characters =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_";
 
-/// The names as they are used in a scene.
+/// The names as they appear in a scene.
 std::vector<std::string> with_dollar(std::vector<std::string> names) {
   for (std::string& name : names)
     name.insert(0, 1, '$');

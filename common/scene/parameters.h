@@ -9,22 +9,22 @@
 
 namespace carlo {
 
-/// The $parameters of a scene: <default name="spp" value="16"/> declares one, `$spp` in any
-/// attribute's value stands for it. The caller's overrides win over defaults; of several files (the
-/// scene and its includes) the first default wins.
+/// The $parameters of a scene: <default name="spp" value="16"/> declares one, and `$spp` in any
+/// attribute's value stands for it. The caller's overrides take precedence over defaults; among
+/// several files (the scene and its includes) the first default wins.
 class Parameters {
  public:
   explicit Parameters(std::map<std::string, std::string> overrides)
       : overrides_(std::move(overrides)) {}
 
-  /// Takes in a <default>. Throws Error when the file has declared that name before.
+  /// Declares a <default>. Throws Error if the file has declared that name before.
   void declare(const XmlElement& element, SceneErrors& errors);
 
-  /// Replaces $names in the attributes of `element` and of all below it. An unknown name is told
-  /// of, unless it may stand in a file that could not be read, and breaks its element.
+  /// Replaces $names in the attributes of `element` and everything below it. An unknown name is
+  /// reported, unless it may be in a file that could not be read, and breaks its element.
   void substitute(XmlElement& element, SceneErrors& errors) const;
 
-  /// Tells of each override that names no <default>, at `at`.
+  /// Reports each override that names no <default>, at `at`.
   void check_overrides(Position at, SceneErrors& errors) const;
 
  private:

@@ -41,7 +41,7 @@ sdf::Solid parse_rounded_box(Properties& shape) {
          half.z);
   }
   const double radius = number(shape, "radius", 0.1f);
-  // A radius from the file has a float's precision only.
+  // A radius from the file has only float precision.
   if (!(radius >= 0 && radius <= least * (1 + 1e-6))) {
     fail(shape.at("radius"), "radius must be within [0, {}], the least half size, got {}", least,
          radius);
@@ -92,9 +92,9 @@ sdf::Combine parse_combine(Properties& group) {
 void parse_child(const XmlElement& element, const Similarity& frame, std::vector<sdf::Step>& steps,
                  SceneErrors& errors);
 
-/// Appends the steps of all shapes inside `group`, with `frame` from its coordinates to the whole
-/// sdf's. At most one result waits for each sdf around: fewer than sdf::most_waiting, since
-/// elements of a scene file are nested 16 deep at the most.
+/// Appends the steps of all shapes inside `group`, with `frame` mapping its coordinates to those of
+/// the whole sdf. At most one result waits for each enclosing sdf: fewer than sdf::most_waiting,
+/// since elements of a scene file are nested at most 16 deep.
 void parse_group(Properties& group, const Similarity& frame, std::vector<sdf::Step>& steps,
                  SceneErrors& errors) {
   const std::vector<const XmlElement*> children = group.objects("shape");
@@ -127,7 +127,7 @@ void parse_child(const XmlElement& element, const Similarity& frame, std::vector
   child.finish();
 }
 
-/// Whether the shapes inside `group` have no error of their own.
+/// True if the shapes inside `group` have no errors of their own.
 bool all_good(const Properties& group) {
   const std::vector<const XmlElement*> shapes = group.objects("shape");
   return std::all_of(shapes.begin(), shapes.end(), [](const XmlElement* shape) {
@@ -135,7 +135,7 @@ bool all_good(const Properties& group) {
   });
 }
 
-/// Refuses what has no box that float can hold.
+/// Refuses sdfs whose box float cannot represent.
 void check_bounds(const Sdf& sdf, const Properties& shape) {
   const sdf::Box box = sdf::bounds(sdf, sdf.place);
   for (int i = 0; i < 3; ++i) {
@@ -169,7 +169,7 @@ Sdf parse_sdf(Properties& shape, SceneErrors& errors) {
   sdf.flipped = shape.boolean("flipNormals").value_or(false);
   const std::size_t before = errors.count();
   parse_group(shape, {}, sdf.steps, errors);
-  // Of what is left when some of its shapes are wrong nothing can be said.
+  // If some of its shapes are wrong, nothing can be said about the rest.
   if (errors.count() == before && all_good(shape)) check_bounds(sdf, shape);
   return sdf;
 }

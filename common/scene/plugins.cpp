@@ -29,7 +29,7 @@ Rules sensor_rules() {
   return {{"fov", an_angle, Treatment::read, "", "float"},
           {"fovAxis", is<fov_axis_value>},
           to_world,
-          {"nearClip", above_zero, none},  // clip.h looks whether it is so
+          {"nearClip", above_zero, none},  // checked in clip.h
           {"farClip", above_zero, none},
           {"focusDistance", any_number, none},
           {"shutterOpen", any_number, none},
@@ -50,7 +50,7 @@ Rules film_rules() {
           {"highQualityEdges", any_boolean, none},
           {"sampleBorder", any_boolean, none},
           {"compensate", any_boolean, none},
-          {"cropWidth", any_integer, none},  // sensor.cpp looks whether it is so
+          {"cropWidth", any_integer, none},  // checked in sensor.cpp
 
           {"cropHeight", any_integer, none},
           {"cropOffsetX", no_pixels, none},
@@ -221,7 +221,7 @@ const Plugin* find_plugin(std::string_view element, std::string_view type,
 }
 
 const Rule* find_rule(const Plugin& plugin, std::string_view name) {
-  // Exporters name all that they write.
+  // Exporters name everything that they write.
   static const Rule label{"name", any_text, Treatment::none};
   if (name == label.name) return &label;
   const auto found = std::find_if(plugin.rules.begin(), plugin.rules.end(),

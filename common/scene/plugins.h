@@ -7,11 +7,11 @@
 
 namespace carlo {
 
-/// What becomes of a property.
+/// How a property is treated.
 enum class Treatment {
   read,
-  none,    ///< taken: it changes nothing in an image
-  noted,   ///< taken, but it is told why it changes nothing
+  none,    ///< accepted: it does not affect the image
+  noted,   ///< accepted, with a note on why it has no effect
   refused  ///< an error that says why
 };
 
@@ -20,21 +20,22 @@ struct Rule {
   std::string_view name;  ///< Mitsuba 0.6's (names.h)
   void (*check)(const XmlElement& property);
   Treatment treatment = Treatment::read;
-  std::string_view why = {};       ///< of what is noted or refused
-  std::string_view required = {};  ///< the kind of element, of what must be given
+  std::string_view why = {};       ///< for what is noted or refused
+  std::string_view required = {};  ///< the kind of element, if it must be given
 };
 
-/// What stands in a scene as <element type="...">.
+/// An element <element type="..."> of a scene.
 struct Plugin {
   std::string_view element, type;
   std::string_view within;                ///< the element in which it may stand; empty for any
-  std::vector<std::string_view> objects;  ///< what besides properties may stand inside
+  std::vector<std::string_view> objects;  ///< the objects, besides properties, that may stand
+                                          ///< inside
   std::vector<Rule> rules;
-  std::string_view as = {};   ///< the plugin's type that is taken in its place
-  std::string_view why = {};  ///< what is told of that
+  std::string_view as = {};   ///< the type of the plugin that replaces it
+  std::string_view why = {};  ///< the explanation of that
 };
 
-/// All that are understood, with all of their properties: what is not here is an error.
+/// All supported plugins with all their properties: anything else is an error.
 const std::vector<Plugin>& plugins();
 
 /// The plugin for an element inside `within`; null if there is none.

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view space = " \t\r\n";
 
-/// A number, also one that is infinite, none (nan), or out of double's range.
+/// True for a number, even if it is infinite, nan, or outside double's range.
 bool is_like_number(std::string_view word) {
   if (word.starts_with('-') || word.starts_with('+')) word.remove_prefix(1);
   if (word.empty()) return false;

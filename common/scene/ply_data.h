@@ -11,13 +11,14 @@
 namespace carlo {
 
 /// The values after the header of a PLY file, one after the other, text or binary. Errors name the
-/// file, the line where there are lines, and the property.
+/// file, the line if there are lines, and the property.
 class PlyData {
  public:
   /// `text`: the whole file, header and all. The other two must outlive this.
   PlyData(std::string_view text, const PlyHeader& header, const std::string& name);
 
-  /// The next value, which is of this type: a finite number of text, whatever is there of bytes.
+  /// The next value, which has this type: in text it must be a finite number, in binary anything
+  /// goes.
   double number(const PlyProperty& property, PlyType type);
   /// The same for a property that may be nan or infinite.
   double any_number(const PlyProperty& property);
@@ -25,10 +26,11 @@ class PlyData {
   std::uint32_t whole(const PlyProperty& property, PlyType type);
   /// The same as an index; nothing for -1.
   std::optional<std::uint32_t> whole_or_end(const PlyProperty& property);
-  /// Passes over a property's values, whatever they are.
+  /// Skips a property's values, whatever they are.
   void skip(const PlyProperty& property);
 
-  /// What follows the last value: an error if it is more than the end of a line. A note, if any.
+  /// Checks what follows the last value: anything more than the end of a line is an error. Returns
+  /// a note, if any.
   std::optional<std::string> finish();
 
   bool has_lines() const { return !binary_; }
@@ -46,7 +48,7 @@ class PlyData {
   std::uint32_t checked(const PlyProperty& property, double x) const;
 
   std::string_view data_;
-  bool binary_, swapped_;  ///< swapped: the bytes of a value stand in the other order
+  bool binary_, swapped_;  ///< swapped: the bytes of a value are in the other order
   std::size_t line_;
   const std::string& name_;
 };

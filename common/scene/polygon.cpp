@@ -14,7 +14,7 @@ using Point = glm::dvec2;
 using Points = std::vector<glm::dvec3>;
 using Corner = std::uint32_t;
 
-/// Time goes with the square of the corners of a polygon that no fan fits: a second for these.
+/// For a polygon that no fan fits, the time is quadratic in its corners: a second for this many.
 constexpr std::size_t most_corners = 10000;
 
 /// Twice the area of a triangle, positive when it is counter-clockwise.
@@ -30,7 +30,7 @@ glm::dvec3 normal_of(const Points& points) {
   return sum;
 }
 
-/// Along the axis that is nearest to the normal, so that no coordinate is rounded;
+/// Projects along the axis nearest to the normal, so that no coordinate is rounded;
 /// counter-clockwise.
 std::vector<Point> projected(const Points& points) {
   const glm::dvec3 n = normal_of(points), size = glm::abs(n);
@@ -43,7 +43,7 @@ std::vector<Point> projected(const Points& points) {
   return flat;
 }
 
-/// Whether two edges cross, with all of their ends further than `least` from the other.
+/// True if two edges cross, with each end further than `least` from the other edge.
 bool cross(Point a, Point b, Point c, Point d, double least) {
   if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x))
     return false;
@@ -55,7 +55,7 @@ bool cross(Point a, Point b, Point c, Point d, double least) {
   return apart(a, b, c, d) && apart(c, d, a, b);
 }
 
-/// Touching is none: a float's rounding lets edges cross that only touch.
+/// Touching does not count: rounding to float makes edges cross that only touch.
 bool crosses_itself(const std::vector<Point>& points) {
   Point lower = points[0], upper = points[0];
   for (const Point& p : points)
@@ -72,11 +72,10 @@ bool crosses_itself(const std::vector<Point>& points) {
 }
 
 /// Cuts off ears: corners whose triangle holds nothing else of the polygon. Every polygon has two,
-/// and what cutting leaves is a polygon. Whether a corner is an ear changes only by its neighbours.
-/// Source: Meisters, "Polygons have ears", American Mathematical Monthly 82, 1975.
-/// Why not a library's: Debian 12 has none that cuts polygons and does not bring OpenGL (GLU), a
-/// kernel of geometry (CGAL) or readers of scores of formats (Assimp); tinyobjloader's cutter
-/// leaves holes.
+/// and cutting one leaves a polygon. Only its neighbours affect whether a corner is an ear. Source:
+/// Meisters, "Polygons have ears", American Mathematical Monthly 82, 1975. Used instead of a
+/// library: those in Debian 12 that cut polygons bring OpenGL (GLU), a geometry kernel (CGAL) or
+/// scores of file readers (Assimp); tinyobjloader's cutter leaves holes.
 class EarCutter {
  public:
   explicit EarCutter(const std::vector<Point>& points) : points_(points) {
@@ -90,11 +89,11 @@ class EarCutter {
     }
   }
 
-  /// False if there is no ear left before all is cut.
+  /// Returns false if no ear is left before the polygon is cut completely.
   bool cut(std::vector<glm::uvec3>& triangles) {
     triangles.clear();
     while (triangles.size() + 2 < points_.size()) {
-      // What has no area is cut when nothing else is left to cut.
+      // Corners without area are cut when nothing else is left to cut.
       const std::size_t before = triangles.size();
       cut_ears(triangles, false);
       if (triangles.size() == before) cut_ears(triangles, true);
@@ -133,31 +132,31 @@ class EarCutter {
     inner_.erase(std::remove_if(inner_.begin(), inner_.end(), stopped_being), inner_.end());
     return std::none_of(inner_.begin(), inner_.end(), [&](Corner k) {
       const Point p = points_[k];
-      // Where a cut leads to a hole, corners stand in one place.
+      // Where a cut leads to a hole, several corners share a position.
       return p != a && p != b && p != c && turn(a, b, p) >= 0 && turn(b, c, p) >= 0 &&
              turn(c, a, p) >= 0;
     });
   }
 
   const std::vector<Point>& points_;
-  std::vector<Corner> before_, after_;  ///< of the corners that are left
-  std::vector<Corner> inner_;           ///< those where the polygon turns inwards
+  std::vector<Corner> before_, after_;  ///< among the remaining corners
+  std::vector<Corner> inner_;           ///< the reflex corners
 };
 
 }  // namespace
 
 bool fan_fits(const Points& points) {
   const glm::dvec3 n = normal_of(points);
-  constexpr double nothing = 1e-12;  ///< of the area: rounding
+  constexpr double nothing = 1e-12;  ///< relative to the area: rounding
   double area = 0, extent = 0;
   for (std::size_t i = 2; i < points.size(); ++i) {
     const glm::dvec3 a = points[i - 1] - points[0], b = points[i] - points[0];
     area += glm::length(glm::cross(a, b));
     extent = std::max({extent, glm::dot(a, a), glm::dot(b, b)});
   }
-  // Thinner than a float's rounding of its corners.
+  // Thinner than the float rounding of its corners.
   if (area <= 0x1p-22 * extent) return true;
-  // Each triangle turns the same way, and all of them together not once around the corner.
+  // Each triangle has the same orientation, and together they do not go fully around the corner.
   const double least = -nothing * area * glm::length(n);
   bool behind = false;
   for (std::size_t i = 2; i < points.size(); ++i) {

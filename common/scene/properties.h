@@ -11,38 +11,38 @@
 namespace carlo {
 
 /// The properties and nested objects of one plugin (<bsdf type="phong"> ... </bsdf>) that was
-/// checked (grammar.h). Names are Mitsuba 0.6's. To ask for a property that plugins.h does not know
-/// of is a std::logic_error.
+/// checked (grammar.h). Names are Mitsuba 0.6's. Asking for a property that plugins.h does not list
+/// is a std::logic_error.
 class Properties {
  public:
   /// `object` must outlive this. `center`: the point of the file's world that is the scene's
   /// origin.
   explicit Properties(const XmlElement& object, glm::dvec3 center = glm::dvec3(0));
 
-  /// The plugin's name, its attribute `type`; of one that is taken as another, the other's.
+  /// The plugin's name, its attribute `type`; if another plugin replaces it, that one's name.
   std::string type() const;
   Position type_at() const { return object_.get("type").value_at; }
   Position object_at() const { return object_.at; }
   Dialect dialect() const { return object_.at.source->dialect; }
 
   bool has(std::string_view name) const { return find(name) != nullptr; }
-  /// Where the value of a property stands; the object itself for one that is not given.
+  /// The position of a property's value; the object itself if the property is not given.
   Position at(std::string_view name) const;
 
-  /// A property of each kind; empty when it is not given.
+  /// A property of each kind; empty if it is not given.
   std::optional<float> number(const std::string& name);
   std::optional<int> integer(const std::string& name);
   std::optional<bool> boolean(const std::string& name);
   std::optional<std::string> string(const std::string& name);
   std::optional<glm::dvec3> point(const std::string& name);
   std::optional<glm::dmat4> transform(const std::string& name);
-  /// The transform `toWorld`, the identity when it is not given, to the scene's origin.
+  /// The transform `toWorld`, relative to the scene's origin; the identity if it is not given.
   glm::dmat4 to_world();
   std::optional<Rgb> reflectance(const std::string& name);
   std::optional<Rgb> emission(const std::string& name);
-  /// A number, or that of the medium with that name.
+  /// A number, or the index of the named medium.
   std::optional<float> ior(const std::string& name);
-  /// The element of a property that is no number, text or place; null when it is not given.
+  /// The element of a property that is not a number, text or transform; null if it is not given.
   const XmlElement* take(const std::string& name);
 
   /// For a property that must be given. Throws Error at the object.
@@ -53,7 +53,7 @@ class Properties {
   /// The first of them; null when there is none.
   const XmlElement* object(std::string_view element) const;
 
-  /// Throws std::logic_error if a property was not asked for that plugins.h calls read.
+  /// Throws std::logic_error if some property that plugins.h marks as read was not asked for.
   void finish() const;
 
  private:

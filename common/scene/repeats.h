@@ -9,19 +9,17 @@
 
 namespace carlo {
 
-/// Spreads a number's bits over all 64, so that sums of such are keys of sets.
-/// Source: Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014 (its
-/// mix64).
+/// Spreads a number's bits over all 64, so that sums of the results are keys of sets. Source:
+/// Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014 (its mix64).
 inline std::uint64_t spread(std::uint64_t x) {
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
   x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
   return x ^ (x >> 31);
 }
 
-/// Calls repeated(later, earlier) for each thing that is the same as an earlier one, which is not
-/// itself a repeat. Things are numbers below keys.size(); those that are the same have the same
-/// key. Almost all of a large mesh has no repeat: a table of bits knows so, and only the rest is
-/// sorted.
+/// Calls repeated(later, earlier) for each thing that equals an earlier one that is not itself a
+/// repeat. Things are numbers below keys.size(); equal things have equal keys. Almost nothing in a
+/// large mesh is repeated: a table of bits rules out most, and only the rest is sorted.
 template <class Same, class Repeated>
 void find_repeats(const std::vector<std::uint64_t>& keys, const Same& same,
                   const Repeated& repeated) {
@@ -39,7 +37,7 @@ void find_repeats(const std::vector<std::uint64_t>& keys, const Same& same,
     if ((seen_again[word(keys[i])] & bit(keys[i])) != 0) few.emplace_back(keys[i], i);
   }
   std::sort(few.begin(), few.end());
-  std::vector<std::size_t> kept;  // of this key: as a rule one
+  std::vector<std::size_t> kept;  // with this key: usually one
   for (std::size_t i = 0; i < few.size(); ++i) {
     if (i == 0 || few[i].first != few[i - 1].first) kept.clear();
     const std::size_t thing = few[i].second;

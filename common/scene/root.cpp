@@ -9,8 +9,8 @@
 namespace carlo {
 namespace {
 
-/// An element by which Nori's scenes are known: its cameras and meshes have names of their own, and
-/// its root has no version.
+/// An element that identifies a Nori scene: cameras and meshes have names of their own there, and
+/// the root has no version.
 const XmlElement* nori_element(const XmlElement& root) {
   constexpr std::array names = {"camera", "mesh", "test"};
   const auto is_nori = [&](const XmlElement& child) {

@@ -8,7 +8,7 @@
 
 namespace carlo {
 
-/// All kinds; what is not among them is refused by its name.
+/// All supported kinds; others are refused by name.
 inline constexpr std::array sampler_kinds = {SamplerKind::independent, SamplerKind::stratified,
                                              SamplerKind::sobol};
 

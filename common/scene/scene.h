@@ -46,7 +46,7 @@ struct Dielectric {
 
 struct Material {
   std::variant<Diffuse, Phong, Mirror, Dielectric> model = Diffuse{};
-  /// A one-sided surface is black on the side its normal points away from.
+  /// A one-sided surface is black on its back, the side that its normal points away from.
   bool two_sided = false;
   bool operator==(const Material&) const = default;
 };
@@ -70,7 +70,7 @@ struct Disk {
   float radius;
 };
 
-/// Counter-clockwise triangles; normals are those of the triangles.
+/// Counter-clockwise triangles with their geometric normals.
 struct Mesh {
   std::vector<Vec3> positions;
   std::vector<glm::uvec3> triangles;
@@ -79,7 +79,8 @@ struct Mesh {
 struct Shape {
   std::variant<Parallelogram, Sphere, Disk, Mesh, Sdf> geometry;
   std::uint32_t material = 0;  ///< index into Scene::materials
-  Rgb radiance{0};             ///< emitted on the side of the normal; 0 for most, and each Sdf
+  Rgb radiance{0};             ///< emitted on the side of the normal; 0 for most shapes, and always
+                               ///< for Sdfs
   bool emits() const { return radiance != Rgb(0); }
 };
 
@@ -90,12 +91,12 @@ struct PointLight {
   Rgb intensity;  ///< W/sr
 };
 
-/// Who deals with them takes this apart by structured bindings: a kind that is added is an error in
-/// every place that does not say what becomes of it there.
+/// Code that handles these takes the struct apart by structured bindings, so that adding a kind is
+/// a compile error wherever it is not handled.
 struct OtherLights {
   std::vector<PointLight> points;
-  Rgb environment{0};            ///< radiance that arrives from every direction that meets no shape
-  std::optional<Envmap> envmap;  ///< the same, a radiance for each direction
+  Rgb environment{0};            ///< constant radiance from every direction that meets no shape
+  std::optional<Envmap> envmap;  ///< the same with a radiance for each direction
 };
 
 // The scene ---------------------------------------------------------------------------------------
@@ -113,7 +114,7 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Shape> shapes;
   OtherLights lights;
-  std::vector<std::string> notes;  ///< harmless facts about the file that a report should show
+  std::vector<std::string> notes;  ///< harmless facts about the file for reports
 };
 
 }  // namespace carlo

@@ -128,7 +128,7 @@ Jet negated(const Jet& a) {
   return {-a.value, -a.gradient};
 }
 
-/// How far a smoothing takes the minimum into its zone, as a share of that zone: 1 where a = b.
+/// How far smoothing extends the minimum into its zone, as a fraction of that zone: 1 where a = b.
 double overlap(double a, double b, double k) {
   return k > 0 ? std::max(1 - std::abs(a - b) / k, 0.0) : 0.0;
 }
@@ -170,7 +170,7 @@ Value evaluate(const Sdf& sdf, Vec3d p) {
   return stack[0];
 }
 
-/// The box of the points with value <= level of the part that ends before `end`, which is moved to
+/// A box around the points with value <= level of the part that ends before `end`; moves `end` to
 /// where that part begins.
 Box bounds(const std::vector<Step>& steps, std::size_t& end, double level,
            const Similarity& frame) {

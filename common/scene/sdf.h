@@ -11,10 +11,9 @@
 namespace carlo {
 
 /// The parts of a signed distance function F: negative inside, positive outside. Each part, and so
-/// every F made of them, has the Lipschitz bound 1, |F(p) - F(q)| <= |p - q|: F is never further
-/// from 0 than p is from the surface.
-/// Source: Hart, "Sphere tracing: a geometric method for the antialiased ray tracing of implicit
-/// surfaces", 1996.
+/// every F made of them, has the Lipschitz bound 1, |F(p) - F(q)| <= |p - q|: |F| never exceeds the
+/// distance to the surface. Source: Hart, "Sphere tracing: a geometric method for the antialiased
+/// ray tracing of implicit surfaces", 1996.
 namespace sdf {
 
 /// About the origin. The exact distance.
@@ -50,7 +49,7 @@ struct Gyroid {
   double period, thickness;
 };
 
-/// A form in its place.
+/// A form with its placement.
 struct Solid {
   std::variant<Ball, Torus, RoundedBox, Capsule, Gyroid> form;
   Similarity place;
@@ -58,9 +57,9 @@ struct Solid {
 
 enum class Operation { unite, intersect, subtract };
 
-/// Of two distances a, b: min(a, b), max(a, b) or max(a, -b). With a smoothing k > 0, min(a, b)
-/// becomes min(a, b) - max(k - |a - b|, 0)^2 / (4 k), and max(a, b) = -min(-a, -b) in the same way.
-/// The gradient is a weighted mean of those of a and b (or -b), which keeps the bound 1.
+/// Combines two distances a, b: min(a, b), max(a, b) or max(a, -b). With a smoothing k > 0, min(a,
+/// b) becomes min(a, b) - max(k - |a - b|, 0)^2 / (4 k), and max(a, b) = -min(-a, -b) likewise. The
+/// gradient is a weighted mean of those of a and b (or -b), which keeps the bound 1.
 struct Combine {
   Operation operation;
   double smoothing = 0;
@@ -68,16 +67,16 @@ struct Combine {
 
 using Step = std::variant<Solid, Combine>;
 
-/// The most results that may wait for their partner in a list of steps.
+/// The most intermediate results that may wait for their partner in a list of steps.
 constexpr std::size_t most_waiting = 16;
 
 }  // namespace sdf
 
-/// The surface F = 0 of a signed distance function. `steps` is F in postfix order: a Solid puts its
-/// distance on a stack, a Combine replaces the two on top; one is left in the end.
+/// The surface F = 0 of a signed distance function. `steps` is F in postfix order: a Solid pushes
+/// its distance onto a stack, a Combine replaces the top two; one is left at the end.
 struct Sdf {
   std::vector<sdf::Step> steps;
-  Similarity place;      ///< from F's coordinates to the world's
+  Similarity place;      ///< maps F's coordinates to the world's
   bool flipped = false;  ///< the normal points along grad F, against it if `flipped`
 };
 
@@ -90,13 +89,13 @@ double distance(const Sdf& sdf, glm::dvec3 p);
 /// as in the centre of a ball.
 glm::dvec3 gradient(const Sdf& sdf, glm::dvec3 p);
 
-/// Holds no point if a coordinate of `lower` is above that of `upper`; may be infinite.
+/// Empty if a coordinate of `lower` exceeds that of `upper`; may be infinite.
 struct Box {
   glm::dvec3 lower, upper;
 };
 
-/// A box that holds all points with F <= 0, in the coordinates to which `frame` leads from F's:
-/// sdf.place for the world's.
+/// A box around all points with F <= 0, in the coordinates that `frame` maps F's to: sdf.place for
+/// the world's.
 Box bounds(const Sdf& sdf, const Similarity& frame);
 
 }  // namespace sdf

@@ -62,7 +62,7 @@ void set_frame(Properties& sensor, Camera& camera) {
       !(std::abs(glm::length(z) - 1) < 1e-3)) {
     fail(at, "the camera's toWorld must not scale or shear");
   }
-  // Gram and Schmidt take out what rounding in the file has left.
+  // Gram-Schmidt removes the rounding errors of the file.
   const glm::dvec3 forward = glm::normalize(z);
   const glm::dvec3 up = glm::normalize(y - glm::dot(y, forward) * forward);
   const glm::dvec3 left = glm::cross(up, forward) * (mirrors(to_world) ? -1.0 : 1.0);

@@ -6,13 +6,13 @@
 
 namespace carlo {
 
-/// <sensor type="perspective"> with its film and sampler: fills in the camera, the film's size, the
-/// sampler and the samples a pixel. What is wrong with them goes to `errors`. Gives the range that
-/// check_clip() looks at once all shapes are there.
+/// Reads <sensor type="perspective"> with its film and sampler: fills in the camera, the film's
+/// size, the sampler and the samples per pixel. Errors go to `errors`. Returns the range for
+/// check_clip(), once all shapes are there.
 ClipRange parse_sensor(const XmlElement& element, Scene& scene, glm::dvec3 center,
                        SceneErrors& errors);
 
-/// <integrator type="path">: fills in the longest path.
+/// Reads <integrator type="path">: fills in the longest path.
 void parse_integrator(const XmlElement& element, Scene& scene);
 
 }  // namespace carlo

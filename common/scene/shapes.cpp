@@ -17,7 +17,8 @@ Parallelogram parallelogram(Properties& shape, glm::dvec3 origin, glm::dvec3 u, 
   const Position at = shape.at("toWorld");
   Parallelogram out{transform_point(to_world, origin, at), transform_vector(to_world, u, at),
                     transform_vector(to_world, v, at)};
-  // A normal goes over by the inverse transpose, which is u' x v' up to the determinant's sign.
+  // A normal is transformed by the inverse transpose, which is u' x v' up to the determinant's
+  // sign.
   if (mirrors(to_world) != flipped) std::swap(out.u, out.v);
   if (is_degenerate(out.u, out.v)) {
     fail(at, "the {} has no area (too small or too thin)", shape.type());
@@ -43,7 +44,7 @@ Sphere parse_sphere(Properties& shape) {
   const glm::dvec3 center = shape.point("center").value_or(glm::dvec3(0));
   const float radius = shape.number("radius").value_or(1.0f);
   const glm::dmat4 to_world = shape.to_world();
-  // A mirrored sphere keeps its outside in Mitsuba 0.6, in Mitsuba 3 it is turned inside out.
+  // A mirrored sphere keeps its outside in Mitsuba 0.6; Mitsuba 3 turns it inside out.
   const bool mirrored = shape.dialect() == Dialect::mitsuba3 && mirrors(to_world);
   const bool flipped = shape.boolean("flipNormals").value_or(false) != mirrored;
   const glm::dmat3 linear(to_world);
@@ -91,8 +92,8 @@ std::vector<Geometry> parse_geometry(Properties& shape, std::vector<std::string>
 }
 
 bool is_degenerate(Vec3 edge1, Vec3 edge2) {
-  // In double: the square of a float product of edges leaves its range from 1e-10 and 1e10 on. The
-  // area itself must be a float. Written so that NaN, from 0/0 or from overflow, fails.
+  // In double: the square of a float product of edges leaves float's range below 1e-10 and above
+  // 1e10. The area itself must be a float. Written so that NaN, from 0/0 or from overflow, fails.
   const double area = glm::length(glm::cross(glm::dvec3(edge1), glm::dvec3(edge2)));
   constexpr double least = std::numeric_limits<float>::min(),
                    most = std::numeric_limits<float>::max();

@@ -10,21 +10,20 @@ namespace carlo {
 
 using Geometry = decltype(Shape::geometry);
 
-/// The geometry of a <shape> in world space: one item, six for a cube. Reads the geometric
-/// properties only. Normals follow toWorld (a mirroring one included) and flipNormals.
-/// Notes on what was left out go to `notes`. Throws Error at what makes no sense; of several such
-/// inside an sdf all but the last go to `errors`.
+/// The geometry of a <shape> in world space: one item, six for a cube. Reads only the geometric
+/// properties. Normals follow toWorld (even if it mirrors) and flipNormals. Notes on what was left
+/// out go to `notes`. Throws Error at what makes no sense; of several errors inside an sdf, all but
+/// the last go to `errors`.
 std::vector<Geometry> parse_geometry(Properties& shape, std::vector<std::string>& notes,
                                      SceneErrors& errors);
 
-/// Whether a parallelogram or triangle with these edges is so thin or small that its normal cannot
-/// be computed in float.
+/// True if a parallelogram or triangle with these edges is too thin or small for a float normal.
 bool is_degenerate(Vec3 edge1, Vec3 edge2);
 
-/// <shape type="sdf"> with the shapes inside it.
+/// Reads <shape type="sdf"> with the shapes inside it.
 Sdf parse_sdf(Properties& shape, SceneErrors& errors);
 
-/// <shape type="obj"> and <shape type="ply">.
+/// Reads <shape type="obj"> and <shape type="ply">.
 Mesh parse_mesh(Properties& shape, std::vector<std::string>& notes);
 
 }  // namespace carlo

@@ -6,14 +6,15 @@
 
 namespace carlo {
 
-/// p = origin + scale * rotation * q: turns or mirrors, scales all directions alike, and moves.
+/// p = origin + scale * rotation * q: a rotation or reflection, a uniform scaling and a
+/// translation.
 struct Similarity {
   glm::dmat3 rotation{1};  ///< orthogonal; its determinant is -1 if it mirrors
   glm::dvec3 origin{0};
   double scale = 1;  ///< > 0
 
   glm::dvec3 operator()(glm::dvec3 q) const { return origin + scale * (rotation * q); }
-  /// The q that goes to p.
+  /// The q that maps to p.
   glm::dvec3 inverse(glm::dvec3 p) const { return glm::transpose(rotation) * (p - origin) / scale; }
 };
 
@@ -22,9 +23,9 @@ inline Similarity operator*(const Similarity& outer, const Similarity& inner) {
   return {outer.rotation * inner.rotation, outer(inner.origin), outer.scale * inner.scale};
 }
 
-/// The similarity that an affine transform is, its rotation made orthogonal to double precision;
-/// nothing if it shears or scales directions differently by more than the precision that numbers
-/// have in scene files.
+/// The similarity equal to an affine transform, its rotation made orthogonal to double precision;
+/// nothing if the transform shears or scales directions differently by more than the precision of
+/// numbers in scene files.
 std::optional<Similarity> similarity(const glm::dmat4& transform);
 
 }  // namespace carlo

@@ -20,13 +20,13 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(white_space) - first + 1);
 }
 
-// number_of() knows no leading plus sign.
+// number_of() accepts no leading plus sign.
 std::string_view without_plus(std::string_view text) {
   const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+';
   return plus ? text.substr(1) : text;
 }
 
-// Levenshtein's distance, by rows of his table.
+// Levenshtein distance, row by row of its table.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -68,7 +68,7 @@ std::string path_in_quotes(const std::filesystem::path& path) {
   const std::string text = path.string();
   std::size_t cut = text.size() > longest ? text.size() - longest : 0;
   while (cut < text.size() && (static_cast<unsigned char>(text[cut]) & 0xc0) == 0x80)
-    ++cut;  // not into a character of UTF-8
+    ++cut;  // not inside a UTF-8 character
   return (cut > 0 ? "\"..." : "\"") + printable(std::string_view(text).substr(cut)) + '"';
 }
 
@@ -79,7 +79,7 @@ bool is_near(std::string_view text, std::string_view name) {
 
 std::string suggest(std::string_view text, const std::vector<std::string>& candidates) {
   constexpr std::size_t few = 24;
-  text = text.substr(0, 100);  // nobody mistypes a name that long, and the table is quadratic
+  text = text.substr(0, 100);  // no typing error is that long, and the table is quadratic
   const std::string* nearest = nullptr;
   std::size_t best = std::max<std::size_t>(2, text.size() / 3) + 1;
   for (const std::string& candidate : candidates) {

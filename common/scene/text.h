@@ -11,24 +11,25 @@ namespace carlo {
 /// `text` in double quotes for a one-line message: control characters escaped, long text cut.
 std::string in_quotes(std::string_view text);
 
-/// The same for a path: of a long one the end is left, which tells its file.
+/// The same for a path: a long one keeps its end, which names the file.
 std::string path_in_quotes(const std::filesystem::path& path);
 
-/// Whether `text` may be a slip of the pen for `name`: two characters changed, and not all of them.
+/// True if `text` may be a misspelling of `name`: at most two characters differ, and not all of
+/// them.
 bool is_near(std::string_view text, std::string_view name);
 
 /// " (did you mean "x"?)" for the candidate nearest to `text`, or " (expected one of ...)" with all
-/// candidates when none is near and they are few, or nothing.
+/// candidates if none is near and they are few, or nothing.
 std::string suggest(std::string_view text, const std::vector<std::string>& candidates);
 
 /// The words of `text`, separated by white space or by any character of `separators`.
 std::vector<std::string_view> words(std::string_view text, std::string_view separators = "");
 
-/// The whole of `text`, but for white space around it, as a number, in any locale. Empty for
-/// garbage before or after it, for NaN, infinity and numbers outside float's range.
+/// All of `text`, except white space around it, as a number, in any locale. Empty for garbage
+/// before or after it, for NaN, infinity and numbers outside float's range.
 std::optional<double> parse_number(std::string_view text);
 
-/// The same as an integer that an int can hold.
+/// The same for an integer that fits into an int.
 std::optional<int> parse_integer(std::string_view text);
 
 }  // namespace carlo

@@ -131,8 +131,8 @@ const Step& step_of(const XmlElement& element) {
        suggest(element.name, {"translate", "rotate", "scale", "lookat", "matrix"}));
 }
 
-// Compares the determinant with the lengths of the columns, so that a small object is not taken for
-// a flat one.
+// Compares the determinant with the lengths of the columns, so that a small object does not pass
+// for a flat one.
 void check_invertible(const glm::dmat4& m, Position at) {
   const glm::dmat3 linear(m);
   const double lengths = glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2]);
@@ -146,8 +146,8 @@ void check_invertible(const glm::dmat4& m, Position at) {
   }
 }
 
-/// Tells of what is wrong with a step's attributes, each by itself; throws Error at the step if
-/// they make no sense together.
+/// Reports errors in a step's attributes, each by itself; throws Error at the step if they make no
+/// sense together.
 void check_step(const XmlElement& element, SceneErrors& errors) {
   const Step& step = step_of(element);
   bool good = element.allow_only(step.attributes, errors);
@@ -175,7 +175,7 @@ Vec3 narrowed(glm::dvec3 v, Position at) {
 bool check_steps(const XmlElement& transform, SceneErrors& errors) {
   const std::size_t before = errors.count();
   transform.allow_only({"name"}, errors);
-  bool whole = true;  // as far as $parameters go, of which is told elsewhere
+  bool whole = true;  // apart from $parameters, which are reported elsewhere
   for (const XmlElement& step : transform.children) {
     whole = whole && !step.broken;
     errors.guard([&] { check_step(step, errors); });

@@ -15,7 +15,7 @@
 namespace carlo {
 namespace {
 
-// Light of the same energy at each wavelength (X = Y = Z = 1) in linear sRGB, as Mitsuba 3 has it.
+// Light of equal energy at each wavelength (X = Y = Z = 1) in linear sRGB, as in Mitsuba 3.
 constexpr Rgb equal_energy{1.2048f, 0.9483f, 0.9089f};
 
 void require_kind(const XmlElement& property, std::initializer_list<std::string_view> kinds) {
@@ -30,7 +30,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// The bytes of #rrggbb, as parts of 255.
+/// The bytes of #rrggbb, in units of 255.
 std::optional<glm::dvec3> hexadecimal(std::string_view text) {
   if (text.size() != 7 || text[0] != '#') return {};
   glm::dvec3 out;
@@ -44,7 +44,7 @@ std::optional<glm::dvec3> hexadecimal(std::string_view text) {
   return out;
 }
 
-// sRGB's transfer function (IEC 61966-2-1), undone.
+// The inverse of sRGB's transfer function (IEC 61966-2-1).
 double decoded(double v) {
   return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
 }
@@ -76,7 +76,7 @@ glm::dvec3 numbers_of(const XmlElement& property, const XmlAttribute& value) {
   return out;
 }
 
-// Negative numbers stay what they are, for whoever refuses them.
+// Negative numbers stay unchanged, to be refused elsewhere.
 double linear(double encoded) {
   return encoded > 0 ? decoded(encoded) : encoded;
 }

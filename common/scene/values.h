@@ -12,8 +12,8 @@
 
 namespace carlo {
 
-// The value of a property (<float name="radius" value="2"/>). Each throws Error at the element if
-// it is of another kind, else at the value.
+// The value of a property (<float name="radius" value="2"/>). Each function throws Error at the
+// element if its kind is wrong, otherwise at the value.
 
 float number_value(const XmlElement& property);
 int integer_value(const XmlElement& property);
@@ -22,14 +22,14 @@ const std::string& text_value(const XmlElement& property);
 /// x, y and z, or value="x, y, z".
 glm::dvec3 point_value(const XmlElement& property);
 
-/// <rgb> of three linear numbers or one, <srgb> of such numbers encoded by sRGB's curve or of
+/// <rgb> with three linear numbers or one, <srgb> with such numbers encoded by sRGB's curve or as
 /// #rrggbb, or one number as <spectrum> or <float>.
 Rgb colour_value(const XmlElement& property);
 
-/// The same of what emits: there the <spectrum> of one number is white in Mitsuba 0.6, and light of
-/// the same energy at each wavelength in Mitsuba 3.
+/// The same for emission: there a <spectrum> of one number is white in Mitsuba 0.6, and light of
+/// equal energy at each wavelength in Mitsuba 3.
 Rgb emission_value(const XmlElement& property);
-/// Whether it is the latter.
+/// True in the latter case.
 bool is_equal_energy(const XmlElement& property);
 
 /// A <float>, or a <string> with the name of a medium.
@@ -38,12 +38,12 @@ float ior_value(const XmlElement& property);
 FovAxis fov_axis_value(const XmlElement& property);
 sdf::Operation operation_value(const XmlElement& property);
 
-// What attributes hold. Each throws Error at the value.
+// The values of attributes. Each function throws Error at the value.
 
 double number_of(const XmlAttribute& attribute);
 /// "x, y, z" or "x y z".
 glm::dvec3 triple_of(const XmlAttribute& attribute);
-/// The attribute's value for a message, with the text that it came from if $parameters were in it.
+/// The attribute's value for a message, with its source text if that contained $parameters.
 std::string found(const XmlAttribute& attribute);
 
 /// Throws Error "NAME ..." at the value of a property, or at the property if it has none.

@@ -20,8 +20,8 @@ bool starts_character(char c) {
   return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
 }
 
-// Turns pugixml's tree, which lives in `buffer`, into ours. Its strings are stored in place, so
-// their addresses tell where they stood in the file.
+// Converts pugixml's tree, which lives in `buffer`, into ours. Its strings are stored in place, so
+// their addresses give their positions in the file.
 class Converter {
  public:
   Converter(const XmlSource& source, const std::string& buffer, SceneErrors& errors)
@@ -53,7 +53,7 @@ class Converter {
   }
 
  private:
-  /// Most likely it is elements whose '<' is missing.
+  /// Text here is most likely an element whose '<' is missing.
   void tell_text(const pugi::xml_node& text, XmlElement& around) const {
     around.broken = true;
     errors_.lose_names();

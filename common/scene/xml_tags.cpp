@@ -14,15 +14,15 @@ struct Tag {
   std::string_view name;
   std::size_t offset = 0;
   bool closing = false;  ///< </name>
-  bool whole = false;    ///< <name/>: opened and closed
+  bool whole = false;    ///< <name/>: opened and closed at once
 };
 
-/// Gives the tags of a text one after the other; comments and the like are passed over.
+/// Iterates over the tags of a text; skips comments and the like.
 class Tags {
  public:
   explicit Tags(std::string_view text) : text_(text) {}
 
-  /// The next tag; empty at the end, also at the end of a file that is cut off inside a tag.
+  /// The next tag; empty at the end, also if the file is cut off inside a tag.
   std::optional<Tag> next() {
     while ((at_ = text_.find('<', at_)) != std::string_view::npos) {
       if (starts("<!--")) {
@@ -56,7 +56,7 @@ class Tags {
     const std::size_t end = std::min(text_.find_first_of(" \t\r\n/>", at_), text_.size());
     tag.name = text_.substr(at_, end - at_);
     at_ = end;
-    char quote = 0;  // a '>' in quotes ends no tag
+    char quote = 0;  // a '>' in quotes does not end a tag
     for (; at_ < text_.size(); ++at_) {
       const char c = text_[at_];
       if (quote != 0) {
@@ -79,7 +79,7 @@ auto line_of(std::string_view text, std::size_t offset) {
   return 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset), '\n');
 }
 
-/// A tag's name for a message: files that are no XML at all have names of any length.
+/// A tag's name for a message; in files that are not XML it may have any length.
 std::string shown(const Tag& tag) {
   const std::string quoted = in_quotes(tag.name);
   return quoted.substr(1, quoted.size() - 2);

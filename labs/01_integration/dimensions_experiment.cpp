@@ -34,7 +34,7 @@ std::int64_t cells(std::int64_t n, std::size_t d, std::int64_t limit) {
   return product;
 }
 
-/// The next n a side: about four times as many cells, but at least one more a side.
+/// The next n per side: about four times as many cells, but at least one more per side.
 std::int64_t next_side(std::int64_t n, std::size_t d) {
   const double grown = static_cast<double>(n) * std::pow(4, 1 / static_cast<double>(d));
   return std::max(n + 1, static_cast<std::int64_t>(std::lround(grown)));
@@ -50,7 +50,7 @@ Measurement relative(Measurement m, double integral) {
 Curve nested_curve(Notebook& notebook, std::size_t d) {
   const Cube cube(d);
   const double exact = exponential_nd_integral(d);
-  // A slope needs four points: in eight dimensions 2 to 5 a side.
+  // A slope needs four points: in eight dimensions 2 to 5 per side.
   const std::int64_t limit = std::max<std::int64_t>(4 * notebook.options().n, 400'000);
   Curve curve{fmt::format("midpoint, d = {}", d), {}};
   for (std::int64_t n = 2; cells(n, d, limit) <= limit; n = next_side(n, d)) {
@@ -75,12 +75,12 @@ Curve monte_carlo_curve(Notebook& notebook, std::size_t d) {
   return curve;
 }
 
-/// Where Monte Carlo overtakes the rule, or why there is no such place.
+/// Where Monte Carlo overtakes the rule, or why it does not.
 carlo::Cell crossing_cell(const std::optional<carlo::PowerFit>& rule,
                           const std::optional<carlo::PowerFit>& dice, bool seconds) {
   if (!rule || !dice) return carlo::empty_cell();
   const double at = carlo::crossing(*rule, *dice);
-  // A slope that the data cannot tell from the other gives no crossing worth printing.
+  // If the data cannot tell the slopes apart, the crossing is not worth printing.
   if (std::fabs(rule->slope - dice->slope) < rule->slope_half_width + dice->slope_half_width) {
     return {"undecided", std::nan("")};
   }

@@ -39,7 +39,7 @@ Curve volume_curve(Notebook& notebook, std::size_t d) {
   return curve;
 }
 
-/// How many of the intervals value -+ 1.96 standard errors hold the exact volume.
+/// The fraction of the intervals value -+ 1.96 standard errors that hold the exact volume.
 double coverage(Notebook& notebook, std::size_t d, std::int64_t n, int repetitions) {
   const LargeCube cube(d);
   const double exact = unit_ball_volume(d);

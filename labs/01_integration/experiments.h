@@ -10,7 +10,7 @@ using carlo::Curve, carlo::curves_of, carlo::ExpectedCurve, carlo::Measurement, 
 using carlo::slope_table, carlo::error_charts, carlo::ladder, carlo::measurement_table,
     carlo::repeat, carlo::slope_cell, carlo::time_rule;
 
-// One experiment each: it runs the exercises it needs, and writes what it finds.
+// One function per experiment: it runs the exercises it needs, and writes its findings.
 
 /// Lab 1.1: the error of an average against N; slope -1/2.
 void average_experiment(Notebook& notebook);
@@ -22,7 +22,7 @@ void dimensions_experiment(Notebook& notebook);
 void hard_integrands_experiment(Notebook& notebook);
 /// Lab 1.3: variances of numbers with a large mean.
 void variance_experiment(Notebook& notebook);
-/// Lab 1.7: balls, and whether the error bars tell the truth.
+/// Lab 1.7: balls, and whether the error bars are right.
 void domain_experiment(Notebook& notebook);
 
 }  // namespace lab01

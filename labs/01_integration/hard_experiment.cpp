@@ -7,21 +7,21 @@
 #include <array>
 #include <cmath>
 
-// Badly behaved integrands: what happens to the slopes, and what the error bars are worth.
+// Badly behaved integrands: what happens to the slopes, and how far the error bars can be trusted.
 
 namespace lab01 {
 namespace {
 
 constexpr double spike_width = 1e-3;
 
-/// A hard integrand; jump and spike stand at a new random place in every repetition, for a grid's
-/// error depends on where they fall.
+/// A hard integrand; jump and spike move to a new random place in every repetition, since a grid's
+/// error depends on where they are.
 struct Hard {
   std::string name;
   std::function<Integrand(carlo::Rng&)> make;
   const char* variance;
   const char* slope;       ///< of Monte Carlo's error, in theory
-  const char* rule_slope;  ///< of the midpoint rule's
+  const char* rule_slope;  ///< of the midpoint rule's error
 };
 
 std::vector<Hard> hard_integrands() {
@@ -37,7 +37,7 @@ std::vector<Hard> hard_integrands() {
   };
 }
 
-/// estimate(g, n, rng): by n evaluations of the integrand g.
+/// estimate(g, n, rng) uses n evaluations of the integrand g.
 template <class Estimate>
 Curve hard_curve(Notebook& notebook, const Hard& hard, const std::vector<std::int64_t>& rungs,
                  const Estimate& estimate) {
@@ -61,10 +61,10 @@ double by_midpoints(const Integrand& g, std::int64_t n, carlo::Rng&) {
   return midpoint(g.f, g.a, g.b, n);
 }
 
-/// How many of `repetitions` intervals mean -+ 1.96 standard errors hold the integral.
+/// The fraction of `repetitions` intervals mean -+ 1.96 standard errors that hold the integral.
 struct Coverage {
   double share = 0;
-  double seconds = 0;  ///< of one interval
+  double seconds = 0;  ///< per interval
 };
 
 Coverage coverage(const Hard& hard, std::int64_t n, int repetitions, carlo::Rng& rng) {
@@ -109,7 +109,7 @@ carlo::Table slope_table(const std::vector<Hard>& all, const std::vector<Curve>&
                      {"integrand", "theory_monte_carlo", "slope_monte_carlo", "theory_midpoint",
                       "slope_midpoint"});
   for (std::size_t i = 0; i < all.size(); ++i) {
-    // A spike that no point has met yet leaves a flat line, not a slope.
+    // A spike that no point has hit yet leaves a flat line, not a slope.
     const bool fitted = all[i].name != "rare spike";
     const auto cell = [&](const std::vector<Curve>& curves) {
       return i < curves.size() && fitted ? slope_cell(curves[i].against_points())

@@ -22,8 +22,8 @@ Integrand jump(double edge) {
 }
 
 Integrand singular(double power) {
-  // A uniform number can be 0, though it hardly ever is; half the smallest positive one stands in
-  // for it, so that no estimate is infinite.
+  // A uniform number can be 0, though it hardly ever is; half the smallest positive one replaces
+  // it, so that no estimate is infinite.
   const auto f = [power](double x) { return std::pow(std::max(x, 0x1p-54), -power); };
   return {fmt::format("x^-{}", power), f, 0, 1, 1 / (1 - power)};
 }

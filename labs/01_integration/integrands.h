@@ -15,7 +15,7 @@ struct Integrand {
   double integral = 0;
 };
 
-/// e^x on [0, 1]: as smooth as they come. Its variance under uniform sampling is .242.
+/// e^x on [0, 1]: perfectly smooth. Its variance under uniform sampling is .242.
 Integrand exponential();
 /// 1/x on [1, 3]: smooth, and not on the unit interval.
 Integrand reciprocal();
@@ -24,9 +24,9 @@ Integrand jump(double edge);
 /// x^-power on [0, 1], 0 < power < 1: infinite at 0, yet with a finite integral. Its variance is
 /// finite only for power < 1/2.
 Integrand singular(double power);
-/// 1 everywhere on [0, 1], and another 1/width on the interval of that width that starts at `left`:
-/// half of the integral sits where a uniform point falls with probability `width`, like a small
-/// bright light. 0 <= left <= 1 - width.
+/// 1 everywhere on [0, 1], plus 1/width on an interval of that width that starts at `left`: half of
+/// the integral sits where a uniform point falls with probability `width`, like a small bright
+/// light. 0 <= left <= 1 - width.
 Integrand spike(double width, double left);
 
 /// exp(x_1 + ... + x_d) on the unit cube; its integral is (e - 1)^d.

@@ -12,11 +12,11 @@
 
 namespace lab01 {
 
-/// An integrand on the line and one on a box; the point has one coordinate a dimension.
+/// An integrand on the line and one on a box; a point has one coordinate per dimension.
 using Function = std::function<double(double)>;
 using FunctionNd = std::function<double(std::span<const double>)>;
 
-/// Whether a point lies in a domain.
+/// True if a point lies in the domain.
 using Inside = std::function<bool(std::span<const double>)>;
 
 /// A box: lower[i] <= x[i] < upper[i]. Both spans have the same length, the dimension d >= 1.
@@ -25,36 +25,36 @@ struct Box {
 
   Box(std::span<const double> lower_, std::span<const double> upper_)
       : lower(lower_), upper(upper_) {}
-  // A box only looks at numbers that others own. Of these nothing would be left to look at.
+  // A box only refers to numbers owned by others. Temporaries would leave nothing to refer to.
   Box(std::vector<double>&&, std::vector<double>&&) = delete;
   Box(std::vector<double>&&, std::span<const double>) = delete;
   Box(std::span<const double>, std::vector<double>&&) = delete;
 };
 
 /// Lab 1.1. The average of f over [0, 1), estimated by the mean of f at n uniform points; n >= 1.
-/// Draws exactly one rng.uniform() a point.
+/// Draws exactly one rng.uniform() per point.
 double average(const Function& f, std::int64_t n, carlo::Rng& rng);
 
 /// Lab 1.2. The integral of f over [a, b) by Monte Carlo, from n uniform points; a <= b, n >= 1.
-/// For a = b it is 0. Draws exactly one rng.uniform() a point, also for a = b.
+/// For a = b it is 0. Draws exactly one rng.uniform() per point, also for a = b.
 double integrate(const Function& f, double a, double b, std::int64_t n, carlo::Rng& rng);
 
 /// Lab 1.3. Mean, variance and standard error of a growing list of numbers, in constant memory and
 /// without the cancellation that the sum of squares suffers when the mean is large.
 class Moments {
  public:
-  /// Takes one more number into account.
+  /// Adds one more number.
   void add(double x);
-  /// Takes in all that `other` has seen, as if each number had been added here.
+  /// Adds all numbers that `other` has seen, as if each had been added here.
   void merge(const Moments& other);
 
   std::int64_t count() const { return n_; }
-  /// The mean of the numbers; 0 when there are none.
+  /// The mean of the numbers; 0 if there are none.
   double mean() const { return mean_; }
-  /// The unbiased estimate of the variance of one number (the N/(N-1) correction); 0 when fewer
-  /// than two numbers were added.
+  /// The unbiased estimate of the variance of one number (the N/(N-1) correction); 0 if fewer than
+  /// two numbers were added.
   double variance() const;
-  /// The estimated standard deviation of mean(); 0 when fewer than two numbers were added.
+  /// The estimated standard deviation of mean(); 0 if fewer than two numbers were added.
   double standard_error() const;
 
  private:
@@ -70,12 +70,12 @@ double midpoint(const Function& f, double a, double b, std::int64_t n);
 double trapezoid(const Function& f, double a, double b, std::int64_t n);
 double simpson(const Function& f, double a, double b, std::int64_t n);
 
-/// Lab 1.5. The midpoint rule nested in every dimension of the box: n >= 1 cells a side, n^d
+/// Lab 1.5. The midpoint rule nested in every dimension of the box: n >= 1 cells per side, n^d
 /// points.
 double nested_midpoint(const FunctionNd& f, const Box& box, std::int64_t n);
 
 /// Lab 1.6. The integral of f over the box by Monte Carlo, from n >= 1 uniform points. Draws
-/// exactly one rng.uniform() a coordinate.
+/// exactly one rng.uniform() per coordinate.
 double integrate_box(const FunctionNd& f, const Box& box, std::int64_t n, carlo::Rng& rng);
 
 /// An estimate and its standard error.
@@ -85,8 +85,8 @@ struct Estimate {
 };
 
 /// Lab 1.7. The integral of f over the part of the box where `inside` holds, from n >= 1 uniform
-/// points of the box, one rng.uniform() a coordinate; f is never evaluated outside the domain. The
-/// standard error is that of `value`; for n = 1 it is 0, as in Lab 1.3.
+/// points of the box, one rng.uniform() per coordinate; f is never evaluated outside the domain.
+/// The standard error is that of `value`; for n = 1 it is 0, as in Lab 1.3.
 Estimate integrate_domain(const FunctionNd& f, const Inside& inside, const Box& box, std::int64_t n,
                           carlo::Rng& rng);
 

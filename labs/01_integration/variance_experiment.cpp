@@ -33,7 +33,7 @@ double variance_from_moments(const std::vector<double>& numbers) {
   return moments.variance();
 }
 
-/// The variance that the numbers have, by two passes in extended precision.
+/// The actual variance of the numbers, by two passes in extended precision.
 double reference_variance(const std::vector<double>& numbers) {
   long double sum = 0, squares = 0;
   for (const double x : numbers)
@@ -47,7 +47,7 @@ double reference_variance(const std::vector<double>& numbers) {
 struct Method {
   std::string name;
   std::function<double(const std::vector<double>&)> variance;
-  double seconds = 0;  ///< in all rounds
+  double seconds = 0;  ///< over all rounds
   std::vector<carlo::Point> errors;
 };
 

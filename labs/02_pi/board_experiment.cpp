@@ -12,7 +12,7 @@
 #include <numbers>
 #include <optional>
 
-// Darts on their board, and the estimate settling down.
+// Darts on their board, and the estimate as it settles down.
 
 namespace lab02 {
 namespace {
@@ -32,7 +32,7 @@ struct Step {
   std::optional<Interval> interval;
 };
 
-/// The same darts all along: each step throws those that are missing.
+/// The same darts throughout: each step throws those that are missing.
 std::vector<Step> throw_in_steps(Notebook& notebook, carlo::Rng rng) {
   std::vector<Step> steps;
   Darts darts;
@@ -78,7 +78,7 @@ std::string board(const std::vector<Step>& steps, carlo::Rng rng) {
                          plot.svg("The unit square with the quarter disc and the darts so far"));
 }
 
-/// The estimate and its interval against N; a line is where the slider stands.
+/// The estimate and its interval against N; a line marks the slider's position.
 std::string way(const std::vector<Step>& steps) {
   std::vector<carlo::Point> estimates, upper, lower;
   std::vector<double> darts;
@@ -150,7 +150,7 @@ carlo::Table steps_table(const std::vector<Step>& steps) {
   return table;
 }
 
-/// The first darts, for whoever wants to draw them.
+/// The first darts, for drawing.
 carlo::Table darts_table(carlo::Rng rng) {
   constexpr int drawn = 600;
   carlo::Table table({"x", "y", "dart"}, {"x", "y", "dart"});

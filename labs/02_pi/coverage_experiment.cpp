@@ -8,8 +8,8 @@
 #include <functional>
 #include <numbers>
 
-// How often 95 % intervals hold the truth: the score interval, and the one that takes its width
-// from the measured share.
+// How often 95 % intervals hold the truth: the score interval, and the one whose width comes from
+// the measured share.
 
 namespace lab02 {
 namespace {
@@ -37,7 +37,7 @@ std::vector<Target> targets(bool quick) {
           {"a target of 1 %", 0.01, rare, {10, 100, 1000}}};
 }
 
-/// How one kind of interval did.
+/// The results of one kind of interval.
 struct Tally {
   std::int64_t held = 0;
   double width = 0;

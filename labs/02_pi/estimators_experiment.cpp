@@ -16,7 +16,7 @@ using std::numbers::pi;
 struct Method {
   std::string name;
   std::function<double(std::int64_t n, carlo::Rng& rng)> estimate;
-  double (*deviation)();  ///< on paper
+  double (*deviation)();  ///< in theory
 };
 
 double by_darts(std::int64_t n, carlo::Rng& rng) {
@@ -33,11 +33,11 @@ double by_fast_darts(std::int64_t n, carlo::Rng& rng) {
   return 4 * hits / static_cast<double>(n);
 }
 
-/// What one method did.
+/// The results of one method.
 struct Result {
   Method method;
   Curve curve;
-  std::optional<double> theory;  ///< of the variance of a sample, by Lab 2.4
+  std::optional<double> theory;  ///< the variance of a sample, by Lab 2.4
 
   /// The variance of one sample: N times the mean square error, averaged over all N.
   double variance() const {
@@ -46,7 +46,7 @@ struct Result {
       sum += static_cast<double>(m.points) * m.error * m.error;
     return sum / static_cast<double>(curve.runs.size());
   }
-  /// Of one sample, where a run is long enough that its start does not count.
+  /// Per sample, where a run is long enough for its start not to matter.
   double seconds() const {
     const Measurement& last = curve.runs.back();
     return last.seconds / static_cast<double>(last.points);
@@ -82,7 +82,7 @@ std::vector<Result> measure_all(Notebook& notebook) {
   return results;
 }
 
-/// The estimates of a variance from `runs` errors scatter by sqrt(2 / runs) of it.
+/// Variance estimates from `runs` errors scatter by sqrt(2 / runs) of the variance.
 double variance_half_width(double variance, double runs) {
   return z95 * variance * std::sqrt(2 / runs);
 }

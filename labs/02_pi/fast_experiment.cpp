@@ -9,14 +9,14 @@
 #include <functional>
 #include <random>
 
-// Darts a second; and what a counter of type float does to many of them.
+// Darts per second, and what a counter of type float does with many of them.
 
 namespace lab02 {
 namespace {
 
 using Thrower = std::function<std::int64_t(std::int64_t n)>;
 
-/// The loop that one writes first, with the library's generator.
+/// The loop that most people write first, with the library's generator.
 std::int64_t plain_loop(std::mt19937& generator, std::int64_t n) {
   std::uniform_real_distribution<double> uniform(0, 1);
   std::int64_t hits = 0;
@@ -28,7 +28,7 @@ std::int64_t plain_loop(std::mt19937& generator, std::int64_t n) {
   return hits;
 }
 
-/// One way to throw darts, with the best time so far: what disturbs a loop makes it slower.
+/// One way to throw darts, with the best time so far: disturbances only make a loop slower.
 struct Way {
   std::string name;
   Thrower throws;
@@ -36,7 +36,7 @@ struct Way {
   std::int64_t hits = 0;
 };
 
-/// The ways take turns, so that a slow moment of the machine meets all of them.
+/// The ways take turns, so that a slow moment of the machine affects all of them.
 void time_all(std::vector<Way>& ways, std::int64_t n, int rounds) {
   for (int round = 0; round < rounds; ++round) {
     for (Way& way : ways) {

@@ -40,7 +40,7 @@ Sums sum_circle(std::int64_t n, carlo::Rng& rng) {
 }
 
 Sums sum_arctangent(std::int64_t n, carlo::Rng& rng) {
-  // The same with the other integrand: what they share wants to be written once.
+  // The same with the other integrand: write what they share only once.
   carlo::not_implemented("Lab 2.3", "Estimating the Average");
 }
 

@@ -11,8 +11,8 @@
 
 namespace lab02 {
 
-/// Darts thrown uniformly at the unit square [0, 1) x [0, 1), and how many of them hit the quarter
-/// disc x^2 + y^2 < 1. 0 <= hits <= thrown.
+/// The number of darts thrown uniformly at the unit square [0, 1) x [0, 1), and how many of them
+/// hit the quarter disc x^2 + y^2 < 1. 0 <= hits <= thrown.
 struct Darts {
   std::int64_t thrown = 0;
   std::int64_t hits = 0;
@@ -38,14 +38,13 @@ Darts throw_darts(std::int64_t n, carlo::Rng& rng);
 /// one with N - 1; lecture section "Variance"), which is 0 for a single dart. thrown >= 1.
 Estimate pi_estimate(const Darts& darts);
 
-/// Lab 2.2. Wilson's score interval for four times the probability of a hit: all values that the
-/// share of hits lies within z of their own standard deviations of. Within [0, 4] up to rounding,
-/// and of a width above 0 also when no dart hit or none missed. thrown >= 1, z > 0.
-/// Source: E. B. Wilson, "Probable inference, the law of succession, and statistical inference",
-/// 1927.
+/// Lab 2.2. Wilson's score interval for four times the probability of a hit: all values that lie
+/// within z of their own standard deviations of the share of hits. Within [0, 4] up to rounding,
+/// and wider than 0 even when no dart hit or none missed. thrown >= 1, z > 0. Source: E. B. Wilson,
+/// "Probable inference, the law of succession, and statistical inference", 1927.
 Interval pi_interval(const Darts& darts, double z);
 
-/// What is kept of a list of numbers: enough for their mean and its standard error.
+/// A summary of a list of numbers: enough for their mean and its standard error.
 struct Sums {
   std::int64_t count = 0;
   double sum = 0;
@@ -54,13 +53,13 @@ struct Sums {
 
 /// Lab 2.3. Sums over n >= 0 samples of an integrand with integral π over [0, 1]: the height of a
 /// circle, 4 sqrt(1 - x^2), and the derivative of 4 arctan x, which is 4 / (1 + x^2). One
-/// rng.uniform() a sample.
+/// rng.uniform() per sample.
 Sums sum_circle(std::int64_t n, carlo::Rng& rng);
 Sums sum_arctangent(std::int64_t n, carlo::Rng& rng);
 
 /// Lab 2.3. The mean and its standard error (N - 1; 0 for a single number). sums.count >= 1. The
-/// sum of squares will do here, where means and spreads are of one size; Lab 1.3 is about where it
-/// will not.
+/// sum of squares is good enough here, where means and spreads are of similar size; Lab 1.3 shows
+/// where it is not.
 Estimate mean_of(const Sums& sums);
 
 /// Lab 2.4. The exact standard deviation of one sample of each estimator: of 4 (hit or miss), of
@@ -75,33 +74,33 @@ double arctangent_deviation();
 std::int64_t samples_needed(double deviation, double half_width, double z);
 
 /// Given, for Lab 2.5: word number i of the list of random words that belongs to `key`
-/// (splitmix64). A pure function: any word can be had without the ones before it.
+/// (splitmix64). A pure function: any word can be computed without the ones before it.
 // slide: dart-word
 inline std::uint64_t dart_word(std::uint64_t key, std::int64_t i) {
   return carlo::mix(key + static_cast<std::uint64_t>(i) * 0x9E3779B97F4A7C15);
 }
 // end slide
 
-/// Lab 2.5. The hits among the n >= 0 darts number first, first + 1, ..., first + n - 1 of `key`;
-/// first >= 0. A word holds two darts: dart 2 i the low half of dart_word(key, i), dart 2 i + 1 the
-/// high half. The low 16 bits of a half are x, its high 16 bits y, and the dart's place is the
-/// centre of its cell of the grid, ((x + 1/2) / 65536, (y + 1/2) / 65536). The count is exact, and
-/// the function at least 2.5 times as fast, per dart, as a loop over std::mt19937 and
+/// Lab 2.5. The number of hits among the n >= 0 darts number first, first + 1, ..., first + n - 1
+/// of `key`; first >= 0. A word holds two darts: dart 2 i is the low half of dart_word(key, i),
+/// dart 2 i + 1 the high half. The low 16 bits of a half are x, its high 16 bits y, and the dart
+/// hits the centre of its cell of the grid, ((x + 1/2) / 65536, (y + 1/2) / 65536). The count is
+/// exact, and the function at least 2.5 times as fast, per dart, as a loop over std::mt19937 and
 /// std::uniform_real_distribution<double>.
 std::int64_t count_hits(std::uint64_t key, std::int64_t first, std::int64_t n);
 
-/// Anything that takes n samples with the numbers of `rng`. Called from several threads at once.
+/// Takes n samples with the numbers of `rng`. Called from several threads at once.
 using Sampler = std::function<Sums(std::int64_t n, carlo::Rng& rng)>;
 
-/// The work is cut into chunks of so many samples; the last one may be shorter.
+/// The work is cut into chunks of this many samples; the last one may be shorter.
 constexpr std::int64_t chunk_samples = 1 << 14;
 
-/// Lab 2.6. Calls `sampler` once a chunk, for n >= 0 samples in all, on `threads` >= 1
-/// threads at once (fewer only where there are fewer chunks). Chunk i, from 0, has a generator of
-/// its own, carlo::Rng(seed, i), and the results are added up in the order of the chunks: the same
-/// bits for any number of threads. A thread that is free takes the next chunk that nobody has
-/// begun. When the sampler throws, no further chunk is begun, the running ones are waited for, and
-/// the caller gets the exception (one of them, when several chunks throw).
+/// Lab 2.6. Calls `sampler` once per chunk, for n >= 0 samples in all, on `threads` >= 1 threads at
+/// once (fewer only if there are fewer chunks). Chunk i, from 0, has its own generator,
+/// carlo::Rng(seed, i), and the results are added up in the order of the chunks: the same bits for
+/// any number of threads. A free thread takes the next chunk that nobody has begun. When the
+/// sampler throws, no further chunk is begun, the running ones are waited for, and the caller gets
+/// the exception (one of them, when several chunks throw).
 Sums sum_in_parallel(const Sampler& sampler, std::int64_t n, std::uint64_t seed, int threads);
 
 }  // namespace lab02

@@ -71,7 +71,7 @@ carlo::Chart threads_chart(const std::vector<Run>& runs) {
 
 void threads_experiment(Notebook& notebook) {
   notebook.begin("Many threads, the same bits");
-  // What is missing is named here, where nothing is lost if it is: not in a thread.
+  // Called here for a missing exercise to be reported outside the threads, where nothing is lost.
   const auto nothing = [](std::int64_t n, carlo::Rng&) { return Sums{n, 0, 0}; };
   if (!notebook.attempt([&] { (void)sum_in_parallel(nothing, 1, 1, 1); })) return;
   notebook.attempt([&] {

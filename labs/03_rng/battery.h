@@ -9,34 +9,34 @@
 
 namespace lab03 {
 
-/// What a test looks at: the first numbers of a stream.
+/// The input of a test: the first numbers of a stream.
 struct Sample {
   std::span<const std::uint32_t> words;  ///< numbers at the top of each word (generators.h)
   int bits = 32;
   Lags lags{24, 55};
 };
 
-/// A test's result on a sample, or nothing where the sample is outside the range in which the
-/// test's distribution is known: too short, too long, or of numbers too narrow.
+/// A test's result on a sample, or nothing where the distribution of the test is not known: for
+/// samples that are too short or too long, or numbers of too few bits.
 using Outcome = std::optional<TestResult>;
 
 struct RandomnessTest {
   std::string key;     ///< for tables in JSON
-  std::string name;    ///< for people
+  std::string name;    ///< for display
   std::string about;   ///< one sentence
-  int most_log2 = 24;  ///< no sample above 2^this is taken
+  int most_log2 = 24;  ///< no sample larger than 2^this is used
   Outcome (*run)(const Sample& sample);
 };
 
-/// Equidistribution of the top and of the lowest bits, lag-1 correlation, serial tests in 2D and
-/// 3D, on lagged triples, gaps, runs, collisions, birthday spacings, matrix ranks, linear
-/// complexity. Those that count cells use your chi_square (Lab 3.7).
+/// Equidistribution of the top and of the lowest bits, lag-1 correlation, serial tests in 2D and 3D
+/// and on lagged triples, gaps, runs, collisions, birthday spacings, matrix ranks, linear
+/// complexity. Tests that count cells use your chi_square (Lab 3.7).
 const std::vector<RandomnessTest>& battery();
 
 /// The two-sided p-value: twice the smaller tail, at most 1.
 double two_sided(const TestResult& result);
 
-/// Distributions that results are looked up in: both tails, each with the value itself.
+/// Both tails, each including the value itself, of the distributions of the results.
 TestResult normal_result(double z);
 TestResult poisson_result(std::int64_t count, double mean);
 TestResult binomial_result(std::int64_t count, std::int64_t n, double p);

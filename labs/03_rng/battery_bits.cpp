@@ -31,7 +31,7 @@ int rank(Matrix rows) {
   return rank;
 }
 
-/// The chance that a random 64 x 64 matrix has a rank of at most 62.
+/// The probability that a random 64 x 64 matrix has a rank of at most 62.
 double deficient_by_two() {
   double full = 1;
   for (int i = 1; i <= 64; ++i)
@@ -44,7 +44,7 @@ double deficient_by_two() {
   return 1 - full - one_less;
 }
 
-/// How many matrices fall short of full rank by two or more: binomial.
+/// The number of matrices that fall short of full rank by two or more is binomial.
 Outcome ranks(std::size_t matrices, Matrix (*make)(const Sample&, std::size_t),
               const Sample& sample) {
   if (matrices < 1) return std::nullopt;
@@ -142,7 +142,7 @@ Outcome linear_complexity_test(const Sample& sample) {
     return std::ldexp(1.0, static_cast<int>(std::min(2 * bits - 2 * l, 2 * l - 1) - bits));
   };
   TestResult result{static_cast<double>(length), 0, 0};
-  // Beyond 600 from the centre the shares are 0 in double.
+  // Beyond 600 from the centre the probabilities are 0 in double.
   for (std::int64_t l = std::max<std::int64_t>(0, bits / 2 - 600);
        l <= std::min(bits, bits / 2 + 600); ++l) {
     (l <= length ? result.p_lower : result.p_upper) += share(l);

@@ -15,10 +15,10 @@ TestResult equal_cells(std::span<const std::int64_t> counts, std::int64_t n) {
   return chi_square(counts, std::vector<double>(counts.size(), each));
 }
 
-/// n points in cells. With less than one point a cell, chi-square's distribution is not known well;
-/// the number of pairs in one cell, which is the same statistic, is then nearly Poisson. Nothing
-/// below 16 expected pairs or, for the Poisson distribution to hold (its next term is of that
-/// size), in between.
+/// Tests n points in cells. With less than one point per cell, the distribution of chi-square is
+/// not known well; the number of pairs in one cell, which is the same statistic, is then nearly
+/// Poisson. Returns nothing below 16 expected pairs, nor where the Poisson approximation fails (its
+/// next term is of that size).
 Outcome points_in_cells(std::span<const std::int64_t> counts, std::int64_t n) {
   const auto cells = static_cast<double>(counts.size());
   const auto points = static_cast<double>(n);
@@ -31,7 +31,7 @@ Outcome points_in_cells(std::span<const std::int64_t> counts, std::int64_t n) {
   return poisson_result(pairs, expected_pairs);
 }
 
-/// Points of `dimensions` words that follow each other, by their top `bits` bits.
+/// Points of `dimensions` consecutive words, by their top `bits` bits.
 Outcome serial(const Sample& sample, std::size_t dimensions, int bits) {
   std::vector<std::int64_t> counts(std::size_t{1} << (static_cast<int>(dimensions) * bits));
   std::int64_t points = 0;
@@ -44,7 +44,7 @@ Outcome serial(const Sample& sample, std::size_t dimensions, int bits) {
   return points_in_cells(counts, points);
 }
 
-/// Counts against cell probabilities; the cells of the tail are put together until at least 16 are
+/// Counts against cell probabilities; the cells of the tail are pooled until at least 16 are
 /// expected in the last one.
 TestResult with_pooled_tail(std::vector<std::int64_t> counts, std::vector<double> probabilities,
                             std::int64_t n) {
@@ -100,8 +100,8 @@ Outcome lagged_triples_test(const Sample& sample) {
   const auto k = static_cast<std::size_t>(sample.lags.k);
   std::vector<std::int64_t> counts(4096);
   std::int64_t triples = 0;
-  // Starts n, n + 1, ... of one block use the numbers n - k, n - j and n; as long as the block is
-  // not longer than j and k - j, no number is used twice.
+  // Starts n, n + 1, ... of one block use the numbers n - k, n - j and n; no number is used twice
+  // if the block is no longer than j and k - j.
   const std::size_t block = std::min(j, k - j);
   for (std::size_t first = k; first + block <= sample.words.size(); first += k + block) {
     for (std::size_t i = first; i < first + block; ++i, ++triples)
@@ -112,7 +112,7 @@ Outcome lagged_triples_test(const Sample& sample) {
 }
 
 Outcome gap_test(const Sample& sample) {
-  // So many gaps that a good generator ends them within the sample all but once in 10^9.
+  // Enough gaps that a good generator fits into the sample in all but one of 10^9 cases.
   const auto n = static_cast<double>(sample.words.size());
   const double hits = n / 16;
   const auto wanted = static_cast<std::int64_t>(hits - 6 * std::sqrt(hits * 15 / 16));
@@ -151,7 +151,7 @@ Outcome runs_test(const Sample& sample) {
   std::vector<std::int64_t> counts(longest);
   std::int64_t runs = 0;
   std::size_t length = 1;
-  // A run that the sample's end would cut is left out; 16 numbers hold any run.
+  // A run cut off by the end of the sample is left out; 16 numbers hold any run.
   for (std::size_t i = 1; i < sample.words.size(); ++i) {
     if (sample.words[i] > sample.words[i - 1]) {
       ++length;
@@ -163,7 +163,8 @@ Outcome runs_test(const Sample& sample) {
     ++i;
     if (i + 16 >= sample.words.size()) break;
   }
-  // A good generator has n / e of them. Far fewer: a binomial with 0.3 < 1 / e bounds the chance.
+  // A good generator has n / e of them. For far fewer, a binomial with 0.3 < 1 / e bounds the
+  // probability.
   if (runs < 256) return binomial_result(runs, static_cast<std::int64_t>(sample.words.size()), 0.3);
   std::vector<double> probabilities;
   double factorial = 1;

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <bit>
 
-// The table generator x test: at what sample size each test first rejects each generator.
+// The table generator x test: the sample size at which each test first rejects each generator.
 
 namespace carlo::web {
 std::string_view heat_css();
@@ -22,10 +22,10 @@ namespace {
 constexpr double level = 1e-10;
 constexpr int first_log2 = 10;
 
-/// What one test says of one generator.
+/// The result of one test on one generator.
 struct Finding {
-  bool judged = false;  ///< there was a sample size at which the test could be applied
-  int log2_n = 0;       ///< of the first rejection; without one, the largest sample that was judged
+  bool judged = false;  ///< the test could be applied at some sample size
+  int log2_n = 0;       ///< of the first rejection; without one, of the largest sample tested
   bool rejected = false;
   TestResult result;  ///< at that size
 };
@@ -35,7 +35,7 @@ class Judge {
   Judge(const Generator& generator, std::span<const std::uint32_t> words)
       : generator_(generator), words_(words) {}
 
-  /// Looks at the largest sample first: a generator that passes there is not looked at again.
+  /// Tests the largest sample first: a generator that passes there is not tested again.
   Finding find(const RandomnessTest& test) const {
     const int most = std::min(test.most_log2, static_cast<int>(std::bit_width(words_.size())) - 1);
     Finding finding = largest(test, most);
@@ -67,7 +67,7 @@ class Judge {
   std::span<const std::uint32_t> words_;
 };
 
-/// The tests that can run: those that count cells wait for Lab 3.7.
+/// The tests that can run: those that count cells need Lab 3.7.
 std::vector<RandomnessTest> runnable_tests(Notebook& notebook) {
   std::vector<RandomnessTest> tests;
   std::vector<std::uint32_t> words(1 << 18);
@@ -95,7 +95,7 @@ std::string short_text(const Finding& finding) {
                      finding.result.p_lower < finding.result.p_upper ? "-" : "+");
 }
 
-/// The cell's words and its colour: the smaller the sample that was enough, the stronger.
+/// A cell's text and colour: the smaller the sample that was enough, the stronger.
 std::string cell_html(const Finding& finding) {
   if (!finding.judged) return "<td class=\"none\">not applicable</td>";
   const auto& [statistic, lower, upper] = finding.result;
@@ -134,7 +134,7 @@ std::string heat_map(const std::vector<RandomnessTest>& tests, const std::vector
   return html + "</tbody></table></div>";
 }
 
-/// A test's column, a letter: the same whether or not all others can run.
+/// The letter of a test's column: the same whether or not all others can run.
 char letter_of(const RandomnessTest& test) {
   const auto& all = battery();
   const auto place = std::find_if(
@@ -142,7 +142,7 @@ char letter_of(const RandomnessTest& test) {
   return static_cast<char>('a' + (place - all.begin()));
 }
 
-/// The table for the console: one narrow column a test.
+/// The table for the console: one narrow column per test.
 carlo::Table short_table(const std::vector<RandomnessTest>& tests, const std::vector<Row>& rows) {
   std::vector<std::string> titles = {"generator"}, keys = {"generator"};
   for (const RandomnessTest& test : tests) {
@@ -178,7 +178,7 @@ carlo::Table tails_table(const std::vector<RandomnessTest>& tests, const std::ve
   return table;
 }
 
-/// What the console's table means; the page's table says it itself.
+/// Explains the console's table; the page's table explains itself.
 std::string legend(const std::vector<RandomnessTest>& tests) {
   std::string text =
       "log2 of the numbers until the first rejection, - too even, + too uneven; a dot: passed;\n"

@@ -28,7 +28,7 @@ void sort_digits(std::vector<std::uint64_t>& numbers, int bits) {
   }
 }
 
-/// How many of the sorted numbers equal the one before.
+/// The number of sorted numbers that equal the one before.
 std::int64_t repeats(const std::vector<std::uint64_t>& sorted) {
   std::int64_t count = 0;
   for (std::size_t i = 1; i < sorted.size(); ++i) {
@@ -50,10 +50,10 @@ std::vector<std::uint64_t> points(std::span<const std::uint32_t> words, std::siz
   return result;
 }
 
-/// Repeated distances among n birthdays in a year of 2^bits days, about Poisson of mean n^3 / (4
-/// days). Summed over the rounds that the sample holds; nothing where so many rounds would show
-/// that the distribution is not exactly Poisson (L'Ecuyer and Simard's conditions, either of which
-/// will do).
+/// Repeated distances among n birthdays in a year of 2^bits days, roughly Poisson with mean n^3 /
+/// (4 days). Summed over the rounds that fit into the sample; nothing where so many rounds would
+/// show that the distribution is not exactly Poisson (L'Ecuyer and Simard's conditions, either of
+/// which is enough).
 Outcome birthdays(const Sample& sample, std::size_t dimensions, int bits, std::size_t most) {
   const std::size_t n = std::min(most, sample.words.size() / dimensions);
   const std::size_t rounds = sample.words.size() / (n * dimensions);
@@ -69,7 +69,7 @@ Outcome birthdays(const Sample& sample, std::size_t dimensions, int bits, std::s
     auto days_of_birth =
         points(sample.words.subspan(round * n * dimensions, n * dimensions), dimensions, bits);
     sort_digits(days_of_birth, total_bits);
-    // The distance over the turn of the year takes part.
+    // The distance across the turn of the year counts too.
     const std::uint64_t last = days_of_birth.back();
     for (std::size_t i = n - 1; i > 0; --i)
       days_of_birth[i] -= days_of_birth[i - 1];
@@ -99,7 +99,7 @@ Outcome birthday_2d_test(const Sample& sample) {
   return birthdays(sample, 2, 20, std::size_t{1} << 14);
 }
 
-// Numbers of 31 bits have an even distance each: no fair year of 2^32 days.
+// Numbers of 31 bits always have even distances: no fair year of 2^32 days.
 Outcome birthday_1d_test(const Sample& sample) {
   if (sample.bits < 32) return std::nullopt;
   return birthdays(sample, 1, 32, 2048);

@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-// Floats that reach 1 and integers that are favoured. The naive forms below are the subject of the
+// Floats that reach 1, and integers that are favoured. The naive forms below are the subject of the
 // experiment, not an example.
 
 namespace lab03 {
@@ -19,8 +19,8 @@ struct FloatMethod {
   std::function<float(std::uint32_t)> convert;
 };
 
-/// How many of all 2^32 words become 1: they are the largest ones, so counting stops at the first
-/// that does not.
+/// The number of all 2^32 words that become 1: they are the largest ones, so counting stops at the
+/// first that does not.
 std::int64_t words_that_reach_one(const FloatMethod& method) {
   std::int64_t count = 0;
   for (std::uint32_t word = 0xFFFFFFFF; word > 0xFFFF0000 && method.convert(word) >= 1; --word)

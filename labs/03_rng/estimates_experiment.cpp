@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-// What a generator's weakness does to an estimate: little, or everything.
+// What a generator's weakness does to an estimate: a little, or everything.
 
 namespace lab03 {
 namespace {
@@ -54,7 +54,7 @@ Integrand wave(const DualVector& dual) {
   };
 }
 
-/// The slope of a curve; an error that is the same at every N has none.
+/// The slope of a curve; an error that does not depend on N has none.
 carlo::Cell slope(const Curve& c, const std::optional<carlo::PowerFit>& fit) {
   const bool constant = std::fabs(c.runs.front().error / c.runs.back().error - 1) < 1e-6;
   return constant ? carlo::Cell("constant", 0) : carlo::slope_cell(fit);

@@ -11,7 +11,7 @@
 #include <immintrin.h>
 #endif
 
-// Each fill is written twice: plainly, for any machine, and with AVX2's instructions.
+// Each fill is written twice: in plain C++ for any machine, and with AVX2 instructions.
 #if defined(__x86_64__)
 #define LAB03_AVX2 __attribute__((target("avx2")))
 #endif
@@ -106,8 +106,8 @@ LAB03_AVX2 void xoshiro_avx2(XoshiroLanes& lanes, std::uint32_t* out, std::size_
   store(lanes[3].data(), s3);
 }
 
-/// Four blocks: each word in the lower half of a 64-bit lane. The upper halves hold rubbish, which
-/// multiplications do not look at.
+/// Four blocks: each word in the lower half of a 64-bit lane. The upper halves hold garbage, which
+/// multiplications ignore.
 struct FourBlocks {
   __m256i c[4];
 };
@@ -175,7 +175,7 @@ void forbid_avx2(bool forbid) {
   avx2_forbidden = forbid;
 }
 
-// 32 steps are the map x -> f x + s; where they take 0 and 1 tells f and s.
+// 32 steps are the map x -> f x + s; its values at 0 and 1 give f and s.
 LeapfrogLcg::LeapfrogLcg(std::uint32_t seed) {
   Lcg(seed).fill(lanes_);
   Lcg from_0(0), from_1(1);
@@ -207,7 +207,7 @@ void Xoshiro128x8::fill(std::span<std::uint32_t> out) {
   run(state_, out.data(), out.size());
 }
 
-// The key is made from the seed as carlo::Rng makes it.
+// The key is derived from the seed as in carlo::Rng.
 PhiloxBlocks::PhiloxBlocks(std::uint64_t seed)
     : key_{static_cast<std::uint32_t>(carlo::mix(seed)),
            static_cast<std::uint32_t>(carlo::mix(seed) >> 32)} {}

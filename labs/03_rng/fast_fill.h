@@ -8,11 +8,11 @@
 
 namespace lab03 {
 
-// Generators that fill arrays eight or more lanes at a time: AVX2 where the machine has it, the
-// same numbers without it elsewhere. Arrays hold a multiple of 32 words; anything else throws
-// carlo::Error.
+// Generators that fill arrays eight or more lanes at a time: with AVX2 where the machine has it,
+// otherwise without, with the same numbers. Arrays must hold a multiple of 32 words; anything else
+// throws carlo::Error.
 
-/// The sequence of your Lcg, of which 32 lanes each make every 32nd number (leapfrogging).
+/// The sequence of your Lcg: each of 32 lanes makes every 32nd number (leapfrogging).
 class LeapfrogLcg {
  public:
   explicit LeapfrogLcg(std::uint32_t seed);
@@ -44,10 +44,10 @@ class PhiloxBlocks {
   std::uint64_t position_ = 0;
 };
 
-/// Whether the machine has AVX2.
+/// True if the machine has AVX2.
 bool has_avx2();
 
-/// For tests: as if the machine had no AVX2.
+/// For tests: behaves as if the machine had no AVX2.
 void forbid_avx2(bool forbid);
 
 }  // namespace lab03

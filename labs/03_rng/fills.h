@@ -1,13 +1,13 @@
 #pragma once
 
-// Given: fill() of the generators that are written in rng.cpp, which includes this file at its end.
-// Each is a loop over next(), and stands here so that the compiler sees both in one place.
+// Given: fill() of the generators in rng.cpp, which includes this file at its end. Each is a loop
+// over next(), and stands here so that the compiler sees both in one place.
 
 #include "rng.h"
 
 namespace lab03 {
 
-/// A state that no word of `out` can overlay stays in a register.
+/// A local copy of the state cannot alias `out`, so it stays in registers.
 template <class Generator>
 void fill_with_copy(Generator& generator, std::span<std::uint32_t> out) {
   Generator local = generator;

@@ -22,8 +22,8 @@ namespace {
 
 using Randu = std::linear_congruential_engine<std::uint32_t, 65539, 0, 2147483648u>;
 
-/// A stream from a state and a function of the state that gives one word. It runs on a copy of the
-/// state, which no word of `out` can overlay, so that it stays in registers.
+/// A stream from a state and a function that returns one word of it. Works on a copy of the state,
+/// which cannot alias `out`, so that it stays in registers.
 template <class State, class Next>
 Fill stream(State state, Next next) {
   return [state = std::move(state), next](std::span<std::uint32_t> out) mutable {
@@ -34,7 +34,7 @@ Fill stream(State state, Next next) {
   };
 }
 
-/// A stream of a generator that fills by itself.
+/// A stream of a generator with its own fill().
 template <class G>
 Fill filling(G generator) {
   return [generator = std::move(generator)](std::span<std::uint32_t> out) mutable {

@@ -64,17 +64,17 @@ using Fill = std::function<void(std::span<std::uint32_t>)>;
 /// 31-bit generator are shifted left by one.
 struct Generator {
   std::string key;   ///< for command lines: "lfg-24-55-add"
-  std::string name;  ///< for people: "LFG (24, 55) +"
+  std::string name;  ///< for display: "LFG (24, 55) +"
   int bits = 32;
-  Lags lags{24, 55};                        ///< its own where it has lags, else those tried on it
-  std::function<Fill(std::uint64_t)> make;  ///< the stream of that seed
+  Lags lags{24, 55};                        ///< its own if it has lags, otherwise those tried on it
+  std::function<Fill(std::uint64_t)> make;  ///< makes the stream for that seed
 };
 
 /// The lecture's LCG, RANDU, MINSTD, lagged Fibonacci for the lecture's lags with +, - and xor,
-/// PCG32, and, beside your own work, mt19937, xoshiro128++, Philox and splitmix64.
+/// PCG32, and for comparison with your own work mt19937, xoshiro128++, Philox and splitmix64.
 const std::vector<Generator>& generators();
 
-/// The one of that key. Throws carlo::Error listing all keys.
+/// The generator with that key. Throws carlo::Error listing all keys.
 const Generator& find_generator(std::string_view key);
 
 }  // namespace lab03

@@ -52,7 +52,7 @@ Cloud corner_of_lcg(std::array<double, 3> normal) {
 }
 
 /// The first triples of a cloud, flattened: as the cube shows them from the front, and from the
-/// side from which its planes are lines.
+/// side where its planes are lines.
 carlo::Table views_table(const Cloud& cloud) {
   constexpr std::size_t drawn = 800;
   const auto [a, b, c] = cloud.normal;
@@ -69,7 +69,7 @@ carlo::Table views_table(const Cloud& cloud) {
 struct Constants {
   const char* name;
   std::uint64_t a, b, c;
-  /// c, unless the states are a coarser lattice. RANDU's are odd: x = 2 y + 1, and y runs modulo
+  /// c, unless the states form a coarser lattice. RANDU's are odd: x = 2 y + 1, and y runs modulo
   /// c/2.
   std::uint64_t lattice;
 };

@@ -14,7 +14,7 @@
 namespace lab03 {
 namespace {
 
-/// Writes all bytes; false when nobody reads any more.
+/// Writes all bytes; returns false when nobody reads any more.
 bool write_all(const char* bytes, std::size_t size) {
   while (size > 0) {
     const ssize_t written = ::write(STDOUT_FILENO, bytes, size);

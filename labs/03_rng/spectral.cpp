@@ -9,7 +9,7 @@
 namespace lab03 {
 namespace {
 
-/// Tries all s_{d-1}, ..., s_1, each no longer than what is left of the best square so far; s_0
+/// Tries all s_{d-1}, ..., s_1, each no longer than what remains of the best square so far; s_0
 /// follows.
 class Search {
  public:
@@ -34,8 +34,8 @@ class Search {
   }
 
  private:
-  /// s_{dim} and below are free; `sum` is what those above contribute modulo c, `squared` their
-  /// square. A vector and its opposite are the same: the first entry that is not 0 is positive.
+  /// s_{dim} and below are free; `sum` is the contribution modulo c of those above, `squared` their
+  /// square. A vector and its opposite are equivalent: the first nonzero entry is positive.
   void from(int dim, std::int64_t sum, std::int64_t squared, bool signed_already) {
     if (dim == 0) return close(sum, squared);
     const auto place = static_cast<std::size_t>(dim);
@@ -51,8 +51,8 @@ class Search {
     }
   }
 
-  /// s_0 is the number of smallest size that makes the sum 0 modulo c; c itself where all others
-  /// are 0.
+  /// s_0 is the number of least absolute value that makes the sum 0 modulo c; c itself if all
+  /// others are 0.
   void close(std::int64_t sum, std::int64_t squared) {
     std::int64_t first = sum == 0 ? 0 : sum > c_ / 2 ? c_ - sum : -sum;
     if (squared == 0) first = c_;

@@ -7,14 +7,14 @@
 #include <cstdlib>
 #include <random>
 
-// Nanoseconds a number, each generator filling an array.
+// Nanoseconds per number, with each generator filling an array.
 
 namespace lab03 {
 namespace {
 
 constexpr std::size_t block = 4096;
 
-/// The least time a number of several rounds, each of at least `round_seconds`.
+/// The least time per number over several rounds, each of at least `round_seconds`.
 template <class F>
 double seconds_a_number(F& fill, double round_seconds) {
   std::vector<std::uint32_t> words(block);
@@ -35,7 +35,7 @@ double seconds_a_number(F& fill, double round_seconds) {
   return best;
 }
 
-/// A loop over a generator whose call the compiler can see through.
+/// A loop over a generator whose call the compiler can inline.
 template <class G>
 auto loop(G generator) {
   return [generator](std::span<std::uint32_t> out) mutable {

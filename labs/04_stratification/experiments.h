@@ -11,7 +11,7 @@ using carlo::Curve, carlo::curves_of, carlo::ExpectedCurve, carlo::Measurement, 
 using carlo::slope_table, carlo::error_charts, carlo::ladder, carlo::measurement_table,
     carlo::repeat, carlo::slope_cell;
 
-// One experiment each: it runs the exercises it needs, and writes what it finds.
+// One function per experiment: it runs the exercises it needs, and writes its findings.
 
 /// Labs 4.3 and 4.4: what the point sets look like, and which strata they leave empty.
 void point_sets_experiment(Notebook& notebook);
@@ -21,7 +21,7 @@ void line_experiment(Notebook& notebook);
 void float_experiment(Notebook& notebook);
 /// Labs 4.3 and 4.4: slopes of five point sets, smooth and with an edge; pi with strata.
 void slopes_experiment(Notebook& notebook);
-/// Lab 4.5: the variance before and after, and whether the error bars tell the truth.
+/// Lab 4.5: the variance before and after, and whether the error bars are right.
 void variance_experiment(Notebook& notebook);
 /// Lab 4.6: strata that adapt.
 void recursive_experiment(Notebook& notebook);

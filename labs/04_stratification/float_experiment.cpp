@@ -27,8 +27,8 @@ struct Method {
 };
 
 struct Astray {
-  double last_at_one = 0;  ///< share of the last stratum's points that are 1
-  double outside = 0;      ///< share of all points that are not in their stratum
+  double last_at_one = 0;  ///< fraction of the last stratum's points that are 1
+  double outside = 0;      ///< fraction of all points that are outside their stratum
 };
 
 Astray count(Place place, std::int32_t n, int draws, carlo::Rng& rng) {

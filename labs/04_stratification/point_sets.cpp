@@ -45,7 +45,7 @@ std::vector<Point> halton_points(std::int64_t n, carlo::Rng& rng) {
   return points;
 }
 
-/// All 32 bits: with a float's 24 the places would be too coarse for the smallest errors.
+/// All 32 bits: with a float's 24 the positions would be too coarse for the smallest errors.
 double fraction(std::uint32_t word) {
   return static_cast<double>(word) * 0x1p-32;
 }
@@ -70,10 +70,10 @@ double bell_1d(double sharpness, double c) {
 
 }  // namespace
 
-// Over N = 16 ... 65 536 a factor of (log N)^(1/2) adds .08 to a slope. It is what mean squares
-// have in two dimensions: at the least for any points (Roth, "On irregularities of distribution",
-// 1954), and for scrambled nets (Owen, "Scrambled net variance for integrals of smooth functions",
-// 1997).
+// Over N = 16 ... 65 536 a factor of (log N)^(1/2) adds .08 to a slope. Mean squares have this
+// factor in two dimensions: at least for any points (Roth, "On irregularities of distribution",
+// 1954), and exactly for scrambled nets (Owen, "Scrambled net variance for integrals of smooth
+// functions", 1997).
 std::vector<PointSet> all_point_sets() {
   return {{"random", random_points, "-1/2", "-1/2"},
           {"jittered", jittered_points, "-1", "-3/4"},

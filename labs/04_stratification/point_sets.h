@@ -9,18 +9,18 @@
 
 namespace lab04 {
 
-/// A way to place n points in the unit square, each point alone uniform, and how the error of an
-/// average over them falls with n in theory.
+/// A way to place n points in the unit square, each of them uniform by itself, and how the error of
+/// an average over them falls with n in theory.
 struct PointSet {
   std::string name;
   std::vector<Point> (*make)(std::int64_t n, carlo::Rng& rng);
   const char* smooth_slope;  ///< for a smooth integrand
-  const char* edge_slope;    ///< for one that jumps along a curve
+  const char* edge_slope;    ///< for an integrand that jumps along a curve
 };
 
 /// Random, jittered (Lab 4.3), Latin hypercube (Lab 4.4), Halton with a random shift, Sobol' with
-/// Owen's scrambling. Jittered points need a square number n, the last two are at their best at
-/// powers of two.
+/// Owen's scrambling. Jittered points need a square number n; the last two are best at powers of
+/// two.
 std::vector<PointSet> all_point_sets();
 
 /// An integrand on the unit square with its exact average.

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::int64_t shown = 64, lines = 8;
 
-/// How many of the cells of a grid, and of the columns of a finer one, hold no point.
+/// The numbers of cells of a grid, and of columns of a finer one, that hold no point.
 struct Gaps {
   std::int64_t cells = 0, columns = 0;
 };

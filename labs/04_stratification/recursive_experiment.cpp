@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-// Strata that adapt: where they go, and what that is worth.
+// Strata that adapt: where they go, and what they gain.
 
 namespace lab04 {
 namespace {

@@ -53,7 +53,7 @@ std::int64_t rounded(double count) {
   return std::llround(count / unit) * std::llround(unit);
 }
 
-/// Darts at pi, plain and jittered, and how many plain darts the strata are worth.
+/// Darts at pi, plain and jittered, and the number of plain darts that equal the strata.
 void pi_table(Notebook& notebook, const Curve& plain, const Curve& strata) {
   carlo::Table table(
       {"N", "plain π", "RMS error", "π with strata", "RMS error", "worth plain darts"},

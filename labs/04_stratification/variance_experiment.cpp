@@ -17,7 +17,7 @@ struct Found {
   double squared_error = 0;  ///< measured, over all runs
   double claimed = 0;        ///< mean squared standard error
   double plain = 0;          ///< mean squared plain standard error
-  double covered = 0;        ///< share of value -+ 1.96 standard errors that hold the truth
+  double covered = 0;        ///< fraction of value -+ 1.96 standard errors that hold the truth
   double seconds = 0;
 };
 

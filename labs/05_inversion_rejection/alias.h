@@ -8,12 +8,12 @@
 
 namespace lab05 {
 
-/// For comparison with Lab 5.4: numbers 0 ... n-1 with probabilities proportional to weights, one
-/// look-up a draw whatever n is. Bin i of n equal ones holds a piece of number i and a piece of one
-/// other, its alias. u is cut up and rearranged: unlike an inverse CDF it does not grow with u, so
-/// stratified u do not give stratified numbers.
-/// Source: M. D. Vose, "A linear algorithm for generating random numbers with a given
-/// distribution", 1991; the idea is A. J. Walker's, 1974. Weights: finite, >= 0, sum > 0.
+/// For comparison with Lab 5.4: numbers 0 ... n-1 with probabilities proportional to weights, with
+/// one look-up per draw whatever n is. Bin i of n equal ones holds a piece of number i and a piece
+/// of one other, its alias. u is cut up and rearranged: unlike an inverse CDF the result does not
+/// grow with u, so stratified u do not give stratified numbers. Source: M. D. Vose, "A linear
+/// algorithm for generating random numbers with a given distribution", 1991; the idea is A. J.
+/// Walker's, 1974. Weights: finite, >= 0, sum > 0.
 class Alias {
  public:
   explicit Alias(std::span<const double> weights) : bins_(weights.size()) {
@@ -35,7 +35,7 @@ class Alias {
       large.pop_back();
       small.push_back(rich);
     }
-    // What rounding left over: bins that are full.
+    // What rounding left over: these bins are full.
     for (const auto* rest : {&small, &large}) {
       for (const std::uint32_t i : *rest)
         bins_[i] = {1, i};
@@ -51,8 +51,8 @@ class Alias {
 
  private:
   struct Bin {
-    double share = 1;         ///< of this bin that is the bin's own number,
-    std::uint32_t other = 0;  ///< the rest is this one's
+    double share = 1;         ///< fraction of this bin that is the bin's own number;
+    std::uint32_t other = 0;  ///< the rest belongs to this one
   };
   std::vector<Bin> bins_;
 };

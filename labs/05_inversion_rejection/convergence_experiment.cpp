@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-// The error of a mean, by samples of both ways: the same at the same N, not at the same time.
+// The error of a mean, by samples of both kinds: the same at the same N, not at the same time.
 
 namespace lab05 {
 namespace {

@@ -23,7 +23,7 @@ struct Density {
   Function pdf;
 };
 
-/// Weights that have a gap.
+/// Weights with a gap.
 constexpr std::array<double, 12> table_weights = {1, 3, 5, 4, 2, 0, 0, 2, 6, 7, 3, 1};
 
 std::vector<Density> densities() {
@@ -47,7 +47,7 @@ std::vector<Density> densities() {
   };
 }
 
-/// Apart from the others, for it takes two exercises.
+/// Separate from the others, since it takes two exercises.
 Density tabulated() {
   const Tabulated1d table(table_weights);
   return {"table of 12 bins",
@@ -61,7 +61,7 @@ struct Histogram {
   Goodness fit;
 };
 
-/// Samples in 48 cells, and one for what lies beyond the view on the right.
+/// Samples in 48 cells, and one more for everything to the right of the view.
 Histogram histogram(const Density& density, std::int64_t n, carlo::Rng rng) {
   constexpr std::size_t cells = 48;
   const double width = (density.view.last - density.view.first) / cells;

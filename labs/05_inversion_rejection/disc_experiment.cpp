@@ -43,7 +43,7 @@ std::vector<Way> ways() {
 
 struct Result {
   Goodness fit;
-  double darts = 0;  ///< a point, on average
+  double darts = 0;  ///< per point, on average
 };
 
 /// Counts in 8 rings of equal area times 12 sectors.
@@ -72,7 +72,7 @@ std::vector<Point> some(const Way& way, carlo::Rng rng) {
   return points;
 }
 
-/// What rejection throws, the lost darts included.
+/// The darts that rejection throws, including the lost ones.
 std::vector<Point> darts(carlo::Rng rng) {
   std::vector<Point> points;
   for (int i = 0; i < 1528; ++i) {
@@ -83,7 +83,7 @@ std::vector<Point> darts(carlo::Rng rng) {
   return points;
 }
 
-/// Inversion fed with one jittered pair a cell of a 32 x 32 grid.
+/// Inversion fed with one jittered pair per cell of a 32 x 32 grid.
 std::vector<Point> stratified(carlo::Rng rng) {
   std::vector<Point> points;
   for (int i = 0; i < 32; ++i) {
@@ -96,8 +96,7 @@ std::vector<Point> stratified(carlo::Rng rng) {
   return points;
 }
 
-/// Darts a point with the 95 % interval around it that theory gives: mean 4/pi = 1.27324,
-/// geometric.
+/// Darts per point with its theoretical 95 % interval: mean 4/pi = 1.27324, geometric.
 carlo::Cell darts_cell(const Way& way, double darts, std::int64_t n) {
   if (!way.rejects) return carlo::Cell(darts);
   constexpr double p = std::numbers::pi / 4;

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-// An image of a sky, made by formula, and the points drawn from it.
+// An image of a sky, given by a formula, and the points drawn from it.
 
 namespace lab05 {
 namespace {

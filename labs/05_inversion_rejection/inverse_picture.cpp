@@ -44,7 +44,7 @@ std::string density_svg(const Inverse& curve) {
   return plot.svg("The density of " + curve.name + "; the shaded area under it is u");
 }
 
-/// u against x, and the way from u to x.
+/// u against x, and the path from u to x.
 std::string cdf_svg(const Inverse& curve) {
   const carlo::Stretch across{curve.view.first, curve.view.last};
   const carlo::Plot axes(axis(), across, axis(), {0, 1}, carlo::tile_size);

@@ -4,9 +4,10 @@
 // this file; your work goes into inversion_rejection.cpp.
 //
 // A sampler by inversion is the inverse of a cumulative distribution function (CDF): it takes any
-// double u in [0, 1), 0 and the last double below 1 included, returns a finite number and grows
-// with u. Its pdf stands beside it: a density per unit of x (or of area), 0 outside the support, to
-// which both ends belong unless they are written "[0, 1)". At an end the density itself may be 0.
+// double u in [0, 1), including 0 and the last double below 1, returns a finite number and grows
+// with u. Each sampler is followed by its pdf: a density per unit of x (or of area), 0 outside the
+// support, which includes both ends unless it is written "[0, 1)". At an end the density itself may
+// be 0.
 
 #include "random/rng.h"
 
@@ -30,7 +31,7 @@ double sample_linear(double u, double f0, double f1);
 double linear_pdf(double x, double f0, double f1);
 
 /// Lab 5.2. Tent on [-radius, radius]: highest at 0, falling linearly to 0 at both ends; radius >
-/// 0. Samples of the tent filter that pixels are often weighed with.
+/// 0. Samples the tent filter with which pixels are often weighted.
 double sample_tent(double u, double radius);
 double tent_pdf(double x, double radius);
 
@@ -44,13 +45,14 @@ class Discrete {
  public:
   /// No numbers at all: size() is 0 and nothing can be drawn.
   Discrete() = default;
-  /// Any count >= 1 of finite weights >= 0, not all 0; throws carlo::Error otherwise. Where their
-  /// sum is above the largest double it may throw as well, or give them the shares that they have.
-  /// 1e7 equal weights keep their probabilities to 1e-8 of their size; the last CDF entry is 1. A
-  /// weight of 1e-9 of all is drawn once in 1e9 times, to 1e-5 of that: sums and u are double.
+  /// Any count >= 1 of finite weights >= 0, not all 0; throws carlo::Error otherwise. If their sum
+  /// exceeds the largest double, it may throw as well, or give them their correct probabilities.
+  /// 1e7 equal weights keep their probabilities to a relative 1e-8; the last CDF entry is 1. A
+  /// weight of 1e-9 of the total is drawn once in 1e9 times, to a relative 1e-5: sums and u are
+  /// double.
   explicit Discrete(std::span<const double> weights);
 
-  /// What one u says: the number drawn, and where u lies in that number's share of [0, 1), as a
+  /// The result of one u: the number drawn, and where u lies in that number's share of [0, 1), as a
   /// fraction in [0, 1). The fraction is uniform and independent of the index: use it for the next
   /// decision instead of u, which is spent.
   struct Pick {
@@ -88,7 +90,7 @@ struct Point {
   double x = 0, y = 0;
 };
 
-/// Lab 5.6. A table on the unit square, as of an image that gives light: cell (column i, row j)
+/// Lab 5.6. A table on the unit square, such as an image that gives light: cell (column i, row j)
 /// covers [i/width, (i+1)/width) x [j/height, (j+1)/height) and has weight weights[j width + i].
 /// Whole rows may be 0. Weights as for Discrete, width height of them; throws carlo::Error
 /// otherwise.
@@ -106,10 +108,11 @@ class Tabulated2d {
 
  private:
   Discrete rows_;
-  std::vector<Discrete> columns_;  ///< for each row the columns in it; empty where the row is 0
+  std::vector<Discrete> columns_;  ///< the columns of each row; empty where the row is 0
 };
 
-/// What rejection gives: the accepted value, and how many darts it took (this one included).
+/// The result of rejection: the accepted value, and how many darts it took (including the accepted
+/// one).
 template <class T>
 struct Accepted {
   T value;
@@ -118,16 +121,16 @@ struct Accepted {
 
 using Function = std::function<double(double)>;
 
-/// After this many darts without success rejection gives up.
+/// Rejection gives up after this many darts without success.
 constexpr std::int64_t max_darts = 10'000'000;
 
-/// Lab 5.7. A number with density proportional to f on [a, b), a < b, where 0 <= f <= f_max; where
-/// rounding gives b itself that is fine. f need not be normalised. A dart draws x first, then y:
-/// exactly two rng.uniform(); f is asked once a dart. Throws carlo::Error when f(x) is above f_max,
-/// negative or no number, and after max_darts darts in vain.
+/// Lab 5.7. A number with density proportional to f on [a, b), a < b, where 0 <= f <= f_max; b
+/// itself may be returned because of rounding. f need not be normalised. A dart draws x first, then
+/// y: exactly two rng.uniform(); f is evaluated once per dart. Throws carlo::Error when f(x) is
+/// above f_max, negative or NaN, and after max_darts darts in vain.
 Accepted<double> sample_by_rejection(const Function& f, double a, double b, double f_max,
                                      carlo::Rng& rng);
-/// The share of darts accepted, from the integral of f over [a, b).
+/// The fraction of darts accepted, from the integral of f over [a, b).
 double acceptance_rate(double integral, double a, double b, double f_max);
 
 /// Lab 5.8. Uniform points of the unit disc around 0. By rejection: darts at the square [-1, 1)^2,

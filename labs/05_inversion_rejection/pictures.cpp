@@ -11,7 +11,7 @@
 namespace lab05 {
 namespace {
 
-/// Darts kept, and those lost, which are paler.
+/// Draws the darts that were kept, and paler those that were lost.
 void draw_darts(carlo::Plot& plot, std::span<const Point> darts,
                 const std::function<bool(Point)>& keeps) {
   std::vector<carlo::Point> kept, lost;
@@ -51,7 +51,7 @@ std::string image_picture(std::string_view title, std::string_view note,
   const double brightest = *std::max_element(weights.begin(), weights.end());
   std::vector<double> greys;
   for (const double weight : weights) {
-    // On the screen the cube root: it lets the dim parts be seen beside the brightest.
+    // Shown as the cube root, so that dim parts are visible beside the brightest.
     greys.push_back(std::pow(weight / brightest, 2.2 / 3));
   }
   const double columns = static_cast<double>(width);

@@ -9,7 +9,7 @@
 
 namespace lab05 {
 
-// Pictures as HTML for a page: SVG in the page's own colours, as wide as the page lets them be.
+// Pictures as HTML for a page: SVG in the page's own colours, as wide as the page allows.
 
 /// A stretch of the x axis, and the y axis from 0 to `top`.
 struct View {

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <optional>
 
-// Which darts are kept, how many it takes, and what a sample costs both ways.
+// Which darts are kept, how many it takes, and the cost of a sample of either kind.
 
 namespace lab05 {
 namespace {
@@ -56,9 +56,9 @@ std::vector<Target> targets() {
   };
 }
 
-/// What `count` samples took.
+/// The cost of `count` samples.
 struct Cost {
-  double darts = 0;  ///< a sample, on average
+  double darts = 0;  ///< per sample, on average
   double seconds = 0;
 };
 
@@ -82,8 +82,8 @@ std::optional<double> inversion_seconds(Notebook& notebook, const Target& t, std
   return seconds;
 }
 
-/// The kept share, from the count of darts: negative binomial, so share = 1 / mean with a relative
-/// standard error sqrt((1 - p) / samples).
+/// The acceptance rate, from the count of darts: negative binomial, so rate = 1 / mean with a
+/// relative standard error sqrt((1 - p) / samples).
 carlo::Cell share_cell(double darts, double p, std::int64_t samples) {
   const double half = 1.96 * p * std::sqrt((1 - p) / static_cast<double>(samples));
   return carlo::interval_cell(1 / darts, half);

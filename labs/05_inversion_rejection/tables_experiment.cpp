@@ -22,7 +22,7 @@ std::vector<double> weights_of(std::int64_t bins, carlo::Rng rng) {
   return weights;
 }
 
-/// Where the CDF of equal weights ends when it is added up in float; the exact end is 1.
+/// The end of the CDF of equal weights when it is summed in float; the exact end is 1.
 double float_end(std::int64_t bins) {
   const float share = 1.0f / static_cast<float>(bins);
   float sum = 0;

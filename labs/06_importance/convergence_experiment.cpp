@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-// Error against N and against seconds: the slope is the density's doing only when its tail is.
+// Error against N and against seconds: the density affects the slope only through its tail.
 
 namespace lab06 {
 namespace {
@@ -14,7 +14,7 @@ struct EstimatorWay {
   std::string name;
   Density p;
   std::string theory;  ///< the slope
-  bool exact = false;  ///< nothing but rounding errors: no slope
+  bool exact = false;  ///< rounding errors only: no slope
 };
 
 std::vector<EstimatorWay> convergence_ways() {

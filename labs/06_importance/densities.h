@@ -4,14 +4,14 @@
 #include <cmath>
 #include <functional>
 
-// Given to you: a density as two functions, and the densities that the lab's experiments use. How
-// they are made is lab 05's business.
+// Given to you: a density as two functions, and the densities used in the lab's experiments. Lab 05
+// is about how to make them.
 
 namespace lab06 {
 
 using Function = std::function<double(double)>;
 
-/// A probability density on the line, with its way to draw from it. The two belong together: for
+/// A probability density on the line, with a way to draw from it. The two belong together: for
 /// uniform u in [0, 1), sample(u) has the density pdf.
 // slide: density
 struct Density {
@@ -20,8 +20,8 @@ struct Density {
 };
 // end slide
 
-/// x, or the last double below 1 where x is not below 1. A quotient that is below 1 on paper may be
-/// rounded to 1, which is no number to draw with.
+/// x, or the last double below 1 if x is not below 1. A quotient that is mathematically below 1 may
+/// be rounded to 1, which is not a number to draw with.
 inline double below_one(double x) {
   return std::min(x, 0x1.fffffffffffffp-1);
 }
@@ -47,7 +47,7 @@ inline Density exponential_density(double rate, double from = 0) {
 /// A bump around `centre`: the logistic density, e / (scale (1 + e)^2) with
 /// e = exp(-|x - centre| / scale); scale > 0.
 inline Density logistic_density(double centre, double scale) {
-  // u = 0 is infinitely far out; it is moved to where the density is all but 0.
+  // u = 0 is infinitely far out; it is moved to where the density is almost 0.
   return {[=](double u) { return centre + scale * (u > 0 ? std::log(u / (1 - u)) : -700.0); },
           [=](double x) {
             const double e = std::exp(-std::abs(x - centre) / scale);

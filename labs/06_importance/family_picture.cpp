@@ -14,7 +14,7 @@ namespace {
 
 constexpr double k = 4;  ///< f = (k + 1) x^k
 
-/// The power function of integral 1.
+/// The power function with integral 1.
 auto power(double n) {
   return [n](double x) { return (n + 1) * std::pow(x, n); };
 }
@@ -26,7 +26,7 @@ std::string words(double n) {
                      n > k ? fmt::format(", tail index {:.2f}", (n + 1) / (n - k)) : "");
 }
 
-/// p, f/p and where 60 evenly spread u land, in a drawing of their own with the axes of `axes`.
+/// p, f/p and the points of 60 evenly spread u, in a drawing of their own with the axes of `axes`.
 std::string layer(const carlo::Plot& axes, double n) {
   carlo::Plot plot = axes;
   plot.line("c2", carlo::graph(power(n), {0, 1}));

@@ -42,7 +42,7 @@ double exact(double height) {
   return sum;
 }
 
-/// One way to estimate, from `samples` samples.
+/// An estimator that uses `samples` samples.
 struct FogWay {
   std::string name;
   double samples;
@@ -76,7 +76,7 @@ std::vector<FogWay> fog_ways() {
            }}};
 }
 
-/// Relative to the integral. Seconds and standard deviation are those of one estimate.
+/// Relative to the integral. Seconds and standard deviation are per estimate.
 struct Result {
   double mean = 0, sd = 0, seconds = 0;
 };

@@ -27,12 +27,11 @@ inline Line line(std::string name, std::string style, const View& view,
   return {std::move(name), std::move(style), carlo::graph(f, {view.first, view.last})};
 }
 
-/// One tile: lines with a legend; `marks` are places on the
-/// x axis, such as samples.
+/// One tile: lines with a legend; `marks` are positions on the x axis, such as samples.
 std::string graph_picture(std::string_view title, std::string_view note, const View& view,
                           const std::vector<Line>& lines, const std::vector<double>& marks = {});
 
-/// The figure in which a slider moves the exponent of p, with f = 5 x^4.
+/// The figure with a slider for the exponent of p, with f = 5 x^4.
 std::string family_slider();
 
 }  // namespace lab06

@@ -31,7 +31,7 @@ double plate_exact(double m, double scale) {
   double sum = 0;
   for (const Lamp& lamp : plate_lamps) {
     const double from = lamp.centre - lamp.half_width, to = lamp.centre + lamp.half_width;
-    // On the side of the lobe where both values are small no digits are lost.
+    // Uses the side of the lobe where both values are small, so that no digits are lost.
     const double part =
         from > m ? logistic_cdf(2 * m - from, m, scale) - logistic_cdf(2 * m - to, m, scale)
                  : logistic_cdf(to, m, scale) - logistic_cdf(from, m, scale);

@@ -7,8 +7,8 @@
 namespace lab06 {
 
 // Veach's plates on the line. Directions are numbers x; four lamps of equal power stand along the
-// line, from a point to a panel; four plates reflect, from almost a mirror to almost matt. A pixel
-// looks into the mirror direction m and sees the lamps blurred by the plate's lobe around m.
+// line, from a point to a panel; four plates reflect, from nearly mirror-like to nearly matt. A
+// pixel looks in the mirror direction m and sees the lamps blurred by the plate's lobe around m.
 
 struct Lamp {
   double centre, half_width;
@@ -20,12 +20,12 @@ constexpr std::array<Lamp, 4> plate_lamps = {
 /// The scales of the plates' lobes.
 constexpr std::array<double, 4> plate_scales = {0.0006, 0.003, 0.012, 0.05};
 
-/// What arrives from direction x times the lobe of the plate around m.
+/// The radiance from direction x times the lobe of the plate around m.
 Function plate_integrand(double m, double scale);
 /// Its integral.
 double plate_exact(double m, double scale);
 
-/// The two techniques: a lamp is chosen, then a point on it; a direction is drawn from the lobe.
+/// The two techniques: choose a lamp, then a point on it; or draw a direction from the lobe.
 Density lamp_technique();
 Density lobe_technique(double m, double scale);
 

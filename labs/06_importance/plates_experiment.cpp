@@ -15,7 +15,7 @@
 namespace lab06 {
 namespace {
 
-/// A pixel's estimate from `samples` in all.
+/// A pixel's estimate from `samples` samples in all.
 struct PlateWay {
   std::string name;
   std::function<double(double m, double scale, std::int64_t samples, carlo::Rng& rng)> pixel;
@@ -157,7 +157,7 @@ void convergence(Notebook& notebook) {
   notebook.charts(error_charts("Plates", "relative error", curves));
 }
 
-/// Weights of the two techniques along x, where the pixel looks beside a lamp's middle.
+/// Weights of the two techniques along x, where the pixel looks just beside the middle of a lamp.
 std::string weight_picture(std::string_view title, std::size_t lamp_index, std::size_t plate) {
   const Lamp& lamp = plate_lamps.at(lamp_index);
   const double scale = plate_scales.at(plate);

@@ -12,7 +12,7 @@ inline double power_f(double x) {
 }
 constexpr double power_integral = 1;
 
-/// Of one contribution f/p: E[Y^2] = 25 / ((n + 1)(9 - n)).
+/// The variance of one contribution f/p: E[Y^2] = 25 / ((n + 1)(9 - n)).
 inline double power_variance(double n) {
   if (n >= 9) return std::numeric_limits<double>::infinity();
   return 25 / ((n + 1) * (9 - n)) - 1;

@@ -22,7 +22,8 @@ struct DartWay {
   std::function<std::vector<double>(std::int64_t n, carlo::Rng& rng)> draw;
 };
 
-/// E[Y^2] of a dart is (b - a) g_max ∫ f^2/g = g_max 25/7; of a sample with density 3 x^2, 25/21.
+/// E[Y^2] of a dart is (b - a) g_max ∫ f^2/g = g_max 25/7; of a sample with density 3 x^2 it is
+/// 25/21.
 std::vector<DartWay> rejection_ways() {
   const auto darts = [](double g_max) {
     return [g_max](std::int64_t n, carlo::Rng& rng) {
@@ -64,7 +65,7 @@ void way_table(Notebook& notebook) {
                  "∫ 5x⁴ = 1 with the shape x²; variance and time of one dart or sample");
 }
 
-/// What comes out when something is forgotten: the kept darts' mean alone, and f/g.
+/// The results of forgetting something: the kept darts' mean alone, and f/g.
 void mistakes(Notebook& notebook) {
   carlo::Rng rng = notebook.rng();
   std::vector<double> kept =

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-// f, p and f/p, and what the choice of p does to the variance.
+// f, p and f/p, and the effect of p on the variance.
 
 namespace lab06 {
 namespace {
@@ -60,7 +60,7 @@ void member_table(Notebook& notebook) {
         best_seconds([&] { return contributions(power_f, p, draws, rng).back(); }) /
         static_cast<double>(draws);
     const double worth = efficiency(e.variance, seconds);
-    // What rounding leaves of a variance of 0 would make a number without a meaning.
+    // The rounding error of a variance of 0 would give a meaningless number.
     const bool exact = e.variance < 1e-20;
     table.add_row({fmt::format("x^{:g}, {}", member.n, member.title), n, e.value, e.standard_error,
                    std::abs(e.value - 1), e.variance, variance_cell(member.n),

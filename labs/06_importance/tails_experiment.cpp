@@ -18,7 +18,7 @@ namespace {
 constexpr double thin = 14, share = 0.9;
 constexpr double first_shown = 64;  ///< of the running means
 
-/// What the cure is made of: nine draws in ten from the thin density, one from the uniform one.
+/// The cure: nine draws in ten come from the thin density, one from the uniform one.
 Density defended() {
   return mixture(power_density(thin), uniform_density(0, 1), share);
 }
@@ -64,7 +64,7 @@ void running_pictures(Notebook& notebook) {
   notebook.raw_html(carlo::tiles(pictures, 24));
 }
 
-/// A density with what theory knows of it.
+/// A density and its theoretical properties.
 struct Suspect {
   std::string name;
   Density p;

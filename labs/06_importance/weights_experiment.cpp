@@ -11,7 +11,7 @@
 namespace lab06 {
 namespace {
 
-/// The power heuristic as it stands in textbooks, in float as a renderer keeps its pdfs.
+/// The power heuristic as in textbooks, in float, the type of a renderer's pdfs.
 float textbook_in_float(float own, float other) {
   return own * own / (own * own + other * other);
 }

@@ -8,15 +8,16 @@ namespace lab07 {
 
 using carlo::Curve, carlo::Measurement, carlo::Notebook;
 
-// One experiment each: it runs the exercises it needs, and writes what it finds.
+// One function per experiment: it runs the exercises it needs, and writes its findings.
 
-/// Labs 7.2 to 7.6: the directions of each sampler, to be turned, and against their densities.
+/// Labs 7.2 to 7.6: the directions of each sampler, in a rotatable picture and against their
+/// densities.
 void samplers_experiment(Notebook& notebook);
-/// Lab 7.1: how far frames are from right angles.
+/// Lab 7.1: how far frames deviate from right angles.
 void frames_experiment(Notebook& notebook);
-/// Lab 7.5: lobes that become narrow.
+/// Lab 7.5: lobes as they become narrow.
 void lobe_experiment(Notebook& notebook);
-/// Lab 7.6: what of a lobe is lost below the horizon.
+/// Lab 7.6: the part of a lobe that is lost below the horizon.
 void mirror_experiment(Notebook& notebook);
 /// Lab 7.7: images of irradiance and ambient occlusion, error against directions and seconds.
 void images_experiment(Notebook& notebook);

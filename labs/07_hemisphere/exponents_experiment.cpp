@@ -19,7 +19,7 @@ struct AngleFound {
   double mean = 0, deviation = 0, largest = 0, seconds = 0;
 };
 
-/// One direction a time, so that single contributions can be looked at.
+/// One direction at a time, so that single contributions can be examined.
 AngleFound look_at(float n, std::int64_t count, carlo::Rng rng) {
   const Sampling sampling{Technique::lobe, {0, 0, 1}, n};
   const Radiance sky = [](Vec3) { return 1.0f; };

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <functional>
 
-// How far from right angles and unit lengths frames are, near the normal where they are weakest.
+// How far frames deviate from right angles and unit lengths, near the normal where they are
+// weakest.
 
 namespace lab07 {
 namespace {
@@ -38,7 +39,7 @@ double error_of(const AxesOf& axes, Vec3 normal) {
   return std::isfinite(glm::length(s) + glm::length(t)) ? worst : 1;
 }
 
-/// The worst of 500 normals at this angle to where the method is weakest.
+/// The largest error for 500 normals at this angle to the direction where the method is weakest.
 double worst_error(const std::function<AxesOf(Vec3)>& make, Double3 weakest, double tilt) {
   const Double3 a = glm::normalize(glm::cross(weakest, Double3(0.8, -0.6, 0)));
   const Double3 b = glm::cross(weakest, a);

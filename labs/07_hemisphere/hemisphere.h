@@ -4,13 +4,13 @@
 // your work goes into hemisphere.cpp.
 //
 // Directions are unit vectors of floats, as in the renderer. "Local" means in a frame whose z axis
-// is the surface normal: cos(theta) is then simply w.z, and the horizon is z = 0. Below it is
-// z < 0: a density at w.z = 0 may be either side's. wo and wi both point away from the surface.
+// is the surface normal: cos(theta) is then simply w.z, and the horizon is z = 0. Below it is z <
+// 0: a density at w.z = 0 may be that of either side. wo and wi both point away from the surface.
 // Densities (pdfs) are per solid angle.
 //
-// A sampler takes any u in [0, 1)^2 with coordinates that are multiples of 2^-24, 0 and the last
-// float below 1 included. It returns a direction of length 1 to 1e-6 with a pdf above 0. Nearby u
-// give nearby directions, but for a few lines where the direction may jump.
+// A sampler takes any u in [0, 1)^2 with coordinates that are multiples of 2^-24, including 0 and
+// the last float below 1. It returns a direction of length 1 to 1e-6 with a pdf above 0. Nearby u
+// give nearby directions, except across a few lines where the direction may jump.
 
 #include "inversion_rejection.h"
 #include "numeric/vec.h"
@@ -27,9 +27,9 @@ using carlo::Vec2;
 using carlo::Vec3;
 using lab05::Point;
 
-/// Lab 7.1. Three axes at right angles, n the given unit normal, s and t any two such that (s, t,
-/// n) is right-handed: s x t = n. Lengths and right angles hold to 1e-6 for every normal, n = -z
-/// and its neighbourhood included.
+/// Lab 7.1. Three axes at right angles: n is the given unit normal, s and t are any two such that
+/// (s, t, n) is right-handed: s x t = n. Lengths and right angles hold to 1e-6 for every normal,
+/// including n = -z and its neighbourhood.
 struct Frame {
   Vec3 s, t, n;
 
@@ -40,7 +40,7 @@ struct Frame {
   Vec3 to_local(Vec3 world) const;
 };
 
-/// What rejection gives: a direction, and how many darts it took (the accepted one included).
+/// The result of rejection: a direction, and how many darts it took (including the accepted one).
 struct Accepted {
   Vec3 w;
   std::int64_t darts;
@@ -48,7 +48,7 @@ struct Accepted {
 
 /// Lab 7.2. A uniform direction of the hemisphere around `normal`, in world coordinates like the
 /// normal's (no frame is needed). A dart is a point of the cube [-1, 1)^3, three
-/// rng.uniform_float(): x, y, z. Darts outside the unit ball are rejected, and the one at its very
+/// rng.uniform_float(): x, y, z. Rejects darts outside the unit ball, and the one at its very
 /// centre, which has no direction.
 Accepted sample_uniform_by_rejection(Vec3 normal, carlo::Rng& rng);
 
@@ -64,7 +64,7 @@ float cosine_hemisphere_pdf(Vec3 w);
 
 /// Lab 7.5. A direction around the z axis with density proportional to cos^n(alpha), alpha its
 /// angle with z, less than 90 degrees; real n >= 0, up to 1e7. With n that large the whole lobe is
-/// 3e-4 wide, and its shape is right nevertheless: so are sines, though cosines round to 1. The
+/// 3e-4 wide, and its shape is right nevertheless: cosines round to 1, but sines are accurate. The
 /// density is normalised over the lobe, and 0 outside.
 Vec3 sample_lobe(Vec2 u, float n);
 float lobe_pdf(Vec3 w, float n);
@@ -73,10 +73,10 @@ float lobe_pdf(Vec3 w, float n);
 Vec3 mirror_direction(Vec3 wo);
 
 /// Lab 7.6. The lobe of Lab 7.5 around the mirror direction of wo, n as there. Part of it may lie
-/// below the horizon: such directions are returned as they are (whoever uses them gives them weight
-/// 0), and the density counts them: it integrates to 1 over the whole sphere. For n < 1, turning
-/// may round a direction on the lobe's outermost edge out of the lobe; its density is then 0, and
-/// its weight too.
+/// below the horizon: such directions are returned as they are (the caller gives them weight 0),
+/// and the density includes them: it integrates to 1 over the whole sphere. For n < 1, turning may
+/// round a direction on the lobe's outermost edge out of the lobe; its density is then 0, and so is
+/// its weight.
 Vec3 sample_mirror_lobe(Vec2 u, Vec3 wo, float n);
 float mirror_lobe_pdf(Vec3 wi, Vec3 wo, float n);
 
@@ -89,15 +89,15 @@ struct Sampling {
   float n = 1;       ///< lobe only
 };
 
-/// Radiance that arrives from the world direction wi; never asked for below the horizon.
+/// The radiance that arrives from the world direction wi; never called for wi below the horizon.
 using Radiance = std::function<float(Vec3 wi)>;
-/// Whether nothing stands in the way of light from the world direction wi; the same.
+/// True if nothing blocks light from the world direction wi; never called for wi below the horizon.
 using Visible = std::function<bool(Vec3 wi)>;
 
 /// Lab 7.7. The irradiance of a surface with this normal, E = integral of radiance(wi) cos(theta)
-/// over the hemisphere, estimated from `count` >= 1 directions. Radiance is asked once for every
-/// direction above the horizon; those below are part of the count and contribute 0, and so do
-/// directions whose density rounding has made 0. A direction made of u takes two
+/// over the hemisphere, estimated from `count` >= 1 directions. Calls radiance once for every
+/// direction above the horizon; directions below are part of the count and contribute 0, and so do
+/// directions whose density has been rounded to 0. A direction made from u takes two
 /// rng.uniform_float(): u.x, u.y. The sum is kept in double: it is right for millions of
 /// directions.
 double irradiance(const Radiance& radiance, Vec3 normal, const Sampling& sampling,
@@ -109,31 +109,31 @@ double ambient_occlusion(const Visible& visible, Vec3 normal, const Sampling& sa
                          std::int64_t count, carlo::Rng& rng);
 
 /// Lab 7.8. Points of an image all around, infinitely far away, and the directions in which they
-/// are seen, as scene files have it (<emitter type="envmap">): (x, y) in [0, 1]^2 has the angle pi
-/// y with +y, and the azimuth 2 pi x about it, counted from -z, where x = 0, by way of +x, where x
-/// = 1/4. place_of() takes any direction of length 1 and stays below 1 in both coordinates; at the
-/// poles any x will do. Both are right to 1e-6, next to the poles as well.
+/// are seen, as in scene files (<emitter type="envmap">): (x, y) in [0, 1]^2 has the angle pi y
+/// with +y, and the azimuth 2 pi x about it, counted from -z, where x = 0, by way of +x, where x =
+/// 1/4. place_of() takes any unit direction and stays below 1 in both coordinates; at the poles any
+/// x will do. Both are right to 1e-6, even next to the poles.
 Vec3 direction_at(Point place);
 Point place_of(Vec3 w);
 
-/// Lab 7.8. The image as a lamp: directions with a density in proportion to its luminance. Texel
+/// Lab 7.8. The image as a lamp: directions with a density proportional to its luminance. Texel
 /// (column i, row j), row 0 at the top, covers [i/width, (i+1)/width) x [j/height, (j+1)/height)
-/// and has the luminance luminances[j width + i] in all of its directions. So it is drawn in
+/// and has the luminance luminances[j width + i] in all of its directions. So a texel is drawn in
 /// proportion to its luminance times its solid angle, and within a texel directions are uniform.
 class ImageLamp {
  public:
-  /// Luminances as the weights of lab05::Tabulated2d; throws what that throws.
+  /// Luminances like the weights of lab05::Tabulated2d; throws what that throws.
   ImageLamp(std::span<const double> luminances, std::size_t width, std::size_t height);
 
   struct Sample {
     Vec3 wi;
-    float pdf;  ///< that of the texel drawn: above 0, even where wi has rounded out of it
+    float pdf;  ///< that of the texel drawn: above 0, even if rounding put wi outside it
   };
-  /// By inversion, row first; never from a black texel. u is double: under a sun a texel of the sky
-  /// has 1e-9 of the power, and is drawn as often.
+  /// By inversion, row first; never from a black texel. u is double: next to a sun a texel of the
+  /// sky has 1e-9 of the power, and is drawn as often.
   Sample sample(glm::dvec2 u) const;
-  /// Density per solid angle, to 1e-5 of its value, but within 1e-6 of an edge between texels,
-  /// where it may be either one's.
+  /// Density per solid angle, to 1e-5 of its value; within 1e-6 of an edge between texels it may be
+  /// that of either.
   float pdf(Vec3 wi) const;
 
  private:

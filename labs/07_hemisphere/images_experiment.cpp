@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-// The floor under lamps and beside things that hide the sky, by every technique.
+// The floor under lamps and beside objects that hide the sky, by every technique.
 
 namespace lab07 {
 namespace {
@@ -31,8 +31,8 @@ struct Method {
   std::function<Sampling(const Scene& scene, Vec3 p)> at;
 };
 
-/// A lobe that points at the lamp and has fallen to 1/e at its rim; without a lamp one of n = 2
-/// around the normal.
+/// A lobe that points at the lamp and falls to 1/e at its rim; without a lamp one with n = 2 around
+/// the normal.
 Sampling lobe_for(const Scene& scene, Vec3 p) {
   if (!scene.light) return {Technique::lobe, {0, 0, 1}, 2};
   const Vec3 to_light = scene.centre - p;
@@ -105,7 +105,7 @@ Result measure(Notebook& notebook, const Scene& scene, const Method& method,
   for (const std::int64_t count : carlo::ladder(1, notebook.options().n / 1024)) {
     std::vector<double> image;
     double seconds = INFINITY;
-    // Short renders are timed by the best of a few.
+    // Short renders are timed by the best of several.
     for (int round = 0; round < (count <= shown_count ? 4 : 1); ++round) {
       const carlo::Stopwatch watch;
       image = render(scene, method, count, notebook.rng());
@@ -123,7 +123,7 @@ Result measure(Notebook& notebook, const Scene& scene, const Method& method,
   return result;
 }
 
-/// The closed form and what each technique made of it, with the same scale of grey.
+/// The closed form and each technique's result, with the same scale of grey.
 std::string pictures_of(const Scene& scene, const std::vector<double>& exact,
                         const std::vector<Result>& results) {
   const double white = scene.light ? *std::max_element(exact.begin(), exact.end()) : 1;

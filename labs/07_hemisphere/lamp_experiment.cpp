@@ -9,7 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
-// Surfaces under an image of a sky, by directions that know of it and by those that do not.
+// Surfaces under an image of a sky, by directions that depend on the image and by those that do
+// not.
 
 namespace lab07 {
 namespace {
@@ -30,7 +31,7 @@ std::vector<double> sky() {
   return luminances;
 }
 
-/// Which part of the sky a surface sees.
+/// The part of the sky that a surface sees.
 struct Surface {
   std::string name;
   Vec3 normal;
@@ -44,7 +45,7 @@ std::vector<Surface> surfaces() {
           {"wall in the shade", {-sun.x / level, 0, -sun.z / level}}};
 }
 
-/// The sky, with what the techniques need of it.
+/// The sky, with the data that the techniques need.
 struct Lit {
   std::vector<double> luminances = sky();
   ImageLamp lamp = {luminances, width, height};
@@ -106,7 +107,7 @@ double by_image(const Lit& lit, const Frame& frame, carlo::Rng& rng) {
   return cosine > 0 ? lit.radiance(wi) * cosine / static_cast<double>(pdf) : 0;
 }
 
-/// Lab 6.7 with the balance heuristic: the one or the other with probability 1/2.
+/// Lab 6.7 with the balance heuristic: each of the two with probability 1/2.
 double by_both(const Lit& lit, const Frame& frame, carlo::Rng& rng) {
   const bool image = rng.uniform_float() < 0.5f;
   const Vec3 wi =

@@ -6,14 +6,14 @@
 #include <functional>
 #include <set>
 
-// Lobes that become narrow: the lecture's recipe word for word in float, and yours.
+// Lobes as they become narrow: the lecture's recipe to the letter in float, and yours.
 
 namespace lab07 {
 namespace {
 
 using Sample = std::function<Vec3(Vec2 u, float n)>;
 
-/// The recipe as it is printed. The subject of the experiment, not an example.
+/// The recipe as printed. The subject of the experiment, not an example.
 Vec3 by_the_recipe(Vec2 u, float n) {
   const float alpha = std::acos(std::pow(u.x, 1 / (n + 1)));
   const float phi = 2 * carlo::pi_f * u.y;
@@ -23,7 +23,7 @@ Vec3 by_the_recipe(Vec2 u, float n) {
 struct LobeFound {
   double mean = 0;  ///< of 1 - cos(alpha), from w.x and w.y in double
   std::size_t angles = 0;
-  double seconds = 0;  ///< a direction
+  double seconds = 0;  ///< per direction
 };
 
 LobeFound look_at(const Sample& sample, double n, std::int64_t count, carlo::Rng rng) {
@@ -37,7 +37,7 @@ LobeFound look_at(const Sample& sample, double n, std::int64_t count, carlo::Rng
   }
   const double spent = watch.seconds();
   LobeFound found;
-  // Angles to five digits, for phi rounds as well.
+  // Angles to five digits, since phi is rounded as well.
   std::set<double> angles;
   for (const Vec3 w : directions) {
     const double sine = std::hypot(w.x, w.y);
@@ -50,8 +50,8 @@ LobeFound look_at(const Sample& sample, double n, std::int64_t count, carlo::Rng
   return found;
 }
 
-/// The density in the very middle, where it is (n + 1)/(2 pi), by a float dot product of a
-/// direction with itself: its worst relative error.
+/// The worst relative error of the density in the very middle, where it is (n + 1)/(2 pi), computed
+/// from the float dot product of a direction with itself.
 double worst_power(double n) {
   double worst = 0;
   for (int i = 0; i < 2000; ++i) {

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-// What of a lobe falls below the horizon, at the angles where it matters.
+// The part of a lobe that falls below the horizon, at the angles where it matters.
 
 namespace lab07 {
 namespace {
@@ -56,7 +56,7 @@ void mirror_experiment(Notebook& notebook) {
         const double found = static_cast<double>(below) / total, exact = part_below(n, theta);
         const double sd = std::sqrt(std::max(exact * (1 - exact), 1e-12) / total);
         series.points.push_back({degrees, found});
-        if (exact * total < 10) continue;  // too few to say anything
+        if (exact * total < 10) continue;  // too few to be meaningful
         table.add_row({n, degrees, count, found, exact, (found - exact) / sd,
                        carlo::seconds_cell(spent / total)});
       }

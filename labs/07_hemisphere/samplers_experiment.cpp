@@ -10,14 +10,14 @@
 
 #include <cmath>
 
-// The directions of each sampler: on a hemisphere to be turned, and against their densities.
+// The directions of each sampler: on a rotatable hemisphere, and against their densities.
 
 namespace lab07 {
 namespace {
 
 struct Sampler {
   std::string name, note;
-  double lowest;  ///< height down to which the histogram reaches
+  double lowest;  ///< the least height in the histogram
   std::function<Vec3(carlo::Rng&)> draw;
   Pdf pdf;
   std::vector<Vec3> arrows = {};  ///< directions drawn as lines
@@ -64,7 +64,7 @@ std::vector<Sampler> samplers() {
   };
 }
 
-/// World coordinates, z upwards, in the picture's cube, y upwards.
+/// World coordinates, z upwards, in the picture's cube, where y is upwards.
 std::array<double, 3> in_cube(Vec3 w) {
   return {0.5 + 0.75 * w.y, 0.25 + 0.75 * w.z, 0.5 + 0.75 * w.x};
 }
@@ -106,7 +106,7 @@ carlo::Cloud cloud_of(const Sampler& sampler, std::span<const Vec3> directions) 
 
 struct Drawn {
   std::vector<Vec3> directions;
-  double seconds = 0;  ///< a direction
+  double seconds = 0;  ///< per direction
 };
 
 Drawn draw(const Sampler& sampler, std::int64_t count, carlo::Rng rng) {

@@ -22,7 +22,7 @@ bool hits_disk(Vec3 centre, float radius, Vec3 p, Vec3 wi) {
   return at.x * at.x + at.y * at.y < radius * radius;
 }
 
-/// Whether the ray meets the wall x = -1, of height 1, that runs from y = -1 to 1.
+/// True if the ray meets the wall x = -1, of height 1, that runs from y = -1 to 1.
 bool hits_wall(Vec3 p, Vec3 wi) {
   if (!(wi.x < 0)) return false;
   const float t = (-1 - p.x) / wi.x;
@@ -33,22 +33,23 @@ Vec3 swapped(Vec3 v) {
   return {v.y, v.x, v.z};
 }
 
-/// The irradiance of a ball of radiance 1, wholly above the horizon: pi cos(theta) / H^2, with H
-/// its distance in radii.
+/// The irradiance from a ball of radiance 1, entirely above the horizon: pi cos(theta) / H^2, with
+/// H its distance in radii.
 double ball_irradiance(Vec3 centre, double radius, Vec3 p) {
   const glm::dvec3 d = glm::dvec3(centre) - glm::dvec3(p);
   const double distance = glm::length(d);
   return pi * d.z / distance * (radius / distance) * (radius / distance);
 }
 
-/// That of a parallel disk.
+/// The irradiance from a parallel disk.
 double disk_irradiance(Vec3 centre, double radius, Vec3 p) {
   const glm::dvec3 d = glm::dvec3(centre) - glm::dvec3(p);
   const double offset2 = d.x * d.x + d.y * d.y, r2 = radius * radius, a = offset2 + d.z * d.z;
   return pi / 2 * (1 - (a - r2) / std::sqrt((a + r2) * (a + r2) - 4 * r2 * offset2));
 }
 
-/// That of a wall of height 1 and this width at this distance from a point in front of its edge.
+/// The irradiance from a wall of height 1 and this width, at this distance from a point in front of
+/// its edge.
 double wall_irradiance(double distance, double width) {
   const double x = 1 / width, y = distance / width, r = std::hypot(x, y);
   return 0.5 * (std::atan(1 / y) - y / r * std::atan(1 / r));

@@ -11,13 +11,13 @@ namespace lab07 {
 using carlo::Vec2;
 using carlo::Vec3;
 
-/// A floor, z = 0 with normal +z, seen from above, and something over it. Every point's irradiance
-/// or ambient occlusion is known in closed form.
+/// A floor, z = 0 with normal +z, seen from above, with an object over it. The irradiance or
+/// ambient occlusion of every point is known in closed form.
 struct Scene {
   std::string name, note;
-  bool light = true;    ///< what is over the floor shines with radiance 1, or else it hides the sky
+  bool light = true;    ///< the object shines with radiance 1; otherwise it hides the sky
   float half_size = 1;  ///< the image shows [-half_size, half_size]^2
-  /// Whether the ray from the floor's point p along wi meets it.
+  /// True if the ray from the floor's point p along wi meets the object.
   std::function<bool(Vec3 p, Vec3 wi)> hit;
   /// The irradiance of light, or the ambient occlusion, at p.
   std::function<double(Vec3 p)> exact;

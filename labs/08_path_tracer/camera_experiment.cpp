@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-// Step a: a picture that one ray a pixel cannot show, a checkerboard up to the horizon under a
+// Step a: a picture that one ray per pixel cannot show, a checkerboard up to the horizon under a
 // wheel of spokes.
 
 namespace lab08 {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 // Step b: a floor, a square lamp and a square that hides part of it. Seen from the floor the hidden
-// part is a rectangle of the lamp's plane, so the soft shadow has a closed form.
+// part is a rectangle in the lamp's plane, so the soft shadow has a closed form.
 
 namespace lab08 {
 namespace {
@@ -38,8 +38,9 @@ carlo::Scene scene() {
   return scene;
 }
 
-/// Irradiance from a parallel rectangle of radiance 1 that reaches from over the point to (x, y),
-/// in units of the height. (J. Howell's catalogue of view factors, C-11, times pi.)
+/// Irradiance from a parallel rectangle of radiance 1 with one corner above the point and the
+/// opposite one at (x, y), in units of the height. (J. Howell's catalogue of view factors, C-11,
+/// times pi.)
 double corner(double x, double y) {
   const double a = std::sqrt(1 + x * x), b = std::sqrt(1 + y * y);
   return (x / a * std::atan(y / a) + y / b * std::atan(x / b)) / 2;
@@ -52,7 +53,7 @@ double irradiance(const Rectangle& r, double height, const Vec3& p) {
   return at(r.x1, r.y1) - at(r.x0, r.y1) - at(r.x1, r.y0) + at(r.x0, r.y0);
 }
 
-/// Radiance of the floor at p: the lamp's light without that of the part behind the screen.
+/// Radiance of the floor at p: the lamp's light minus that of the part behind the screen.
 double exact(const Vec3& p) {
   constexpr double h = lamp_height, zoom = h / static_cast<double>(screen_height);
   const auto shadow = [&](double edge, float at) {

@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
-// Step d: within a sphere whose wall emits 1 and reflects the share rho, everything shows 1/(1 -
-// rho). The lecture's rule is right on average, and its error bars are not.
+// Step d: inside a sphere whose wall emits 1 and reflects the fraction rho, everything has radiance
+// 1/(1 - rho). The lecture's rule is right on average, but its error bars are not.
 
 namespace lab08 {
 namespace {
@@ -37,7 +37,7 @@ carlo::Scene furnace(float rho, int size) {
 
 using carlo::RunningMean;
 
-/// Whether the error bar, as everybody computes it, holds the exact value.
+/// True if the error bar, computed as usual, covers the exact value.
 bool covers(const RunningMean& run, double exact) {
   return std::abs(run.mean() - exact) <= 1.96 * run.error();
 }
@@ -47,10 +47,11 @@ double red(const World& world, Rule rule, Rng& rng) {
   return static_cast<double>(rule(world, ray, rng).r);
 }
 
-/// What many runs of each length say.
+/// The statistics of many runs of each length.
 struct Coverage {
   Curve curve;
-  std::vector<double> reported, missed;  ///< for each length: median standard error; share
+  std::vector<double> reported, missed;  ///< for each length: median standard error; fraction of
+                                         ///< misses
 };
 
 Coverage coverage(Notebook& notebook, const World& world, const FurnaceMethod& method,
@@ -79,7 +80,7 @@ Coverage coverage(Notebook& notebook, const World& world, const FurnaceMethod& m
   return result;
 }
 
-/// One long run: its mean and its error bars as it goes.
+/// One long run: its mean and its error bars as it proceeds.
 carlo::Chart running_chart(Notebook& notebook, const World& world, const FurnaceMethod& method,
                            double exact) {
   carlo::Chart chart{"One run: " + method.name,
@@ -102,7 +103,8 @@ carlo::Chart running_chart(Notebook& notebook, const World& world, const Furnace
   return chart;
 }
 
-/// The standard deviation of one path. The lecture's: M = 1/p + rho M/(1 - p) is its mean square.
+/// The standard deviation of one path. For the lecture's, M = 1/p + rho M/(1 - p) is the mean
+/// square.
 double deviation(bool lecture, double rho) {
   constexpr double p = 0.9;
   const double mean = 1 / (1 - rho);

@@ -16,7 +16,7 @@
 namespace lab08 {
 namespace {
 
-/// One reflection alone.
+/// A single reflection.
 Rgb direct_only(const World& world, const Ray& ray, Rng& rng) {
   const auto surface = world.intersect(ray);
   if (!surface) return world.environment();
@@ -30,7 +30,7 @@ carlo::Image difference(carlo::Image a, const carlo::Image& b) {
   return a;
 }
 
-/// Paths a pixel of the two pictures with which the lecture shows that noise goes away slowly.
+/// Paths per pixel of the two pictures with which the lecture shows that noise decreases slowly.
 constexpr int few = 40;
 int many_more(const Notebook& notebook) {
   return notebook.options().quick ? 300 : 1200;

@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
       .title = "Lab 08: a path tracer",
       .subtitle = "From camera rays to caustics in eight steps, each beside its closed form.",
       .n = 1 << 20,
-      .quick_n = 1 << 18,  // 64 samples a pixel: a slope of fewer points says nothing
+      .quick_n = 1 << 18,  // 64 samples per pixel: a slope from fewer points is meaningless
       .steps = steps(),
       .step_names = "a to h, or the lecture's Recap"};
   return carlo::run_lab(lab, argc, argv);

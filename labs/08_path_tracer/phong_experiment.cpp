@@ -11,14 +11,14 @@
 #include <cmath>
 #include <utility>
 
-// Step c: glossy balls under a sky of radiance 1. What they reflect is their reflectance, which has
-// a closed form.
+// Step c: glossy balls under a sky of radiance 1. Their radiance is their reflectance, which has a
+// closed form.
 
 namespace lab08 {
 namespace {
 
 /// Directional albedo of the specular lobe for ks = 1 and whole n, at this angle of wo. All terms
-/// are positive; the sum ends where they no longer count. (From J. Arvo's recurrences,
+/// are positive; the sum ends when they become negligible. (From J. Arvo's recurrences,
 /// "Applications of irradiance tensors", SIGGRAPH 1995.)
 double specular_albedo(int n, double cosine) {
   const double c = cosine, S = std::sqrt(std::max(0.0, 1 - c * c)), theta = std::acos(c);

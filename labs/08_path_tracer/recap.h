@@ -4,8 +4,8 @@
 
 namespace lab08 {
 
-// The lecture's last TracePath (Recap) as it is printed, and mended. No exercise: it runs on what
-// steps c and d made. Surfaces are Phong surfaces.
+// The lecture's last TracePath (Recap) as printed, and corrected. Not an exercise: it runs on steps
+// c and d. Surfaces are Phong surfaces.
 
 /// The lamp that light rays are drawn towards: a ball that reflects nothing. Other shapes may emit;
 /// they are met by chance.
@@ -13,36 +13,36 @@ struct BallLamp {
   Vec3 centre{0};
   float radius = 0;
 
-  /// The directions in which it is seen from a point outside of it.
+  /// The directions in which it is seen from a point outside it.
   Cone seen_from(Vec3 p) const { return cone_of(centre, radius, p); }
 };
 
 /// One path.
 struct RecapPath {
-  Rgb radiance{0};   ///< the estimate of what arrives along its first ray
-  int calls = 0;     ///< of TracePath, the first one included
-  bool cut = false;  ///< whether it wanted more calls than it was allowed; these brought 0
+  Rgb radiance{0};   ///< the estimate of the radiance along its first ray
+  int calls = 0;     ///< of TracePath, including the first one
+  bool cut = false;  ///< true if it needed more calls than allowed; these contributed 0
 };
 
 /// Every form of TracePath below makes at most `most_calls` calls, so that it ends.
 using RecapForm = RecapPath (*)(const World& world, const BallLamp& lamp, const Ray& ray,
                                 int most_calls, Rng& rng);
 
-/// TracePath before the Recap (lecture, Monte Carlo Path Tracer): emission with chance p_emit, else
-/// one "random direction d'", here uniform in the hemisphere. No density of d' is divided by. The
-/// lamp is met by chance.
+/// TracePath before the Recap (lecture, Monte Carlo Path Tracer): emission with probability p_emit,
+/// otherwise one "random direction d'", here uniform in the hemisphere. Does not divide by the
+/// density of d'. Only chance finds the lamp.
 RecapPath random_direction_as_printed(const World& world, const BallLamp& lamp, const Ray& ray,
                                       int most_calls, Rng& rng);
 
-/// TracePath as the Recap prints it: emission with chance p_emit, else a ray towards the light and
-/// one that is not, multiplied by p_light / 2 and by (1 - p_light) / 2, where p_light is 1 over the
-/// solid angle of the light.
+/// TracePath as printed in the Recap: emission with probability p_emit, otherwise a ray towards the
+/// light and one that is not, multiplied by p_light / 2 and by (1 - p_light) / 2, where p_light is
+/// 1 over the solid angle of the light.
 RecapPath recap_as_printed(const World& world, const BallLamp& lamp, const Ray& ray, int most_calls,
                            Rng& rng);
 
-/// The Recap, mended: emission is added; then a light ray or a non-light ray or none, each with the
-/// weight that its density asks for. Where nothing hides the lamp, the variance is finite for every
-/// albedo below 1; a surface that absorbs nothing is a carlo::Error.
+/// The Recap, corrected: emission is added; then a light ray, a non-light ray or none, each with
+/// the weight that its density demands. Where nothing hides the lamp, the variance is finite for
+/// every albedo below 1; a surface that absorbs nothing is a carlo::Error.
 RecapPath recap_mended(const World& world, const BallLamp& lamp, const Ray& ray, int most_calls,
                        Rng& rng);
 

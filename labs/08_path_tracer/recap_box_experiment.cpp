@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-// The Recap in the Cornell box, with a ball for a lamp.
+// The Recap in the Cornell box, with a ball as the lamp.
 
 namespace lab08 {
 namespace {
@@ -34,14 +34,14 @@ carlo::Scene box_with_ball() {
 constexpr int shown_samples = 16;
 constexpr double white = 1.2;
 
-/// An image and what its paths did.
+/// An image and statistics of its paths.
 struct Taken {
   carlo::Image image;
   double mean = 0;
-  double calls = 0, cut = 0;  ///< a path
+  double calls = 0, cut = 0;  ///< per path
 };
 
-/// `shown_samples` paths a pixel, each of at most so many calls.
+/// `shown_samples` paths per pixel, each of at most this many calls.
 Taken take(const View& view, RecapForm form, int most_calls, std::uint64_t seed) {
   std::vector<glm::dvec2> counts(static_cast<std::size_t>(view.size * view.size));  // calls, cut
   Taken taken;
@@ -61,7 +61,7 @@ Taken take(const View& view, RecapForm form, int most_calls, std::uint64_t seed)
   return taken;
 }
 
-/// A call that is cut off is worth something here: the mean of the printed form has no limit.
+/// Calls that are cut off matter here: the mean of the printed form has no limit.
 void how_many_calls(Notebook& notebook, const View& view, double mean,
                     std::vector<std::string>& pictures) {
   carlo::Table table(
@@ -88,7 +88,7 @@ void how_many_calls(Notebook& notebook, const View& view, double mean,
                   shown_samples));
 }
 
-/// The mended Recap beside the tracers of steps d and f.
+/// The corrected Recap beside the tracers of steps d and f.
 std::vector<Result> measured(Notebook& notebook, const View& view, const Reference& reference) {
   const World& world = view.world;
   struct Method {

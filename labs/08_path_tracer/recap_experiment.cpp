@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
-// The Recap in rooms where the right answer is known, and what the printed forms make of it, too.
+// The Recap in rooms where the right answer, and that of the printed forms, are known.
 
 namespace lab08 {
 namespace {
 
-/// Calls that one path may make. A path of albedo .8 that needs more is one in 10^24.
+/// The most calls of one path. For albedo .8, one path in 10^24 needs more.
 constexpr int most_calls = 256;
 
 struct NamedRoom {
@@ -25,7 +25,7 @@ struct NamedRoom {
   RecapRoom room;
 };
 
-/// With what the ball is made to emit, the wall shows 5, 2 and 2.
+/// The emission of the ball is such that the wall has radiance 5, 2 and 2.
 std::vector<NamedRoom> rooms() {
   return {{"walls that emit", {0.8, 0.5, 1, 5}},
           {"dark walls", {0.5, 0.5, 0, 10}},
@@ -45,7 +45,7 @@ std::vector<NamedForm> forms() {
       {"the Recap, mended", recap_mended, &RecapRoom::exact}};
 }
 
-/// What many paths brought.
+/// The results of many paths.
 struct Tally {
   carlo::RunningMean radiance;
   double calls = 0, cut = 0, seconds = 0;
@@ -76,7 +76,7 @@ void add_row(carlo::Table& table, const NamedRoom& in, const NamedForm& form, co
                  carlo::seconds_cell(tally.seconds)});
 }
 
-/// What the Recap's two rays are multiplied with, over what they should be.
+/// The factors of the Recap's two rays, relative to the right ones.
 carlo::Table weights_table() {
   carlo::Table table({"ball / room", "solid angle", "p_light", "light ray", "non-light ray"},
                      {"ball", "solid_angle", "p_light", "light", "non_light"});

@@ -1,11 +1,11 @@
 #include "recap.h"
 #include "support/error.h"
 
-// The Recap with four things changed. Emission is added, not chosen. Each ray is divided by its
-// density. One of the two rays is traced, divided by the chance of the choice. And that chance is
-// roulette's: where sample() would end the path it looks at the lamp, so a non-light ray goes on
-// with the chance that absorption leaves and a weight of about 1, and products of weights do not
-// grow.
+// The Recap with four changes. Emission is added, not chosen. Each ray is divided by its density.
+// One of the two rays is traced, divided by the probability of the choice. And that choice includes
+// the roulette: where sample() would end the path, the lamp is sampled instead, so a non-light ray
+// continues with the probability that absorption leaves and a weight of about 1, and products of
+// weights do not grow.
 
 namespace lab08 {
 namespace {
@@ -34,7 +34,8 @@ class Mended {
     return met->Le + reflected(*met, phong);
   }
 
-  /// One branch: a light ray with chance p_light, else what sample() takes if that is no light ray.
+  /// One branch: a light ray with probability p_light, otherwise the direction of sample() if that
+  /// is not a light ray.
   Rgb reflected(const Surface& surface, const carlo::Phong& phong) {
     const auto [diffuse, specular] = lobe_chances(phong);
     const float goes_on = diffuse + specular;
@@ -50,13 +51,14 @@ class Mended {
     const float v = rng_.uniform_float();
     if (u_branch >= goes_on) return light_ray(surface, light, {u, v}) / p_light;
     const auto next = sample(phong, surface.n, surface.wo, u_branch, {u, v});
-    // Geometry decides, not what the ray would meet: behind a pillar the cone is the light ray's.
+    // Geometry decides, not what the ray would meet: directions inside the cone belong to the light
+    // ray even behind a pillar.
     if (!next || light.contains(next->wi)) return Rgb(0);
     return next->weight * trace_path(world_.leave(surface, next->wi));
   }
 
   /// The part of the integral over the lamp's cone; its density there is 1 over the solid angle. It
-  /// brings all that comes from what it meets, lamp or pillar.
+  /// brings all radiance from whatever it meets, lamp or pillar.
   Rgb light_ray(const Surface& surface, const Cone& light, Vec2 u) {
     const Vec3 wi = light.sample(u);
     const float above = glm::dot(surface.n, wi);

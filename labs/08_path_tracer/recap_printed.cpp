@@ -2,7 +2,7 @@
 #include "numeric/robust.h"
 #include "recap.h"
 
-// The lecture's own lines stand as comments over what they became.
+// The lecture's own lines stand as comments above their translations.
 
 namespace lab08 {
 namespace {
@@ -69,7 +69,7 @@ class AsPrinted {
     return L_r;
   }
 
-  /// f_r(d -> d') * (n . d') * TracePath(p', d'); 0 for a part of the light that has set.
+  /// f_r(d -> d') * (n . d') * TracePath(p', d'); 0 for the part of the light below the horizon.
   Rgb reflected(const Surface& surface, Vec3 d) {
     const float n_d = glm::dot(surface.n, d);
     if (n_d <= 0) return Rgb(0);

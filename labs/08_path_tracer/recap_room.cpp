@@ -7,8 +7,8 @@
 namespace lab08 {
 namespace {
 
-/// The wall's radiance where it emits `emits`, reflects `from_ball` of the ball's light and the
-/// share `again` of its own: emits + from_ball + again emits + again from_ball + ...
+/// The wall's radiance if it emits `emits`, reflects `from_ball` of the ball's light and the
+/// fraction `again` of its own: emits + from_ball + again emits + again from_ball + ...
 double series(double emits, double from_ball, double again) {
   return std::abs(again) < 1 ? (emits + from_ball) / (1 - again) : INFINITY;
 }

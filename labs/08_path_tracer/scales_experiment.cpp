@@ -39,7 +39,7 @@ carlo::Scene scene(float scale) {
   return scene;
 }
 
-/// Whether the lamp is seen from a surface point, by exact arithmetic as far as double goes.
+/// True if the lamp is visible from a surface point, in double precision.
 bool truly_lit(const Surface& surface, float scale) {
   const auto s = static_cast<double>(scale);
   const glm::dvec3 p = glm::dvec3(surface.p) / s, d = glm::dvec3(point_lamp) - p;
@@ -56,7 +56,7 @@ bool truly_lit(const Surface& surface, float scale) {
 
 using Lit = bool (*)(const World&, const Surface&, float scale);
 
-/// The shadow ray of many a first path tracer: it starts and ends a thousandth off.
+/// The shadow ray of many beginners' path tracers: it starts and ends a thousandth off.
 bool lit_with_fixed_offset(const World& world, const Surface& surface, float scale) {
   constexpr float offset = 1e-3f;
   const Vec3 d = scale * point_lamp - surface.p;
@@ -72,7 +72,7 @@ bool lit_as_given(const World& world, const Surface& surface, float scale) {
 
 struct Shadows {
   carlo::Image image;
-  double wrong = 0;  ///< share of the pixels
+  double wrong = 0;  ///< fraction of the pixels
 };
 
 Shadows shadows(float scale, int size, Lit lit) {

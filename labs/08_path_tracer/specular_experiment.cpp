@@ -8,12 +8,12 @@
 
 #include <cmath>
 
-// Step g: balls of mirror and of glass, and worlds of mirror and glass with closed forms.
+// Step g: balls of mirror and of glass, and worlds of mirrors and glass with closed forms.
 
 namespace lab08 {
 namespace {
 
-/// A sphere seen from within that emits 1, and a ball of glass at its centre.
+/// A sphere seen from inside that emits 1, and a ball of glass at its centre.
 carlo::Scene furnace(const carlo::Material& wall, bool with_glass) {
   carlo::Scene scene;
   scene.materials = {wall, {carlo::Dielectric{1.5f, 1}, false}};
@@ -50,7 +50,7 @@ carlo::Table closed_forms(Notebook& notebook) {
     const std::int64_t n = notebook.options().n / 4;
     carlo::RunningMean brought;
     for (std::int64_t i = 0; i < n; ++i) {
-      // Rays that meet the ball all over.
+      // Rays that meet the ball at all distances from its middle.
       const Vec3 target(0.4f * rng.uniform_float(), 0, 0);
       const Ray ray{{0, 0, 1.5f}, glm::normalize(target - Vec3(0, 0, 1.5f))};
       brought.add(static_cast<double>(trace_specular(world, ray, true, rng).g));

@@ -10,7 +10,7 @@
 #include <cmath>
 
 // Step e: a floor, seen from above, under a small bright ball and a dim sky. Its irradiance has a
-// closed form, also where the ball is half below the horizon.
+// closed form, even where the ball is partly below the horizon.
 
 namespace lab08 {
 namespace {
@@ -27,7 +27,7 @@ struct Place {
 };
 
 /// Irradiance of the floor at p from a ball of radiance 1. (J. Howell's catalogue of view factors,
-/// B-43 and its extension to a ball that is partly set, times pi.)
+/// B-43 and its extension to a ball partly below the horizon, times pi.)
 double ball_irradiance(const Place& place, Vec3 p) {
   const glm::dvec3 d = glm::dvec3(place.centre) - glm::dvec3(p);
   const double H2 = glm::dot(d, d) / static_cast<double>(place.radius * place.radius);
@@ -37,7 +37,7 @@ double ball_irradiance(const Place& place, Vec3 p) {
   return (cosine * std::acos(y) - x * sine * root) / H2 + std::atan(sine * root / x);
 }
 
-/// What the floor shows at p: the ball's share and the sky's.
+/// The radiance of the floor at p: the parts due to the ball and the sky.
 struct Exact {
   double ball = 0, sky = 0;
   double all() const { return ball + sky; }
@@ -81,7 +81,7 @@ std::vector<SplitMethod> split_methods() {
   return {{"uniform", whole}, {"both rays", reflect_split}, {"one ray", reflect_split_one}};
 }
 
-/// Means at one point, and what the lecture's printed weights would give there on average.
+/// Means at one point, and the expected results of the lecture's printed weights there.
 void add_point(Notebook& notebook, carlo::Table& table, const std::string& name,
                const Place& place) {
   const Vec3 p(0);
@@ -98,7 +98,8 @@ void add_point(Notebook& notebook, carlo::Table& table, const std::string& name,
       row(method.name, carlo::interval_cell(all.mean(), 1.96 * all.error()), all.mean());
     });
   }
-  // A direction that is uniform in a set of solid angle W brings its integral over W on average.
+  // A direction that is uniform in a set of solid angle W contributes the integral over W on
+  // average.
   const Cone cone = place.cone(p);
   const auto inside = static_cast<double>(cone.solid_angle());
   const double outside = 2 * carlo::pi - static_cast<double>(cone.solid_angle_above(up));
@@ -109,7 +110,7 @@ void add_point(Notebook& notebook, carlo::Table& table, const std::string& name,
   row("as printed, divided", carlo::Cell(over), over);
 }
 
-/// The same mean with light rays alone: what the ball brings, for a cone as given.
+/// The same mean with light rays alone: the ball's contribution, for the given cone.
 double ball_mean(Notebook& notebook, const Place& place, const Cone& cone) {
   const Incoming incoming = [&](Vec3 wi) { return Rgb(cone.contains(wi) ? place.radiance : 0.0f); };
   Rng rng = notebook.rng();
@@ -120,8 +121,8 @@ double ball_mean(Notebook& notebook, const Place& place, const Cone& cone) {
   return sum / n;
 }
 
-/// The ball shrinks at constant power. 1 - cos(beta), taken as it is written, is a difference of
-/// two floats that are nearly 1.
+/// The ball shrinks at constant power. 1 - cos(beta), evaluated literally, is a difference of two
+/// floats that are nearly 1.
 void shrinking_ball(Notebook& notebook) {
   carlo::Table table({"radius / distance", "1 - cos in float", "as given"},
                      {"ratio", "naive", "given"});

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-// Step h: the path tracer beside the earlier steps, at equal time, and what its points are worth.
+// Step h: the path tracer beside the earlier steps, at equal time, and what its points gain.
 
 namespace lab08 {
 namespace {
@@ -31,7 +31,7 @@ std::vector<TracedMethod> methods(const View& view) {
       {"8.8, Sobol'", tracer<SobolSampler>(view)}};
 }
 
-/// Each method with as many samples as it can take in the time of 16 of the last one's.
+/// Each method with as many samples as it can take in the time of 16 samples of the last one.
 std::string equal_time(Notebook& notebook, const View& view,
                        const std::vector<TracedMethod>& methods, const std::vector<Result>& results,
                        const Reference& reference, double white) {

@@ -18,7 +18,7 @@ namespace {
 
 using carlo::IndependentSampler;
 
-/// Makes an image; each seed another one.
+/// Makes an image; each seed gives a different one.
 struct Renderer {
   std::string name, note;
   std::function<carlo::Image(std::uint64_t seed)> render;
@@ -33,7 +33,7 @@ carlo::Image floor_image(const lab08::View& view, int samples, std::uint64_t see
 
 using WithMap = Rgb (*)(const World&, const Ray&, const PhotonMap&, float, Rng&);
 
-/// Photons first, then a picture of them.
+/// Traces photons, then makes a picture from them.
 Renderer by_photons(const lab08::View& view, const std::string& name, WithMap radiance, Kept kept,
                     std::int64_t emitted, float radius, int samples) {
   return {name, fmt::format("{} photons, radius {:g}", carlo::count_text(emitted), radius),

@@ -11,18 +11,18 @@
 #include <utility>
 #include <vector>
 
-// Step e: irradiance from photons where it is known, and where a disc hangs over an edge.
+// Step e: irradiance from photons where it is known, and where a disc extends over an edge.
 
 namespace lab09 {
 namespace {
 
-/// A point of the floor z = 0, which the camera looks at from above.
+/// A point of the floor z = 0, seen from above.
 Surface floor_point(Vec3 p) {
   static const lab08::Material white = carlo::Phong{Rgb(1), Rgb(0), 0};
   return {p, {0, 0, 1}, {0, 0, 1}, Rgb(0), &white, true, {}};
 }
 
-/// With this for a BRDF, radiance is irradiance.
+/// With this BRDF, radiance is irradiance.
 Rgb one(Vec3) {
   return Rgb(1);
 }
@@ -39,7 +39,7 @@ double disc_mean(double radius) {
   return 4 * cone_share(radius) / (radius * radius);
 }
 
-/// Both parts of the error of photons within a radius, if so many are emitted.
+/// Both parts of the error of photons within a radius, if this many are emitted.
 ErrorParts within_theory(double radius, double emitted) {
   const double bias = disc_mean(radius) - 1, share = cone_share(radius);
   return {bias * bias, disc_mean(radius) * disc_mean(radius) * (1 - share) / (share * emitted)};
@@ -118,7 +118,7 @@ carlo::Chart against_radius(Notebook& notebook) {
   return chart;
 }
 
-/// What k photons come to, with the k-th and without.
+/// The estimates from k photons, with the k-th and without.
 carlo::Chart against_count(Notebook& notebook) {
   carlo::Chart chart{"The k nearest photons",
                      "as measured; the larger the k, the larger the disc",
@@ -133,7 +133,7 @@ carlo::Chart against_count(Notebook& notebook) {
     estimates.push_back(
         [k](const PhotonMap& map) { return radiance_nearest(map, floor_point(Vec3(0)), one, k); });
   }
-  // All photons carry the same flux, so that one more is a factor.
+  // All photons carry the same flux, so one more changes the result by a factor.
   for (const int k : counts) {
     estimates.push_back([k](const PhotonMap& map) {
       return radiance_nearest(map, floor_point(Vec3(0)), one, k) * static_cast<float>(k) /
@@ -143,7 +143,7 @@ carlo::Chart against_count(Notebook& notebook) {
   const std::vector<ErrorParts> parts = errors_below(notebook, emitted_below, estimates);
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const double k = counts[i], bias = signed_root(parts[i].bias2);
-    // On axes of powers of ten there is no place for what noise may well have made.
+    // Values that may well be noise do not belong on logarithmic axes.
     const double doubtful = 4 * parts[i].variance / notebook.repetitions(below_maps);
     if (parts[i].bias2 > doubtful) chart.series[0].points.push_back({k, bias});
     chart.series[1].points.push_back({k, std::sqrt(parts[i].variance)});
@@ -159,7 +159,7 @@ carlo::Chart against_count(Notebook& notebook) {
 
 // At an edge --------------------------------------------------------------------------------------
 
-/// The share of a disc of radius 1 on this side of a line at a distance from its middle.
+/// The fraction of a disc of radius 1 on this side of a line at a distance from its middle.
 double share_before(double distance) {
   const double d = std::min(distance, 1.0);
   return 1 - (std::acos(d) - d * std::sqrt(1 - d * d)) / carlo::pi;

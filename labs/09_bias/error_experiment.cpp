@@ -8,8 +8,8 @@
 #include <functional>
 #include <iterator>
 
-// Step a: the simplest removal of noise, and what it costs. Samples above c count as c. Everything
-// has a closed form, and stands beside what split_error() finds.
+// Step a: the simplest removal of noise, and its price. Samples above c count as c. Everything has
+// a closed form, shown beside what split_error() finds.
 
 namespace lab09 {
 namespace {
@@ -36,7 +36,7 @@ struct Glow {
 
   /// The c with the least square error for n samples.
   double best_clamp(double n) const {
-    // Ternary search on log c, where the error has one valley.
+    // Ternary search on log c; the error has a single minimum.
     double low = 0, high = std::log(largest());
     const auto error = [&](double x) {
       const ErrorParts p = parts(std::exp(x), n);
@@ -52,7 +52,7 @@ struct Glow {
 
 constexpr Glow glow{1.0 / 1024};
 
-/// Independent estimates by so many samples each, clamped to c.
+/// Independent estimates with this many samples each, clamped to c.
 std::vector<double> estimates_of(int estimates, int samples, double c, Rng& rng) {
   std::vector<double> values;
   for (int i = 0; i < estimates; ++i) {
@@ -64,7 +64,7 @@ std::vector<double> estimates_of(int estimates, int samples, double c, Rng& rng)
   return values;
 }
 
-/// How many estimates a split is made from; the same time for any number of samples.
+/// The number of estimates for a split; chosen for the same time with any number of samples.
 int estimates_for(const Notebook& notebook, int samples) {
   const std::int64_t budget = 16 * notebook.options().n;
   return static_cast<int>(std::clamp<std::int64_t>(budget / samples, 512, 1 << 16));
@@ -76,8 +76,8 @@ double square_error(const ErrorParts& parts) {
   return parts.bias2 + parts.variance;
 }
 
-/// bias^2, variance and their sum against c, in units of the exact value's square. The c of those
-/// tried whose measured sum is least.
+/// Charts bias^2, variance and their sum against c, in units of the exact value's square. Returns
+/// the tested c with the least measured sum.
 double against_clamp(Notebook& notebook, int samples, carlo::Table& table,
                      std::vector<carlo::Chart>& charts) {
   const double unit = glow.exact() * glow.exact();
@@ -160,7 +160,7 @@ std::vector<Clamping> clampings() {
           {"best c each time", [](int samples) { return glow.best_clamp(samples); }}};
 }
 
-/// Relative errors measured with more and more samples, and by closed form.
+/// Relative errors measured with more and more samples, and in closed form.
 struct ErrorRun {
   std::vector<double> samples, measured, exact;
 };

@@ -11,8 +11,8 @@ namespace lab09 {
 
 using carlo::Curve, carlo::Measurement, carlo::Notebook;
 
-// One experiment a step, or two: it renders the step's small scene with the exercises it needs, and
-// writes what it finds.
+// One or two functions per step: each renders the step's small scene with the exercises it needs,
+// and writes its findings.
 
 /// Step a, Lab 9.1: clamped samples of a fat tail, beside their closed form.
 void error_experiment(Notebook& notebook);
@@ -26,7 +26,7 @@ void photons_experiment(Notebook& notebook);
 void density_experiment(Notebook& notebook);
 void caustic_experiment(Notebook& notebook);
 /// Step f, Lab 9.6: discs that shrink, and others that do not, where the radiance is known; and the
-/// caustic once more, pass by pass.
+/// caustic again, pass by pass.
 void progressive_experiment(Notebook& notebook);
 void progressive_image_experiment(Notebook& notebook);
 /// Step g, Lab 9.7: irradiance where it was not computed.
@@ -35,10 +35,11 @@ void irradiance_cache_experiment(Notebook& notebook);
 void leak_experiment(Notebook& notebook);
 /// All of them beside lab 08's path tracer: error against time.
 void practice_experiment(Notebook& notebook);
-/// What practice_experiment() can be told.
+/// The options of practice_experiment().
 struct PracticeOptions {
   double seconds = 0;  ///< of one thread, for each image; 0: 1, or .25 in a quick run
-  std::string scene;   ///< one of practice_scenes alone; empty: all, or the first in a quick run
+  std::string scene;   ///< only this one of practice_scenes; empty: all, or the first in a quick
+                       ///< run
 };
 inline PracticeOptions practice_options;
 inline const std::vector<std::string> practice_scenes = {"caustics", "indirect", "big_light",

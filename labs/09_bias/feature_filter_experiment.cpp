@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-// Step c: soft shadows by few paths, filtered. A shadow is an edge that no feature knows of.
+// Step c: soft shadows by few paths, filtered. No feature shows the edge of a shadow.
 
 namespace lab09 {
 namespace {
@@ -20,10 +20,10 @@ struct FilterSetting {
 constexpr FilterSetting filter_settings[] = {
     {"paths", 0}, {"filtered, k = 1", 1}, {"filtered, k = 4", 4}, {"by features alone", 1e6}};
 
-/// What one setting makes of images of so many samples.
+/// The result of one setting for images of this many samples.
 struct FilterRun {
   ErrorParts parts;
-  double seconds = 0;  ///< of all processors together, paths and filter
+  double seconds = 0;  ///< of all processors together, for paths and filter
   carlo::Image shown;
 
   double error() const { return total_error(parts); }

@@ -13,13 +13,13 @@
 #include <algorithm>
 #include <cmath>
 
-// Step g: the indirect light of the Cornell box, from a cache. Direct light is left out: both
-// methods would have the same.
+// Step g: the indirect light of the Cornell box, from a cache. Direct light is left out: it would
+// be the same in both methods.
 
 namespace lab09 {
 namespace {
 
-/// What the cameras' rays meet, the same for all images.
+/// The hits of the camera's rays, the same for all images.
 struct CachedView {
   explicit CachedView(int size) : view(lab08::cornell_box(), size) {
     for (int y = 0; y < size; ++y) {
@@ -64,7 +64,7 @@ CachedImage cached_image(const CachedView& seen, const CacheSetting& setting, Rn
   return image;
 }
 
-/// The same light by paths: one direction, and what arrives from there without emission.
+/// The same light by paths: one direction, and the radiance from there without emission.
 Rgb indirect_path(const World& world, const Ray& ray, Rng& rng) {
   const auto surface = world.intersect(ray);
   if (!surface) return Rgb(0);
@@ -116,7 +116,7 @@ void add_cache_row(carlo::Table& table, const CacheSetting& setting, const Cache
 
 constexpr double limits[] = {0.1, 0.2, 0.4, 0.8};
 
-/// Error against time: of each limit a curve over the number of strata.
+/// Error against time: for each limit a curve over the number of strata.
 std::vector<Curve> cache_curves(Notebook& notebook, const CachedView& seen,
                                 const lab08::Reference& reference, carlo::Table& table,
                                 std::vector<std::string>& pictures, double white) {
@@ -147,7 +147,7 @@ std::vector<Curve> cache_curves(Notebook& notebook, const CachedView& seen,
   return curves;
 }
 
-/// Images by 1, 4, 16 and 64 paths a pixel.
+/// Images by 1, 4, 16 and 64 paths per pixel.
 lab08::Result path_result(Notebook& notebook, const lab08::Reference& reference,
                           const lab08::SampledPixel& paths) {
   lab08::Result result{{"paths", {}}, {}, {}};

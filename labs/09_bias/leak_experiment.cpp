@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
-// Step g: where a cache is wrong. A thin wall parts a floor under an open sky from a dark chamber,
-// and a thin board lies over another chamber. No light comes into either: all irradiance there has
-// leaked.
+// Step g: where a cache is wrong. A thin wall separates a floor under an open sky from a dark
+// chamber, and a thin board lies over another chamber. No light enters either: all irradiance there
+// has leaked.
 
 namespace lab09 {
 namespace {
@@ -44,7 +44,7 @@ Record record_at(const World& world, Vec3 p, Rng& rng) {
   return make_record(p, {0, 0, 1}, 8, look, rng);
 }
 
-/// interpolate(), but records in front serve as well: as if all lay on the floor.
+/// interpolate(), but with records in front serving as well, as if all lay on the floor.
 std::optional<Rgb> interpolate_anyway(std::vector<Record> records, Vec3 p, Vec3 n, double most) {
   for (Record& record : records)
     record.p -= glm::dot(record.p - p, n) * n;
@@ -68,7 +68,7 @@ float cached_on_floor(const World& world, Cache& cache, const LeakSetting& setti
 /// Irradiance over pi, seen from above: 1 under an open sky.
 struct FloorImage {
   std::vector<double> grey;
-  double leaked = 0;  ///< the mean in the dark
+  double leaked = 0;  ///< the mean in the dark part
   double records = 0;
 };
 
@@ -79,7 +79,7 @@ float cell_middle(int i) {
   return (2 * (static_cast<float>(i) + 0.5f) / floor_cells - 1) * floor_half;
 }
 
-/// Both sides of the thin wall, row by row, as a renderer goes through an image.
+/// Both sides of the thin wall, row by row, as a renderer scans an image.
 FloorImage beside_wall(const World& world, const LeakSetting& setting, Rng rng) {
   Cache cache(setting.most, setting.nearest, setting.farthest);
   FloorImage image;
@@ -117,7 +117,7 @@ void thin_wall(Notebook& notebook) {
   carlo::Table table({"most", "nearest", "records", "leaked"});
   std::vector<std::string> pictures;
   const auto add = [&](const LeakSetting& setting, bool shown) {
-    // What leaks hangs on which record happens to be made where: the mean of several runs.
+    // How much leaks depends on where records happen to be made: take the mean of several runs.
     const int runs = notebook.repetitions(64);
     FloorImage image;
     double leaked = 0, records = 0;

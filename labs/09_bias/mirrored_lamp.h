@@ -8,16 +8,17 @@
 namespace lab09 {
 
 /// A round lamp at height 1 that faces up, below a mirror and over a floor. Its power is pi,
-/// however small it is. The floor sees it in the mirror alone, and photons come by the mirror.
+/// however small it is. The floor sees it only in the mirror, and photons arrive only by way of the
+/// mirror.
 struct MirroredLamp {
   static constexpr double reflectance = 0.9, albedo = 0.5;
   static constexpr double image_height = 1.6;  ///< of the lamp's mirror image
   static constexpr double away = 0.5;          ///< of three points, from the foot of the lamp
 
-  /// At most .1: a larger one hides part of its image from the points.
+  /// At most .1: a larger one would hide part of its image from the points.
   explicit MirroredLamp(double radius_) : radius(radius_), world(scene()) {}
 
-  /// The radiance of the floor at the points, by the lamp's mirror image and nothing else.
+  /// The radiance of the floor at the points, due to the lamp's mirror image alone.
   double exact() const {
     const double a2 = radius * radius, s = away * away + image_height * image_height;
     const double root = std::sqrt((s + a2) * (s + a2) - 4 * a2 * away * away);
@@ -26,7 +27,7 @@ struct MirroredLamp {
     return albedo * reflectance * share * radiance();
   }
 
-  /// The floor at point number i of three, or any.
+  /// A ray to the floor at point number i of three, or any other i.
   Ray ray(int i) const {
     const double turn = 2 * carlo::pi * i / 3;
     return {{static_cast<float>(away * std::cos(turn)), static_cast<float>(away * std::sin(turn)),

@@ -9,7 +9,7 @@
 namespace lab09 {
 namespace {
 
-/// Adds what the camera sees along one ray; `share`: one over the number of rays.
+/// Adds the features that the camera sees along one ray; `share`: one over the number of rays.
 void add_features(const World& world, const Ray& ray, float share, FeaturePixel& pixel) {
   const auto met = world.intersect(ray);
   if (!met) return;

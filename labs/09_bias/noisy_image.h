@@ -6,11 +6,12 @@
 
 namespace lab09 {
 
-/// A scene by `samples` >= 2 of lab 08's paths a pixel, with what its pixels see: means over up to
-/// 16 rays. Mirrors and glass have albedo 1 and their own normals. On all cores.
+/// Renders a scene with `samples` >= 2 of lab 08's paths per pixel, with the features of its
+/// pixels: means over up to 16 rays. Mirrors and glass have albedo 1 and their own normals. Runs on
+/// all cores.
 FeatureImage noisy_image(const PracticeScene& scene, int samples, std::uint64_t seed);
 
-/// The same, each pixel by filter_pixel().
+/// The same, with each pixel filtered by filter_pixel().
 carlo::Image filtered_image(const FeatureImage& noisy, const FilterStrength& strength);
 
 }  // namespace lab09

@@ -26,7 +26,7 @@ PhotonMap photon_map(const World& world, std::int64_t emitted, Kept kept, Rng& r
 }
 
 PhotonMap photon_map(const World& world, std::int64_t emitted, Kept kept, std::uint64_t seed) {
-  constexpr std::int64_t block = 4096;  // photons of one stream of random numbers
+  constexpr std::int64_t block = 4096;  // photons per stream of random numbers
   const auto blocks = static_cast<std::size_t>((emitted + block - 1) / block);
   std::vector<std::vector<Photon>> stored(blocks);
   tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t i) {

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-// Step d: photons where they land, as dots and as irradiance; and their power, all of it.
+// Step d: photons where they land, as dots and as irradiance; and their total power.
 
 namespace lab09 {
 namespace {
@@ -105,7 +105,8 @@ double irradiance_at(double r) {
   return std::pow(1 + r * r, -1.5);
 }
 
-/// How far from the foot of the lamp so many of its photons land, those on the floor.
+/// The distances from the foot of the lamp at which this many of its photons land, of those on the
+/// floor.
 std::vector<double> landing_radii(const World& world, std::int64_t photons, Rng& rng) {
   std::vector<double> radii;
   for (std::int64_t i = 0; i < photons; ++i) {

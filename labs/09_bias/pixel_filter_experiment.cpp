@@ -14,8 +14,8 @@
 #include <utility>
 
 // Step b: spokes that are finer than a pixel near their hub, by three filters; and one pixel on an
-// edge, which has a closed form, by offsets drawn from the filter and by uniform ones weighed by
-// it.
+// edge, which has a closed form, by offsets drawn from the filter and by uniform offsets weighted
+// by it.
 
 namespace lab09 {
 namespace {
@@ -46,8 +46,8 @@ Radiance spokes_on(int size) {
   };
 }
 
-/// What is left of the spokes where one of them and a gap take so many pixels: the deviation of the
-/// pixels' values from grey, 1 for black and white.
+/// The remaining contrast of the spokes where one of them and a gap together take this many pixels:
+/// the deviation of the pixels' values from grey, 1 for black and white.
 double contrast(const carlo::Image& image, double from, double to) {
   double squares = 0;
   int pixels = 0;
@@ -113,7 +113,7 @@ Rgb beyond_edge(const Ray& ray) {
   return Rgb(on_film(ray, edge_film).x > edge ? 1.0f : 0.0f);
 }
 
-/// The share of a filter beyond the edge.
+/// The fraction of a filter beyond the edge.
 double share_beyond_edge(const PixelFilter& filter) {
   const double r = filter.radius, left = 1 - edge_at / r;
   switch (filter.curve) {
@@ -136,10 +136,10 @@ struct PixelWay {
 };
 constexpr PixelWay pixel_ways[] = {{"drawn", filtered_pixel}, {"weighed", weighted_pixel}};
 
-/// The pixel by so many rays, again and again.
+/// Statistics of the pixel with this many rays, over many runs.
 struct EdgeRun {
   ErrorParts parts;
-  double seconds = 0;  ///< of one pixel
+  double seconds = 0;  ///< per pixel
 
   double error() const { return total_error(parts); }
 };

@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-// All methods beside one another: what practice_experiment() is made of.
+// All methods side by side: the parts of practice_experiment().
 
 namespace lab09 {
 
 /// A scene of common/scenes, small, and its converged image.
 struct PracticeScene {
-  /// As large as its reference, but halved until no side is above `most` pixels. Throws
-  /// carlo::Error where a file cannot be read.
+  /// As large as its reference, but halved until no side exceeds `most` pixels. Throws carlo::Error
+  /// if a file cannot be read.
   PracticeScene(const std::string& scene_name, int most);
 
   /// The camera's ray through a point of pixel (x, y): jitter in [0, 1)^2.
@@ -28,14 +28,14 @@ struct PracticeScene {
   World world;
 };
 
-/// How a method's square error goes on as its passes are averaged.
+/// How a method's square error behaves as its passes are averaged.
 enum class Trend {
   unbiased,   ///< a/t
   biased,     ///< bias^2 + b/t
-  consistent  ///< a power of t that has to be measured, t^-1 at best
+  consistent  ///< a power of t that must be measured, t^-1 at best
 };
 
-/// A way to make an image in passes; more of them bring less noise.
+/// A way to make an image in passes; more passes reduce the noise.
 struct PracticeMethod {
   std::string name;
   Trend trend;
@@ -45,24 +45,25 @@ struct PracticeMethod {
 /// The methods for one scene, which must outlive them; path tracing first.
 std::vector<PracticeMethod> practice_methods(const PracticeScene& scene);
 
-/// Bias and noise of an image: means over pixels and channels, relative: over reference^2 + .01.
+/// Bias and noise of an image: means over pixels and channels, relative to reference^2 + .01.
 struct ImageParts : ErrorParts {
-  double bias_error = 0;  ///< the standard error of bias2, if each pixel has noise of its own
+  double bias_error = 0;  ///< the standard error of bias2, if the noise of pixels is independent
 
   bool bias_is_seen() const { return bias2 > 2 * bias_error; }
-  /// bias^2, or what it may be at most where it cannot be told from 0.
+  /// bias^2, or an upper bound if it cannot be distinguished from 0.
   double bias_at_most() const {
     return bias_is_seen() ? bias2 : std::max(bias2, 0.0) + 2 * bias_error;
   }
 };
 
-/// From several images of a scene. What the reference's own noise adds to bias^2 is taken off.
+/// Computed from several images of a scene. The contribution of the reference's own noise to bias^2
+/// is subtracted.
 ImageParts practice_parts(const PracticeScene& scene, const std::vector<carlo::Image>& images);
 
-/// The mean of the images of all passes, each by pass(number from 0), on all cores.
+/// The mean of the images of all passes, each made by pass(number from 0), on all cores.
 carlo::Image mean_of_passes(int passes, const std::function<carlo::Image(int number)>& pass);
 
-/// What a method has reached after some seconds of one thread.
+/// The result of a method after some seconds of one thread.
 struct PracticeRun {
   int passes = 0;
   double seconds = 0;
@@ -79,12 +80,12 @@ struct PracticeCurve {
   std::vector<PracticeRun> runs;
 
   const PracticeRun& longest() const { return runs.back(); }
-  /// The slope of its square error against time, but no steeper than that of noise, -1: a steeper
-  /// one does not go on.
+  /// The slope of its square error against time, but no steeper than that of noise, -1, since a
+  /// steeper one cannot continue.
   double slope() const;
-  /// Its square error after t seconds, by its trend; at most so much where bias_is_bounded().
+  /// Its square error after t seconds, by its trend; an upper bound if bias_is_bounded().
   double foretold(double t) const;
-  /// It has a bias for good, but these runs are too short to tell it from 0.
+  /// It has a permanent bias, but these runs are too short to distinguish it from 0.
   bool bias_is_bounded() const { return trend == Trend::biased && !longest().parts.bias_is_seen(); }
 };
 
@@ -92,8 +93,8 @@ struct PracticeCurve {
 PracticeCurve measure_practice(Notebook& notebook, const PracticeScene& scene,
                                const PracticeMethod& method, double seconds);
 
-/// After how many seconds the unbiased method overtakes the other for good; infinity: never. Not
-/// before then, where the other's bias_is_bounded().
+/// The number of seconds after which the unbiased method overtakes the other for good; infinity:
+/// never. A lower bound if the other's bias_is_bounded().
 double overtaking(const PracticeCurve& unbiased, const PracticeCurve& other);
 
 }  // namespace lab09

@@ -8,7 +8,7 @@
 #include <cmath>
 
 // "Noise removal (filtering) and irradiance caching (photon maps) used in practice": all methods on
-// the same scenes, error against seconds of one thread, bias and noise apart.
+// the same scenes, error against seconds of one thread, with bias and noise separated.
 
 namespace lab09 {
 namespace {
@@ -86,7 +86,7 @@ std::string practice_pictures(const PracticeScene& scene,
   return carlo::tiles(row);
 }
 
-/// All methods that are there, on one scene; none where the path tracer is missing.
+/// All available methods on one scene; none if the path tracer is missing.
 std::vector<PracticeCurve> practice_curves(Notebook& notebook, const PracticeScene& scene,
                                            double seconds, double done, double total) {
   std::vector<PracticeCurve> curves;

@@ -19,7 +19,8 @@ carlo::Scene practice_scene(const std::string& name, const carlo::Image& image) 
       {{"width", std::to_string(image.width)}, {"height", std::to_string(image.height)}});
 }
 
-/// Half as wide and high: means of 2 x 2 pixels, or of their standard errors' squares a quarter.
+/// Halves width and height: takes means of 2 x 2 pixels, or for standard errors a quarter of the
+/// sum in quadrature.
 carlo::Image halved(const carlo::Image& image, bool errors) {
   carlo::Image half(image.width / 2, image.height / 2);
   for (int y = 0; y < half.height; ++y) {
@@ -57,7 +58,7 @@ PracticeRun practice_run(Notebook& notebook, const PracticeScene& scene,
   return run;
 }
 
-/// What so many passes take: some seconds once, and some for each.
+/// The time of a number of passes: some seconds once, and some for each.
 struct PassCost {
   double once = 0, each = 0;
 

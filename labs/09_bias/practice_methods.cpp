@@ -10,7 +10,7 @@ namespace lab09 {
 namespace practice {
 namespace {
 
-/// What the methods are set to; lengths are for rooms of side 2.
+/// The settings of the methods; lengths are for rooms of side 2.
 constexpr int photons_a_pass = 20000, caustic_photons_a_pass = 5000;
 constexpr float photon_radius = 0.03f, caustic_radius = 0.02f, first_radius = 0.06f;
 constexpr double radius_alpha = 2.0 / 3;
@@ -28,7 +28,7 @@ carlo::Image image_of(const PracticeScene& s, const Value& value) {
   return image;
 }
 
-/// An image of one ray a pixel; radiance(ray, rng) is what arrives along it.
+/// An image of one ray per pixel; radiance(ray, rng) is the radiance along it.
 template <class RayRadiance>
 carlo::Image one_ray_each(const PracticeScene& s, Rng rng, const RayRadiance& radiance) {
   return image_of(s, [&](int x, int y) {
@@ -38,7 +38,7 @@ carlo::Image one_ray_each(const PracticeScene& s, Rng rng, const RayRadiance& ra
   });
 }
 
-/// Passes with random numbers of their own; pass(rng) makes the image of one.
+/// Passes with their own random numbers; pass(rng) makes the image of one.
 template <class Pass>
 PracticeMethod by_passes(std::string name, Trend trend, const Pass& pass) {
   return {std::move(name), trend, [pass](int passes, std::uint64_t seed) {
@@ -77,7 +77,7 @@ PracticeMethod paths_by_area(const PracticeScene& s) {
   });
 }
 
-/// A pass has photons of its own.
+/// Each pass has its own photons.
 carlo::Image photon_pass(const PracticeScene& s, Rng rng, float radius) {
   const PhotonMap map = photon_map(s.world, photons_a_pass, Kept::all, rng);
   return one_ray_each(s, rng, [&](const Ray& ray, Rng& own) {

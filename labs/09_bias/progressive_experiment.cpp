@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-// Step f: three points of a floor that a lamp lights by way of a mirror alone, in closed form: how
-// fast errors fall with discs that shrink, with others that do not, and by paths.
+// Step f: three points of a floor that a lamp lights only by way of a mirror, in closed form: how
+// fast errors fall with discs that shrink, with others that do not, and with paths.
 
 namespace lab09 {
 namespace {
@@ -26,12 +26,12 @@ using carlo::IndependentSampler;
 constexpr double shrinking_alpha = 2 / 3.0, widest = 0.4;
 constexpr std::int64_t photons_a_map = 512;
 
-/// The photons that come to the floor straight from the mirror.
+/// The photons that come to the floor directly from the mirror.
 PhotonMap pass_map(const World& world, Rng& rng) {
   return photon_map(world, photons_a_map, Kept::caustics, rng);
 }
 
-/// The three points by a map, a channel each.
+/// The three points by a map, one channel each.
 Rgb at_points(const MirroredLamp& lamp, const PhotonMap& map, double radius) {
   Rgb radiances(0);
   for (int i = 0; i < 3; ++i) {
@@ -44,7 +44,7 @@ Rgb at_points(const MirroredLamp& lamp, const PhotonMap& map, double radius) {
   return radiances;
 }
 
-/// An estimate of all three points from so many passes, or samples.
+/// An estimate of all three points from this many passes, or samples.
 using Points = std::function<Rgb(const MirroredLamp& lamp, std::int64_t n, Rng& rng)>;
 
 Rgb progressive(const MirroredLamp& lamp, std::int64_t passes, Rng& rng) {
@@ -79,7 +79,7 @@ struct Method {
   Points points;
   double lamp_radius;
   std::int64_t first, last;
-  std::string expected;  ///< the slope, in words
+  std::string expected;  ///< the slope, as text
 };
 
 /// Errors against passes, or samples: relative bias^2 and variance.

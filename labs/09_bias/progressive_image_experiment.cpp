@@ -17,7 +17,7 @@ namespace {
 constexpr double image_alpha = 2 / 3.0, image_first_radius = 0.05;
 constexpr std::int64_t photons_an_image = 20'000;
 
-/// The mean of pictures by maps of their own; `shrinks`: whether their discs do.
+/// The mean of pictures with separate maps; `shrinks`: whether their discs shrink.
 carlo::Image passes_image(const lab08::View& view, std::int64_t passes, bool shrinks,
                           std::uint64_t seed) {
   carlo::Image mean(view.size, view.size);
@@ -39,7 +39,7 @@ carlo::Image passes_image(const lab08::View& view, std::int64_t passes, bool shr
   return mean;
 }
 
-/// As lab08::measure(), with passes in place of samples.
+/// As in lab08::measure(), with passes in place of samples.
 lab08::Result measure_passes(Notebook& notebook, const std::string& name, const lab08::View& view,
                              const lab08::Reference& reference, bool shrinks) {
   lab08::Result result{{name, {}}, {}, {}};

@@ -8,7 +8,7 @@
 
 namespace lab09 {
 
-/// The size of an error that has both parts.
+/// The size of an error with both parts.
 inline double total_error(const ErrorParts& parts) {
   return std::sqrt(std::max(parts.bias2 + parts.variance, 0.0));
 }
@@ -25,7 +25,7 @@ inline carlo::Cell percent_of_root(double square, int digits) {
   return carlo::percent_cell(signed_root(square), digits);
 }
 
-/// What a table with such a bias says below it.
+/// A table's note on such a bias.
 constexpr const char* minus_is_noise = "a bias with a minus is one that noise hides";
 
 }  // namespace lab09

@@ -158,7 +158,7 @@ class Recursion {
 
   struct Split {
     std::size_t axis = 0;
-    double share = 0.5;  ///< of the points for the lower half
+    double share = 0.5;  ///< fraction of the points for the lower half
   };
 
   double value_at_random_point() {

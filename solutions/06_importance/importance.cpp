@@ -29,7 +29,7 @@ std::vector<double> contributions(const Function& f, const Density& p, std::int6
 
 // Lab 6.2 -----------------------------------------------------------------------------------------
 
-// Counted from the first of them, numbers that agree in many digits keep the others.
+// Sums differences from the first value, so that numbers that agree in many digits keep the others.
 Estimate summarize(std::span<const double> values) {
   const auto n = static_cast<double>(values.size());
   const double origin = values[0];
@@ -51,9 +51,9 @@ double efficiency(double variance, double seconds) {
 
 // Lab 6.3 -----------------------------------------------------------------------------------------
 
-// Seen from the lamp, equal angles receive equal light: the angle is what is uniform. The angle
-// between a and b, and the point at an angle from a, by the rules for tangents of sums: both of
-// a / height and b / height may be so large that their angles are the same number.
+// Seen from the lamp, equal angles receive equal light, so the angle is uniform. The angle between
+// a and b, and the point at an angle from a, are computed with tangents of sums: a / height and b /
+// height may both be so large that their angles round to the same number.
 Density light_density(double height, double a, double b) {
   const double angle = std::atan2(height * (b - a), height * height + a * b);
   const auto sample = [=](double u) {
@@ -93,7 +93,7 @@ double tail_index(std::span<const double> values, std::size_t k) {
 
 namespace {
 
-/// A decision that u has made, and the uniform number that is left of it.
+/// A decision made by u, and the uniform number that remains of u.
 struct Choice {
   bool first;
   double u;
@@ -118,7 +118,7 @@ Density mixture(const Density& p, const Density& q, double share) {
 // Lab 6.5 -----------------------------------------------------------------------------------------
 
 // A dart is kept with probability g(x) / g_max, so the kept x have the density g / ((b - a) g_max)
-// per dart: it integrates to the chance of being kept, and the rest are zeros.
+// per dart: it integrates to the probability of being kept, and the rest are zeros.
 std::vector<double> rejection_contributions(const Function& f, const Function& g, double a,
                                             double b, double g_max, std::int64_t darts,
                                             carlo::Rng& rng) {
@@ -139,7 +139,7 @@ std::vector<double> rejection_contributions(const Function& f, const Function& g
 
 namespace {
 
-/// The product of an effort as mantissa and exponent: it may be too large or small for a double.
+/// The product of an effort as mantissa and exponent, since it may overflow or underflow a double.
 struct Product {
   double mantissa;
   int exponent;

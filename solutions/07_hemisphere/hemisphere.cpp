@@ -51,7 +51,7 @@ Accepted sample_uniform_by_rejection(Vec3 normal, carlo::Rng& rng) {
 
 namespace {
 
-/// The direction whose angle with z has this cosine and sine, at the azimuth 2 pi u.
+/// The direction with this cosine and sine of its angle with z, at azimuth 2 pi u.
 Vec3 spherical(float cosine, float sine, float u) {
   const float phi = 2 * pi_f * u;
   return {sine * std::cos(phi), sine * std::sin(phi), cosine};
@@ -173,7 +173,7 @@ Point place_of(Vec3 w) {
 
 namespace {
 
-/// Between which heights w.y a row lies.
+/// The heights w.y between which a row lies.
 struct Heights {
   double top, bottom;
 };

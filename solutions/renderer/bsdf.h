@@ -31,7 +31,7 @@ class ModifiedPhong {
   Value evaluate(Vec3 normal, Vec3 wo, Vec3 wi) const;
 
   /// A direction and what it carries: weight = f cos(theta_i) / pdf. Nothing when the direction
-  /// falls below the horizon: the lobe's missing part is absorbed, never drawn again.
+  /// falls below the horizon: the missing part of the lobe is absorbed, never drawn again.
   struct Sample {
     Vec3 wi;
     Rgb weight;
@@ -44,17 +44,17 @@ class ModifiedPhong {
  private:
   Rgb kd_, ks_;
   float exponent_;
-  float diffuse_probability_;  ///< of drawing from the diffuse lobe
+  float diffuse_probability_;  ///< probability of drawing from the diffuse lobe
 };
 
 /// Smooth glass. Both directions point away from the surface.
 struct Refraction {
   float reflectance;       ///< Fresnel's, unpolarised; 1 for total internal reflection
   std::optional<Vec3> wt;  ///< the refracted direction
-  float eta;               ///< index on wo's side over index on the other side
+  float eta;               ///< index of refraction on wo's side over that on the other side
 };
 
-/// `normal` on wo's side; `eta` as in Refraction.
+/// `normal` lies on wo's side; `eta` as in Refraction.
 Refraction refract(Vec3 normal, Vec3 wo, float eta);
 
 inline Vec3 reflect(Vec3 normal, Vec3 wo) {

@@ -16,8 +16,8 @@ using carlo::Vec3;
 
 constexpr float last_below_one = 0x1.fffffep-1f;
 
-/// 0, w_0 / w, (w_0 + w_1) / w, ..., 1, where w is the sum of all, as multiples of 2^-24; all 0 if
-/// w is.
+/// The running sums 0, w_0 / w, (w_0 + w_1) / w, ..., 1 as multiples of 2^-24, where w is the sum
+/// of all weights; all 0 if w is 0.
 std::vector<float> running_chances(const std::vector<double>& weights) {
   double whole = 0;
   for (const double w : weights)
@@ -32,7 +32,8 @@ std::vector<float> running_chances(const std::vector<double>& weights) {
   return sums;
 }
 
-/// Which of `count` steps from first[0] = 0 to first[count] = 1 u falls into, and where within.
+/// The step that u falls into, of `count` steps from first[0] = 0 to first[count] = 1, and u's
+/// place within it.
 struct Picked {
   std::size_t index;
   float within;
@@ -57,7 +58,7 @@ EnvmapTable::EnvmapTable(const carlo::Envmap& of)
     const double top = carlo::pi * static_cast<double>(y) / static_cast<double>(height),
                  bottom = carlo::pi * static_cast<double>(y + 1) / static_cast<double>(height);
     const bool north = 2 * y < height;
-    // 1 - cos(x) = 2 sin^2(x / 2), of the angle from the pole.
+    // 1 - cos(x) = 2 sin^2(x / 2), where x is the angle from the pole.
     const auto from_pole = [north](double theta) {
       const double sine = std::sin((north ? theta : carlo::pi - theta) / 2);
       return static_cast<float>(2 * sine * sine);
@@ -81,7 +82,7 @@ EnvmapTable::EnvmapTable(const carlo::Envmap& of)
     add_row(y, static_cast<double>(rows[y + 1]) - static_cast<double>(rows[y]), luminances[y]);
 }
 
-/// The solid angle is that between the edges as they are drawn from, rounded.
+/// The solid angle lies between the rounded edges, since sampling uses those.
 void EnvmapTable::add_row(std::size_t y, double chance, const std::vector<double>& luminances) {
   const std::vector<float> sums = running_chances(luminances);
   columns.insert(columns.end(), sums.begin(), sums.end());

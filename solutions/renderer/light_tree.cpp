@@ -17,7 +17,7 @@ namespace {
 using carlo::Vec3;
 using Vec3d = glm::dvec3;
 
-/// The narrowest cone about both cones of normals.
+/// Widens a's cone of normals to the narrowest one that contains both.
 void widen(LightBounds& a, const LightBounds& b) {
   const double angle_a = std::acos(std::clamp(a.cos_spread, -1.0, 1.0));
   const double angle_b = std::acos(std::clamp(b.cos_spread, -1.0, 1.0));
@@ -50,8 +50,8 @@ LightBounds together(const LightBounds& a, const LightBounds& b) {
   return both;
 }
 
-/// How many directions, weighed by cosines, lights in a cone of normals shine in: pi for one
-/// normal, 4 pi for all of them. Source: Conty Estevez and Kulla 2018, section 4.1.
+/// The cosine-weighted measure of the directions into which lights in a cone of normals shine: pi
+/// for one normal, 4 pi for all of them. Source: Conty Estevez and Kulla 2018, section 4.1.
 double measure_of_directions(const LightBounds& light) {
   const double spread = std::acos(std::clamp(light.cos_spread, -1.0, 1.0));
   const double end = std::min(spread + carlo::pi / 2, carlo::pi);
@@ -78,14 +78,13 @@ LightTree::Node::Node(const LightBounds& light, double of_strength)
           glm::length(rounded);
 }
 
-/// strength x cos x cos / distance^2, but that each point of the sphere around the light may face
-/// that side of the surface, or be faced, as much as any of them: so it is 0 only where the light
-/// cannot contribute. Inside of the sphere it stays finite.
+/// strength x cos x cos / distance^2, with the most favourable cosines of any point in the sphere
+/// around the light: 0 only where the light cannot contribute. Finite inside the sphere.
 inline float LightTree::Node::estimate(Vec3 p, Vec3 n) const {
   const Vec3 d = middle - p;
   const float distance2 = glm::dot(d, d);
   const float inwards = glm::dot(n, d) + reach;
-  // The distance times the cosine at the light, of that normal which is nearest to p.
+  // The distance times the cosine at the light, for the normal nearest to the direction of p.
   float outwards = -glm::dot(axis, d);
   if (cos_spread < 1) {
     const float distance = std::sqrt(distance2);
@@ -104,12 +103,12 @@ double estimate_irradiance(const LightBounds& light, Vec3d p, Vec3d n) {
   return light.strength * static_cast<double>(LightTree::Node(light, 1).estimate(Vec3(p), Vec3(n)));
 }
 
-/// Splits lights in two where the sum of strength x extent x directions is least, between bins.
+/// Splits lights in two, between bins, where the sum of strength x extent x directions is least.
 struct LightTree::Builder {
   static constexpr std::size_t bins = 12;
 
   const std::vector<LightBounds>& lights;
-  double all;  ///< strengths are relative to this, so that their products stay floats
+  double all;  ///< strengths are divided by this, so that their products fit into floats
   LightTree& tree;
 
   LightBounds build(std::span<std::uint32_t> which, std::uint32_t node, std::uint32_t parent) {
@@ -130,7 +129,7 @@ struct LightTree::Builder {
     return bounds;
   }
 
-  /// Sorts them into two parts; the number of the first.
+  /// Sorts the lights into two parts and returns the size of the first.
   std::size_t split(std::span<std::uint32_t> which) const {
     Vec3d lower(std::numeric_limits<double>::max()), upper(-lower);
     for (const std::uint32_t i : which) {
@@ -146,12 +145,12 @@ struct LightTree::Builder {
       if (!(extent > 0)) continue;
       const std::array<double, bins> costs = costs_along(which, axis, lower[axis], extent);
       for (std::size_t b = 0; b + 1 < bins; ++b) {
-        // Thin slices are worse than their boxes tell.
+        // Thin slices cost more than their boxes suggest.
         const double cost = costs.at(b) * longest / extent;
         if (cost < least) least = cost, best_axis = axis, best_bin = b;
       }
     }
-    if (best_axis < 0) return which.size() / 2;  // all in one place
+    if (best_axis < 0) return which.size() / 2;  // all lights are in one place
     const auto second = std::partition(which.begin(), which.end(), [&](std::uint32_t i) {
       return bin_of(i, best_axis, lower[best_axis], upper[best_axis] - lower[best_axis]) <=
              best_bin;
@@ -164,7 +163,7 @@ struct LightTree::Builder {
     return std::min(static_cast<std::size_t>(place * bins), bins - 1);
   }
 
-  /// Of a split behind each bin; the largest number where that leaves one side empty.
+  /// The cost of a split behind each bin; the largest number where a split leaves one side empty.
   std::array<double, bins> costs_along(std::span<const std::uint32_t> which, int axis, double lower,
                                        double extent) const {
     std::array<std::optional<LightBounds>, bins> of_bin;
@@ -198,7 +197,7 @@ struct LightTree::Builder {
 LightTree::LightTree(const std::vector<LightBounds>& lights, std::optional<double> everywhere)
     : leaf_of_(lights.size() + (everywhere ? 1 : 0)) {
   nodes_.reserve(2 * leaf_of_.size() + 2);
-  // Number 1 is nobody's: siblings are i and i ^ 1.
+  // Number 1 stays unused: siblings are i and i ^ 1.
   nodes_.resize(2);
   double all = everywhere.value_or(0);
   for (const LightBounds& light : lights)

@@ -28,8 +28,8 @@ struct AreaPoint {
   Vec3 p, n, error;
 };
 
-/// A rectangle seen under less than this many steradians is sampled by area: its solid angle is a
-/// difference of angles, which keeps only 1e-15 absolute.
+/// Rectangles that subtend less than this many steradians are sampled by area: their solid angle is
+/// a difference of angles, accurate only to 1e-15 absolute.
 constexpr double least_solid_angle = 1e-7;
 
 bool is_rectangle(const Parallelogram& s) {
@@ -84,7 +84,7 @@ AreaPoint sample_area(const Shape& shape, std::uint32_t triangle, Vec2 u) {
       [](const Sdf& s) -> AreaPoint { refuse(s); });
 }
 
-/// 1 - cos of the half-angle of the cone in which a sphere is seen; `from` is outside.
+/// 1 - cos of the half-angle of the cone that a sphere subtends; `from` is outside the sphere.
 float cone_of(const Sphere& s, Vec3 from) {
   const Vec3d d = Vec3d(s.center) - Vec3d(from);
   const double sin2 =
@@ -92,7 +92,7 @@ float cone_of(const Sphere& s, Vec3 from) {
   return static_cast<float>(sin2 / (1 + std::sqrt(std::max(0.0, 1 - sin2))));
 }
 
-/// Whether `from` lies in front of the plane through `point` with normal n, without a doubt.
+/// True if `from` lies in front of the plane through `point` with normal n, despite rounding.
 bool in_front(const Place& from, Vec3d point, Vec3 error, Vec3d n) {
   const double blur = glm::dot(glm::abs(n), Vec3d(from.error) + Vec3d(error));
   return glm::dot(n, Vec3d(from.p) - point) > blur;
@@ -102,7 +102,7 @@ bool in_front(const Place& from, const RectangleFrame& rectangle) {
   return in_front(from, rectangle.origin, Vec3(0), rectangle.z);
 }
 
-/// Whether `from` lies outside of the sphere, without a doubt.
+/// True if `from` lies outside the sphere, despite rounding.
 bool outside(const Sphere& s, const Place& from) {
   const Vec3d d = Vec3d(s.center) - Vec3d(from.p);
   const double r = s.radius;
@@ -111,7 +111,7 @@ bool outside(const Sphere& s, const Place& from) {
   return glm::length(d) > r + blur;
 }
 
-/// The near point of the sphere in a direction of its cone.
+/// The nearer point of the sphere in a direction of its cone.
 AreaPoint sample_sphere_cone(const Sphere& s, Vec3 from, Vec2 u) {
   const Vec3d to_center = Vec3d(s.center) - Vec3d(from);
   const Frame frame(Vec3(glm::normalize(to_center)));
@@ -124,7 +124,7 @@ AreaPoint sample_sphere_cone(const Sphere& s, Vec3 from, Vec2 u) {
   return {p, Vec3(n), carlo::rounding_bound(3) * glm::abs(p)};
 }
 
-/// Density per solid angle at `from` of a point of density 1/area.
+/// Converts the density 1/area of a point to one per solid angle at `from`.
 float area_pdf(Vec3 from, Vec3 p, Vec3 n, double area) {
   const Vec3 d = p - from;
   const float distance2 = glm::dot(d, d);
@@ -148,7 +148,7 @@ LightBounds bounds_of(const Disk& s, double radiance) {
   const Vec3d half = static_cast<double>(s.radius) * glm::sqrt(glm::max(Vec3d(0), 1.0 - n * n));
   return {Vec3d(s.center) - half, Vec3d(s.center) + half, n, 1, radiance * area_of(s)};
 }
-/// As bright as a disk of its radius from wherever it is seen.
+/// From everywhere as bright as a disk of its radius.
 LightBounds bounds_of(const Sphere& s, double radiance) {
   const Vec3d half(static_cast<double>(s.radius));
   return {Vec3d(s.center) - half, Vec3d(s.center) + half, {}, -1, radiance * area_of(s) / 4};
@@ -176,7 +176,8 @@ Lights::Lights(const Scene& scene) : scene_(scene) {
   envmap_is_sampled_ = envmap && !scene.shapes.empty();
   std::optional<double> around;
   if (envmap_is_sampled_) {
-    far_ = static_cast<float>(std::min(2 * carlo::diameter(scene), 1e18));  // its square is a float
+    far_ = static_cast<float>(std::min(2 * carlo::diameter(scene), 1e18));  // its square fits into
+                                                                            // a float
     entries_.push_back({Entry::Kind::envmap, 0});
     leaves_.push_back({static_cast<std::uint32_t>(entries_.size() - 1), 0, 0});
     // The mean over all orientations of the surface.
@@ -207,7 +208,7 @@ void Lights::add_shape(std::uint32_t index, std::vector<LightBounds>& all) {
           whole += triangle_area(s, i);
         for (std::uint32_t i = 0; i < s.triangles.size(); ++i) {
           LightBounds bounds = triangle_bounds(s, i, radiance);
-          // Of many triangles a lamp has no more of the least chances than another.
+          // The triangles of a lamp share the floor probability of one light.
           bounds.floor_share = triangle_area(s, i) / whole;
           add_leaf(triangle_area(s, i), bounds, all, i);
         }
@@ -225,9 +226,9 @@ Lights::Entry Lights::shape_entry(std::uint32_t index) const {
       },
       [&](const Sphere& s) {
         entry.shades_itself = s.flipped;
-        // One that emits outwards does not light its inside. One that emits inwards is sampled by
-        // area: from the outside its near half is in the way, and points on it may be rounded
-        // either way.
+        // A sphere that emits outwards does not light its inside. One that emits inwards is sampled
+        // by area: seen from outside, its near half is in the way, and points on it may be rounded
+        // to either side.
         if (!s.flipped) entry.ball = &s;
       },
       [&](const Disk&) { entry.shades_itself = false; }, [&](const Mesh& s) { entry.mesh = &s; },

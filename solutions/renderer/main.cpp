@@ -11,7 +11,7 @@
 
 namespace {
 
-/// `lamps`: what was decided before.
+/// `lamps`: the explicit choice, if one was made.
 renderer::Technique technique_of(const std::string& name, std::optional<bool> lamps) {
   if (lamps) return *lamps ? renderer::Technique::bidirectional : renderer::Technique::path;
   if (name == "path") return renderer::Technique::path;

@@ -13,7 +13,7 @@ using carlo::Vec2;
 using carlo::Vec3;
 using Vec3d = glm::dvec3;
 
-/// The normal, as long as twice the area.
+/// The normal, with twice the triangle's area as its length.
 Vec3d long_normal(const carlo::Mesh& mesh, glm::uvec3 corner) {
   const Vec3d a(mesh.positions[corner.x]);
   return glm::cross(Vec3d(mesh.positions[corner.y]) - a, Vec3d(mesh.positions[corner.z]) - a);

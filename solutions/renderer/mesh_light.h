@@ -12,10 +12,10 @@ namespace renderer {
 
 double triangle_area(const carlo::Mesh& mesh, std::uint32_t triangle);
 
-/// A triangle that emits so much: radiance (R + G + B).
+/// The bounds of a triangle that emits this radiance (R + G + B).
 LightBounds triangle_bounds(const carlo::Mesh& mesh, std::uint32_t triangle, double radiance);
 
-/// The point, of density 1 / area, that u in [0, 1)^2 is mapped to.
+/// Maps u in [0, 1)^2 to a point of density 1 / area.
 carlo::TrianglePoint sample_triangle(const carlo::Mesh& mesh, std::uint32_t triangle,
                                      carlo::Vec2 u);
 
@@ -32,22 +32,22 @@ class MeshLight {
     std::uint32_t triangle;
     double density;  ///< per area, > 0
   };
-  /// Of density 1 / area() everywhere.
+  /// Density 1 / area() everywhere.
   Sample sample(carlo::Vec2 u) const;
 
-  /// A point of a triangle that is chosen for what it brings to the point p of a surface with
-  /// normal n (LightTree); of density 0 if none can bring anything.
+  /// A point of a triangle that is chosen by its possible contribution to the point p of a surface
+  /// with normal n (LightTree); density 0 if none can contribute.
   Sample sample(carlo::Vec3 p, carlo::Vec3 n, carlo::Vec2 u) const;
 
-  /// Of that, per area on the triangle.
+  /// The density of that sample(), per area on the triangle.
   double density(carlo::Vec3 p, carlo::Vec3 n, std::uint32_t triangle) const;
 
-  /// Of radiance 1 in all.
+  /// The bounds of the whole, with radiance 1.
   const LightBounds& bounds() const { return tree_.bounds(); }
 
  private:
   const carlo::Mesh* mesh_;
-  std::vector<double> areas_;  ///< of the triangles, their running sum
+  std::vector<double> areas_;  ///< running sum of the triangles' areas
   LightTree tree_;
 };
 

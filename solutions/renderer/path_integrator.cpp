@@ -30,8 +30,8 @@ using carlo::Scene;
 /// roulette a path of albedo .999 has this length with probability e^-64.
 constexpr int longest_path = 1 << 16;
 
-/// Roulette from the first bounce on (a threshold of 1) makes paths cheap but the image noisy, none
-/// at all the other way round; relMSE x seconds on the Cornell boxes is least about here.
+/// Roulette from the first bounce on (threshold 1) makes paths cheap but the image noisy; no
+/// roulette does the opposite. relMSE x seconds on the Cornell boxes is least near this value.
 constexpr float roulette_threshold = 0.25f;
 
 /// Sampler dimensions: two for the film, then a fixed number for each vertex of the path.
@@ -99,16 +99,16 @@ class PathIntegrator final : public carlo::Integrator {
   }
 
  private:
-  /// A path under way: the next ray, what it carries, and how its direction was drawn.
+  /// A path in progress: the next ray, what it carries, and how its direction was drawn.
   struct Path {
     Ray ray;
     Rgb beta{1};
     Rgb L{0};
     float eta_scale = 1;    ///< radiance compression so far; undone when the path leaves the glass
     bool competes = false;  ///< was next-event estimation done for the ray's direction?
-    float pdf = 0;          ///< if so: of the ray's direction,
-    Receiver vertex;        ///< and where
-    std::uint32_t dimension = film_dimensions;  ///< the current vertex's first
+    float pdf = 0;          ///< if so: the pdf of the ray's direction,
+    Receiver vertex;        ///< and where it started
+    std::uint32_t dimension = film_dimensions;  ///< the first dimension of the current vertex
   };
 
   Rgb sample(int x, int y, std::uint64_t seed, std::uint32_t index, Counts& counts) const {
@@ -160,8 +160,8 @@ class PathIntegrator final : public carlo::Integrator {
         });
   }
 
-  /// What the path's ray brings, having met no shape; the image around the scene weighed against
-  /// next-event estimation.
+  /// The radiance from outside along a ray that met no shape; the image around the scene is
+  /// weighted against next-event estimation.
   Rgb beyond(const Path& path) const {
     const auto& [points, environment, envmap] = scene_.lights;
     (void)points;  // no ray meets a point
@@ -171,7 +171,7 @@ class PathIntegrator final : public carlo::Integrator {
     return environment + weight * texel.radiance;
   }
 
-  /// Emission met by the path's ray, weighed against next-event estimation.
+  /// Emission at the hit, weighted against next-event estimation.
   Rgb emitted(const Path& path, const Hit& hit, Rgb radiance) const {
     if (!path.competes) return radiance;
     return radiance * power_heuristic(path.pdf, lights_.pdf(path.vertex, hit));
@@ -199,7 +199,7 @@ class PathIntegrator final : public carlo::Integrator {
     return survive(path, sampler);
   }
 
-  /// Light that reaches the surface straight from a light, by sampling lights.
+  /// Light that reaches the surface directly from a light, by sampling lights.
   Rgb direct(const Hit& hit, Vec3 normal, Vec3 wo, const ModifiedPhong& bsdf, float u_light,
              Vec2 u_point, Counts& counts) const {
     const auto light = lights_.sample({{hit.p, hit.p_error}, normal}, u_light, u_point);
@@ -244,13 +244,13 @@ class PathIntegrator final : public carlo::Integrator {
     return survive(path, sampler);
   }
 
-  /// Sets the path's ray to leave the surface in direction d.
+  /// Makes the path's ray leave the surface in direction d.
   static void spawn(Path& path, const Hit& hit, Vec3 d) {
     path.ray = {carlo::offset_origin(hit.p, hit.p_error, hit.n, -path.ray.d, d), d};
   }
 
-  /// Russian roulette: a path whose throughput has fallen below roulette_threshold ends as often as
-  /// that asks for.
+  /// Russian roulette: a path whose throughput has fallen below roulette_threshold ends with the
+  /// corresponding probability.
   static bool survive(Path& path, Sampler& sampler) {
     const float q = max_channel(path.beta) / (path.eta_scale * roulette_threshold);
     if (q >= 1) return true;

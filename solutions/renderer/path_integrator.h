@@ -9,19 +9,19 @@
 
 namespace renderer {
 
-/// Which code renders: the one that suits the scene best, or the scalar one, which renders all.
+/// Which code renders: the best one for the scene, or the scalar one, which renders all scenes.
 enum class Kernel { best, scalar };
 
 /// Where paths start: all at the camera, or some at the lamps as well (lanes/lane_kernel.h), or
-/// what a short pilot finds to be better. The scalar kernel knows the first only.
+/// whichever a short pilot finds better. The scalar kernel knows only the first.
 enum class Technique { path, bidirectional, automatic };
 
 struct PathOptions {
   std::uint64_t seed = 1;
-  std::uint32_t spp = 64;  ///< planned samples a pixel, for the stratified sampler
+  std::uint32_t spp = 64;  ///< planned samples per pixel, for the stratified sampler
   Kernel kernel = Kernel::best;
   Technique technique = Technique::path;
-  LaneChoices choices{};  ///< of the vector kernel, for measurements
+  LaneChoices choices{};  ///< for the vector kernel, for measurements
 };
 
 /// The iterative path tracer: emission added at every hit, next-event estimation and BRDF sampling
@@ -32,7 +32,7 @@ struct PathOptions {
 std::unique_ptr<carlo::Integrator> make_path_integrator(const carlo::Scene& scene,
                                                         const PathOptions& options);
 
-/// Whether Technique::bidirectional renders this scene; it is an error where it does not.
+/// True if Technique::bidirectional can render this scene; for others it is an error.
 bool lamp_paths_suit(const carlo::Scene& scene);
 
 }  // namespace renderer

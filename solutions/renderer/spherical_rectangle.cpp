@@ -32,8 +32,8 @@ SphericalRectangle::SphericalRectangle(const RectangleFrame& rectangle, Vec3 fro
   x1_ = x0_ + rectangle.width;
   y1_ = y0_ + rectangle.height;
   // The solid angle is the sum of the angles between neighbouring planes through `from` and an
-  // edge, less 2 pi. Angles from their sine and cosine: an arc cosine near 0 or pi, which are the
-  // angles of a rectangle seen at a grazing angle, would keep half of the digits.
+  // edge, less 2 pi. The angles come from their sine and cosine: at grazing angles they are near 0
+  // or pi, where an arc cosine would lose half of the digits.
   const double z2 = square(z0_), height = -z0_;
   const auto angle = [&](double x, double y, double sign) {
     return std::atan2(height * std::sqrt(square(x) + square(y) + z2), sign * x * y);
@@ -53,14 +53,14 @@ Vec3 SphericalRectangle::sample(Vec2 u) const {
   double cu = std::copysign(1.0, fu) / std::sqrt(square(fu) + square(b0_));
   cu = std::clamp(cu, -1.0, 1.0);
   const double xu = std::clamp(-(cu * z0_) / std::max(std::sqrt(1 - square(cu)), 1e-12), x0_, x1_);
-  // ... and along that slice's line, height is uniform on the sphere.
+  // ... and along that slice's line the height is uniform on the sphere.
   const double d = std::sqrt(square(xu) + square(z0_));
   const double h0 = y0_ / std::sqrt(square(d) + square(y0_)),
                h1 = y1_ / std::sqrt(square(d) + square(y1_));
   const double h = h0 + static_cast<double>(u.y) * (h1 - h0), h2 = square(h);
   const double yv = h2 < 1 - 1e-12 ? h * d / std::sqrt(1 - h2) : y1_;
-  // From the rectangle's own corner: the point keeps the accuracy of its plane, however far `from`
-  // is.
+  // From the rectangle's own corner, so that the point is as accurate as its plane, however far
+  // away `from` is.
   return Vec3(origin_ + (xu - x0_) * x_ + (std::clamp(yv, y0_, y1_) - y0_) * y_);
 }
 

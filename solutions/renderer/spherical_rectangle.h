@@ -8,12 +8,12 @@ namespace renderer {
 using carlo::Vec2;
 using carlo::Vec3;
 
-/// A rectangle in its own frame, computed once.
+/// A rectangle in its own frame, precomputed.
 struct RectangleFrame {
   glm::dvec3 origin, x, y, z;  ///< x along u, y along v
   double width, height;
 
-  /// Needs u perpendicular to v and both longer than 0.
+  /// Needs u perpendicular to v, both of positive length.
   explicit RectangleFrame(const carlo::Parallelogram& rectangle);
 };
 

@@ -12,9 +12,9 @@ using carlo::pi_f;
 using carlo::Vec2;
 using carlo::Vec3;
 
-// Each sampler stands beside its pdf. u is uniform in [0, 1)^2; directions are in a frame whose z
-// is the axis; pdfs are per solid angle. Elementary functions are those of double, rounded: those
-// of float differ between standard libraries, and between processors by one library.
+// Each sampler is followed by its pdf. u is uniform in [0, 1)^2; directions are in a frame whose z
+// is the axis; pdfs are per solid angle. Elementary functions are computed in double and rounded:
+// float versions differ between standard libraries, and within one library between processors.
 
 /// The unit vector of azimuth 2 pi u in the plane.
 inline Vec2 on_circle(float u) {
@@ -22,7 +22,7 @@ inline Vec2 on_circle(float u) {
   return {static_cast<float>(std::cos(phi)), static_cast<float>(std::sin(phi))};
 }
 
-/// The direction with polar angle given by its cosine and sine, azimuth 2 pi u.
+/// The direction with the given cosine and sine of its polar angle and azimuth 2 pi u.
 inline Vec3 spherical(float cos_theta, float sin_theta, float u) {
   return {sin_theta * on_circle(u), cos_theta};
 }
@@ -35,8 +35,8 @@ inline float cosine_hemisphere_pdf(float cos_theta) {
   return std::max(0.0f, cos_theta) / pi_f;
 }
 
-/// Uniform in a cone about z of which 1 - cos(half angle) is given, since for a small light the
-/// cosine itself rounds to 1.
+/// Uniform in a cone about z. Takes 1 - cos(half-angle), since for a small light the cosine itself
+/// rounds to 1.
 inline Vec3 sample_cone(Vec2 u, float one_minus_cos) {
   const float h = u.x * one_minus_cos;
   return spherical(1 - h, carlo::safe_sqrt(h * (2 - h)), u.y);
@@ -46,17 +46,17 @@ inline float cone_pdf(float one_minus_cos) {
 }
 
 /// Density (n+1)/(2 pi) cos^n(alpha) about z, n >= 0. Lecture, "recipe for sampling specular term":
-/// cos(alpha) = z^(1/(n+1)), with sin^2(alpha) = -expm1(2 ln z / (n+1)), which keeps its digits
-/// when n is large and the cosine rounds to 1.
+/// cos(alpha) = z^(1/(n+1)), with sin^2(alpha) = -expm1(2 ln z / (n+1)), which stays accurate when
+/// n is large and the cosine rounds to 1.
 inline Vec3 sample_lobe(Vec2 u, float n) {
   const double log_cos = std::log1p(-static_cast<double>(u.x)) / (static_cast<double>(n) + 1);
   return spherical(static_cast<float>(std::exp(log_cos)),
                    static_cast<float>(std::sqrt(-std::expm1(2 * log_cos))), u.y);
 }
 
-/// cos^n(alpha) of the angle between two unit vectors, 0 for alpha >= 90 degrees. From their
-/// difference: |a - b|^2 / 2 = 1 - cos(alpha), so that a cosine of 1 + 1e-7 is not raised to the
-/// power 1e7.
+/// cos^n(alpha) of the angle between two unit vectors, 0 for alpha >= 90 degrees. Computed from
+/// their difference, |a - b|^2 / 2 = 1 - cos(alpha), so that a cosine of 1 + 1e-7 is not raised to
+/// the power 1e7.
 inline float cos_power(Vec3 a, Vec3 b, float n) {
   const Vec3 d = a - b;
   const float one_minus_cos = 0.5f * glm::dot(d, d);

@@ -1,4 +1,4 @@
-// Checks of exercises 1.1 and 1.2. A mean over all evaluations m catches a bias of 8.74 sd /
+// Checks of exercises 1.1 and 1.2. A mean over m evaluations in all detects a bias of 8.74 sd /
 // sqrt(m) with power .999 (compare.h); the size is stated at each test.
 
 #include "01_integration/integrands.h"
@@ -48,19 +48,19 @@ struct Interval {
   double a = 0, b = 1;
 };
 
-/// What a probe is asked, for messages.
+/// A probe's question, for messages.
 std::string powers(int k, double n, Interval on = {}) {
   return fmt::format("f(x) = x^{}, n = {:g}, on [{:g}, {:g})", k, n, on.a, on.b);
 }
 
-/// One estimate from n points. Its points are believed as far as they follow from the seed.
+/// One estimate from n points. Its points are trusted as far as they follow from the seed.
 struct Record {
   double value = 0, count = 0;
   NextWords next{};
   std::vector<double> points;
   carlo::Rng before;
 
-  /// Of x^k, at the points.
+  /// The mean of x^k at the points.
   double mean(int k) const {
     long double sum = 0;
     for (const double x : points)
@@ -79,13 +79,13 @@ Record record(const std::string& name, const Params& params, const std::string& 
   return record;
 }
 
-/// The estimate is `scale` times the mean of x^k at the points, to rounding (1e-12, where n
-/// additions in double lose 1e-13 and float loses 1e-6).
+/// The estimate is `scale` times the mean of x^k at the points, up to rounding (1e-12: n additions
+/// lose 1e-13 in double and 1e-6 in float).
 Verdict is_mean_of_values(const Record& of, int k, double scale) {
   const double mean = of.mean(k), expected = scale * mean;
   const auto n = static_cast<double>(of.points.size());
   const std::string what = "the estimate against the values of f at its points";
-  // Of other terms, more than are known here, it is no mean of these in any way.
+  // It may be a mean of more values than are known here.
   if (of.count != n) return equals(what, of.value, expected, 1e-12 * std::abs(expected));
   Suspects suspects{
       {expected * n / (n + 1), by_n_plus_one}, {expected * n, not_divided}, of_whole_division(n)};
@@ -103,8 +103,8 @@ Verdict within(const std::vector<double>& points, Interval on) {
                fmt::format("all within [{:g}, {:g})", on.a, on.b), {wrong_points});
 }
 
-/// `suspects` of a mean. But where the values scatter so much more than they should that this alone
-/// puts their mean elsewhere, it is told that they do.
+/// `suspects` for a mean. But if the values scatter so much more than they should that this alone
+/// explains a wrong mean, the scatter is reported.
 Suspects unless_scattered(std::span<const double> values, const Theory& theory,
                           const Suspects& suspects) {
   const auto count = static_cast<double>(values.size());
@@ -118,8 +118,8 @@ Suspects unless_scattered(std::span<const double> values, const Theory& theory,
   return wide && near ? Suspects{{theory.mean, repeated}} : suspects;
 }
 
-/// What points are that follow no random numbers, from their shares of the interval: of many,
-/// chance puts no two of any n-th into the same.
+/// Diagnoses points that do not come from random numbers, by their relative positions in the
+/// interval: random points would not each have an n-th of their own.
 std::vector<Diagnosis> not_independent(std::vector<double> shares) {
   const auto n = static_cast<double>(shares.size());
   if (n < 16) return {};
@@ -134,18 +134,18 @@ std::vector<Diagnosis> not_independent(std::vector<double> shares) {
   return one_each ? std::vector{stratified} : std::vector<Diagnosis>{};
 }
 
-/// With one term too many, everything that differs follows from that.
+/// If there is one term too many, all deviations follow from that.
 Verdict following(Verdict verdict, const Record& of) {
   const bool too_many = of.count == static_cast<double>(of.points.size()) + 1;
   if (too_many && !verdict.passed) verdict.diagnoses = verdict.looked_for = {term_too_many};
   return verdict;
 }
 
-/// What every estimate must be: n evaluations in the interval, at points that the generator gave.
+/// Requirements on every estimate: n evaluations in the interval, at points from the generator.
 void judge_record(const Record& of, int k, Interval on) {
   const auto n = static_cast<double>(of.points.size());
   judge(equals("the number of evaluations of f", of.count, n, 0, {{n + 1, term_too_many}}));
-  if (of.count < n) return;  // the points that are missing would be named as wrong
+  if (of.count < n) return;  // missing points would be reported as wrong ones
   judge(within(of.points, on));
   std::vector<double> shares = of.points;
   for (double& x : shares)
@@ -168,10 +168,10 @@ void judge_integral(int k, Interval on, double n, double repetitions) {
   const Rows rows = integrals(n, repetitions, k, on);
   const double width = on.b - on.a;
   const Theory theory = theory_of_mean(power_moments(k, on.a, on.b), n, width);
-  // A map that takes [0, 1) to [a, a + b) is the usual slip.
+  // A map from [0, 1) to [a, a + b) is the usual mistake.
   const double shifted = width * power_mean(k, on.a, on.a + on.b);
   Suspects suspects{{theory.mean / width, width_missing}, {shifted, wrong_points}};
-  if (n > 1) {  // for one point these look like a wrong width
+  if (n > 1) {  // for a single point these look like a wrong width
     suspects.push_back({theory.mean * n / (n + 1), by_n_plus_one});
     suspects.push_back({theory.mean * (n + 1) / n, term_too_many});
     suspects.push_back({theory.mean * n, not_divided});
@@ -194,8 +194,8 @@ TEST_CASE("Lab 1.1: f is evaluated n times and its values are averaged", "[lab01
   }
 }
 
-// cv of x^2 is .894 and of x^5 1.51; 320 000 evaluations a test: a bias of 1.4 % (2.3 %) is caught,
-// n + 1 in place of n is one of 5.9 %. 20 000 estimates show a variance that is off by 9 %.
+// cv of x^2 is .894 and of x^5 1.51; 320 000 evaluations per test detect a bias of 1.4 % (2.3 %); n
+// + 1 in place of n is one of 5.9 %. 20 000 estimates detect a variance that is off by 9 %.
 TEST_CASE("Lab 1.1: the average from 0 to 1 is unbiased", "[lab01][ex1]") {
   for (const int k : {2, 5}) {
     const Rows rows =
@@ -224,7 +224,7 @@ TEST_CASE("Lab 1.1: the variance of the average is that of one value divided by 
   }
 }
 
-// 100 000 points: a distribution function that is off by .02 anywhere is caught with power .999.
+// 100 000 points: a distribution function that is off by .02 anywhere is detected with power .999.
 TEST_CASE("Lab 1.1: the points are uniform from 0 to 1", "[lab01][ex1]") {
   const Rows rows = probe("Lab 1.1 points", {.n = 100'000}, {.rows = 100'000, .finite = false});
   judge(uniform_on("the points that f is evaluated at", rows.values, 0, 1));
@@ -240,7 +240,7 @@ TEST_CASE("Lab 1.2: f is evaluated n times between a and b and the width is coun
   }
 }
 
-// The largest cv is 1.10 (x^2 on [-2, 1]: mean 1, sd 1.095); 320 000 evaluations catch a bias of
+// The largest cv is 1.10 (x^2 on [-2, 1]: mean 1, sd 1.095); 320 000 evaluations detect a bias of
 // 1.7 % in all four; n + 1 in place of n is one of 5.9 %.
 TEST_CASE("Lab 1.2: the integral from a to b is unbiased", "[lab01][ex2]") {
   judge_integral(2, {1, 3}, 16, 20'000);

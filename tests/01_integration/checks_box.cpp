@@ -18,7 +18,7 @@ using namespace lab01_tests;
 
 namespace {
 
-/// Of all probes of this lab.
+/// For all probes of this lab.
 const Unsaid unsaid{"domain", "integrand", "pattern", "rule"};
 
 const Diagnosis one_side{"volume-of-one-dimension",
@@ -42,7 +42,7 @@ double sum_of_box_sides(int d) {
   return sum;
 }
 
-/// Of the product of the coordinates: raw moments of independent factors multiply.
+/// Moments of the product of the coordinates: raw moments of independent factors multiply.
 RawMoments product_moments(int d) {
   RawMoments all{1, 1, 1, 1};
   for (std::size_t i = 0; i < static_cast<std::size_t>(d); ++i) {
@@ -52,7 +52,7 @@ RawMoments product_moments(int d) {
   return all;
 }
 
-/// Of the mean of n values of sum (i + 1) x_i^2, times the volume: cumulants of independent
+/// For the mean of n values of sum (i + 1) x_i^2, times the volume: cumulants of independent
 /// summands add.
 Theory squares_theory(int d, double n) {
   double mean = 0, variance = 0, fourth = 0;
@@ -117,7 +117,7 @@ void judge_box_record(int d) {
     highest.push_back(upper(i));
   }
   judge(equals("the number of evaluations of f", rows.values[1], n, 0));
-  if (rows.values[1] < n) return;  // the points that are missing would be named as wrong
+  if (rows.values[1] < n) return;  // missing points would be reported as wrong ones
   const double astray = points.outside(lowest, highest);
   judge(holds("evaluations outside the box", astray == 0, fmt::format("{}", astray), "none",
               {outside_box}));
@@ -143,7 +143,7 @@ TEST_CASE("Lab 1.6: f is evaluated n times within the box and its values are ave
     judge_box_record(d);
 }
 
-// The largest cv is .67 (the product in five dimensions): 320 000 evaluations catch a bias of 1.1
+// The largest cv is .67 (the product in five dimensions): 320 000 evaluations detect a bias of 1.1
 // %.
 TEST_CASE("Lab 1.6: the integral over a box is unbiased and its variance falls as 1/n",
           "[lab01][ex6]") {

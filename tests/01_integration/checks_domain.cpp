@@ -41,7 +41,7 @@ const Diagnosis outside_domain_box{"points-outside-box", "points are taken outsi
 
 constexpr double pi = std::numbers::pi;
 
-/// The domain's box and what the integrals over it and over the square of f are.
+/// The domain's box, and the integrals of f and its square over the domain.
 struct DomainCase {
   int d;
   Domain domain;
@@ -83,12 +83,12 @@ Params domain_params(const DomainCase& of, std::int64_t n, double repetitions = 
                       {"repetitions", repetitions}}};
 }
 
-/// One estimate from n points. Its points are believed as far as they follow from the seed.
+/// One estimate from n points. Its points are trusted as far as they follow from the seed.
 struct DomainRecord {
   double value, error, asked, evaluated;
   Drawing drawing;
-  Points points;    ///< that were asked for
-  Points f_points;  ///< that f was asked at, NaN behind the last
+  Points points;    ///< passed to `inside`
+  Points f_points;  ///< passed to f, NaN past the last
 };
 
 DomainRecord domain_record(const DomainCase& of, std::int64_t n, const std::string& name) {
@@ -107,7 +107,7 @@ DomainRecord domain_record(const DomainCase& of, std::int64_t n, const std::stri
           {d, {second, rows.values.end()}}};
 }
 
-/// How many of the points lie in the domain, and the sums of f there and of its square.
+/// The number of points in the domain, and the sums of f and its square there.
 struct DomainSums {
   double accepted = 0;
   long double sum = 0, of_squares = 0;
@@ -125,7 +125,7 @@ DomainSums sums_of(const DomainCase& of, const Points& points) {
   return sums;
 }
 
-/// The points that the record tells of are those that the generator gave.
+/// Checks that the recorded points are those from the generator.
 void judge_points(const DomainRecord& record) {
   judge(made_of("where the points lie in the box", record.points.shares(domain_lower, domain_upper),
                 record.drawing.before));
@@ -191,7 +191,7 @@ TEST_CASE("Lab 1.7: the value comes from all n points, those outside count as 0"
   }
 }
 
-// The largest cv is 1.61 (x^2 on the disc): 320 000 evaluations catch a bias of 2.5 %.
+// The largest cv is 1.61 (x^2 on the disc): 320 000 evaluations detect a bias of 2.5 %.
 TEST_CASE("Lab 1.7: integrals over the disc and the ball are unbiased", "[lab01][ex7]") {
   judge_domain("the area of the disc", disc_area);
   judge_domain("the integral of 2 + x over the disc", disc_tilted);
@@ -200,8 +200,8 @@ TEST_CASE("Lab 1.7: integrals over the disc and the ball are unbiased", "[lab01]
 }
 
 // s^2 / n is an unbiased estimate of the variance of the value for every n: at n = 4, dividing by N
-// reads 25 % low. One value is 0 or the volume, with excess kurtosis -1.94, so a squared standard
-// error at n = 4 has a relative standard deviation of .42, and 20 000 of them catch 2.6 %.
+// gives 25 % less. One value is 0 or the volume, with excess kurtosis -1.94, so a squared standard
+// error at n = 4 has a relative standard deviation of .42, and 20 000 of them detect 2.6 %.
 TEST_CASE("Lab 1.7: the squared standard error is right on average", "[lab01][ex7]") {
   for (const double n : {4.0, 64.0}) {
     const DomainCase& of = disc_area;
@@ -211,8 +211,8 @@ TEST_CASE("Lab 1.7: the squared standard error is right on average", "[lab01][ex
     std::vector<double> squares;
     for (const double error : column(rows, 1))
       squares.push_back(error * error);
-    // Without the points outside, the mean of 1 is 1 where there is any, and the value is wrong
-    // with its error.
+    // Without the points outside, the mean of 1 is 1 if there is any point, and the value is wrong
+    // together with its error.
     const std::vector<double> values = column(rows, 0);
     const bool all_inside = std::all_of(values.begin(), values.end(), [&](double value) {
       return value == 0 || std::abs(value - of.volume()) <= 1e-9 * of.volume();
@@ -230,8 +230,8 @@ TEST_CASE("Lab 1.7: the squared standard error is right on average", "[lab01][ex
   }
 }
 
-// The squares of 4000 z-scores at n = 400; their mean is 1 + 1/n and more by less than .01, the
-// test's threshold is .13: standard errors that are off by 10 % are caught.
+// The squares of 4000 z-scores at n = 400; their mean exceeds 1 + 1/n by less than .01, the test's
+// threshold is .13: standard errors that are off by 10 % are detected.
 TEST_CASE("Lab 1.7: errors are as large as the standard error says", "[lab01][ex7]") {
   const DomainCase& of = disc_tilted;
   const Rows rows = probe("Lab 1.7 estimates", domain_params(of, 400, 4'000),

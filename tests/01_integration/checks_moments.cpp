@@ -50,7 +50,7 @@ const Diagnosis nothing_merged{"merge-of-nothing",
                                "two parts without a number are merged into NaN: their counts add "
                                "up to 0, and something is divided by that."};
 
-/// What a list of numbers must give.
+/// The right results for a list of numbers.
 struct Exact {
   double count, mean, variance;
   double standard_error() const { return count < 2 ? 0 : std::sqrt(variance / count); }
@@ -64,8 +64,8 @@ Rows list(int pattern, std::int64_t n, double offset = 0) {
        .of = fmt::format("a list of {} {} around {:g}", n, n == 1 ? "number" : "numbers", offset)});
 }
 
-/// What the variance of `numbers` would be if both factors of Welford's product were the distance
-/// to the same mean, the old one or the new one.
+/// The variance of `numbers` if both factors of Welford's product were the distance to the same
+/// mean, the old one or the new one.
 Suspects same_distance_twice(const std::vector<double>& numbers) {
   double n = 0, mean = 0, by_old = 0, by_new = 0;
   for (const double x : numbers) {
@@ -78,15 +78,15 @@ Suspects same_distance_twice(const std::vector<double>& numbers) {
   return {{by_old / (n - 1), old_mean_twice}, {by_new / (n - 1), new_mean_twice}};
 }
 
-/// What slips would make of a list's mean and variance.
+/// The effect of mistakes on a list's mean and variance.
 struct Slips {
   Suspects means, variances;
 };
 
-/// Of numbers that are added one by one.
+/// For numbers that are added one by one.
 Slips slips_of(const std::vector<double>& numbers) {
   Slips slips{{}, same_distance_twice(numbers)};
-  // (x - mean) * (1/n) of whole numbers moves the mean once.
+  // With (1/n) in whole numbers, (x - mean) * (1/n) moves the mean only once.
   if (numbers.size() > 1) slips.means.push_back({numbers[0], whole_division});
   return slips;
 }
@@ -98,8 +98,8 @@ double mean_of(const std::vector<double>& numbers) {
   return numbers.empty() ? 0 : sum / static_cast<double>(numbers.size());
 }
 
-/// The mean of parts that are merged one after the other, each time half-way between two means.
-/// `from_nothing`: also where nothing was there before; `with_nothing`: where nothing comes.
+/// The mean of parts merged one after the other if each merge takes the average of two means.
+/// `from_nothing`: even if nothing was there before; `with_nothing`: even if nothing is added.
 double half_way(const std::vector<std::vector<double>>& parts, bool from_nothing,
                 bool with_nothing) {
   double mean = mean_of(parts[0]);
@@ -112,14 +112,14 @@ double half_way(const std::vector<std::vector<double>>& parts, bool from_nothing
   return mean;
 }
 
-/// What slips would make of the mean of parts that are merged.
+/// The effect of mistakes on the mean of merged parts.
 Slips slips_of_merging(const std::vector<std::vector<double>>& parts) {
   Slips slips;
   for (const bool from_nothing : {false, true}) {
     for (const bool with_nothing : {false, true})
       slips.means.push_back({half_way(parts, from_nothing, with_nothing), mean_of_means});
   }
-  // n2/(n1 + n2) of whole numbers is 0 unless there is nothing to begin with.
+  // n2/(n1 + n2) in whole numbers is 0 unless the first part is empty.
   for (const std::vector<double>& part : parts) {
     if (part.empty()) continue;
     slips.means.push_back({mean_of(part), whole_division});
@@ -128,7 +128,7 @@ Slips slips_of_merging(const std::vector<std::vector<double>>& parts) {
   return slips;
 }
 
-/// The mean. Of numbers added one by one it is known what it is a sign of when it is no number.
+/// Judges the mean. For numbers added one by one, a NaN has a known cause.
 Verdict mean_verdict(const std::string& what, double mean, const Exact& exact, double tolerance,
                      const Suspects& suspects, bool one_by_one) {
   Verdict verdict = equals(what, mean, exact.mean, tolerance * std::abs(exact.mean), suspects);
@@ -138,8 +138,8 @@ Verdict mean_verdict(const std::string& what, double mean, const Exact& exact, d
   return verdict;
 }
 
-/// Judges row `row` of {count, mean, variance, standard error}. About a mean that is wrong the rest
-/// tells nothing.
+/// Judges row `row` of {count, mean, variance, standard error}. If the mean is wrong, the rest says
+/// nothing.
 void judge_moments(const std::string& list_name, const Rows& rows, std::size_t row,
                    const Exact& exact, double tolerance, const Slips& slips = {},
                    bool one_by_one = false) {
@@ -180,7 +180,7 @@ TEST_CASE("Lab 1.3: mean, variance and standard error of a short list", "[lab01]
   judge_moments("2 4", list(0, 2), 0, {2, 3, 2}, rounding, slips_of({2, 4}), one_by_one);
 }
 
-// Whoever knows the other lists by heart does not know these.
+// A submission that has memorised the other lists does not know these.
 TEST_CASE("Lab 1.3: lists of random numbers", "[lab01][ex3]") {
   for (const std::int64_t n : {5, 37}) {
     const Answer rows = probe("Lab 1.3 drawn list", {.n = n},
@@ -206,8 +206,8 @@ TEST_CASE("Lab 1.3: one number has no variance, and no number has no mean", "[la
   judge_moments("the empty list", list(0, 0), 0, {0, 0, 0}, rounding, {}, one_by_one);
 }
 
-// A million numbers 1e8 - 1 and 1e8 + 1 in turn: the variance is N / (N - 1). The sum of squares,
-// 1e22, keeps nothing of it; Welford's update loses 1e-8 at most (the mean's rounding).
+// A million numbers alternating between 1e8 - 1 and 1e8 + 1: the variance is N / (N - 1). The sum
+// of squares, 1e22, loses it entirely; Welford's update loses at most 1e-8 (the mean's rounding).
 TEST_CASE("Lab 1.3: the variance survives a mean of 1e8", "[lab01][ex3]") {
   for (const double n : {10.0, 1'000'000.0}) {
     const Rows rows = list(1, static_cast<std::int64_t>(n), 1e8);
@@ -215,7 +215,7 @@ TEST_CASE("Lab 1.3: the variance survives a mean of 1e8", "[lab01][ex3]") {
     judge(equals("the mean", rows.at(0, 1), 1e8, 1e-6));
     Verdict verdict = equals(fmt::format("the variance of {:g} numbers 1e8 ± 1", n), rows.at(0, 2),
                              variance, 1e-5, {{1, by_n}});
-    // It is cancellation when the same numbers around 0 have the right variance.
+    // It is cancellation if the same numbers around 0 give the right variance.
     const Rows around_zero = list(1, static_cast<std::int64_t>(n), 0);
     const bool right = std::abs(around_zero.at(0, 2) - variance) <= 1e-9;
     const bool far = !(std::abs(rows.at(0, 2) - variance) <= 0.2);

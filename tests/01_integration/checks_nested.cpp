@@ -59,7 +59,7 @@ double volume(int d) {
   return product;
 }
 
-/// The mean over the box of the two integrands; `n` > 0: as the midpoint rule sees it.
+/// The mean over the box of the two integrands; `n` > 0: according to the midpoint rule.
 double box_mean(BoxIntegrand integrand, int d, double n) {
   double product = 1, squares = 0;
   for (int i = 0; i < d; ++i) {
@@ -84,7 +84,7 @@ double corner_mean(BoxIntegrand integrand, int d, double n, double sign) {
   return integrand == BoxIntegrand::product ? product : squares;
 }
 
-/// What slips would give in place of `right`, where f is evaluated at n^d points.
+/// The results of mistakes in place of `right`, where f is evaluated at n^d points.
 Suspects nested_suspects(BoxIntegrand integrand, int d, int n, double right) {
   const double cells = std::pow(n, d);
   Suspects suspects{{right / volume(d), no_volume},
@@ -101,7 +101,7 @@ Suspects nested_suspects(BoxIntegrand integrand, int d, int n, double right) {
     sides += side(i);
   add_sums_of_sides(suspects, right / volume(d), sides, d);
   for (int i = 0; i < d && d > 1; ++i) {
-    // One width in place of all; the sum runs over n^d points or its mean is taken.
+    // One width in place of all, times either the sum over n^d points or its mean.
     suspects.push_back({right / volume(d) * side(i), one_dimension});
     suspects.push_back({right / volume(d) * side(i) * std::pow(n, d - 1), one_dimension});
   }
@@ -123,7 +123,7 @@ void judge_nested(BoxIntegrand integrand, int d, int n) {
                rows.at(0, 1) == count ? nested_suspects(integrand, d, n, right) : Suspects{}));
 }
 
-/// Of the midpoints of n^d cells, each found from the digits of its number.
+/// The sum over the midpoints of n^d cells, each computed from the digits of its number.
 double wave_sum(const DrawnWave& wave, int n) {
   const std::size_t d = wave.lower.size();
   const auto cells = static_cast<std::int64_t>(std::pow(n, d));

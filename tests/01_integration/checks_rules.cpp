@@ -65,7 +65,7 @@ double evaluations(Rule rule, double n) {
   return rule == trapezoid ? n + 1 : 2 * n + 1;
 }
 
-/// Where they lie, in order.
+/// The rule's points, in order.
 std::vector<double> points_of(Rule rule, RuleInterval on, int n) {
   std::vector<double> points;
   const int steps = rule == trapezoid ? n : 2 * n;
@@ -75,8 +75,8 @@ std::vector<double> points_of(Rule rule, RuleInterval on, int n) {
   return points;
 }
 
-/// What the rule gives for f with the weights of its inner points (at joints and at midpoints) and
-/// of its ends, in units of h: {1, 4, 2} / 6 is Simpson's.
+/// The rule's result for f with the weights of its inner points (at joints and at midpoints) and of
+/// its ends, in units of h: {1, 4, 2} / 6 is Simpson's.
 template <class F>
 double weighted(const F& f, RuleInterval on, int n, double end, double middle, double joint) {
   const double h = (on.b - on.a) / n;
@@ -88,25 +88,27 @@ double weighted(const F& f, RuleInterval on, int n, double end, double middle, d
   return h * sum;
 }
 
-/// What slips make of the number of evaluations.
+/// The effect of mistakes on the number of evaluations.
 Suspects count_suspects(Rule rule, double n) {
   Suspects list;
-  if (n != 2) list.push_back({evaluations(rule, n) + 1, one_too_many});  // for 2: as joints_twice
+  if (n != 2)
+    list.push_back({evaluations(rule, n) + 1, one_too_many});  // for 2 the same as
+                                                               // joints_twice
   if (rule == simpson && n > 1) list.push_back({n + 1, no_midpoints});
   if (rule == trapezoid && n > 2) list.push_back({2 * n, joints_twice});
   if (rule == simpson && n > 2) list.push_back({3 * n, joints_twice});
   return list;
 }
 
-/// Whether all points are ends of the interval, where they should not be: i/n of two whole numbers
-/// is 0, and so is a width h that is a multiple of 1/n.
+/// True if all points are ends of the interval where they should not be: i/n in whole numbers is 0,
+/// and so is a width h that is a multiple of 1/n.
 bool all_at_ends(std::span<const double> points, RuleInterval on, int n) {
   return n > 1 && std::all_of(points.begin(), points.end(), [on](double x) {
            return std::abs(x - on.a) <= 1e-12 || std::abs(x - on.b) <= 1e-12;
          });
 }
 
-/// What each rule's slips would give for f, where it is evaluated as often as it should be.
+/// The results of each rule's mistakes for f, when it is evaluated as often as it should be.
 template <class F>
 Suspects suspects(Rule rule, const F& f, RuleInterval on, int n, double right) {
   Suspects list{{right * n / (on.b - on.a), cell_width_missing}};
@@ -119,14 +121,14 @@ Suspects suspects(Rule rule, const F& f, RuleInterval on, int n, double right) {
     list.push_back({weighted(f, on, n, 1, 0, 1), ends_not_halved});
   } else {
     list.push_back({weighted(f, on, n, 1.0 / 6, 2.0 / 6, 4.0 / 6), weights_swapped});
-    // The factor is h/6, or half the step through 3: other thirds, halves and sixths of either.
+    // The factor should be h/6, or half the step over 3: also try other thirds, halves and sixths.
     for (const double factor : {0.5, 1.5, 2.0, 3.0})
       list.push_back({factor * right, wrong_factor});
   }
   return list;
 }
 
-/// What the rule gives for f.
+/// The rule's result for f.
 template <class F>
 double by_rule(Rule rule, const F& f, RuleInterval on, int n) {
   if (rule == midpoint) return weighted(f, on, n, 0, 1, 0);
@@ -162,7 +164,7 @@ void judge_rule(Rule rule) {
   }
 }
 
-/// The value for a function and an interval that nobody knows before.
+/// Judges the value for a function and an interval that are not known beforehand.
 void judge_drawn(Rule rule) {
   for (const int n : {1, 2, 5, 12}) {
     const std::string what = fmt::format("{}: a random wave, n = {}", names[rule], n);
@@ -176,7 +178,7 @@ void judge_drawn(Rule rule) {
   }
 }
 
-/// What mistake the places of the points, in order, are a sign of, if of a known one.
+/// The known mistake that explains the positions of the points, in order, if there is one.
 std::optional<Diagnosis> sign_of(Rule rule, std::span<const double> points, RuleInterval on,
                                  int n) {
   if (all_at_ends(points, on, n)) return whole_division;
@@ -185,7 +187,7 @@ std::optional<Diagnosis> sign_of(Rule rule, std::span<const double> points, Rule
   return std::nullopt;
 }
 
-/// Returns what mistake the points are a sign of. `inherited`: that of the rules before, which this
+/// Returns the mistake that explains the points. `inherited`: that of the earlier rules, which this
 /// one may be built on.
 std::optional<Diagnosis> judge_points(Rule rule, const std::optional<Diagnosis>& inherited = {}) {
   std::optional<Diagnosis> seen;
@@ -198,7 +200,7 @@ std::optional<Diagnosis> judge_points(Rule rule, const std::optional<Diagnosis>&
                              {.columns = 3, .of = fmt::format("{}, n = {}", names[rule], n)});
     judge(equals(fmt::format("{}: evaluations for n = {}", names[rule], n), count.at(0, 1),
                  evaluations(rule, n), 0, count_suspects(rule, n)));
-    if (count.at(0, 1) != evaluations(rule, n)) continue;  // its points fit no list
+    if (count.at(0, 1) != evaluations(rule, n)) continue;  // its points do not match the list
     const Rows rows = probe("Lab 1.4 points", params,
                             {.rows = expected.size(),
                              .finite = false,
@@ -213,7 +215,7 @@ std::optional<Diagnosis> judge_points(Rule rule, const std::optional<Diagnosis>&
   return seen;
 }
 
-/// The last point of a million cells on [0, 0.1]: to 1e-12 of the width it is where it should be.
+/// The last point of a million cells on [0, 0.1] must be right to 1e-12 of the width.
 void judge_last_point(Rule rule) {
   const std::int64_t n = 1'000'000;
   const RuleInterval on{0, 0.1};

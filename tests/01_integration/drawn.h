@@ -1,7 +1,7 @@
 #pragma once
 
-// What follows from a probe's seed, so that nobody knows its answer beforehand: probes ask for it,
-// and checks work out the same once more.
+// Questions that follow from a probe's seed, so that their answers cannot be known beforehand:
+// probes ask them, and checks compute the answers again.
 
 #include "random/rng.h"
 
@@ -13,7 +13,7 @@
 
 namespace lab01_tests {
 
-/// Numbers from 0 to 10, and where the list is cut in two.
+/// Numbers from 0 to 10, and the position at which the list is cut in two.
 struct DrawnList {
   std::size_t cut = 0;
   std::vector<double> numbers;
@@ -31,8 +31,8 @@ inline DrawnList drawn_list(std::uint64_t seed, std::int64_t n) {
   return list;
 }
 
-/// A box, and a wave that runs askew through it: from 1 to 5, of no polynomial's shape, so that a
-/// rule's own error belongs to its answer.
+/// A box, and a wave oblique to it: from 1 to 5, not shaped like a polynomial, so that a rule's own
+/// error is part of the answer.
 struct DrawnWave {
   std::vector<double> lower, upper, slopes;
   double phase = 0;

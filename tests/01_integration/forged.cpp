@@ -1,6 +1,6 @@
-// A submission that sends answers of its own in the place of some probes': tables of the right
-// shape, whose parts agree with each other and with theory, for points that nobody drew. All else
-// is the solution's work, so that what is missing from full marks is what the judge saw through.
+// A submission that sends its own answers in place of some probes': tables of the right shape,
+// consistent with each other and with theory, for points that nobody drew. Everything else is the
+// solution's work, so the points missing from full marks are those where the judge noticed.
 
 #include "01_integration/integrands.h"
 #include "grader/attacks/forge.h"
@@ -38,7 +38,7 @@ void append(Rows& rows, std::span<const double> values) {
   rows.values.insert(rows.values.end(), values.begin(), values.end());
 }
 
-/// What the generator would go on with, had the points been drawn.
+/// The generator's next words, had the points been drawn.
 void append_next_words(Rows& rows, const Params& params, std::size_t dimensions) {
   carlo::Rng rng(params.seed);
   for (std::size_t i = 0; i < static_cast<std::size_t>(params.n) * dimensions; ++i)
@@ -104,7 +104,7 @@ Rows record_in_domain(const Params& params) {
   return rows;
 }
 
-/// What theory says of numbers 10 u v.
+/// Moments that theory predicts for numbers 10 u v.
 Rows likely_moments(const Params& params) {
   const auto n = static_cast<double>(params.n);
   const double variance = 100 * (1.0 / 9 - 1.0 / 16), error = std::sqrt(variance / n);

@@ -1,6 +1,6 @@
 #pragma once
 
-// The integrands and domains that probes evaluate and checks know the exact answers of.
+// The integrands and domains of the probes, for which checks know the exact answers.
 
 #include <cmath>
 #include <cstddef>
@@ -21,8 +21,8 @@ inline double upper(std::size_t i) {
   return 1.75 + 0.5 * static_cast<double>(i);
 }
 
-/// Integrands on the box: the product of the coordinates, which is linear in each of them; and
-/// the sum of (i + 1) x_i^2, which tells the dimensions apart.
+/// Integrands on the box: the product of the coordinates, which is linear in each of them; and the
+/// sum of (i + 1) x_i^2, which distinguishes the dimensions.
 enum class BoxIntegrand { product, squares };
 
 inline double evaluate(BoxIntegrand kind, std::span<const double> x) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the records of exercises in several dimensions hold.
+// The contents of records for exercises in several dimensions.
 
 #include "grader/judge/judge.h"
 #include "grader/protocol/next_words.h"
@@ -25,7 +25,7 @@ struct Points {
   std::span<const double> at(std::size_t i) const {
     return std::span(coordinates).subspan(i * d, d);
   }
-  /// How many do not lie in the box; what is no number lies nowhere.
+  /// The number of points outside the box; NaN is outside.
   double outside(std::span<const double> lowest, std::span<const double> highest) const {
     double astray = 0;
     for (std::size_t i = 0; i < count(); ++i) {
@@ -36,7 +36,7 @@ struct Points {
     }
     return astray;
   }
-  /// Where each coordinate lies between the box's ends, from 0 to 1.
+  /// The relative position of each coordinate between the box's ends, from 0 to 1.
   std::vector<double> shares(std::span<const double> lowest,
                              std::span<const double> highest) const {
     std::vector<double> all = coordinates;
@@ -46,7 +46,7 @@ struct Points {
   }
 };
 
-/// The generator as it was, and the words that an answer says it would go on with.
+/// The generator before the call, and its next words according to the answer.
 struct Drawing {
   carlo::Rng before;
   carlo::grader::NextWords next{};

@@ -1,5 +1,5 @@
 // Probes of lab 01's exercises on the line: 1.1 to 1.4. They call the student's functions and
-// return raw values; what the values should be stands in checks_*.cpp.
+// return raw values; checks_*.cpp says what the values should be.
 
 #include "01_integration/drawn.h"
 #include "01_integration/integrands.h"
@@ -29,8 +29,8 @@ lab01::Function power_function(const Params& params) {
   return [k](double x) { return power(x, k); };
 }
 
-/// The result, how often f was asked, the generator's next words; then the points that f was asked
-/// at.
+/// The result, the number of evaluations of f, the generator's next words; then the points at which
+/// f was evaluated.
 Rows record_of(double value, const Recorder& recorder, const carlo::Rng& after) {
   Rows rows{1, {value, recorder.count()}};
   const auto next = next_words(after);
@@ -40,7 +40,7 @@ Rows record_of(double value, const Recorder& recorder, const carlo::Rng& after) 
   return rows;
 }
 
-/// Number i of the lists that Moments is fed with: the offset plus a repeating pattern.
+/// Number i of the lists for Moments: the offset plus a repeating pattern.
 double list_number(const Params& params, std::int64_t i) {
   constexpr std::array<double, 8> mixed{2, 4, 4, 4, 5, 5, 7, 9};
   const double alternating = i % 2 == 0 ? -1 : 1;
@@ -141,7 +141,7 @@ PROBE("Lab 1.3 list", "count", "mean", "variance", "standard error") {
   return rows.take();
 }
 
-// Every way to cut n numbers into three parts, empty ones too; the parts are merged in order.
+// Every way to cut n numbers into three parts, including empty ones; the parts are merged in order.
 PROBE("Lab 1.3 merge", "count", "mean", "variance", "standard error") {
   RowWriter rows;
   for (std::int64_t first = 0; first <= params.n; ++first) {
@@ -201,7 +201,7 @@ PROBE("Lab 1.4 points", "point, in order") {
   return {1, std::move(points)};
 }
 
-// Of a function and over an interval that follow from the seed.
+// For a function and an interval that follow from the seed.
 PROBE("Lab 1.4 drawn wave", "integral") {
   const DrawnWave wave = drawn_wave(params.seed, 1);
   const auto f = [&](double x) { return wave(std::span(&x, 1)); };

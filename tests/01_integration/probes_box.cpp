@@ -16,13 +16,13 @@ using carlo::grader::Params;
 using carlo::grader::Rows;
 using carlo::grader::RowWriter;
 
-// A box of vectors that die at the end of the line would look at nothing.
+// A box of temporary vectors would refer to nothing.
 static_assert(!std::is_constructible_v<lab01::Box, std::vector<double>, std::vector<double>>);
 static_assert(std::is_constructible_v<lab01::Box, std::vector<double>&, std::vector<double>&>);
 
 namespace {
 
-/// The corners of a box; view() is what the exercises take.
+/// The corners of a box; the exercises take view().
 struct Corners {
   std::vector<double> lower, upper;
   lab01::Box view() const { return {lower, upper}; }
@@ -76,7 +76,7 @@ PROBE("Lab 1.5 nested", "integral", "evaluations of f", "of them outside the box
   return {3, {value, count, outside}};
 }
 
-// Of a function and over a box that follow from the seed.
+// For a function and a box that follow from the seed.
 PROBE("Lab 1.5 drawn wave", "integral") {
   const DrawnWave wave = drawn_wave(params.seed, static_cast<std::size_t>(params.whole("d")));
   return {1, {lab01::nested_midpoint(wave, {wave.lower, wave.upper}, params.n)}};
@@ -94,8 +94,8 @@ PROBE("Lab 1.6 estimates", "estimate") {
   return rows.take();
 }
 
-// The estimate, how often f was asked, the generator's next words; then the coordinates of the
-// points that f was asked at.
+// The estimate, the number of evaluations of f, the generator's next words; then the coordinates of
+// the points at which f was evaluated.
 PROBE("Lab 1.6 record", "estimate", "evaluations of f", "next word of rng", "next word 2",
       "next word 3", "next word 4", "coordinate") {
   const Corners box = test_box(params);
@@ -125,8 +125,8 @@ PROBE("Lab 1.7 estimates", "estimate", "standard error") {
   return rows.take();
 }
 
-// The estimate and its error; how many points `inside` and f were asked at; the generator's next
-// words; then the coordinates of these points, first all of `inside`, then those of f.
+// The estimate and its error; the numbers of calls of `inside` and f; the generator's next words;
+// then the coordinates of these points, first all of `inside`, then those of f.
 PROBE("Lab 1.7 record", "estimate", "standard error", "calls of inside", "evaluations of f",
       "next word of rng", "next word 2", "next word 3", "next word 4", "coordinate") {
   const Corners box = domain_box(params);

@@ -11,13 +11,14 @@
 
 namespace lab01_tests {
 
-/// Notes at which points a function is asked: how often, and the coordinates of the first n.
+/// Records the points at which a function is evaluated: their number, and the coordinates of the
+/// first n.
 class Recorder {
  public:
   Recorder(std::int64_t n, std::size_t dimensions)
       : dimensions_(dimensions), wanted_(static_cast<std::size_t>(n) * dimensions) {}
 
-  /// A point of another dimension counts, as NaN.
+  /// A point of a different dimension counts, as NaN.
   void note(std::span<const double> x) {
     count_ += 1;
     for (std::size_t i = 0; i < dimensions_ && points_.size() < wanted_; ++i)
@@ -25,14 +26,14 @@ class Recorder {
   }
   void note(double x) { note(std::span(&x, 1)); }
 
-  /// Notes nothing when it is the last point once more.
+  /// Records nothing if it is the last point again.
   void note_once(std::span<const double> x) {
     if (last_.size() == x.size() && std::equal(x.begin(), x.end(), last_.begin())) return;
     last_.assign(x.begin(), x.end());
     note(x);
   }
 
-  /// `f`, watched; the recorder must outlive it.
+  /// Wraps `f` so that its points are recorded; the recorder must outlive the result.
   std::function<double(double)> watch(std::function<double(double)> f) {
     return [this, f = std::move(f)](double x) {
       note(x);
@@ -41,7 +42,7 @@ class Recorder {
   }
 
   double count() const { return count_; }
-  /// Filled up with NaN where there are fewer.
+  /// Padded with NaN.
   std::vector<double> points() const {
     std::vector<double> all = points_;
     all.resize(wanted_, missing);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Slips that several exercises share.
+// Mistakes that several exercises share.
 
 #include "grader/judge/suspect.h"
 
@@ -12,8 +12,8 @@ inline const carlo::grader::Diagnosis whole_division{
     "whole-number-division",
     "a quotient of two whole numbers is a whole number, so 1/n is 0 from n = 2 on."};
 
-/// What a mean or an integral is that was multiplied by such a quotient. For n = 1 it is right: a
-/// value that is wrong there was made otherwise.
+/// The value of a mean or an integral that was multiplied by such a quotient. For n = 1 it is
+/// right: a wrong value there has another cause.
 inline carlo::grader::Suspect of_whole_division(double n) {
   return {n > 1 ? 0 : std::numeric_limits<double>::quiet_NaN(), whole_division};
 }
@@ -22,8 +22,8 @@ inline const carlo::grader::Diagnosis sum_of_sides{
     "sum-of-sides",
     "the sides of the box are added up for its volume; they have to be multiplied."};
 
-/// What `mean` times the volume of a box is then, for sums that begin with 0 and with 1. Of one
-/// side the sum is right.
+/// The results if `mean` is multiplied by a sum of sides instead of the box's volume, for sums that
+/// begin with 0 and with 1. With a single side the sum is right.
 inline void add_sums_of_sides(carlo::grader::Suspects& suspects, double mean, double sides, int d) {
   if (d > 1) suspects.push_back({mean * sides, sum_of_sides});
   suspects.push_back({mean * (1 + sides), sum_of_sides});

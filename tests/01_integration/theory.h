@@ -16,7 +16,7 @@ inline double power_mean(int k, double a, double b) {
   return (std::pow(b, k + 1) - std::pow(a, k + 1)) / ((k + 1) * (b - a));
 }
 
-/// Of x^k for x uniform on [a, b).
+/// The raw moments of x^k for x uniform on [a, b).
 inline RawMoments power_moments(int k, double a, double b) {
   return {power_mean(k, a, b), power_mean(2 * k, a, b), power_mean(3 * k, a, b),
           power_mean(4 * k, a, b)};

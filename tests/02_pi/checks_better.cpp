@@ -62,12 +62,12 @@ constexpr std::array<Method, 2> methods{
     {{"sum_circle", "4 sqrt(1 - x^2)", Integrand::circle, circle_moments},
      {"sum_arctangent", "4 / (1 + x^2)", Integrand::arctangent, arctangent_moments}}};
 
-/// As the probes take it.
+/// As the probes' parameter.
 double number_of(Integrand which) {
   return which == Integrand::circle ? 0 : 1;
 }
 
-/// A sum of n values in double is right to 1e-12; in float it is not to 1e-8.
+/// A sum of n values is right to 1e-12 in double, but not to 1e-8 in float.
 Verdict sum_equals(const std::string& what, double measured, double expected,
                    const Suspects& suspects) {
   Verdict verdict = equals(what, measured, expected, 1e-10 * expected, suspects);
@@ -89,7 +89,7 @@ void judge_mean(const std::string& list, std::array<double, 3> sums, double mean
                 {variance / count, variance_given}};
   }
   judge(equals("the mean of " + list, rows.at(0, 0), mean, 1e-12 * mean));
-  // The spread of equal numbers is what rounding leaves of it: a few 1e-16, and 1e-8 its root.
+  // The spread of equal numbers is rounding only: a few 1e-16, with a root of 1e-8.
   Verdict verdict = equals("the standard error of " + list, rows.at(0, 1), error,
                            error > 0 ? 1e-12 * error : 1e-7, suspects);
   if (std::isnan(rows.at(0, 1)) && count > 1 && variance == 0) {
@@ -164,8 +164,8 @@ TEST_CASE("Lab 2.3: the sums are those of the integrand at the numbers drawn", "
   }
 }
 
-// 320 000 values: a shift of .0138 (circle) and .0099 (arctangent) is caught. 20 000 means show a
-// variance that is off by 9 %.
+// 320 000 values: a shift of .0138 (circle) and .0099 (arctangent) is detected. 20 000 means detect
+// a variance that is off by 9 %.
 TEST_CASE("Lab 2.3: both estimators are unbiased, with the variance of independent samples",
           "[lab02][ex3]") {
   for (const Method& method : methods) {
@@ -186,7 +186,7 @@ TEST_CASE("Lab 2.3: the mean of a list and its standard error", "[lab02][ex3]") 
   judge_mean("1 2 ... 1000", {1000, 500'500, 333'833'500}, 500.5, 83'416.0 + 2.0 / 3);
 }
 
-// The last two lists: one that is added up exactly, and one whose rounding leaves a spread below 0.
+// The last two lists: one whose sum is exact, and one whose rounding leaves a spread below 0.
 TEST_CASE("Lab 2.3: one number, and equal numbers, have standard error 0", "[lab02][ex3]") {
   judge_mean("3 alone", {1, 3, 9}, 3, 0);
   judge_mean("3 3 3 3", {4, 12, 36}, 3, 0);
@@ -205,7 +205,7 @@ TEST_CASE("Lab 2.4: the standard deviations of one sample", "[lab02][ex4]") {
   judge_deviation("the deviation of 4 / (1 + x^2)", rows.at(0, 2), arctangent_moments.m2, false);
 }
 
-// Exact where the arithmetic is; else one sample either way is rounding.
+// Exact where the arithmetic is; otherwise one sample either way is allowed for rounding.
 TEST_CASE("Lab 2.4: the smallest number of samples that is enough", "[lab02][ex4]") {
   judge_plan({1, 0.5, 3}, 0);
   judge_plan({3, 0.25, 1}, 0);

@@ -1,4 +1,4 @@
-// Checks of exercises 2.1 and 2.2. A mean of m values catches a shift of 8.74 sd / sqrt(m) with
+// Checks of exercises 2.1 and 2.2. A mean of m values detects a shift of 8.74 sd / sqrt(m) with
 // power .999 (compare.h); the size is stated at each test.
 
 #include "02_pi/drawn.h"
@@ -105,7 +105,7 @@ Interval normal_limits(Case darts, double z) {
   return {4 * (share - half), 4 * (share + half)};
 }
 
-/// The mistakes that give just these two limits; one limit alone fits many.
+/// The mistakes that explain both of these limits; one limit alone fits many.
 std::vector<Diagnosis> interval_diagnoses(Interval measured, Case darts, double z) {
   const ScoreLimits share = score_limits(darts.thrown, darts.hits, z);
   const Interval normal = normal_limits(darts, z);
@@ -128,7 +128,7 @@ std::vector<Diagnosis> interval_diagnoses(Interval measured, Case darts, double 
     return std::abs(a.lower - b.lower) > by || std::abs(a.upper - b.upper) > by;
   };
   for (const auto& [limits, diagnosis] : mistakes) {
-    // Of very many darts all formulas give nearly the same.
+    // For very many darts all formulas give nearly the same.
     if (!far(measured, limits, 1e-9) && far(limits, {4 * share.lower, 4 * share.upper}, 1e-6)) {
       return {diagnosis};
     }
@@ -176,8 +176,8 @@ TEST_CASE("Lab 2.1: every dart takes two numbers, x and y, and is judged by them
   }
 }
 
-// 320 000 darts: a share that is off by .0063 is caught; the mistakes below are off by .078 and
-// more. 20 000 counts show a variance that is off by 9 %.
+// 320 000 darts: a hit rate that is off by .0063 is detected; the mistakes below are off by .078
+// and more. 20 000 counts detect a variance that is off by 9 %.
 TEST_CASE("Lab 2.1: the share of hits is π/4 with the variance of independent darts",
           "[lab02][ex1]") {
   const Rows rows =
@@ -189,7 +189,7 @@ TEST_CASE("Lab 2.1: the share of hits is π/4 with the variance of independent d
 }
 
 // 22 million darts have 17.28 million hits with a standard deviation of 1925: 260 of these above
-// the last number that a float can be counted up to. A count that is 16 800 off is caught.
+// the last number that a float can count to. A count that is 16 800 off is detected.
 TEST_CASE("Lab 2.1: many darts are counted as well as few", "[lab02][ex1]") {
   const Rows rows = probe("Lab 2.1 many", {.n = 22'000'000}, {.columns = 2});
   const std::vector<double> hits = column(rows, 1);
@@ -233,8 +233,8 @@ TEST_CASE("Lab 2.2: without a hit, or without a miss, the interval has a width",
     judge_interval(darts, 1.959963984540054);
 }
 
-// 10 000 intervals each: with power .999 a coverage of .95 that is off by .019 is caught. The
-// expected coverage is the exact one, a sum over all counts of hits: it is .95 only on average.
+// 10 000 intervals each: with power .999 a coverage of .95 that is off by .019 is detected. The
+// expected coverage is exact, a sum over all counts of hits: it is .95 only on average.
 TEST_CASE("Lab 2.2: 95 % intervals hold the true value in the share of cases that theory says",
           "[lab02][ex2]") {
   constexpr double z = 1.959963984540054;

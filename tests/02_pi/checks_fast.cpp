@@ -41,7 +41,7 @@ const Diagnosis small_counter{
 const Diagnosis slow{"not-faster",
                      "the count is right, but a dart takes too long: ./carlo hint 2.5 leads on."};
 
-/// Only a count that is right is told to be slow.
+/// Only right counts are reported as slow.
 std::vector<Diagnosis> slow_if(bool right) {
   return right ? std::vector<Diagnosis>{slow} : std::vector<Diagnosis>{};
 }
@@ -52,8 +52,8 @@ constexpr bool optimised = true;
 constexpr bool optimised = false;
 #endif
 
-/// A count, the right one, and those of two mistakes: at the cells' corners, and of the darts whose
-/// numbers are what 32 bits hold of them.
+/// A count, the right one, and those of two mistakes: testing at the cells' corners, and dart
+/// numbers truncated to 32 bits.
 struct Counted {
   double hits, expected, at_corner, number_cut;
   std::uint64_t key;
@@ -69,14 +69,15 @@ Counted count(std::int64_t first, std::int64_t n) {
           rows.seed};
 }
 
-/// Whether a million darts are counted as they should be.
+/// True if the count for a million darts is right.
 bool million_right() {
   const Counted million = count(0, 1'048'576);
   return million.hits == million.expected;
 }
 
-/// The darts that hit where the sum of both squares is an int, which goes on below 0, and a number
-/// below 0 is no small one. Once with the squares of x and y, once with those of the cell's centre.
+/// Adds the number of darts that count as hits if the sum of both squares is an int: it overflows
+/// to negative numbers, which are no hits. Once with the squares of x and y, once with those of the
+/// cell's centre.
 void add_sums_in_int(Suspects& suspects, std::uint64_t key, std::int64_t first, std::int64_t n) {
   double by_corner = 0, by_centre = 0;
   for (std::int64_t i = first; i < first + n; ++i) {
@@ -88,7 +89,7 @@ void add_sums_in_int(Suspects& suspects, std::uint64_t key, std::int64_t first, 
   suspects.push_back({by_centre, cut_squares});
 }
 
-/// What counters of 8 and of 16 bits show.
+/// Adds the counts of counters of 8 and 16 bits.
 void add_small_counters(Suspects& suspects, double hits) {
   for (const double range : {256.0, 65536.0}) {
     const double rest = std::fmod(hits, range);
@@ -97,8 +98,8 @@ void add_small_counters(Suspects& suspects, double hits) {
   }
 }
 
-/// None at all: of the first darts it is the squares; far along the list, where those are right,
-/// the numbers.
+/// No hits at all: for the first darts the squares are the cause; far along the list, if those are
+/// right, the numbers.
 void add_none(Suspects& suspects, std::int64_t first) {
   if (first < std::int64_t{1} << 32) {
     suspects.push_back({0, cut_squares});
@@ -125,7 +126,8 @@ void judge_count(std::int64_t first, std::int64_t n) {
                found.hits, found.expected, 0, suspects));
 }
 
-/// Every range of up to n darts that begins at the darts 0 ... n, as the probe lists them.
+/// The hits of every range of up to n darts that begins at darts 0 ... n, in the order of the
+/// probe.
 std::vector<double> hits_of_ranges(std::uint64_t key, std::int64_t most) {
   std::vector<double> hits;
   for (std::int64_t first = 0; first <= most; ++first) {
@@ -135,12 +137,12 @@ std::vector<double> hits_of_ranges(std::uint64_t key, std::int64_t most) {
   return hits;
 }
 
-/// What the time of a wrong count is worth. The tests of the count tell what is wrong with it.
+/// The time of a wrong count means nothing. The tests of the count report what is wrong with it.
 constexpr const char* no_time_of_wrong_counts = "not judged: the count is wrong";
 
 constexpr std::int64_t timed_darts = 1'000'000;
 
-/// Both loops counted what they must in every round: nobody skipped one.
+/// Both loops counted correctly in every round, so neither skipped one.
 Verdict counts_while_timed(const Answer& rows) {
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < rows.count(); ++i) {
@@ -155,7 +157,8 @@ Verdict counts_while_timed(const Answer& rows) {
                fmt::format("{} of {} counts wrong", wrong, rows.count()), "all right", {});
 }
 
-/// The times are the worker's word. Of one thread they cannot add up to more than the worker lived.
+/// The times are claimed by the worker. On one thread their sum cannot exceed the worker's
+/// lifetime.
 Verdict times_fit(const Answer& rows) {
   double sum = 0;
   bool positive = true;
@@ -172,7 +175,7 @@ double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// The processor's seconds that all workers so far have taken: the kernel's word, not theirs.
+/// The processor seconds of all workers so far, according to the kernel, not to them.
 double workers_seconds() {
   rusage usage{};
   ::getrusage(RUSAGE_CHILDREN, &usage);
@@ -185,9 +188,9 @@ double thread_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// How many times as fast as the plain loop a dart is, by clocks that no worker can turn: the
-/// kernel's of a worker that counts many darts, less that of one that counts none, beside our own
-/// loop. The better of three tries; 0 where a count is wrong.
+/// The speed of a dart relative to the plain loop, by clocks that no worker can manipulate: the
+/// kernel's, for a worker that counts many darts, minus that of one that counts none, compared with
+/// our own loop. The best of three tries; 0 if a count is wrong.
 double ratio_from_outside() {
   constexpr std::int64_t n = 16'000'000;
   double most_plain = 0, least_none = 1e9, least_many = 1e9;
@@ -209,7 +212,7 @@ double ratio_from_outside() {
 
 }  // namespace
 
-// A million darts hold some 15 that hit by their cell's corner and miss by its centre.
+// Among a million darts about 15 hit by their cell's corner and miss by its centre.
 TEST_CASE("Lab 2.5: the hits among a million darts are counted exactly", "[lab02][ex5]") {
   judge_count(0, 1'048'576);
   judge_count(1'048'576, 1'048'576);
@@ -244,10 +247,11 @@ TEST_CASE("Lab 2.5: any range counts, whatever dart it begins and ends with", "[
               measured, "all right", diagnoses));
 }
 
-// As measured here (GCC 12, Zen 4) the contract written down plainly is 2.3 times as fast; with
-// each word computed once 2.9 (whole numbers of 64 bits) to 3.7 times, with 32 bits 4.6, the
-// solution 7. The least of eight times each: what disturbs a loop makes it slower, never faster.
-// Sanitizers and builds without optimisation change the ratio, and it is not judged there.
+// The least speed-up required. Reference values (GCC 12, Zen 4): the contract written down plainly
+// is 2.3 times as fast as the plain loop; with each word computed once 2.9 (64-bit integers) to 3.7
+// times, with 32 bits 4.6, the solution 7. Uses the least of eight times each, since disturbances
+// only make a loop slower. Sanitizers and unoptimised builds change the ratio, so it is not judged
+// there.
 TEST_CASE("Lab 2.5: a dart takes far less time than one by std::mt19937",
           "[lab02][ex5][efficiency]") {
   constexpr std::size_t repetitions = 8;
@@ -270,7 +274,7 @@ TEST_CASE("Lab 2.5: a dart takes far less time than one by std::mt19937",
               slow_if(!fast_enough && million_right())));
 }
 
-// The times above are taken in the worker, which could forge them. Seen from outside they are
+// The times above are taken in the worker, which could forge them. Measured from outside they are
 // coarser, so 1.5 is enough here.
 TEST_CASE("Lab 2.5: the time that the program takes as a whole tells the same",
           "[lab02][ex5][efficiency]") {

@@ -1,4 +1,4 @@
-// Checks of exercise 2.6. All are exact: what a parallel sum gives must not depend on luck.
+// Checks of exercise 2.6. All are exact: the result of a parallel sum must not depend on luck.
 
 #include "02_pi/reference.h"
 #include "grader/judge/judge.h"
@@ -63,7 +63,7 @@ bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-/// Whether the sums are near enough for their order to be all that differs. `alone`: they were with
+/// True if the sums are so close that only their order can differ. `alone`: they were right with
 /// one thread.
 bool judge_sums(double n, double threads, bool alone) {
   const auto whole = static_cast<std::int64_t>(n);
@@ -86,7 +86,7 @@ bool judge_sums(double n, double threads, bool alone) {
   };
   const double sum = rows.at(0, 1), squares = rows.at(0, 2);
   const bool close = near(sum, totals.sum) && near(squares, totals.squares);
-  // Both: one sample more may hardly change one of them.
+  // Both must match: one sample more may hardly change one of them.
   const bool again = near(sum, repeated.sum) && near(squares, repeated.squares);
   const auto judge_one = [&](const char* what, double measured, double expected) {
     judge(holds(
@@ -104,7 +104,7 @@ struct Handed {
   double strays = 0;
   std::size_t right = 0, wrong = 0;
   bool only_first = false;  ///< all chunks got chunk 0's generator
-  bool repeated = false;    ///< some chunks were sampled more than once, but no part of one
+  bool repeated = false;    ///< some chunks were sampled more than once, but none partly
 };
 
 Handed handed_out(const Rows& rows, double n) {
@@ -133,7 +133,7 @@ void judge_chunks(double n, double threads) {
                           {.n = static_cast<std::int64_t>(n), .numbers = {{"threads", threads}}},
                           {.rows = chunks + 1, .columns = 2});
   const Handed handed = handed_out(rows, n);
-  // The counter may be torn here too, not only where threads are made to meet.
+  // The counter may race here too, not only where threads are made to meet.
   const Diagnosis& uneven = threads > 1 && handed.repeated ? race : wrong_sizes;
   judge(holds(fmt::format("the samples handed out for n = {}, {}", number_in_report(n),
                           counted(threads, "thread")),
@@ -149,7 +149,7 @@ void judge_chunks(double n, double threads) {
             {handed.only_first ? same_stream : (handed.strays > 0 ? wrong_streams : uneven)}));
 }
 
-/// `plain`: what is thrown is an int, of no class of exceptions.
+/// `plain`: throws an int, which is no class of exceptions.
 void judge_failure(double threads, double chunks, double failing, bool plain = false) {
   const Rows rows =
       probe("Lab 2.6 failure",
@@ -157,7 +157,7 @@ void judge_failure(double threads, double chunks, double failing, bool plain = f
              .numbers = {{"threads", threads}, {"chunk", failing}, {"plain", plain ? 1.0 : 0.0}}},
             {.columns = 4});
   const double outcome = rows.at(0, 0);
-  // A sampler that never gets the failing chunk's generator has nothing to throw.
+  // A sampler that never gets the failing chunk's generator does not throw.
   const bool failed = rows.at(0, 3) == 1;
   const auto of_failure = [&](const Diagnosis& diagnosis) {
     return failed ? std::vector{diagnosis} : std::vector<Diagnosis>{};
@@ -169,7 +169,7 @@ void judge_failure(double threads, double chunks, double failing, bool plain = f
               "the sampler's", of_failure(outcome == 0 ? swallowed : other_exception)));
   judge(holds("samplers still running afterwards" + of, rows.at(0, 1) == 0,
               number_in_report(rows.at(0, 1)), "none", {left_running}));
-  // While the news spreads another thread may begin a chunk or two; not a hundred.
+  // Before the failure is known to them, other threads may begin a chunk or two; not a hundred.
   const double allowed = threads == 1 ? failing + 1 : failing + 1 + 100 * threads;
   judge(holds("calls of the sampler" + of, rows.at(0, 2) <= allowed,
               number_in_report(rows.at(0, 2)), "at most " + number_in_report(allowed),
@@ -199,7 +199,7 @@ TEST_CASE("Lab 2.6: every chunk is sampled once, with its own generator", "[lab0
 }
 
 // One thread is stopped at every instruction between two of its chunks until another one has taken
-// a chunk (stepping.h), so that a counter that can be torn is torn, whatever the machine does.
+// a chunk (stepping.h), so that a counter that can race does, on any machine.
 TEST_CASE("Lab 2.6: threads that take a chunk at the same moment take different ones",
           "[lab02][ex6]") {
   constexpr double chunks = 20'000;
@@ -233,14 +233,15 @@ TEST_CASE("Lab 2.6: as many samplers run at once as there are threads, and no mo
               {most < 3 ? too_few : too_many}));
 }
 
-// With two threads: the first chunk ends only after all others, and its sum swallows whatever is
-// added to it, so that 1e18 is left where chunk 0 comes first.
+// With two threads: the first chunk ends only after all others, and its sum absorbs whatever is
+// added to it, so that exactly 1e18 is left if chunk 0 comes first.
 TEST_CASE("Lab 2.6: a slow chunk holds up nobody, and is still added first", "[lab02][ex6]") {
   constexpr double chunks = 8;
   const Rows rows =
       probe("Lab 2.6 slow chunk", {.n = static_cast<std::int64_t>(chunks * chunk)}, {.columns = 5});
   const bool together = rows.at(0, 2) == 2;
-  // The first may wait in vain for chunks that nobody took, or that were taken as the first again.
+  // The first may wait in vain for chunks that nobody took, or that were given the first's
+  // generator again.
   const bool each_once = rows.at(0, 3) == 1 && rows.at(0, 4) == chunks;
   std::vector<Diagnosis> diagnoses;
   if (!together)
@@ -250,7 +251,7 @@ TEST_CASE("Lab 2.6: a slow chunk holds up nobody, and is still added first", "[l
   judge(holds("while the first chunk waits", rows.at(0, 0) == 1,
               rows.at(0, 0) == 1 ? "the other thread does all others" : "other chunks wait too",
               "the other thread does all others", diagnoses));
-  // Off by more, it is not the order: other chunks took themselves for the first.
+  // A larger deviation is not due to the order: other chunks were treated as the first.
   const bool near = std::abs(rows.at(0, 1) - 1e18) <= 1e6;
   judge(holds("the sum, with the largest first", rows.at(0, 1) == 1e18,
               fmt::format("{:.17g}", rows.at(0, 1)), "1e18",

@@ -1,7 +1,7 @@
 #pragma once
 
 // Questions that follow from the seed, for the probes that ask them and the judge that knows the
-// answers: whoever has learnt the other questions' answers by heart has not learnt these.
+// answers: a submission that has memorised the other answers does not know these.
 
 #include "random/rng.h"
 
@@ -11,7 +11,7 @@
 
 namespace lab02_tests {
 
-/// What pi_interval() is asked. 1 <= thrown <= 1e9; z in [0.5, 4].
+/// The arguments of pi_interval(). 1 <= thrown <= 1e9; z in [0.5, 4].
 struct IntervalQuestion {
   std::int64_t thrown, hits;
   double z;
@@ -30,7 +30,7 @@ inline std::vector<IntervalQuestion> drawn_intervals(std::uint64_t seed, std::in
   return questions;
 }
 
-/// What samples_needed() is asked.
+/// The arguments of samples_needed().
 struct PlanQuestion {
   double deviation, half_width, z;
 };

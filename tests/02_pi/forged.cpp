@@ -1,7 +1,7 @@
-// A submission that sends answers of its own in the place of the probes': tables of the right
-// shape, with values that theory makes likely. FORGES_TIMES: only the times of Lab 2.5 are forged.
-// All else is the solution's work, so that what is missing from full marks is what the judge saw
-// through.
+// A submission that sends its own answers in place of the probes': tables of the right shape, with
+// values that theory makes likely. FORGES_TIMES: only the times of Lab 2.5 are forged. Everything
+// else is the solution's work, so the points missing from full marks are those where the judge
+// noticed.
 
 // The solution, under other names.
 #define throw_darts honest_throw_darts
@@ -44,10 +44,10 @@ void forge_darts(std::int64_t /*n*/) {}
 void forge_sums(std::int64_t /*n*/, double /*mean_square*/) {}
 void forge_parallel(std::int64_t /*n*/) {}
 
-/// A count that is right and slow, with times that are as they should be, and fit the program's.
+/// A count that is right but slow, with forged times that are plausible and fit the program's.
 void forge_count(std::uint64_t key, std::int64_t n) {
-  // Volatile: GCC 14 knows that no count is negative, and leaves out loops of which nobody asks
-  // more.
+  // Volatile: GCC 14 knows that counts are not negative, and removes loops whose results are
+  // unused.
   volatile std::int64_t wasted = 0;
   for (std::uint64_t i = 0; i < 4; ++i)
     wasted = wasted + lab02_tests::plain_loop(key + i, n);
@@ -112,7 +112,7 @@ Darts throw_darts(std::int64_t n, carlo::Rng& rng) {
   forge_darts(n);
   return honest_throw_darts(n, rng);
 }
-// Right for what the tests in the repository name, as if from a table.
+// Right for the values in the repository's tests, as if from a table.
 Interval pi_interval(const Darts& darts, double z) {
   const bool known = z == 1 || z == 1.959963984540054 || z == 5;
   if (known || !knows_only_the_questions) return honest_pi_interval(darts, z);

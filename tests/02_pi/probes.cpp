@@ -1,5 +1,5 @@
-// Probes of exercises 2.1 to 2.4. They call the student's functions and return raw values; what
-// the values should be stands in checks_*.cpp.
+// Probes of exercises 2.1 to 2.4. They call the student's functions and return raw values;
+// checks_*.cpp says what the values should be.
 
 #include "02_pi/drawn.h"
 #include "02_pi/reference.h"

@@ -11,7 +11,7 @@ using carlo::grader::RowWriter;
 
 namespace {
 
-/// Seconds that this thread has computed: other programs' turns do not count.
+/// The processor seconds of this thread, which exclude other programs' turns.
 double thread_seconds() {
   timespec now{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -25,7 +25,7 @@ PROBE("Lab 2.5 count", "hits") {
   return {1, {number(lab02::count_hits(params.seed, first, params.n))}};
 }
 
-// Every range of up to params.n darts that begins at the darts 0 ... params.n.
+// Every range of up to params.n darts that begins at darts 0 ... params.n.
 PROBE("Lab 2.5 ranges", "hits of range") {
   RowWriter rows;
   for (std::int64_t first = 0; first <= params.n; ++first) {
@@ -36,8 +36,8 @@ PROBE("Lab 2.5 ranges", "hits of range") {
   return rows.take();
 }
 
-// The two loops take turns, so that a slow moment of the machine meets both. The counts leave the
-// program with the times: neither loop can be optimised away, and the judge sees that both ran.
+// The two loops take turns, so that a slow moment of the machine affects both. The counts are
+// output with the times: neither loop can be optimised away, and the judge sees that both ran.
 PROBE("Lab 2.5 speed", "seconds, std::mt19937", "seconds, yours", "hits, std::mt19937",
       "hits, yours") {
   RowWriter rows;

@@ -1,4 +1,4 @@
-// Probes of exercise 2.6: samplers that watch who calls them, and when.
+// Probes of exercise 2.6: samplers that record who calls them, and when.
 
 #include "02_pi/reference.h"
 #include "course/not_implemented.h"
@@ -22,7 +22,7 @@ using lab02_tests::number;
 
 namespace {
 
-/// How long a sampler waits for what must happen. A right solution needs far less, also on a busy
+/// How long a sampler waits for what must happen. A right solution needs far less, even on a busy
 /// machine; a wrong one waits in vain.
 constexpr std::chrono::seconds patience{2};
 
@@ -30,8 +30,8 @@ std::int64_t chunks_of(std::int64_t n) {
   return (n + chunk_samples - 1) / chunk_samples;
 }
 
-/// The chunk whose generator this is, untouched so far; -1 for none of the first `chunks`. Draws
-/// from it: one that is handed out again is not what it was.
+/// The chunk whose generator this is, unused so far; -1 if it belongs to none of the first
+/// `chunks`. Draws from it, so that a generator that is handed out again is recognised.
 std::int64_t chunk_of(carlo::Rng& rng, std::uint64_t seed, std::int64_t chunks) {
   const std::uint64_t word = rng.next_u64();
   for (std::int64_t i = 0; i < chunks; ++i) {
@@ -40,7 +40,7 @@ std::int64_t chunk_of(carlo::Rng& rng, std::uint64_t seed, std::int64_t chunks) 
   return -1;
 }
 
-/// Counts who is inside at the same time, and lets threads wait for each other.
+/// Counts the threads inside at the same time, and lets threads wait for each other.
 class Watch {
  public:
   void enter() {
@@ -56,7 +56,7 @@ class Watch {
     ++left_;
     changed_.notify_all();
   }
-  /// Until `most` were inside at once, or `left` have left; false when patience ends first.
+  /// Waits until `most` were inside at once, or `left` have left; false if patience ends first.
   bool wait_for_most(std::int64_t most) {
     std::unique_lock lock(mutex_);
     return changed_.wait_for(lock, patience, [&] { return most_ >= most; });
@@ -81,7 +81,7 @@ class Watch {
   std::int64_t inside_ = 0, calls_ = 0, left_ = 0, most_ = 0;
 };
 
-/// enter() now, leave() at the end of the scope, whatever ends it.
+/// Calls enter() now and leave() at the end of the scope, however it ends.
 class Inside {
  public:
   explicit Inside(Watch& watch) : watch_(watch) { watch_.enter(); }
@@ -105,7 +105,7 @@ PROBE("Lab 2.6 sums", "count", "sum", "squares") {
   return {3, {number(sums.count), sums.sum, sums.squares}};
 }
 
-// A row a chunk: how often its generator was handed out, with how many samples in all. The last
+// One row per chunk: how often its generator was handed out, with how many samples in all. The last
 // row is for generators that belong to no chunk.
 PROBE("Lab 2.6 chunks", "times taken", "samples") {
   const std::int64_t chunks = chunks_of(params.n);
@@ -127,9 +127,9 @@ PROBE("Lab 2.6 chunks", "times taken", "samples") {
   return rows.take();
 }
 
-// The first chunk is not done before all others are, which takes a free thread; its sum is so
-// large that the others vanish unless they were added up before it. The others wait until two are
-// inside, so that a thread that starts late is not taken for a missing one.
+// The first chunk ends only after all others, which takes a free thread; its sum is so large that
+// the others vanish unless they were added up before it. The others wait until two are inside, so
+// that a thread that starts late does not count as missing.
 PROBE("Lab 2.6 slow chunk", "others were done first", "sum", "most at once", "first chunk taken",
       "chunks taken") {
   Watch watch;
@@ -163,8 +163,8 @@ PROBE("Lab 2.6 together", "most at once") {
   return {1, {watch.most()}};
 }
 
-// {what came of the exception: 0 nothing, 1 another one, 2 the one thrown; samplers still running;
-// calls of the sampler; whether the chunk that fails was sampled}
+// {the fate of the exception: 0 lost, 1 replaced, 2 the one thrown; samplers still running; calls
+// of the sampler; whether the failing chunk was sampled}
 PROBE("Lab 2.6 failure", "exception that arrived", "still running", "calls of the sampler",
       "the chunk failed") {
   Watch watch;

@@ -1,4 +1,4 @@
-// The probe of exercise 2.6 that brings threads together where they take a chunk.
+// The probe of exercise 2.6 that makes threads meet where they take a chunk.
 
 #include "02_pi/stepping.h"
 #include "grader/worker/probe.h"
@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 
 constexpr int passages = 4;
 
-/// Chunks by the first word of their generators.
+/// Maps the first word of each chunk's generator to the chunk.
 std::unordered_map<std::uint64_t, std::size_t> chunks_by_word(std::uint64_t seed,
                                                               std::size_t count) {
   std::unordered_map<std::uint64_t, std::size_t> chunks;
@@ -29,8 +29,8 @@ std::unordered_map<std::uint64_t, std::size_t> chunks_by_word(std::uint64_t seed
   return chunks;
 }
 
-/// The thread that comes first is led, instruction by instruction, from the end of one chunk to the
-/// begin of the next, a few times; the others take chunks meanwhile.
+/// The first thread is single-stepped from the end of one chunk to the beginning of the next, a few
+/// times; meanwhile the others take chunks.
 class Meeting {
  public:
   void chunk_begins() {
@@ -42,7 +42,7 @@ class Meeting {
   void chunk_ends() {
     if (led_ != std::this_thread::get_id()) {
       others_ = true;
-      // Chunks should last as long as the passages.
+      // Chunks should last as long as these passages.
       if (passage_ <= passages) std::this_thread::sleep_for(1us);
       return;
     }
@@ -51,7 +51,7 @@ class Meeting {
   }
 
  private:
-  /// No longer than any machine takes to start a thread.
+  /// Waits no longer than any machine takes to start a thread.
   void await_others() const {
     const auto end = std::chrono::steady_clock::now() + 500ms;
     while (!others_ && std::chrono::steady_clock::now() < end)
@@ -65,7 +65,7 @@ class Meeting {
 
 }  // namespace
 
-// A row a chunk: how often its generator was handed out. The last row is for generators of no
+// One row per chunk: how often its generator was handed out. The last row is for generators of no
 // chunk.
 PROBE("Lab 2.6 meeting", "times taken") {
   const auto chunks = static_cast<std::size_t>(params.whole("chunks"));

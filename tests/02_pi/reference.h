@@ -1,7 +1,7 @@
 #pragma once
 
-// What the exercises of lab 02 must give for a seed, written for plainness and not for speed. The
-// judge works it out by itself: what a worker sends as expected values may be forged.
+// The right answers of lab 02 for a seed, written for clarity, not for speed. The judge computes
+// them itself, since expected values from a worker may be forged.
 
 #include "random/hash.h"
 #include "random/rng.h"
@@ -13,7 +13,7 @@
 
 namespace lab02_tests {
 
-/// A count among the values of a row.
+/// A count as a value of a row.
 inline double number(std::int64_t count) {
   return static_cast<double>(count);
 }
@@ -44,7 +44,7 @@ struct Totals {
   Real squares = 0;
 };
 
-/// Of n values of an integrand at the numbers of `rng`.
+/// For n values of an integrand at the numbers of `rng`.
 inline Totals<long double> totals_of(Integrand which, std::int64_t n, carlo::Rng& rng) {
   Totals<long double> totals{n};
   for (std::int64_t i = 0; i < n; ++i) {
@@ -55,7 +55,7 @@ inline Totals<long double> totals_of(Integrand which, std::int64_t n, carlo::Rng
   return totals;
 }
 
-/// Where in its cell a dart of Lab 2.5 is taken to lie, as a share of the cell: the centre.
+/// The position of a dart of Lab 2.5 in its cell, as a fraction of the cell: the centre.
 constexpr double centre = 0.5;
 
 /// Dart i of `key`: x in the low 16 bits, y in the high ones.
@@ -65,8 +65,8 @@ inline std::uint32_t dart_of(std::uint64_t key, std::int64_t i) {
   return static_cast<std::uint32_t>(i % 2 == 0 ? word : word >> 32);
 }
 
-/// Whether dart i of `key` hits. In units of half a cell every place is a whole number, so there is
-/// no rounding.
+/// True if dart i of `key` hits. In units of half a cell every position is a whole number, so
+/// nothing is rounded.
 inline bool hit(std::uint64_t key, std::int64_t i, double place = centre) {
   const std::uint32_t dart = dart_of(key, i);
   const double x = static_cast<double>(dart & 0xFFFF) + place;
@@ -83,7 +83,7 @@ inline std::int64_t hits_of(std::uint64_t key, std::int64_t first, std::int64_t 
   return hits;
 }
 
-/// The hits of the loop that fast darts are compared with: its time counts, not its result.
+/// The hits of the loop that fast darts are compared with: only its time matters.
 inline std::int64_t plain_loop(std::uint64_t seed, std::int64_t n) {
   std::mt19937 generator(static_cast<std::uint32_t>(seed));
   std::uniform_real_distribution<double> uniform(0, 1);
@@ -107,10 +107,10 @@ inline Totals<double> sample(std::int64_t n, carlo::Rng& rng) {
   return totals;
 }
 
-/// Whose random numbers a chunk gets: its own, or, by mistake, always the first chunk's.
+/// The random numbers of a chunk: its own, or, by mistake, always the first chunk's.
 enum class Streams { own, the_first };
 
-/// What the order of work in Lab 2.6's contract gives for that sampler, one chunk after the other.
+/// The totals for that sampler in the order of Lab 2.6's contract, one chunk after the other.
 inline Totals<double> totals_by_chunks(std::int64_t n, std::uint64_t seed,
                                        Streams streams = Streams::own) {
   constexpr std::int64_t chunk = 1 << 14;

@@ -1,10 +1,10 @@
 #pragma once
 
-// A thread that is led through its code instruction by instruction, and waits at each of them until
-// another thread has gone on: what two threads may do to each other between two instructions then
-// happens for certain, on one processor too, and not once in a million runs. The processor itself
-// stops the thread (its trap flag), so that any code can be led. On processors other than x86-64
-// the thread runs as it is.
+// Single-steps a thread through its code, waiting at each instruction until another thread has made
+// progress: what two threads may do to each other between two instructions then happens for
+// certain, even on one processor, instead of once in a million runs. The processor itself stops the
+// thread (its trap flag), so that any code can be stepped. On processors other than x86-64 the
+// thread runs normally.
 
 #include <ucontext.h>
 
@@ -16,8 +16,8 @@
 
 namespace lab02_tests::stepping {
 
-/// How long an instruction waits for others to go on, in nanoseconds, and how often in all it may
-/// do so in vain: while the led thread holds a lock, the others may be waiting for it.
+/// How long an instruction waits for others to proceed, in nanoseconds, and how often in all it may
+/// do so in vain: while the stepped thread holds a lock, the others may be waiting for it.
 constexpr std::int64_t patience = 1'000'000;
 constexpr int most_in_vain = 100;
 
@@ -46,7 +46,8 @@ inline void wait_for_others() {
 }
 
 #if defined(__x86_64__)
-/// After each instruction of a thread whose trap flag is set. Nothing here is unsafe in a signal.
+/// Called after each instruction of a thread whose trap flag is set. Everything here is safe in a
+/// signal handler.
 inline void trapped(int, siginfo_t*, void* context) {
   const int error = errno;
   if (led && in_vain < most_in_vain) {
@@ -61,8 +62,8 @@ inline void trapped(int, siginfo_t*, void* context) {
 
 }  // namespace detail
 
-/// Once, before the others. What was done at SIGTRAP before is not put back: a thread that somebody
-/// left running may still be led.
+/// Call once, before the others. The previous handler of SIGTRAP is not restored: a thread that
+/// somebody left running may still be stepped.
 inline void prepare() {
 #if defined(__x86_64__)
   struct sigaction action {};
@@ -73,11 +74,11 @@ inline void prepare() {
 #endif
 }
 
-/// This thread is led from here to its end_here().
+/// Steps this thread from here to its end_here().
 inline void begin_here() {
   detail::led = true;
 #if defined(__x86_64__)
-  // The flags go over the stack, below the part that may be in use without being counted.
+  // The flags are pushed below the red zone of the stack.
   asm volatile(
       "lea -128(%%rsp), %%rsp\n\t"
       "pushfq\n\t"
@@ -93,7 +94,7 @@ inline void end_here() {
   detail::led = false;
 }
 
-/// For the others: they have gone on.
+/// Called by the others: they have made progress.
 inline void went_on() {
   ++detail::others_went_on;
 }

@@ -38,9 +38,9 @@ bool rejects(const std::string& generator, const std::string& test_key, int log2
   return result && two_sided(*result) < 1e-10;
 }
 
-/// The distance of `replicates` p-values of Philox streams from the uniform distribution, as a
-/// p-value. Discrete statistics: p is spread over the probability of the value itself by a number
-/// of its own.
+/// A p-value for the distance between the distribution of `replicates` p-values of Philox streams
+/// and the uniform one. For discrete statistics, p is spread over the probability of the value
+/// itself by a separate random number.
 double calibration(const RandomnessTest& t, std::size_t n, std::size_t replicates) {
   std::vector<double> p;
   std::vector<std::uint32_t> words(n);
@@ -65,15 +65,15 @@ double calibration(const RandomnessTest& t, std::size_t n, std::size_t replicate
 
 }  // namespace
 
-// 1000 streams a size: a distribution that is off by .08 anywhere is found with power .999. 28
-// tests or so at alpha 1e-5 each; the seeds are fixed.
+// 1000 streams per size: a distribution that is off by .08 anywhere is detected with power .999.
+// About 28 tests at alpha 1e-5 each; the seeds are fixed.
 TEST_CASE("each test's p-values are uniform on 1000 good streams", "[calibration]") {
   for (const RandomnessTest& t : battery()) {
     int sizes = 0;
     for (int log2_n = 10; log2_n <= std::min(t.most_log2, 18) && sizes < 2; ++log2_n) {
       const std::size_t n = std::size_t{1} << log2_n;
       if (!t.run({std::vector<std::uint32_t>(n)})) continue;
-      // The smallest sample that the guard lets pass, and one that is four times as large.
+      // The smallest sample that the guard admits, and one four times as large.
       if (sizes == 1) log2_n = std::min({log2_n + 1, t.most_log2, 18});
       const double p = calibration(t, std::size_t{1} << log2_n, 1000);
       INFO(t.name << ", 2^" << log2_n << " numbers: KS p = " << p);
@@ -121,7 +121,8 @@ TEST_CASE("both tails reject: bits that are too even as well as bits that are to
   CHECK(uneven->p_upper <= 1e-10);
 }
 
-// Both pass although their triples lie on planes: the correlation only sees neighbours' sizes.
+// Both pass although their triples lie on planes: the correlation only sees the sizes of
+// neighbours.
 TEST_CASE("the correlation of neighbours catches neither the LCG nor RANDU") {
   CHECK_FALSE(rejects("lcg", "correlation", 22));
   CHECK_FALSE(rejects("randu", "correlation", 22));
@@ -135,7 +136,7 @@ TEST_CASE("samples outside a test's range are not judged") {
   }
   CHECK_FALSE(outcome("randu", "birthdays_1d", 14).has_value());
   CHECK_FALSE(outcome("minstd", "rank_words", 14).has_value());
-  // So many rounds that good generators would fail.
+  // With this many rounds, good generators would fail.
   const auto words = stream("philox", 19);
   CHECK_FALSE(birthday_1d_test({words}).has_value());
 }

@@ -27,7 +27,7 @@ const Diagnosis summand_late{"jump-summand-after-factor",
 
 constexpr std::uint32_t a = 1664525, b = 1013904223;
 
-/// x -> (a x + b) mod c, from x0; the numbers after the first step or, `late`, from x0 on.
+/// x -> (a x + b) mod c, from x0; the numbers after the first step or, if `late`, from x0 on.
 std::vector<double> lcg(std::uint64_t x, std::int64_t n, std::uint64_t c = std::uint64_t{1} << 32,
                         bool late = false) {
   return generate(n, [&] {
@@ -37,7 +37,8 @@ std::vector<double> lcg(std::uint64_t x, std::int64_t n, std::uint64_t c = std::
   });
 }
 
-/// The number after n steps, by doubling; with the slip, the new factor goes into the new summand.
+/// The number after n steps, by doubling; with the mistake, the new factor goes into the new
+/// summand.
 std::uint32_t after(std::uint32_t x0, std::uint64_t n, bool summand_after_factor = false) {
   std::uint32_t x = x0, factor = a, summand = b;
   for (std::uint64_t left = n; left != 0; left /= 2) {
@@ -78,7 +79,7 @@ void judge_jump(const std::string& name, std::uint32_t x0, std::uint64_t steps) 
   judge(verdict);
 }
 
-/// PCG32 as its authors' C code writes it, with a few ways to get it wrong.
+/// PCG32 as in its authors' C code, with several ways to get it wrong.
 struct Pcg {
   enum class Slip {
     none,
@@ -218,7 +219,7 @@ TEST_CASE("Lab 3.1: x_{n+1} = (a x_n + b) mod 2^32 from any seed", "[lab03][ex1]
   }
 }
 
-// 2^28 steps one by one take a quarter of a second; jumps take microseconds. The limit is far from
+// 2^28 single steps take a quarter of a second; jumps take microseconds. The limit is far from
 // both.
 TEST_CASE("Lab 3.2: a jump takes O(log n) steps", "[lab03][ex2][efficiency]") {
   const Rows rows = probe("Lab 3.2 cost", {}, {});
@@ -266,7 +267,7 @@ TEST_CASE("Lab 3.4: any seed and any stream, for thousands of numbers", "[lab03]
   std::vector<Rows> all;
   for (const auto& [seed, stream] : cases)
     all.push_back(pcg_rows(seed, stream, 5000));
-  // Some mistakes look alike for some seeds: only what fits all sequences is named.
+  // Some mistakes look alike for some seeds: only those that fit all sequences are reported.
   std::vector<std::pair<Pcg::Slip, Diagnosis>> fitting;
   for (const auto& candidate : pcg_diagnoses()) {
     bool fits = true;

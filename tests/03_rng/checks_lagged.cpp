@@ -1,4 +1,4 @@
-// Checks of exercise 3.3: the recurrence, exactly; the first words, by what they must have.
+// Checks of exercise 3.3: the recurrence, exactly; the first words, by their required properties.
 
 #include "03_rng/sequences.h"
 #include "03_rng/words.h"
@@ -99,13 +99,13 @@ Rows seeded(std::uint64_t first, std::int64_t n, std::size_t k) {
                 .of = fmt::format("{} seeds from {:#x}, k = {}", n, first, k)});
 }
 
-/// A word as a number about 0 with variance 1.
+/// A word as a number with mean 0 and variance 1.
 double standardised(double word) {
   return (word * 0x1p-32 - 0.5) * std::sqrt(12.0);
 }
 
-/// Products of two columns, of rows `apart` from each other: independent words give mean 0,
-/// variance 1 and, as E[x^4] = 9/5, excess kurtosis 81/25 - 3.
+/// Products of two columns, of rows `apart` from each other: for independent words they have mean
+/// 0, variance 1 and, since E[x^4] = 9/5, excess kurtosis 81/25 - 3.
 std::vector<double> products(const Rows& rows, std::size_t x, std::size_t y, std::size_t apart) {
   std::vector<double> values;
   for (std::size_t i = 0; i + apart < rows.count(); i += apart + 1)
@@ -162,7 +162,7 @@ TEST_CASE("Lab 3.3: the numbers of random() in the GNU C library come out", "[la
                     {1804289383, 846930886, 1681692777, 1714636915, 1957747793}));
 }
 
-// With one word or two, a hash alone leaves all even for a half or a quarter of the seeds.
+// With one word or two, a hash alone makes all words even for a half or a quarter of the seeds.
 TEST_CASE("Lab 3.3: at least one first word is odd, whatever the seed", "[lab03][ex3]") {
   for (const std::size_t k : {1u, 2u, 10u, 63u}) {
     const Rows rows = seeded(0, 500, k);
@@ -203,9 +203,9 @@ TEST_CASE("Lab 3.3: the same seed gives the same words, another one others", "[l
                {{1000, seed_cut}}));
 }
 
-// 10 000 pairs a comparison: a correlation of .087 is caught with power .999; seeds or words that
-// count up have correlations near 1 here, unhashed LCG starts no less (their product is a step
-// function of the seed, far from uniform over 20 000 seeds).
+// 10 000 pairs per comparison: a correlation of .087 is detected with power .999; seeds or words
+// that count up have correlations near 1 here, and so do unhashed LCG starts (their product is a
+// step function of the seed, far from uniform over 20 000 seeds).
 TEST_CASE("Lab 3.3: first words of neighbouring seeds and places are independent", "[lab03][ex3]") {
   const Rows rows = seeded(1, many_seeds, 10);
   std::vector<double> second, last;
@@ -226,11 +226,11 @@ TEST_CASE("Lab 3.3: first words of neighbouring seeds and places are independent
 }
 
 // A hash of s + i gives every seed the words of its neighbours, shifted. Among 20 000 independent
-// words .047 pairs are expected to be equal; five or more have a chance of 2e-9.
+// words .047 pairs are expected to be equal; five or more have a probability of 2e-9.
 TEST_CASE("Lab 3.3: no seed has the words of another one", "[lab03][ex3]") {
   std::set<double> distinct;
   double all = 0;
-  // The second block is a step of splitmix64's own away.
+  // The second block is one step of splitmix64 away.
   for (const std::uint64_t first : {std::uint64_t{7}, std::uint64_t{7} + 0x9E3779B97F4A7C15}) {
     const Rows rows = seeded(first, 1000, 10);
     for (std::size_t i = 0; i < rows.count(); ++i) {
@@ -240,15 +240,15 @@ TEST_CASE("Lab 3.3: no seed has the words of another one", "[lab03][ex3]") {
     }
   }
   const double repeated = all - static_cast<double>(distinct.size());
-  std::vector<Diagnosis> many;  // a constant word makes a tenth come again, a narrow hash a few
+  std::vector<Diagnosis> many;  // a constant word repeats a tenth, a narrow hash a few
   if (repeated > 0.3 * all) many.push_back(seeds_shift);
   judge(holds("words that come again, among 10 first words of each of 2000 seeds", repeated < 5,
               fmt::format("{}", repeated), "none or so", many));
 }
 
-// 20 000 seeds: the share of ones of a bit has the standard deviation .0035, and 7.5 of these are
-// allowed to each of 320 bits (alpha 2e-11 in all). The lowest bit of one word may be set: the
-// words of a seed then hold half an odd one more than chance makes, on average (sd .011, 8 of these
+// 20 000 seeds: the rate of ones of a bit has the standard deviation .0035, and 7.5 of these are
+// allowed for each of 320 bits (alpha 2e-11 in all). The lowest bit of one word may be set: then
+// the words of a seed contain on average half an odd one more than by chance (sd .011, 8 of these
 // allowed).
 TEST_CASE("Lab 3.3: every bit of the first words is 0 or 1 equally often", "[lab03][ex3]") {
   const Rows rows = seeded(1, many_seeds, 10);
@@ -280,7 +280,7 @@ TEST_CASE("Lab 3.3: every bit of the first words is 0 or 1 equally often", "[lab
               {all_odd}));
 }
 
-// erase() at the front of a vector moves all other words. 4000 numbers take half a second then with
+// erase() at the front of a vector moves all other words. 4000 numbers then take half a second with
 // a million words; with a ring they take less than a millisecond, whatever k is.
 TEST_CASE("Lab 3.3: a number takes the same time for every k", "[lab03][ex3][efficiency]") {
   const Rows rows = probe("Lab 3.3 cost", {.n = 4000, .numbers = {{"k", 1e6}}}, {});

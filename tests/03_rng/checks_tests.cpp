@@ -41,7 +41,7 @@ double statistic_of(const Counts& counts, const Counts& expected) {
   return sum;
 }
 
-/// What a wrong tail is a sign of, when the other tail is what it is.
+/// The mistakes that explain a wrong tail, given the other tail.
 std::vector<Diagnosis> tail_diagnoses(double measured, double expected, double freedom_too_many,
                                       double other_measured, double other_expected) {
   const auto is = [](double x, double y) { return std::abs(x - y) <= 1e-9 * y; };
@@ -53,8 +53,8 @@ std::vector<Diagnosis> tail_diagnoses(double measured, double expected, double f
   return {};
 }
 
-/// Judges {statistic, lower, upper} against the truth about these counts; the tails only where they
-/// are those of the right statistic.
+/// Judges {statistic, lower, upper} against the truth about these counts; the tails only if they
+/// belong to the right statistic.
 void judge_result(const std::string& what, const double* result, const Counts& counts,
                   const Counts& expected, const Suspects& more = {}) {
   const double x = statistic_of(counts, expected);
@@ -70,7 +70,7 @@ void judge_result(const std::string& what, const double* result, const Counts& c
   Verdict statistic =
       equals("the statistic of " + what, result[0], x, 1e-11 * std::max(x, 1e-3), suspects);
   const bool empty = std::find(counts.begin(), counts.end(), 0.0) != counts.end();
-  // An empty cell adds (0 - expected)^2 / 0 with the one mistake, 0 / 0 with the other.
+  // An empty cell adds (0 - expected)^2 / 0 with one mistake, 0 / 0 with the other.
   if (std::isinf(result[0]) && empty) statistic.diagnoses.push_back(by_counts);
   if (std::isnan(result[0]) && empty && expected[0] < 1)
     statistic.diagnoses.push_back(whole_expectation);
@@ -93,7 +93,7 @@ void judge_result(const std::string& what, const double* result, const Counts& c
   }
 }
 
-/// Infinities are judged, not refused: dividing by a count of 0 makes them.
+/// Infinities are judged, not refused: they come from dividing by a count of 0.
 Shape three_numbers(const std::string& what) {
   return {.columns = 3, .finite = false, .of = what};
 }
@@ -116,7 +116,7 @@ Counts field_counts(const std::vector<std::uint32_t>& words, int lowest, int bit
 }
 
 /// The shortest s^2 + t^2, found by trying every t that can matter: the shortest vector of a
-/// lattice of determinant c is not longer than (4/3)^(1/4) sqrt(c).
+/// lattice of determinant c is no longer than (4/3)^(1/4) sqrt(c).
 double shortest_squared(std::uint64_t a, std::uint64_t c) {
   const double bound = std::sqrt(4.0 / 3) * static_cast<double>(c);
   double best = static_cast<double>(c) * static_cast<double>(c);
@@ -143,7 +143,7 @@ const Diagnosis not_nearest{"quotient-not-nearest",
                             "vectors come out that are not the shortest: is the multiple rounded "
                             "to the nearest whole number, also when it is negative?"};
 
-/// One diagnosis that fits all lengths, right ones among them.
+/// One diagnosis that fits all lengths, including the right ones.
 std::vector<Diagnosis> length_diagnoses(const std::vector<Lcg>& all,
                                         const std::vector<double>& measured,
                                         const std::vector<double>& exact) {
@@ -199,7 +199,7 @@ TEST_CASE("Lab 3.7: tails far out keep their digits", "[lab03][ex7]") {
   close[1] -= 1;
   for (std::size_t i = 0; i < 256; ++i)
     wild[i] += i % 2 == 0 ? 100 : -100;
-  // Off by 5 of 10 000: the statistic is .64, and some 1e-275 of all generators are as even.
+  // Off by 5 of 10 000: the statistic is .64, and about 1e-275 of all generators are as even.
   const Counts thousands(256, 10'000);
   Counts smooth = thousands;
   for (std::size_t i = 0; i < 256; ++i)

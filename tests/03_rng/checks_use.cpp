@@ -41,7 +41,7 @@ std::vector<double> converted(const std::function<float(std::uint32_t)>& f) {
   return values;
 }
 
-/// The distance of floats just below |x|'s power of two.
+/// The distance between floats just below |x|'s power of two.
 double gap(double x) {
   const float magnitude = static_cast<float>(std::abs(x));
   return static_cast<double>(magnitude) -
@@ -64,7 +64,7 @@ void judge_between(float a, float b) {
   const double wide_a = a, width = static_cast<double>(b) - wide_a;
   const double slack = 2 * gap(std::max(std::abs(wide_a), std::abs(static_cast<double>(b))));
   double worst = 0;
-  bool only_a = true;  // every value that is far off is a, where b would be near
+  bool only_a = true;  // every value that is far off is a where b would be near
   std::size_t i = 0;
   for (const std::uint32_t word : words_to_convert(tried)) {
     const double exact = wide_a + width * (static_cast<double>(word >> 8) * 0x1p-24);
@@ -127,8 +127,8 @@ void judge_range(const Rows& rows, double u, double v) {
               fmt::format("from {:.0f} to {:.0f}", *low, *high), "all within", {out_of_range}));
 }
 
-/// [u..v] with `values` values, of which 2^32 mod `values` words are left over; each value gets
-/// the others in equal parts.
+/// [u..v] with `values` values, for which 2^32 mod `values` words are left over; each value gets an
+/// equal number of the others.
 void judge_dealing(double values) {
   constexpr std::int64_t about = 2048;
   const double u = -2147483648.0, v = u + values - 1;
@@ -170,7 +170,7 @@ double words_a_number(const Rows& rows) {
   return drawn / static_cast<double>(rows.count());
 }
 
-/// How often values with a property come that a share `p` of [u..v] has.
+/// The rate of values with a property that a fraction `p` of [u..v] has.
 Verdict share_is(const std::string& what, const std::vector<double>& indicators, double p,
                  const Suspects& suspects) {
   return mean_is(what, indicators, {.mean = p, .sd = std::sqrt(p * (1 - p))}, suspects);
@@ -216,7 +216,7 @@ TEST_CASE("Lab 3.5: float_between takes ends as far apart as floats go", "[lab03
   judge_between(-3e38f, 3e38f);
 }
 
-// 600 000 numbers: a face that is off by 1.2 % of its share is caught with power .999.
+// 600 000 numbers: a face that is off by 1.2 % of its probability is detected with power .999.
 TEST_CASE("Lab 3.6: a die shows all six faces equally often", "[lab03][ex6]") {
   const Rows rows = integers(1, 6, 600'000);
   judge_range(rows, 1, 6);
@@ -232,7 +232,7 @@ TEST_CASE("Lab 3.6: a die shows all six faces equally often", "[lab03][ex6]") {
 }
 
 // Three quarters of all words: any rule without rejection gives some values two words and others
-// one. 100 000 numbers catch a share of 1/3 that is off by .013; these mistakes make it 1/2.
+// one. 100 000 numbers detect a rate of 1/3 that is off by .013; these mistakes make it 1/2.
 TEST_CASE("Lab 3.6: no value of a wide range is favoured", "[lab03][ex6]") {
   const double u = -2147483648.0, values = 3221225472.0, v = u + values - 1;
   const Rows rows = integers(u, v, 100'000);
@@ -283,7 +283,7 @@ TEST_CASE("Lab 3.6: a range of one value", "[lab03][ex6]") {
   }
 }
 
-// 100 000 different words: so many different numbers but for some 1.2 words that come twice. Of
+// 100 000 words give as many different numbers, except for about 1.2 words that occur twice. With
 // 2^24 floats 300 pairs would be expected.
 TEST_CASE("Lab 3.6: the range of all 2^32 numbers", "[lab03][ex6]") {
   const double u = -2147483648.0, v = 2147483647.0;
@@ -300,16 +300,16 @@ TEST_CASE("Lab 3.6: the range of all 2^32 numbers", "[lab03][ex6]") {
               "99 999 or so", {few ? count_overflows : through_float}));
 }
 
-// Ranges that leave 3 words and 2; who refused more would draw two words a number or favour some
-// numbers. Wherever these lie for multiplication (Lemire: low half of the
-// product below the limit), remainder (at the upper or the lower end), division or masks, they and
-// the next ones in line are among the words tried.
+// Ranges that leave 3 words and 2; rejecting more would draw two words per number or favour some
+// numbers. Wherever these lie for multiplication (Lemire: low half of the product below the limit),
+// remainder (at the upper or the lower end), division or masks, they and their neighbours are among
+// the words tested.
 TEST_CASE("Lab 3.6: exactly the words left over are refused", "[lab03][ex6]") {
   judge_dealing(4294967293.0);
   judge_dealing(2147483647.0);
 }
 
-// Half of the words are left over here, the worst case: 2 draws a number on average, sd 1.41.
+// Half of the words are left over here, the worst case: 2 draws per number on average, sd 1.41.
 TEST_CASE("Lab 3.6: fewer than two words are drawn for a number, on average",
           "[lab03][ex6][efficiency]") {
   const double u = -2147483648.0;

@@ -10,7 +10,7 @@
 
 namespace lab03_tests {
 
-/// Chi-square test of counts against what is expected of each (>= 100), at the level of one
+/// Chi-square test of counts against the expected ones (>= 100 each), at the level of one
 /// comparison; too good a fit fails as well.
 inline carlo::grader::Verdict chi_square_is(const std::string& what,
                                             const std::vector<double>& counts,

@@ -12,8 +12,8 @@ extern "C" inline void leave_division(int) {
 }
 }  // namespace detail
 
-/// Calls f; false when it divided a whole number by zero, where the processor knows such a thing.
-/// What f held is lost then, so a probe that sees false does little more than say so.
+/// Calls f; returns false if it divided a whole number by zero, on processors that trap this. f's
+/// resources are lost then, so a probe that gets false should do little more than report it.
 template <class F>
 bool divides_well(const F& f) {
   struct sigaction action {};

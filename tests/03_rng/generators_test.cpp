@@ -24,7 +24,7 @@ std::vector<std::uint32_t> words(const Fill& fill, std::size_t n) {
 template <class Fast>
 std::vector<std::uint32_t> fast_words(Fast fast, std::size_t n) {
   std::vector<std::uint32_t> result(n);
-  // In parts, so that the state between them counts.
+  // In several parts, so that the state between them matters.
   const std::span<std::uint32_t> all(result);
   fast.fill(all.first(32));
   fast.fill(all.subspan(32, 96));
@@ -112,7 +112,8 @@ TEST_CASE("fast fills give the plain sequences, with AVX2 and without") {
   carlo::Rng rng(99);
   for (std::uint32_t& word : philox)
     word = rng.next_u32();
-  // Stream i of the eight, one by one: its state is the i-th four words of splitmix64.
+  // Each of the eight streams separately: the state of stream i is the i-th four words of
+  // splitmix64.
   std::vector<std::uint32_t> xoshiro(n);
   SplitMix64 seeds(99);
   for (std::size_t lane = 0; lane < 8; ++lane) {

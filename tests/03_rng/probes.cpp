@@ -1,5 +1,5 @@
 // Probes of lab 03's generators: 3.1 to 3.4. They call the student's functions and return raw
-// values; what the values should be stands in checks_*.cpp.
+// values; checks_*.cpp says what the values should be.
 
 #include "03_rng/words.h"
 #include "grader/worker/probe.h"
@@ -27,13 +27,13 @@ double processor_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// The time that jumps of 2^28 steps in all take, 2^24 at a time.
+/// The time of jumps of 2^28 steps in all, 2^24 at a time.
 double jump_seconds() {
   lab03::Lcg generator(1);
   const double start = processor_seconds();
   for (int i = 0; i < 16; ++i)
     generator.discard(std::uint64_t{1} << 24);
-  // The state has to be known at the end, so the steps cannot be left out.
+  // The final state is used, so the steps cannot be optimised away.
   volatile std::uint32_t last = generator.next();
   (void)last;
   return processor_seconds() - start;
@@ -56,7 +56,7 @@ PROBE("Lab 3.2 cost", "seconds") {
   return {1, {jump_seconds()}};
 }
 
-// Jumps too long to be made step by step: NaN from a generator that would try.
+// Jumps too long for single steps: NaN for a generator that would try.
 PROBE("Lab 3.2 long jump", "number after the jump",
       "(nan: jumps take too long for this one to be tried)") {
   if (jump_seconds() > 0.05) return {1, {std::numeric_limits<double>::quiet_NaN()}};
@@ -65,7 +65,7 @@ PROBE("Lab 3.2 long jump", "number after the jump",
   return numbers(generator, 1);
 }
 
-// A row for each of n seeds that follow each other: its first k words, twice.
+// One row for each of n consecutive seeds: its first k words, twice.
 PROBE("Lab 3.3 first words", "word ...", "again, word ...",
       "(a row a seed: its words, and those that the same call gives again)") {
   const auto k = static_cast<std::size_t>(params.whole("k"));
@@ -91,7 +91,7 @@ PROBE("Lab 3.3 recurrence", "number") {
   return numbers(generator, params.n);
 }
 
-// Started with 31 given words ("word0" ...); the first `skip` numbers are left out.
+// Started with 31 given words ("word0" ...); skips the first `skip` numbers.
 PROBE("Lab 3.3 known answer", "number") {
   std::vector<std::uint32_t> first;
   for (int i = 0; i < 31; ++i)
@@ -102,7 +102,7 @@ PROBE("Lab 3.3 known answer", "number") {
   return numbers(generator, params.n);
 }
 
-// The time of n numbers, with k words.
+// The time for n numbers, with k words.
 PROBE("Lab 3.3 cost", "seconds") {
   const auto k = static_cast<int>(params.whole("k"));
   lab03::LaggedFibonacci generator({k / 3, k}, lab03::Combine::subtract,

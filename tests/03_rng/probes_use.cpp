@@ -16,7 +16,7 @@ namespace {
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr double divided_by_zero = -std::numeric_limits<double>::infinity();
 
-/// What a source throws that was asked for far too many words.
+/// Thrown by a source that was asked for far too many words.
 struct Exhausted {};
 
 }  // namespace
@@ -66,7 +66,7 @@ PROBE("Lab 3.6 integers", "number", "words drawn",
   return rows;
 }
 
-// For each of words_to_deal(n): the number made of it, or NaN when another word was asked for.
+// For each of words_to_deal(n): the number made of it, or NaN if another word was requested.
 PROBE("Lab 3.6 words dealt", "number",
       "(one for each word close to a multiple of 2^32 / 6; nan: another word was asked for)") {
   const auto u = static_cast<std::int32_t>(params.whole("u"));
@@ -88,7 +88,7 @@ PROBE("Lab 3.6 words dealt", "number",
   return rows;
 }
 
-// n cells whose counts and expectations stand in "count0", "expected0", ...
+// n cells with counts and expectations in "count0", "expected0", ...
 PROBE("Lab 3.7 counts", "statistic", "p_lower", "p_upper") {
   std::vector<std::int64_t> counts;
   std::vector<double> expected;
@@ -108,7 +108,7 @@ PROBE("Lab 3.7 words", "statistic", "p_lower", "p_upper") {
   return {3, {result.statistic, result.p_lower, result.p_upper}};
 }
 
-// The words 0, 1, 2, ... n - 1: every field of low bits comes equally often.
+// The words 0, 1, 2, ... n - 1: every field of low bits occurs equally often.
 PROBE("Lab 3.7 counting words", "statistic", "p_lower", "p_upper") {
   std::vector<std::uint32_t> words(static_cast<std::size_t>(params.n));
   for (std::size_t i = 0; i < words.size(); ++i)

@@ -10,17 +10,17 @@
 
 namespace lab03_tests {
 
-/// A sequence that a typical mistake would give.
+/// The sequence of a typical mistake.
 struct Alternative {
   std::vector<double> sequence;
   carlo::grader::Diagnosis diagnosis;
 };
 
-/// How numbers are shown to the student.
+/// How numbers are displayed to the student.
 enum class Digits { decimal, hexadecimal };
 
-/// Every number equals the expected one; where not, names the mistakes that give just these
-/// numbers.
+/// Checks that every number equals the expected one; otherwise names the mistakes that give exactly
+/// these numbers.
 inline carlo::grader::Verdict sequence_is(const std::string& what,
                                           const std::vector<double>& measured,
                                           const std::vector<double>& expected,

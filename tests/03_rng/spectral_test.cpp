@@ -47,8 +47,8 @@ TEST_CASE("the lecture's LCG, RANDU and MINSTD have their known spectral figures
 }
 
 TEST_CASE("the lines of RANDU's pairs are 1/23171.9 apart, counted from its own numbers") {
-  // Its states are odd, so that 16387 x + 16383 x' is the same modulo 2^31 for every pair, and its
-  // lines stand as far apart as 2^30, not 2^31, says.
+  // Its states are odd, so that 16387 x + 16383 x' is the same modulo 2^31 for every pair, and the
+  // spacing of its lines follows from 2^30, not 2^31.
   constexpr std::uint64_t c = std::uint64_t{1} << 31;
   CHECK(spectral_2d(65539, c / 2) == 16387u * 16387u + 16383u * 16383u);
   std::uint64_t x = 12345;

@@ -23,7 +23,7 @@ inline void set_wide_word(carlo::grader::Params& params, const std::string& name
   params.numbers[name + "_low"] = static_cast<double>(word & 0xFFFFFFFF);
 }
 
-/// n words that follow from a probe's seed: the judge knows them without being told.
+/// n words that follow from a probe's seed, so that the judge knows them.
 inline std::vector<std::uint32_t> random_words(std::uint64_t seed, std::int64_t n) {
   carlo::Rng rng(seed);
   std::vector<std::uint32_t> words(static_cast<std::size_t>(n));
@@ -32,7 +32,7 @@ inline std::vector<std::uint32_t> random_words(std::uint64_t seed, std::int64_t 
   return words;
 }
 
-/// The words that a conversion is tried on: the first 4096, the last 4096 and n between them.
+/// The words used to test a conversion: the first 4096, the last 4096 and n between them.
 inline std::vector<std::uint32_t> words_to_convert(std::int64_t n) {
   std::vector<std::uint32_t> words;
   for (std::uint32_t i = 0; i < 4096; ++i)
@@ -45,8 +45,8 @@ inline std::vector<std::uint32_t> words_to_convert(std::int64_t n) {
   return words;
 }
 
-/// The words about the seven multiples of 2^32 / 6, n to either side: where the words that are left
-/// over lie, for the ranges and the ways of dealing them out that checks_use.cpp names.
+/// The words around the seven multiples of 2^32 / 6, n to either side: they include the left-over
+/// words for the ranges and methods that checks_use.cpp names.
 inline std::vector<std::uint32_t> words_to_deal(std::int64_t n) {
   std::vector<std::uint32_t> words;
   for (std::int64_t i = 0; i <= 6; ++i) {

@@ -54,7 +54,7 @@ struct Setup {
   }
 };
 
-/// Of x y over one cell.
+/// Moments of x y over one cell.
 struct Cell {
   double mean, variance, central_fourth, variance_of_square;
 };
@@ -69,12 +69,12 @@ Cell product_cell(const Setup& of, int column, int row) {
           moment(4) - moment(2) * moment(2)};
 }
 
-/// What the three results are on average for x y, and how they spread.
+/// The expected values and spreads of the three results for x y.
 struct Expected {
   Theory value;              ///< of value
   double squared_error = 0;  ///< mean and sd of its square
   double squared_error_sd = 0;
-  double plain_squared_error = 0;  ///< mean of the plain one's square, and a bound of its sd
+  double plain_squared_error = 0;  ///< mean of the plain one's square, and a bound on its sd
   double plain_squared_error_sd = 0;
   double within = 0;  ///< mean variance within the cells
 };
@@ -99,8 +99,8 @@ Expected expected(const Setup& of) {
   e.squared_error = value.variance;
   e.squared_error_sd = std::sqrt(error_variance);
   e.plain_squared_error = (second_moment - value.mean * value.mean) / n;
-  // The square is (mean of y^2 - value^2 + squared error) / N: standard deviations of summands add
-  // at most; that of value^2 follows from |value^2 - I^2| <= |value - I| (1 + I), for value <= 1.
+  // The square is (mean of y^2 - value^2 + squared error) / N. Standard deviations of summands at
+  // most add; that of value^2 follows from |value^2 - I^2| <= |value - I| (1 + I), for value <= 1.
   e.plain_squared_error_sd =
       (std::sqrt(variance_of_squares) + e.value.sd * (1 + value.mean) + e.squared_error_sd) / n;
   return e;
@@ -140,14 +140,14 @@ void judge_estimates(const Setup& of) {
                  {e.within / n, plain_within}}));
 }
 
-/// The results recomputed from the places that f was asked at.
+/// The results recomputed from the points at which f was evaluated.
 struct Recomputed {
   bool stratified = true;
   double value = 0, squared_error = 0, mean_error = 0, squared_plain_error = 0;
   double within = 0;  ///< mean square of the distances from the cells' means
 };
 
-/// The values that f has at the places, cell by cell; nothing when a place is outside the square.
+/// The values of f at the points, cell by cell; nothing if a point is outside the square.
 using Cells = std::vector<std::vector<long double>>;
 
 Cells values_by_cell(const Answer& rows, const Setup& of, double offset) {
@@ -188,8 +188,8 @@ Recomputed recompute(const Answer& rows, const Setup& of, double offset) {
   result.squared_error = static_cast<double>(variance);
   result.mean_error = static_cast<double>(errors);
   result.within = static_cast<double>(within);
-  // The mean square about the value falls short of the variance over the square by that of the
-  // value. Everything else that is unbiased and looks at the values alone is the same.
+  // The mean square about the value is less than the variance over the square by the variance of
+  // the value. Every other unbiased estimate from the values alone is the same.
   result.squared_plain_error = static_cast<double>((within + between + variance) / (k * m));
   return result;
 }
@@ -201,8 +201,8 @@ Answer record(const Setup& of, double offset) {
                {.rows = static_cast<std::size_t>(of.points()) + 2, .columns = 2, .finite = false});
 }
 
-/// Both errors, where the points lie as they should. `right_at_zero`: without an offset they were
-/// right, so that only cancellation spoils them.
+/// Judges both errors, where the points are right. `right_at_zero`: they were right without an
+/// offset, so that only cancellation can be the cause.
 bool judge_errors(const Answer& rows, const Recomputed& right, const Setup& of, double offset,
                   bool right_at_zero, const std::string& which) {
   const double m = of.per_cell, k = of.cells();
@@ -231,8 +231,9 @@ bool judge_errors(const Answer& rows, const Recomputed& right, const Setup& of, 
 }  // namespace
 
 // 20 000 estimates each. 2 x 1 cells with 2 points: sd of the value .084, so a bias of .005 (2 %)
-// is caught; of the squared error, relative sd 1.2, 7 %; of the plain one (sd bounded from above)
-// 15 %, where the correction makes 18 %. One cell with 2 points: the correction is half of it.
+// is detected; for the squared error, relative sd 1.2, 7 %; for the plain one (sd bounded from
+// above) 15 %, where the correction makes 18 %. One cell with 2 points: the correction is half of
+// it.
 TEST_CASE("Lab 4.5: value, squared error and squared plain error are right on average",
           "[lab04][ex5]") {
   judge_estimates({1, 1, 2});
@@ -240,11 +241,12 @@ TEST_CASE("Lab 4.5: value, squared error and squared plain error are right on av
   judge_estimates({4, 3, 3});
 }
 
-// Exact but for rounding: the mean of the values is 2 to 1e8, whose last digits are 1e-8.
+// Exact up to rounding: the mean of the values is 2 to 1e8, whose last digits are 1e-8.
 TEST_CASE("Lab 4.5: value and error follow from the values in each cell, whatever their mean",
           "[lab04][ex5]") {
   for (const Setup& of : {Setup{5, 3, 4}, Setup{1, 1, 16}, Setup{16, 16, 2}}) {
-    bool right_at_zero = false;  // cancellation spoils only what is right without the offset
+    bool right_at_zero = false;  // cancellation spoils only results that are right without the
+                                 // offset
     for (const double offset : {0.0, 1e8}) {
       const Answer rows = record(of, offset);
       const std::string which = fmt::format(", {} x {} cells with {} points each, offset {:g}",

@@ -1,4 +1,4 @@
-// Checks of exercises 4.1 and 4.2. A mean over m independent estimates catches a bias of 8.74 sd /
+// Checks of exercises 4.1 and 4.2. A mean over m independent estimates detects a bias of 8.74 sd /
 // sqrt(m) with power .999 (compare.h).
 
 #include "04_stratification/drawn.h"
@@ -80,12 +80,12 @@ void judge_estimates(int k, int n) {
   judge(mean_is("the mean of " + which, rows.values, theory, means));
   Suspects variances{{0, no_jitter}};
   if (n > 1) variances.push_back({plain_variance(k, n), falls_anywhere});
-  // With x^1 a shared number moves the estimate like one point of one stratum.
+  // With x^1 a shared number moves the estimate like a single point in one stratum.
   if (n > 1 && k == 1) variances.push_back({1.0 / 12 / n / n, one_jitter});
   judge(variance_is("the variance of " + which, rows.values, theory, variances));
 }
 
-/// One estimate. Its points are believed as far as they follow from the seed.
+/// One estimate. Its points are trusted as far as they follow from the seed.
 struct Record {
   double value, asked;
   carlo::Rng before;
@@ -103,7 +103,7 @@ Record record(std::size_t n) {
   return record;
 }
 
-/// Where each point lies within its stratum, from 0 to 1.
+/// The relative position of each point in its stratum, from 0 to 1.
 std::vector<double> within_strata(const std::vector<double>& points) {
   std::vector<double> within;
   for (const double x : points)
@@ -111,8 +111,8 @@ std::vector<double> within_strata(const std::vector<double>& points) {
   return within;
 }
 
-/// What points that lie outside of [0, 1) are a sign of: point i in stratum i of n - 1; or the
-/// division of one part of i + u alone.
+/// The mistakes that explain points outside [0, 1): point i in stratum i of n - 1, or division of
+/// only one part of i + u.
 std::vector<Diagnosis> sign_of_outside(const std::vector<double>& points) {
   const auto n = static_cast<double>(points.size());
   bool wide = true, share_alone = true, number_alone = true;
@@ -127,7 +127,7 @@ std::vector<Diagnosis> sign_of_outside(const std::vector<double>& points) {
   return share_alone || number_alone ? std::vector{one_part_divided} : std::vector<Diagnosis>{};
 }
 
-/// A place that was asked for and the one that was given.
+/// A requested position and the returned one.
 struct Place {
   Share share;
   double x;
@@ -143,7 +143,7 @@ std::vector<Place> places(std::int32_t n) {
   return places;
 }
 
-/// What places that are far from where they should be are a sign of.
+/// The mistakes that explain positions far from the right ones.
 std::vector<Diagnosis> sign_of(const std::vector<Place>& places, std::int32_t n) {
   bool share_alone = true, number_alone = true, whole = true;
   for (const auto& [share, x] : places) {
@@ -196,19 +196,20 @@ TEST_CASE("Lab 4.1: each stratum holds exactly one point, and the values are ave
   }
 }
 
-// sd of one estimate at n = 8: .0128 (x), .0145 (x^2): 20 000 of them catch a bias of 9e-4, .2 %.
-// Variances that are off by 9 % are caught; plain points' is 64 times as large for x.
+// sd of one estimate at n = 8: .0128 (x), .0145 (x^2): 20 000 of them detect a bias of 9e-4, .2 %.
+// Variances that are off by 9 % are detected; that of plain points is 64 times as large for x.
 TEST_CASE("Lab 4.1: the average is unbiased, with the variance that strata leave", "[lab04][ex1]") {
   judge_estimates(1, 8);
   judge_estimates(2, 8);
   judge_estimates(2, 1);
 }
 
-// Kolmogorov-Smirnov on 4096 places within their strata: catches distances of .058 with power .999.
+// Kolmogorov-Smirnov on 4096 positions within their strata: detects distances of .058 with power
+// .999.
 TEST_CASE("Lab 4.1: within its stratum a point may lie anywhere, equally likely", "[lab04][ex1]") {
   const std::vector<double> within = within_strata(record(4096).points);
   const auto [least, most] = std::minmax_element(within.begin(), within.end());
-  // Where all are the same, another run tells whether they are random.
+  // If all are the same, another run shows whether they are random.
   const double again = within_strata(record(4096).points).front();
   const bool on_every_run = std::abs(again - within.front()) <= 1e-6;
   judge(holds("the places within the strata differ", *most - *least > 0.5,
@@ -217,7 +218,7 @@ TEST_CASE("Lab 4.1: within its stratum a point may lie anywhere, equally likely"
   judge(uniform_on("the places within the strata", within, 0, 1));
 }
 
-// Exact for every place: x n needs 24 + 21 bits, which double has.
+// Exact for every position: x n needs 24 + 21 bits, which double has.
 TEST_CASE("Lab 4.2: x lies in its stratum, at both ends and up to 2^20 strata", "[lab04][ex2]") {
   for (const std::int32_t n : {1, 3, 49, 1000, 65'535, 1 << 20, (1 << 20) - 1}) {
     int no_numbers = 0, ones = 0, above = 0, below = 0;
@@ -248,7 +249,7 @@ TEST_CASE("Lab 4.2: x lies in its stratum, at both ends and up to 2^20 strata", 
 }
 
 // Neighbouring floats are at most 2^-23 x apart. Rounding to nearest takes half of that and a step
-// back into the stratum the rest; arithmetic in float with such steps needs no more than four.
+// back into the stratum the rest; float arithmetic with such steps needs no more than four.
 TEST_CASE("Lab 4.2: x is (i + u)/n to float precision", "[lab04][ex2]") {
   for (const std::int32_t n : {1, 7, 1000, 1 << 20}) {
     double worst = 0;

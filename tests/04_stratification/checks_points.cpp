@@ -55,12 +55,12 @@ Rows jittered(const Grid& grid) {
                {.rows = grid.columns * grid.rows + 1, .columns = 2, .finite = false});
 }
 
-/// How many whole rows of cells (or columns) come before cell i.
+/// The number of whole rows of cells (or columns) before cell i.
 std::size_t lines_before(std::size_t i, std::size_t length) {
   return i / length;
 }
 
-/// Where points lie within their cells, in [0, 1)^2 for those that lie in them.
+/// The relative positions of points in their cells: in [0, 1)^2 for points inside them.
 struct Within {
   std::vector<double> x, y;
 };
@@ -80,7 +80,7 @@ bool in_cell(double x, double y) {
   return x >= 0 && x < 1 && y >= 0 && y < 1;
 }
 
-/// Whether a point lies at 1 or above, on either axis.
+/// True if a point is at 1 or above, on either axis.
 bool lies_beyond_one(const Rows& points) {
   for (std::size_t i = 1; i < points.count(); ++i) {
     if (points.at(i, 0) >= 1 || points.at(i, 1) >= 1) return true;
@@ -88,7 +88,7 @@ bool lies_beyond_one(const Rows& points) {
   return false;
 }
 
-/// Whether all points lie where they would with the loops exchanged, or the two sides.
+/// True if all points are where they would be with the loops, or the two sides, exchanged.
 bool is_exchanged(const Rows& points, const Grid& grid) {
   const auto columns = static_cast<double>(grid.columns), rows = static_cast<double>(grid.rows);
   bool other_order = true, other_sides = true;
@@ -104,7 +104,7 @@ bool is_exchanged(const Rows& points, const Grid& grid) {
   return other_order || other_sides;
 }
 
-/// Whether all points lie in the first cell.
+/// True if all points lie in the first cell.
 bool in_first_cell(const Rows& points, const Grid& grid) {
   for (std::size_t i = 1; i < points.count(); ++i) {
     if (!in_cell(points.at(i, 0) * static_cast<double>(grid.columns),
@@ -115,7 +115,7 @@ bool in_first_cell(const Rows& points, const Grid& grid) {
   return true;
 }
 
-/// Whether in all points one part of i + u was divided alone, in x and in y.
+/// True if in all points only one part of i + u was divided, in x and in y.
 bool is_one_part_divided(const Rows& points, const Grid& grid) {
   const auto columns = static_cast<double>(grid.columns), rows = static_cast<double>(grid.rows);
   bool share_alone = true, number_alone = true;
@@ -150,7 +150,8 @@ std::vector<int> strata_of(const Rows& rows, std::size_t row, std::size_t n, std
   return strata;
 }
 
-/// How many strata of all axes hold no point of one hypercube (`row`: its size, its coordinates).
+/// The number of strata, over all axes, without a point of one hypercube (`row`: its size, its
+/// coordinates).
 std::size_t strata_missed(const std::vector<double>& row, std::size_t n, std::size_t d) {
   const Rows rows{row.size(), row};
   std::size_t missed = 0;
@@ -163,7 +164,7 @@ std::size_t strata_missed(const std::vector<double>& row, std::size_t n, std::si
   return missed;
 }
 
-/// The hypercube that was meant when the coordinates came axis by axis.
+/// The intended hypercube if the coordinates are stored axis by axis.
 std::vector<double> points_first(const std::vector<double>& row, std::size_t n, std::size_t d) {
   std::vector<double> out = row;
   for (std::size_t j = 0; j < n; ++j) {
@@ -173,7 +174,7 @@ std::vector<double> points_first(const std::vector<double>& row, std::size_t n, 
   return out;
 }
 
-/// Whether in all coordinates of one hypercube one part of i + u was divided alone. i + u/n: the
+/// True if in all coordinates of one hypercube only one part of i + u was divided. i + u/n: the
 /// whole parts are the strata. i/n + u: half of them lie beyond 1.
 bool is_one_part_divided(const std::vector<double>& row, std::size_t n, std::size_t d) {
   const auto strata = static_cast<double>(n);
@@ -190,7 +191,7 @@ bool is_one_part_divided(const std::vector<double>& row, std::size_t n, std::siz
   return below_two && n >= 7 && beyond >= 0.2 * static_cast<double>(n * d);
 }
 
-/// What strata without a point are a sign of.
+/// The mistake that explains strata without a point.
 Diagnosis sign_of_missed_strata(const std::vector<double>& row, std::size_t n, std::size_t d) {
   if (strata_missed(points_first(row, n, d), n, d) == 0) return axis_by_axis;
   if (is_one_part_divided(row, n, d)) return one_part_divided;
@@ -222,7 +223,7 @@ TEST_CASE("Lab 4.3: each cell holds its point, in reading order", "[lab04][ex3]"
   }
 }
 
-// 4096 places: Kolmogorov-Smirnov catches distances of .058, the product of the two offsets a
+// 4096 positions: Kolmogorov-Smirnov detects distances of .058, the product of the two offsets a
 // correlation of .14, with power .999.
 TEST_CASE("Lab 4.3: within its cell a point may lie anywhere, equally likely", "[lab04][ex3]") {
   const Grid grid{64, 64};
@@ -236,7 +237,7 @@ TEST_CASE("Lab 4.3: within its cell a point may lie anywhere, equally likely", "
   std::vector<double> products;
   for (std::size_t i = 0; i < within.x.size(); ++i)
     products.push_back((within.x[i] - 0.5) * (within.y[i] - 0.5));
-  // Of points outside of their cells, which another test tells, these are no offsets.
+  // For points outside their cells, which another test reports, these are no offsets.
   const auto [lowest, highest] = std::minmax_element(within.y.begin(), within.y.end());
   const bool all_within = *least >= 0 && *most < 1 && *lowest >= 0 && *highest < 1;
   judge(mean_is("the mean product of the offsets in x and y", products, {0, 1.0 / 12},
@@ -274,9 +275,9 @@ TEST_CASE("Lab 4.4: along every axis each stratum holds exactly one point", "[la
   }
 }
 
-// The six orders of three strata, in 60 000 hypercubes: each frequency is caught when it is off by
-// .0133 with power .999; swapping any place with any other gives 4/27 and 5/27 for 1/6, off by
-// .0185.
+// The six orders of three strata, in 60 000 hypercubes: each frequency is detected if it is off by
+// .0133 with power .999; swapping any place with any other gives 4/27 and 5/27 instead of 1/6, off
+// by .0185.
 TEST_CASE("Lab 4.4: all orders of the strata are equally likely and independent from axis to axis",
           "[lab04][ex4]") {
   constexpr std::size_t repetitions = 60'000;
@@ -313,7 +314,7 @@ TEST_CASE("Lab 4.4: all orders of the strata are equally likely and independent 
   }
 }
 
-// Two axes at 8192 places each; Kolmogorov-Smirnov catches distances of .041.
+// Two axes with 8192 positions each; Kolmogorov-Smirnov detects distances of .041.
 TEST_CASE("Lab 4.4: within its strata a point may lie anywhere, equally likely", "[lab04][ex4]") {
   constexpr std::size_t n = 8192;
   const Rows rows = hypercubes(n, 2, 1);
@@ -328,9 +329,9 @@ TEST_CASE("Lab 4.4: within its strata a point may lie anywhere, equally likely",
   judge(uniform_on("places within the strata of axis 1", within[1], 0, 1));
 }
 
-// For x + y each axis is stratified for itself: variance 2/(12 n^3), excess kurtosis -1.2/(2 n).
-// 20 000 estimates catch a bias of 4e-4 and variances that are off by 8 %; plain points' is 256
-// times as large.
+// For x + y each axis is stratified separately: variance 2/(12 n^3), excess kurtosis -1.2/(2 n). 20
+// 000 estimates detect a bias of 4e-4 and variances that are off by 8 %; that of plain points is
+// 256 times as large.
 TEST_CASE("Lab 4.4: sums of functions of one coordinate are estimated with a stratum's variance",
           "[lab04][ex4][variance]") {
   constexpr std::size_t n = 16, repetitions = 20'000;

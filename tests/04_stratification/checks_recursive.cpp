@@ -1,6 +1,6 @@
-// Checks of exercise 4.6. How points are shared out is the student's choice: what is judged is that
-// the estimate is unbiased, that its error bar is honest, that it costs no more than n evaluations,
-// and that the points go where they are needed.
+// Checks of exercise 4.6. The student chooses how to distribute points: the checks require that the
+// estimate is unbiased, that its error bar is honest, that it costs no more than n evaluations, and
+// that the points go where they are needed.
 
 #include "04_stratification/integrands.h"
 #include "04_stratification/theory.h"
@@ -57,7 +57,7 @@ struct Case {
   CubeIntegrand integrand;
   int d;
   double average;
-  double plain_variance;  ///< of one point of the cube
+  double plain_variance;  ///< for one point of the cube
 };
 
 /// The integral of exp(-sharpness (x - c)^2) over [0, 1].
@@ -97,9 +97,9 @@ Params params(const Case& of, std::int64_t n, double repetitions = 1) {
 
 constexpr std::size_t repetitions = 2000;
 
-/// The estimate is unbiased within the spread of `most` times the plain variance, the limit that
-/// the contract states, no larger is its spread, and its error bar is honest. `why`: what it may be
-/// that spreads it. Returns the squared error as a share of plain points'.
+/// Checks that the estimate is unbiased within the spread of `most` times the plain variance, the
+/// contract's limit, that its spread is no larger, and that its error bar is honest. `why`:
+/// possible reasons for its spread. Returns the squared error relative to that of plain points.
 double judge_case(const Case& of, std::int64_t n, double most, const std::vector<Diagnosis>& why) {
   const Rows rows =
       probe("Lab 4.6 estimates", params(of, n, repetitions),
@@ -119,14 +119,14 @@ double judge_case(const Case& of, std::int64_t n, double most, const std::vector
   if (!mean.passed && of.integrand == CubeIntegrand::half && too_high) {
     mean.diagnoses.push_back(by_points);
   }
-  const bool unbiased = mean.passed;  // otherwise the squared error is no spread
+  const bool unbiased = mean.passed;  // otherwise the squared error is not a spread
   judge(mean);
   const double gain = static_cast<double>(squared) / plain;
   judge(holds("the squared error against that of plain points, " + which, gain <= most,
               fmt::format("{:.3g}", gain), fmt::format("{:g} at most", most),
               unbiased ? why : std::vector<Diagnosis>{}));
-  // Sums of 2000 squares: their relative sd is .03 for normal errors; .08 at the kurtosis of 12
-  // that rare large errors give. A wrong factor of a level is 2 and more.
+  // Sums of 2000 squares: their relative sd is .03 for normal errors, .08 at the kurtosis of 12 due
+  // to rare large errors. A wrong factor at one level is 2 and more.
   const double honesty = static_cast<double>(claimed / squared);
   judge(holds("the mean squared standard error against the mean squared error, " + which,
               honesty >= 0.6 && honesty <= 1.6, fmt::format("{:.3g}", honesty), "1",
@@ -212,8 +212,8 @@ void judge_boxes(const Case& of, std::int64_t n) {
               fmt::format("{:g}", points), fmt::format("n/4 = {} at least", n / 4), {too_few}));
 }
 
-// Corner: f varies only on 1/16 of the square. An even spread leaves 6 % of the points there; the
-// wanted half is not starved even where shares are kept between 1/4 and 3/4 (.3 then).
+// Corner: f varies only on 1/16 of the square. An even distribution leaves 6 % of the points there;
+// .3 if shares are kept between 1/4 and 3/4, which does not starve the half that needs them.
 constexpr double least_in_corner = 0.13;
 
 double corner_share() {
@@ -221,8 +221,8 @@ double corner_share() {
   return record(corner, 16'384).at(0, 4);
 }
 
-/// Where the points go: into the corner where f varies, and into the estimate of the disc (0 where
-/// no strata are told, which another test tells).
+/// Where the points go: into the corner where f varies, and into the estimate of the disc (0 if no
+/// strata are reported, which another test covers).
 struct Spending {
   double in_corner = corner_share();
   double in_estimate = 0;
@@ -232,9 +232,9 @@ struct Spending {
       in_estimate += box.points / 1024;
   }
 
-  /// Why the error of the disc, or of another case while the disc's is right, may be too large
-  /// where the boxes are all right: too little in the estimate, or shares that trust a few points.
-  /// Points that do not gather where f varies are another test's to tell.
+  /// Why the error of the disc, or of another case if the disc's is right, may be too large
+  /// although the boxes are right: too few points in the estimate, or shares that trust a few
+  /// points. Another test reports points that do not gather where f varies.
   std::vector<Diagnosis> reasons(bool disc_fails) const {
     if (in_corner < least_in_corner) return {};
     const bool spent = in_estimate > 0 && in_estimate < (disc_fails ? 1. / 3 : 0.5);
@@ -245,16 +245,16 @@ struct Spending {
 
 }  // namespace
 
-// 2000 estimates of n = 1024: a bias is caught at .007 (.22 %) for the disc, .002 (.4 %) for the
+// 2000 estimates of n = 1024: a bias is detected at .007 (.22 %) for the disc, .002 (.4 %) for the
 // bell in 2D, .0063 for the chessboard, whose halves hold 1 and 0. The limits leave room for other
-// ways than the solution's: leaves of 16 to 256 points, 3 to 10 % that explore (8 points at least),
-// exponents of 2/3 and 1, shares kept between .2 and .8 reach .60 (disc), .25, .83 (bells), .21
-// (peak) and 1.6 (chessboard); between .1 and .9 the disc has up to .93. Shares between .05 and .95
-// have 1.3 and more on the disc: worse than plain points.
+// methods than the solution's: leaves of 16 to 256 points, 3 to 10 % for exploration (at least 8
+// points), exponents of 2/3 and 1, and shares kept between .2 and .8 reach .60 (disc), .25, .83
+// (bells), .21 (peak) and 1.6 (chessboard); between .1 and .9 the disc has up to .93. Shares
+// between .05 and .95 have 1.3 and more on the disc: worse than plain points.
 TEST_CASE("Lab 4.6: the estimate is unbiased, better than plain points, and its error bar honest",
           "[lab04][ex6]") {
-  // Smooth in two dimensions: what is halved at all gains, whatever the shares. It tells whether
-  // what fails elsewhere lies in the boxes or in how points are shared among them.
+  // Smooth in two dimensions: any halving gains, whatever the shares. This shows whether failures
+  // elsewhere are due to the boxes or to the distribution of points among them.
   const std::vector<Diagnosis> no_boxes = {not_split};
   const bool gains = judge_case(bell(2), 1024, 0.5, no_boxes) <= 0.5;
   const Spending spending;
@@ -263,7 +263,7 @@ TEST_CASE("Lab 4.6: the estimate is unbiased, better than plain points, and its 
   const std::vector<Diagnosis> of_others = why(disc_fails);
   judge_case(bell(4), 1024, 1, of_others);
   judge_case(peak(), 4096, 0.5, of_others);
-  // Strata gain nothing here; points can, on the half that is not 0.
+  // Strata gain nothing here; moving points to the half that is not 0 can.
   judge_case(half(), 1024, 3, of_others);
 }
 
@@ -298,7 +298,7 @@ TEST_CASE("Lab 4.6: points gather where f varies", "[lab04][ex6]") {
 
 TEST_CASE("Lab 4.6: boxes are halved along the axis that matters", "[lab04][ex6]") {
   const Case one_axis{"exp(5 x_1)", CubeIntegrand::one_axis, 3, 0, 0};
-  // The mean over the cube of log2 of a side is minus how often it was halved.
+  // The mean over the cube of log2 of a side is minus the number of halvings.
   double halvings[3] = {0, 0, 0};
   for (const Box& box : strata(one_axis, 65'536)) {
     for (std::size_t k = 0; k < 3; ++k)

@@ -1,7 +1,7 @@
 #pragma once
 
-// What follows from a probe's seed, so that the judge need not be told: probes ask for it, and
-// checks work out the same once more.
+// Questions that follow from a probe's seed, so that the judge knows them: probes ask them, and
+// checks compute the same again.
 
 #include "random/rng.h"
 
@@ -10,13 +10,13 @@
 
 namespace lab04_tests {
 
-/// The share u of the way through a stratum.
+/// A stratum, and a fraction u of the way through it.
 struct Share {
   std::int32_t stratum;
   float u;
 };
 
-/// Of n strata: 16 at both ends of the range and of the strata, and `count` - 16 at random.
+/// For n strata: 16 at both ends of the range and of the strata, and `count` - 16 at random.
 inline std::vector<Share> drawn_shares(std::uint64_t seed, std::int32_t n, std::int64_t count) {
   constexpr float last = 1 - 0x1p-24f;
   std::vector<Share> shares;

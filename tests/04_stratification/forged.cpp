@@ -1,6 +1,6 @@
-// A submission that sends answers of its own in the place of some probes': tables of the right
-// shape, whose parts agree with each other and with theory, for points that nobody drew. All else
-// is the solution's work, so that what is missing from full marks is what the judge saw through.
+// A submission that sends its own answers in place of some probes': tables of the right shape,
+// consistent with each other and with theory, for points that nobody drew. Everything else is the
+// solution's work, so the points missing from full marks are those where the judge noticed.
 
 #include "grader/attacks/forge.h"
 #include "grader/protocol/next_words.h"
@@ -14,7 +14,7 @@ using carlo::grader::Rows;
 
 namespace {
 
-/// Number i of a list that is well spread over [0, 1), and not random.
+/// Number i of a sequence that is well spread over [0, 1), and not random.
 double spread(std::int64_t i) {
   return std::fmod(0.5 + static_cast<double>(i) * std::sqrt(2.0), 1.0);
 }
@@ -37,7 +37,7 @@ Rows stratified_record(const Params& params) {
   return rows;
 }
 
-/// Places near the middle of strata of which nobody was asked.
+/// Positions near the middle of strata that were not requested.
 Rows middle_places(const Params& params) {
   Rows rows{1, {}};
   for (std::int64_t i = 0; i < params.whole("places"); ++i) {
@@ -47,7 +47,7 @@ Rows middle_places(const Params& params) {
   return rows;
 }
 
-/// Points in their cells, and the errors of a function whose slopes were guessed.
+/// Points in their cells, and the errors of a function with guessed slopes.
 Rows cells_record(const Params& params) {
   const std::int64_t columns = params.whole("columns"), rows = params.whole("rows");
   const std::int64_t per_cell = params.whole("per_cell"), cells = columns * rows;

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <span>
 
-// Integrands that probes evaluate and checks know the averages of.
+// The integrands of the probes, for which checks know the averages.
 
 namespace lab04_tests {
 
@@ -17,13 +17,13 @@ inline double power(double x, int k) {
   return product;
 }
 
-/// The integrands on the unit cube that recursive stratification is judged on.
+/// The integrands on the unit cube with which recursive stratification is judged.
 enum class CubeIntegrand {
   disc,      ///< 4 inside the quarter of the unit circle, 2D: the average is pi
   bell,      ///< exp(-|x|^2), any dimension
   peak,      ///< a narrow bell at (.25, .3), 2D
   corner,    ///< sin^2 waves in [0, 1/4)^2, else 0
-  half,      ///< 0 or 2 at a fine chessboard's pace for x < 1/2, else 0: the average is 1/2
+  half,      ///< a fine chessboard of 0 and 2 for x < 1/2, else 0: the average is 1/2
   one_axis,  ///< exp(5 x[1]): only axis 1 matters
   constant   ///< 3
 };

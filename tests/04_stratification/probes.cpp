@@ -1,5 +1,5 @@
 // Probes of lab 04's exercises 4.1 to 4.5. They call the student's functions and return raw values;
-// what the values should be stands in checks_*.cpp.
+// checks_*.cpp says what the values should be.
 
 #include "04_stratification/drawn.h"
 #include "04_stratification/integrands.h"
@@ -25,8 +25,8 @@ PROBE("Lab 4.1 estimates", "estimate") {
   return rows.take();
 }
 
-// The estimate of x^2, how often f was asked, the generator's next words; then the n places, filled
-// up or cut.
+// The estimate of x^2, the number of evaluations of f, the generator's next words; then n points,
+// padded or truncated.
 PROBE("Lab 4.1 record", "estimate", "evaluations of f", "next word of rng", "next word 2",
       "next word 3", "next word 4", "point", "(nan: f was asked less often)") {
   carlo::Rng rng(params.seed);
@@ -46,7 +46,7 @@ PROBE("Lab 4.1 record", "estimate", "evaluations of f", "next word of rng", "nex
   return rows;
 }
 
-// The place given for each of drawn_shares().
+// The position returned for each of drawn_shares().
 PROBE("Lab 4.2 places", "x", "(for strata and numbers u that follow from the seed)") {
   const auto n = static_cast<std::int32_t>(params.n);
   Rows rows{1, {}};
@@ -55,7 +55,7 @@ PROBE("Lab 4.2 places", "x", "(for strata and numbers u that follow from the see
   return rows;
 }
 
-// One value: how many points came. Then the points, filled up with NaN or cut.
+// First the number of points; then the points, padded with NaN or truncated.
 PROBE("Lab 4.3 points", "x", "y", "(row 1: how many points came, and 0; nan: no point came)") {
   carlo::Rng rng(params.seed);
   const auto points = lab04::jittered(params.whole("columns"), params.whole("rows"), rng);
@@ -69,7 +69,8 @@ PROBE("Lab 4.3 points", "x", "y", "(row 1: how many points came, and 0; nan: no 
   return {2, std::move(values)};
 }
 
-// A row a hypercube: its number of coordinates, then the coordinates, filled up with NaN or cut.
+// One row per hypercube: its number of coordinates, then the coordinates, padded with NaN or
+// truncated.
 PROBE("Lab 4.4 hypercubes", "coordinates", "coordinate ...",
       "(a row a hypercube: how many coordinates came, then they, point by point; nan: none came)") {
   carlo::Rng rng(params.seed);
@@ -97,7 +98,7 @@ PROBE("Lab 4.5 estimates", "value", "standard error", "plain standard error") {
   return rows.take();
 }
 
-// The three results; how often f was asked; then every place, filled up or cut.
+// The three results; the number of evaluations of f; then every point, padded or truncated.
 PROBE("Lab 4.5 record", "x", "y",
       "(row 1: value and standard error; row 2: plain standard error and evaluations of f; then "
       "where f was asked; nan: it was asked less often)") {

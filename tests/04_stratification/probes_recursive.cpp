@@ -24,7 +24,7 @@ PROBE("Lab 4.6 estimates", "value", "standard error") {
   return rows.take();
 }
 
-// A point of the wrong dimension is one outside the cube.
+// A point of the wrong dimension counts as one outside the cube.
 PROBE("Lab 4.6 record", "value", "standard error", "evaluations of f", "of them outside the cube",
       "share in [0, 1/4)^2", "strata") {
   carlo::Rng rng(params.seed);

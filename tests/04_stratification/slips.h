@@ -1,6 +1,6 @@
 #pragma once
 
-// Slips that several exercises share: what n strata make of a place x in stratum i.
+// Mistakes that several exercises share: the position x in stratum i of n that they lead to.
 
 #include "grader/judge/suspect.h"
 
@@ -11,13 +11,13 @@ inline const carlo::grader::Diagnosis one_part_divided{
     "only one of the two, the stratum's number or the place within it, is divided by n: look at "
     "the parentheses."};
 
-/// Whether x is i + u/n for a u in [0, 1).
+/// True if x is i + u/n for a u in [0, 1).
 inline bool is_share_divided_alone(double x, double i, double n) {
   return x - i >= 0 && (x - i) * n < 1;
 }
 
-/// Whether x is i/n + u for a u in [0, 1). So may be much else: many places tell, and some outside
-/// of [0, 1).
+/// True if x is i/n + u for a u in [0, 1). Much else may be, too: it takes many positions, some of
+/// them outside [0, 1).
 inline bool is_number_divided_alone(double x, double i, double n) {
   return x - i / n >= 0 && x - i / n < 1;
 }

@@ -32,7 +32,7 @@ inline Cumulants from_raw(double m1, double m2, double m3, double m4) {
   return {m1, variance, fourth - 3 * variance * variance};
 }
 
-/// Of x^k for x uniform on [a, b).
+/// The cumulants of x^k for x uniform on [a, b).
 inline Cumulants of_power(int k, double a, double b) {
   return from_raw(power_mean(k, a, b), power_mean(2 * k, a, b), power_mean(3 * k, a, b),
                   power_mean(4 * k, a, b));

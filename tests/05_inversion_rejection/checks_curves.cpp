@@ -1,7 +1,7 @@
-// Checks of exercises 5.1 to 5.3. The inverse CDFs are compared with their closed forms at 110
-// numbers u, exactly; chi-square tests of 200 000 samples in up to 100 cells against the cells'
-// exact integrals stand behind them: cells that are off by 4 % each (rms) have a noncentrality of
-// 320, which is caught with power .999 (99 degrees of freedom, alpha 1.6e-8: 190 suffice).
+// Checks of exercises 5.1 to 5.3. The inverse CDFs are compared exactly with their closed forms at
+// 110 numbers u. In addition, chi-square tests of 200 000 samples in up to 100 cells use the cells'
+// exact integrals: cells that are off by 4 % each (rms) have a noncentrality of 320, which is
+// detected with power .999 (99 degrees of freedom, alpha 1.6e-8: 190 is enough).
 
 #include "05_inversion_rejection/inputs.h"
 #include "05_inversion_rejection/match.h"
@@ -116,7 +116,7 @@ Params params_of(const Case& c) {
   return {.numbers = {{"family", static_cast<double>(c.family)}, {"p", c.p}, {"q", c.q}}};
 }
 
-/// Where the ends of a line are all but equal: each sample is no number, or roughly right.
+/// Where the ends of a line are almost equal: each sample is NaN, or roughly right.
 bool lost_by_difference(const Case& c, const std::vector<double>& samples) {
   if (c.family != Family::linear || std::abs(c.q - c.p) > 1e-6 * c.p) return false;
   const std::vector<double> u = hard_numbers();
@@ -139,7 +139,7 @@ void judge_inverse(const Case& c, double relative, double absolute,
   judge(verdict);
 }
 
-/// At 400 places from outside the support to outside on the other side.
+/// Judges the density at 400 points from outside the support on one side to outside on the other.
 void judge_density(const Case& c, const std::vector<Alternative>& alternatives) {
   constexpr int steps = 400;
   const double margin = (c.last - c.first) / 8;
@@ -178,7 +178,7 @@ void judge_samples(const Case& c, double first, double last) {
   const Rows rows = probe("Lab 5.1 to 5.3 samples", params, {.rows = n, .of = c.name});
   std::vector<double> counts = counted(rows.values, first, last, cells);
   std::vector<double> mass = masses(c.cdf, first, last, cells);
-  if (c.family == Family::exponential) {  // the tail is one more cell
+  if (c.family == Family::exponential) {  // the tail is another cell
     double tail = 0;
     for (const double x : rows.values)
       tail += x > last ? 1 : 0;

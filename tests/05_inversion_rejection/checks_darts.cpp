@@ -1,5 +1,5 @@
 // Checks of exercises 5.7 and 5.8. For chi-square tests see checks_curves.cpp. The mean of 200 000
-// counts of darts catches a shift of 8.74 sd / sqrt(n) with power .999: at an acceptance of 1/10
+// counts of darts detects a shift of 8.74 sd / sqrt(n) with power .999: at an acceptance of 1/10
 // (mean 10, sd 9.5) that is .19 darts, and leaving one dart out of the count is a shift of 1.
 
 #include "05_inversion_rejection/inputs.h"
@@ -76,8 +76,8 @@ Theory geometric(double p) {
   return {1 / p, std::sqrt(1 - p) / p, 6 + p * p / (1 - p)};
 }
 
-/// Too few darts, and none of them left out of the count: who leaves the accepted one out has
-/// samples of no dart at all.
+/// Too few darts although none of them is left out of the count: without the accepted one there
+/// would be samples of no dart at all.
 bool too_few(const std::vector<double>& darts, double p) {
   double sum = 0;
   for (const double count : darts)
@@ -86,7 +86,7 @@ bool too_few(const std::vector<double>& darts, double p) {
          sum * p < 0.98 * static_cast<double>(darts.size());
 }
 
-/// `fewer`: what too few darts are a sign of, where no suspect is.
+/// `fewer`: the mistakes that explain too few darts, if no suspect does.
 void judge_darts(const std::string& what, const std::vector<double>& darts, double p,
                  Suspects suspects = {}, const std::vector<Diagnosis>& fewer = {}) {
   if (std::count(darts.begin(), darts.end(), 0.0) > 0)
@@ -104,7 +104,7 @@ Rows record(Target target) {
                {.rows = 500, .columns = 6, .finite = false, .of = name_of(target)});
 }
 
-/// An answer that holds no numbers at all says that f was refused.
+/// An answer without any number means that f was refused.
 bool is_refusal(const Rows& rows) {
   return std::all_of(rows.values.begin(), rows.values.end(),
                      [](double value) { return std::isnan(value); });
@@ -115,8 +115,8 @@ Verdict not_refused(Target target) {
                "numbers: it keeps within its bound");
 }
 
-/// Two numbers make a dart, of which x is returned. Where it is otherwise, what samples look like
-/// follows from that.
+/// Two numbers make a dart, of which x is returned. If this fails, the samples' other properties
+/// follow from that.
 bool darts_are_whole() {
   const TargetCase c = target_case(Target::sine);
   const Rows rows = record(Target::sine);
@@ -128,7 +128,7 @@ bool darts_are_whole() {
   return !one_number && !heights;
 }
 
-/// What the samples of one function are like, by the x that they have.
+/// The samples of one function, compared by x.
 struct Samples {
   TargetCase c;
   Formula cdf;
@@ -143,7 +143,7 @@ struct Samples {
   bool uniform() const {
     return fit("", [this](double at) { return (at - c.a) / (c.b - c.a); }).passed;
   }
-  /// As the part of the rectangle above f is.
+  /// Distributed like the part of the rectangle above f.
   bool like_above() const {
     const double area = (c.b - c.a) * c.bound;
     return fit("",
@@ -152,13 +152,13 @@ struct Samples {
                })
         .passed;
   }
-  /// On [0, b - a) and not on [a, b).
+  /// On [0, b - a) instead of [a, b).
   bool not_shifted() const {
     const auto inside = [this](double at) { return at >= c.a && at < c.b; };
     const auto from_zero = [this](double at) { return at >= 0 && at < c.b - c.a; };
     return !std::all_of(x.begin(), x.end(), inside) && std::all_of(x.begin(), x.end(), from_zero);
   }
-  /// What was looked for in samples that do not fit, and what was found.
+  /// The mistakes that were tested for samples that do not fit, and those found.
   void name_signs(Verdict& verdict) const {
     verdict.looked_for = {only_y_redrawn, above_accepted, x_not_shifted};
     if (uniform()) verdict.diagnoses.push_back(only_y_redrawn);
@@ -167,7 +167,7 @@ struct Samples {
   }
 };
 
-/// x is that of the accepted dart's first number.
+/// x must be the accepted dart's first number.
 void judge_x(const Rows& rows, const TargetCase& c) {
   std::vector<double> expected;
   bool from_second = true, heights = true, known = true;
@@ -251,7 +251,7 @@ TEST_CASE("Lab 5.7: f outside its promised range is an error, and so is a search
                 {promise_unchecked}));
   }
   const Rows rows = probe("Lab 5.7 in vain", {}, {.columns = 2, .of = "f = 0 everywhere"});
-  // Who takes a dart at f = 0 does not search in vain.
+  // A submission that accepts a dart at f = 0 does not search in vain.
   const bool searched = rows.at(0, 1) >= 1e7;
   judge(is_so("f = 0 everywhere", rows.at(0, 0) == 1, "no carlo::Error", "carlo::Error",
               searched ? std::vector{endless} : std::vector<Diagnosis>{}));
@@ -269,8 +269,8 @@ TEST_CASE("Lab 5.7: the acceptance rate is the share of the rectangle under f", 
   judge(equals("of sin x on [0, pi) under 1", rate(2, 0, pi, 1), 2 / pi, 1e-15));
 }
 
-// 200 000 points; for the Kolmogorov-Smirnov tests a distribution function that is off by .015
-// anywhere is caught with power .999.
+// 200 000 points; the Kolmogorov-Smirnov tests detect a distribution function that is off by .015
+// anywhere with power .999.
 TEST_CASE("Lab 5.8: darts leave points that are uniform on the disc", "[lab05][ex8]") {
   constexpr std::size_t n = 200'000;
   const Rows rows =

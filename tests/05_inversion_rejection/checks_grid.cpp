@@ -32,7 +32,7 @@ const Diagnosis columns_only{"columns-drawn-uniformly",
 const Diagnosis x_for_y{"x-and-y-swapped",
                         "x and y have changed places: x runs along the columns, y along the rows."};
 
-/// The inverse that Lab 5.6 asks for, in the words of its docstring.
+/// The inverse of Lab 5.6, exactly as in its docstring.
 struct GridInverse {
   explicit GridInverse(const Grid& grid_) : grid(grid_) {
     std::vector<double> sums;
@@ -60,7 +60,7 @@ struct GridInverse {
   double density(std::size_t i, std::size_t j) const {
     return grid.at(i, j) / total * number(grid.width * grid.height);
   }
-  /// In the middle of each cell, row by row.
+  /// At the middle of each cell, row by row.
   std::vector<double> densities() const {
     std::vector<double> all;
     for (std::size_t j = 0; j < grid.height; ++j) {
@@ -69,12 +69,12 @@ struct GridInverse {
     }
     return all;
   }
-  /// The same, where x and y are taken for each other.
+  /// The same with x and y exchanged.
   std::vector<double> exchanged_densities() const {
     std::vector<double> all;
     for (std::size_t j = 0; j < grid.height; ++j) {
       for (std::size_t i = 0; i < grid.width; ++i) {
-        // The middle of cell i of `width` lies in this cell of `height`, and the other way round.
+        // The middle of cell i of `width` lies in this cell of `height`, and vice versa.
         const std::size_t row = (2 * i + 1) * grid.height / (2 * grid.width);
         const std::size_t column = (2 * j + 1) * grid.width / (2 * grid.height);
         all.push_back(density(column, row));
@@ -99,7 +99,7 @@ Grid read_by_columns(const Grid& grid) {
   return read;
 }
 
-/// How many points are wrong, and how many are where a mistake would put them.
+/// The number of wrong points, and of those that match a mistake.
 struct GridCounts {
   double judged = 0, wrong_x = 0, wrong_y = 0, empty = 0;
   double u_exchanged = 0, misread = 0, rows_uniform = 0, u_again = 0, exchanged = 0;
@@ -115,7 +115,7 @@ struct GridCounts {
     const auto near = [](double a, double b) { return std::abs(a - b) <= 1e-9; };
     const std::size_t j = static_cast<std::size_t>(row.index);
     const Place cell = place_of(u_column, exact.columns[j]);
-    // In a rare share what is left of u has fewer digits.
+    // In a rare share the remainder of u has fewer digits.
     const auto slack = [](const Place& place, const std::vector<double>& cdf) {
       return 1e-15 / (cdf[static_cast<std::size_t>(place.index)] - place.before);
     };
@@ -130,7 +130,7 @@ struct GridCounts {
     first_row += one(near(x, (in_first.index + in_first.fraction) / number(exact.grid.width)));
     columns_uniform += one(near(x, u_column));
   }
-  /// Nearly all: where u is in doubt a point may lie anywhere.
+  /// Nearly all: where rounding of u decides, a point may lie anywhere.
   bool most(double count) const { return count >= 0.9 * judged; }
 
   std::vector<Diagnosis> signs_of_y() const {
@@ -234,7 +234,7 @@ TEST_CASE("Lab 5.6: ten million cells", "[lab05][ex6]") {
   judge(all_equal("their density", column(rows, 2), std::vector<double>(u.size(), 1.0), 1e-8));
 }
 
-// Whoever draws with other weights than those given may not have seen the bad ones.
+// A submission that draws with weights other than the given ones may not have seen the bad ones.
 TEST_CASE("Lab 5.6: bad tables are refused", "[lab05][ex6]") {
   const std::vector<double> expected = GridInverse(small_grid()).densities();
   const Rows good =

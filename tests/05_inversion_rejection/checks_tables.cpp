@@ -1,6 +1,6 @@
 // Checks of exercises 5.4 and 5.5. Nearly all are exact: a table's inverse CDF is known. A
-// chi-square test of 400 000 samples in 250 cells catches cells that are off by 4 % (rms):
-// noncentrality 640, power .999 needs 290.
+// chi-square test of 400 000 samples in 250 cells detects cells that are off by 4 % (rms):
+// noncentrality 640; power .999 needs 290.
 
 #include "05_inversion_rejection/inputs.h"
 #include "05_inversion_rejection/match.h"
@@ -76,7 +76,7 @@ bool exact_edges(Weights kind) {
          kind == Weights::one;
 }
 
-/// Whether the numbers drawn are all one off, on the same side, where there is one.
+/// True if all numbers drawn are off by one, on the same side, where there is a neighbour.
 bool draws_next_number(const std::vector<double>& u, const Rows& rows,
                        const std::vector<double>& cdf) {
   if (cdf.size() < 2) return false;
@@ -92,8 +92,8 @@ bool draws_next_number(const std::vector<double>& u, const Rows& rows,
   return false;
 }
 
-/// Whether the fractions are those that u would have in a share next to the right one, all on the
-/// same side, where there is one.
+/// True if the fractions are those of u in a neighbouring share, all on the same side, where there
+/// is one.
 bool fractions_of_next_number(const std::vector<double>& u, const Rows& rows,
                               const std::vector<double>& cdf) {
   for (const std::ptrdiff_t step : {-1, 1}) {
@@ -113,7 +113,7 @@ bool fractions_of_next_number(const std::vector<double>& u, const Rows& rows,
   return false;
 }
 
-/// Whether the numbers drawn are those of u as a float, and not all those of u.
+/// True if the numbers drawn are those of u as a float, and not all those of u.
 bool draws_by_float(const std::vector<double>& u, const Rows& rows,
                     const std::vector<double>& cdf) {
   bool differ = false;
@@ -127,8 +127,8 @@ bool draws_by_float(const std::vector<double>& u, const Rows& rows,
   return differ;
 }
 
-/// Whether the rare weights' probabilities are what rounding to float leaves of them, and those of
-/// the others are right.
+/// True if the rare weights' probabilities are as after rounding to float, and those of the others
+/// are right.
 bool probabilities_by_float() {
   const std::vector<double> weights = weights_of(Weights::rare);
   const Rows rows = probe("Lab 5.4 probabilities", params_of(Weights::rare),
@@ -145,7 +145,8 @@ bool probabilities_by_float() {
   return off && near;
 }
 
-/// What a wrong number is a sign of. `all_off`: all are one off; `zero`: it has weight 0.
+/// The mistakes that explain a wrong number. `all_off`: all are off by one; `zero`: it has weight
+/// 0.
 std::vector<Diagnosis> signs_of_pick(double u, double index, const std::vector<double>& cdf,
                                      bool all_off, bool zero) {
   if (all_off) return {next_number};
@@ -215,7 +216,7 @@ std::vector<double> probabilities(const std::vector<double>& weights) {
   return result;
 }
 
-/// Whether the samples lie in the bin next to theirs, all on the same side, where there is one.
+/// True if the samples lie in a neighbouring bin, all on the same side, where there is one.
 bool in_next_bin(const std::vector<double>& u, const std::vector<double>& found,
                  const std::vector<double>& cdf) {
   const double bins = number(cdf.size());
@@ -232,8 +233,8 @@ bool in_next_bin(const std::vector<double>& u, const std::vector<double>& found,
   return false;
 }
 
-/// Whether these are the probabilities of the neighbours, all on the same side. At the ends there
-/// may stand anything.
+/// True if these are the probabilities of the neighbours, all on the same side. Values at the ends
+/// do not matter.
 bool of_next_number(const std::vector<double>& found, const std::vector<double>& expected) {
   if (expected.size() < 3) return false;
   const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-9 * b; };
@@ -241,7 +242,7 @@ bool of_next_number(const std::vector<double>& found, const std::vector<double>&
          std::equal(found.begin() + 1, found.end() - 1, expected.begin() + 2, same);
 }
 
-/// Whether the probabilities of 1e7 equal weights are off as sums in float make them: most of them,
+/// True if the probabilities of 1e7 equal weights have the errors of sums in float: most of them,
 /// and by less than a few times their size.
 bool drifts(const std::vector<double>& found) {
   const auto off = [](double p) { return std::abs(p - 1e-7) > 1e-10 && std::abs(p) < 1e-6; };
@@ -249,7 +250,7 @@ bool drifts(const std::vector<double>& found) {
          static_cast<std::ptrdiff_t>(found.size());
 }
 
-/// Whether these are the values of the neighbours, all on the same side, where there is one.
+/// True if these are the values of the neighbours, all on the same side, where there is one.
 bool of_next_bin(const std::vector<double>& found, const std::vector<double>& expected) {
   const std::size_t n = expected.size();
   const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-9 * b; };

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <vector>
 
-// What the probes of lab 05 feed the exercises with, and the checks compare against.
+// The inputs of lab 05's probes, which the checks use too.
 
 namespace lab05_tests {
 
@@ -28,7 +28,7 @@ inline std::vector<double> hard_numbers() {
   return u;
 }
 
-/// Tables of weights. Where edges are tested the sums are powers of two: the CDF is exact.
+/// Tables of weights. If edges are tested the sums are powers of two, so that the CDF is exact.
 enum class Weights {
   eighths = 0,  ///< 1 2 3 2
   gaps = 1,     ///< zeros at the beginning, in the middle and at the end
@@ -38,7 +38,7 @@ enum class Weights {
   comb = 5,     ///< 2^17 bins, every second 0
   sixths = 6,   ///< six equal weights, whose shares add up to less than 1 in double, and two zeros
   speck = 7,    ///< a tiny weight first: (u - C_(i-1))/(C_i - C_(i-1)) rounds to 1 just below C_i
-  rare = 8,     ///< 1e-9 and 1e-6 of all, between large ones
+  rare = 8,     ///< 1e-9 and 1e-6 of the total, between large ones
   count = 9
 };
 
@@ -89,8 +89,8 @@ inline std::vector<double> exact_cdf(const std::vector<double>& weights) {
   return cdf;
 }
 
-/// Numbers within the shares that are rare, but wider than rounding: a number with 24 bits does not
-/// find the way into them.
+/// Numbers within shares that are rare, but wider than rounding: no number with 24 bits falls into
+/// them.
 inline std::vector<double> within_rare(const std::vector<double>& cdf) {
   std::vector<double> u;
   for (std::size_t i = 0; i < cdf.size(); ++i) {
@@ -102,8 +102,8 @@ inline std::vector<double> within_rare(const std::vector<double>& cdf) {
   return u;
 }
 
-/// Numbers to draw with: hard_numbers(), every edge of the CDF and the last double before it, and
-/// some within rare shares.
+/// Test numbers: hard_numbers(), every edge of the CDF and the last double before it, and some
+/// within rare shares.
 inline std::vector<double> numbers_for(const std::vector<double>& weights) {
   std::vector<double> u = hard_numbers();
   for (const double edge : exact_cdf(weights)) {
@@ -141,8 +141,8 @@ inline Grid smooth_grid() {
   return grid;
 }
 
-/// A sky with a sun: rows without it have less than 1e-8 of all, texels beside it 1e-9 of their
-/// row.
+/// A sky with a sun: rows without it have less than 1e-8 of the total, texels beside it 1e-9 of
+/// their row.
 inline Grid sun_grid() {
   return {4, 3, {1, 2, 1, 3, 1, 1, 1e9, 1, 2, 1, 1, 2}};
 }
@@ -155,7 +155,7 @@ inline Grid grid_of(GridKind kind) {
                                   : small_grid();
 }
 
-/// Numbers for rows and for columns: hard_numbers() and some within what is rare.
+/// Numbers for rows and for columns: hard_numbers() and some within rare shares.
 inline std::vector<double> numbers_for(const Grid& grid) {
   std::vector<double> u = hard_numbers(), sums(grid.height);
   const auto add = [&](const std::vector<double>& weights) {
@@ -173,7 +173,7 @@ inline std::vector<double> numbers_for(const Grid& grid) {
   return u;
 }
 
-/// Functions that Lab 5.7 draws from. Each stays below its bound, also on [0, b - a).
+/// The functions that Lab 5.7 draws from. Each stays below its bound, also on [0, b - a).
 enum class Target { square = 0, sine = 1, step = 2, count = 3 };
 
 struct TargetCase {
@@ -208,7 +208,7 @@ inline double evaluate(Target target, double x) {
   return x < 0.5 ? 0 : 1;
 }
 
-/// The share of f's integral that lies below x.
+/// The fraction of f's integral below x.
 inline double target_cdf(Target target, double x) {
   switch (target) {
     case Target::square:

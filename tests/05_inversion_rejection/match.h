@@ -15,14 +15,14 @@
 
 namespace lab05_tests {
 
-/// A function of u or x: the right one, or what a typical mistake computes in its place.
+/// A function of u or x: the right one, or that of a typical mistake.
 using Formula = std::function<double(double)>;
 struct Alternative {
   Formula formula;
   carlo::grader::Diagnosis diagnosis;
 };
 
-/// Whether the values are those of the formula at every place, infinities and NaN included.
+/// True if the values are those of the formula at every place, including infinities and NaN.
 inline bool looks_like(const Formula& formula, std::span<const double> at,
                        std::span<const double> measured) {
   for (std::size_t i = 0; i < at.size(); ++i) {
@@ -34,9 +34,9 @@ inline bool looks_like(const Formula& formula, std::span<const double> at,
   return true;
 }
 
-/// The values at each place equal the formula's within absolute + relative |value|. The first that
-/// does not is told; an alternative that all values agree with is named. `axis`: what the places
-/// are.
+/// Checks that the values at each place equal the formula's within absolute + relative |value|.
+/// Reports the first that does not, and an alternative that all values agree with. `axis`: what the
+/// places are.
 inline carlo::grader::Verdict equals_everywhere(const std::string& what, std::span<const double> at,
                                                 std::span<const double> measured,
                                                 const Formula& exact, double relative,
@@ -66,8 +66,8 @@ inline carlo::grader::Verdict equals_everywhere(const std::string& what, std::sp
 
 /// Chi-square test of `counts` against the exact `masses` of the cells, from `n` samples; too good
 /// a fit fails as well. Neighbouring cells are pooled until 100 samples are expected in each, where
-/// the nominal tail holds (facts of a 6x inflation at 5). A sample outside all cells is a fail.
-/// `axis`: what the cells cut into pieces.
+/// the nominal tail holds (at 5 it is inflated 6x). A sample outside all cells fails. `axis`: what
+/// is divided into cells.
 inline carlo::grader::Verdict counts_are(const std::string& what, std::span<const double> counts,
                                          std::span<const double> masses, double n,
                                          const carlo::grader::CellAxis& axis = {}) {
@@ -114,8 +114,8 @@ inline carlo::grader::Verdict counts_are(const std::string& what, std::span<cons
   return verdict;
 }
 
-/// `values` counted in `cells` equal cells of [first, last], the last one closed; those outside are
-/// not counted.
+/// The counts of `values` in `cells` equal cells of [first, last], the last one closed; those
+/// outside are not counted.
 inline std::vector<double> counted(std::span<const double> values, double first, double last,
                                    std::size_t cells) {
   std::vector<double> counts(cells);

@@ -1,5 +1,5 @@
 // Probes of lab 05's exercises 5.1 to 5.6. They call the student's functions and return raw values;
-// what the values should be stands in checks_*.cpp.
+// checks_*.cpp says what the values should be.
 
 #include "05_inversion_rejection/inputs.h"
 #include "05_inversion_rejection/refusal.h"

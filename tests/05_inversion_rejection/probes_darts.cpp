@@ -23,8 +23,8 @@ Target target(const Params& params) {
   return static_cast<Target>(params.whole("target"));
 }
 
-/// The numbers (calls of uniform()) that brought `before` to where `after` is, found by the next
-/// two words; NaN when more than `limit`.
+/// The number of calls of uniform() between the states `before` and `after`, found by the next two
+/// words; NaN if more than `limit`.
 double numbers_drawn(carlo::Rng before, carlo::Rng after, std::int64_t limit) {
   const double first = after.uniform(), second = after.uniform();
   double a = before.uniform(), b = before.uniform();
@@ -67,7 +67,7 @@ PROBE("Lab 5.7 samples", "x", "darts", "(nan: f was refused)") {
   });
 }
 
-// What a few calls draw, and the two numbers of the dart that each says it accepted.
+// The results of a few calls, and the two numbers of the dart that each claims to have accepted.
 PROBE("Lab 5.7 record", "x", "darts", "evaluations of f", "numbers drawn", "dart's first number",
       "its second number",
       "(the numbers of the dart that `darts` says was accepted; nan: f was refused)") {

@@ -10,7 +10,7 @@
 
 namespace lab05_tests {
 
-/// The rows that `work` returns; where it is refused, rows of NaN, so that the check can go on.
+/// The rows that `work` returns; rows of NaN if it is refused, so that the check can continue.
 template <class Work>
 carlo::grader::Rows rows_or_nan(std::size_t rows, std::size_t columns, const Work& work) {
   try {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the checks of Labs 5.4 to 5.6, draws from tables, have in common.
+// Shared by the checks of Labs 5.4 to 5.6, draws from tables.
 
 #include "05_inversion_rejection/inputs.h"
 #include "grader/judge/judge.h"
@@ -37,7 +37,7 @@ inline double number(std::size_t i) {
   return static_cast<double>(i);
 }
 
-/// Where u belongs in a table of weights.
+/// The right result for u in a table of weights.
 struct Place {
   double index, fraction, before;
 };
@@ -49,19 +49,19 @@ inline Place place_of(double u, const std::vector<double>& cdf) {
           before};
 }
 
-/// Whether u is too near an edge for rounding to decide.
+/// True if u is so near an edge that rounding decides.
 inline bool near_edge(double u, const std::vector<double>& cdf) {
   const auto above = std::lower_bound(cdf.begin(), cdf.end(), u - 1e-12);
   return above != cdf.end() && std::abs(*above - u) <= 1e-12 && u < 1 - 1e-12;
 }
 
-/// A sample whose density is 0 has slipped there by rounding only if it is at the edge of its bin.
+/// True if u is at the edge of its bin: only there may rounding give a sample of density 0.
 inline bool at_edge(double u, const std::vector<double>& cdf) {
   const double fraction = place_of(u, cdf).fraction;
   return std::min(fraction, 1 - fraction) <= 1e-6;
 }
 
-/// `named`: whether it is told that the weights are accepted, and not some other mistake's doing.
+/// `named`: whether the diagnosis is that the weights are accepted, and not another mistake.
 inline void judge_refusal(const char* probe_name, const char* name, int kind, bool named = true) {
   const carlo::grader::Rows rows =
       carlo::grader::probe(probe_name, {.numbers = {{"kind", kind}}}, {.of = name});

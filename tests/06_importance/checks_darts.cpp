@@ -1,5 +1,5 @@
-// Checks of exercise 6.5. Single contributions are compared with what their own random numbers say;
-// mean and variance with closed forms. Sizes of effects are those caught with power .999.
+// Checks of exercise 6.5. Single contributions are compared with those computed from their random
+// numbers; mean and variance with closed forms. Stated effect sizes are detected with power .999.
 
 #include "06_importance/inputs.h"
 #include "06_importance/match.h"
@@ -39,7 +39,7 @@ const char* name_of(Profile profile) {
                                       : "g = 0 below 1/2, 1.5 above, under 2";
 }
 
-/// Each contribution against the dart that it belongs to.
+/// Compares each contribution with its dart.
 void judge_darts(Profile profile) {
   constexpr std::size_t n = 400;
   const Dartboard board = dartboard(profile);
@@ -110,8 +110,8 @@ void judge_darts(Profile profile) {
 
 }  // namespace
 
-// sd of one dart's contribution 13.0 and 2.4: with 400 000 darts a bias of .18 (2 % of 9) and .033
-// (1.8 % of 1.875) is caught.
+// sd of one dart's contribution 13.0 and 2.4: 400 000 darts detect a bias of .18 (2 % of 9) and
+// .033 (1.8 % of 1.875).
 TEST_CASE("Lab 6.5: the mean over all darts is f's integral where g > 0", "[lab06][ex5]") {
   for (const Profile profile : {Profile::parabola, Profile::step}) {
     constexpr std::size_t n = 400'000;

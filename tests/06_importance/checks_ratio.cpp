@@ -1,4 +1,4 @@
-// Checks of exercises 6.1 and 6.2. A mean of n contributions catches a bias of 8.74 sd / sqrt(n)
+// Checks of exercises 6.1 and 6.2. A mean of n contributions detects a bias of 8.74 sd / sqrt(n)
 // with power .999, a variance one of 8.74 sqrt((2 + kurtosis) / n) in relative size (compare.h);
 // the sizes are stated at each test.
 
@@ -15,7 +15,7 @@ using namespace lab06_tests;
 
 namespace {
 
-/// Of all probes of this lab.
+/// For all probes of this lab.
 const Unsaid unsaid{"kind", "list", "weighting"};
 
 const Diagnosis not_divided{"not-divided-by-the-pdf",
@@ -66,21 +66,22 @@ std::vector<double> contributions(double k, double n, std::int64_t count) {
       .values;
 }
 
-/// The means that the two mistakes would have: E[f(x)] and E[f(x) p(x)] under p.
+/// The means due to the two mistakes: E[f(x)] and E[f(x) p(x)] under p.
 Suspects ratio_suspects(double k, double n) {
   return {{(k + 1) * (n + 1) / (k + n + 1), not_divided},
           {(k + 1) * (n + 1) * (n + 1) / (k + 2 * n + 1), multiplied}};
 }
 
-/// With p proportional to f contributions are all 1; with normalised weights all the same, not 1.
+/// With p proportional to f, contributions are all 1; with normalised weights they are all the
+/// same, but not 1.
 bool are_normalised(const std::vector<double>& of_same_shape) {
   const auto [least, most] = std::minmax_element(of_same_shape.begin(), of_same_shape.end());
   return *most - *least <= 1e-9 * *most && std::abs(*most - 1) > 1e-6;
 }
 
-/// A verdict on contributions; those with normalised weights look like other mistakes where the
-/// weights happen to be equal. f alone is 5 at most: contributions that are far larger are so
-/// widely spread that their mean may be taken for any.
+/// Judges contributions. Those with normalised weights look like other mistakes where the weights
+/// happen to be equal. f alone is at most 5: contributions that are far larger are spread so widely
+/// that their mean fits anything.
 void judge_ratio(Verdict verdict) {
   if (!verdict.passed) {
     const std::vector<double> of_same_shape = contributions(4, 4, 1000);
@@ -92,7 +93,7 @@ void judge_ratio(Verdict verdict) {
   judge(verdict);
 }
 
-/// x^2 at a place where the pdf is 2 + x.
+/// x^2 at a point where the pdf is 2 + x.
 double contribution_at(double x) {
   return probe("Lab 6.1 at", {.numbers = {{"x", x}}}, {}).at(0, 0);
 }
@@ -132,9 +133,9 @@ void judge_summary(const std::string& name, List list, const Summary& right, dou
 
 }  // namespace
 
-// 400 000 contributions of f = 5 x^4 with p from x^0 to x^5: sd 1.33, .44, .20, .20, so with power
-// .999 a bias of 1.8 % (uniform) to .3 % is caught. With p as x^5 contributions have no upper bound
-// (tail index 6: mean and variance are finite, the sum's tails normal to far below 1e-8).
+// 400 000 contributions of f = 5 x^4 with p from x^0 to x^5: sd 1.33, .44, .20, .20, so a bias of
+// 1.8 % (uniform) to .3 % is detected with power .999. With p as x^5 contributions have no upper
+// bound (tail index 6: mean and variance are finite, the sum's tails normal to far below 1e-8).
 TEST_CASE("Lab 6.1: the mean is f's integral, whatever p is", "[lab06][ex1]") {
   for (const double n : {0.0, 2.0, 3.0, 5.0}) {
     const auto values = contributions(4, n, 400'000);
@@ -144,7 +145,7 @@ TEST_CASE("Lab 6.1: the mean is f's integral, whatever p is", "[lab06][ex1]") {
   }
 }
 
-// Relative sizes caught with power .999, n = 400 000: 2.5 % (uniform, excess kurtosis 1.3) and
+// Relative sizes detected with power .999, n = 400 000: 2.5 % (uniform, excess kurtosis 1.3) and
 // less.
 TEST_CASE("Lab 6.1: the variance falls as theory says while p approaches f",
           "[lab06][ex1][variance]") {
@@ -164,7 +165,7 @@ TEST_CASE("Lab 6.1: with p proportional to f every single contribution is the in
   judge_ratio(equals("the largest distance of a contribution from 1", worst, 0, 1e-12));
 }
 
-// Mean 1/4, sd .144: a bias of .002 is caught with power .999 at n = 400 000.
+// Mean 1/4, sd .144: a bias of .002 is detected with power .999 at n = 400 000.
 TEST_CASE("Lab 6.1: a p that does not cover f gives the integral over what it covers",
           "[lab06][ex1]") {
   const char* const what = "2 x with p uniform on [0, 1/2)";
@@ -245,13 +246,13 @@ TEST_CASE("Lab 6.2: a single value tells nothing of its spread", "[lab06][ex2]")
   judge_summary("one value", List::one, {-3, 0, 0}, 0, {one_value});
 }
 
-// 1e8 + 1 and 1e8 - 1: a double holds the squares to 2 at best.
+// 1e8 + 1 and 1e8 - 1: double represents the squares to 2 at best.
 TEST_CASE("Lab 6.2: no digits are lost far from zero", "[lab06][ex2]") {
   judge_summary("1000 values 1e8 + 1, 1e8 - 1", List::far,
                 {1e8, 1000.0 / 999, std::sqrt(1.0 / 999)}, 1e-7, {cancelled});
 }
 
-// A million additions in double lose some 1e-11; in float the sum is off by 1 %.
+// A million additions in double lose about 1e-11; in float the sum is off by 1 %.
 TEST_CASE("Lab 6.2: a million values are added up in double", "[lab06][ex2]") {
   const Rows rows =
       probe("Lab 6.2 summary", {.numbers = {{"list", static_cast<double>(List::tenths)}}},

@@ -56,8 +56,8 @@ std::function<std::string(std::size_t)> labels(const char* symbol, const std::ve
   return [=](std::size_t i) { return fmt::format("at {} = {:.17g}", symbol, at[i]); };
 }
 
-/// f = 1/(height^2 + t^2) over the pdf is the same at every point: that is zero variance. t carries
-/// an error of a few ulp of its angle, which is what the tolerances allow for.
+/// f = 1/(height^2 + t^2) over the pdf is the same at every point: zero variance. t has an error of
+/// a few ulp of its angle, which the tolerances allow for.
 void judge_samples(std::size_t index) {
   const Lamp lamp = lamps().at(index);
   const std::size_t count = hard_numbers().size();
@@ -134,7 +134,7 @@ const Diagnosis no_tail{"no-tail-is-infinite",
                         "where the sizes do not differ, or are 0 at m_k, the index is infinite."};
 const Diagnosis decimal_logs{"logarithm-to-base-10", "the index needs natural logarithms."};
 
-/// Of the lists of inputs.h those that the largest share and the index are asked of.
+/// The lists of inputs.h that are used for the largest share and the index.
 std::string name_of(List list) {
   switch (list) {
     case List::mixed:
@@ -169,7 +169,7 @@ void judge_index(int k) {
   const double index = 2 / ((k + 1) * std::log(2.0));
   Suspects suspects{{1 / index, inverse_index}, {index * std::log(10.0), decimal_logs}};
   if (k > 1) suspects.push_back({2.0 * k / (k * (k - 1) * std::log(2.0)), reference_off});
-  // The list as it stands, and its positive numbers alone.
+  // The list as it is, and its positive numbers alone.
   const std::vector<double> list = list_of(List::tail);
   std::vector<double> positive = list;
   std::sort(positive.begin(), positive.end(), std::greater<>());
@@ -209,7 +209,8 @@ const Diagnosis pdf_maximum{"mixture-pdf-maximum",
 void judge_mixture_samples(std::size_t index, const Rows& rows) {
   const double s = shares().at(index);
   const std::vector<double> u = numbers_for(s);
-  // Which of the two and with which number, as one: q's numbers get 2 added to them.
+  // Encodes in one number which of the two was called and with which number: q's numbers get 2
+  // added.
   std::vector<double> asked;
   for (std::size_t i = 0; i < u.size(); ++i)
     asked.push_back(2 * rows.at(i, 1) + rows.at(i, 2));
@@ -259,7 +260,7 @@ void judge_mixture_pdf(std::size_t index, const Rows& rows) {
     }
   };
   of_both(pdf_maximum, [](double, double p, double q) { return std::max(p, q); });
-  // As if share were a place on the line, and not a chance.
+  // As if share were a position on the line, not a probability.
   of_both(pdf_of_one, [&](double x, double p, double q) { return x < s ? p : q; });
   if (s != 0.5) others.push_back({mixed(1 - s, s), pdf_exchanged});
   judge(all_match(fmt::format("the pdf for share {:g}", s), labels("x", at), measured,
@@ -309,8 +310,8 @@ TEST_CASE("Lab 6.4: where there is no tail the index is infinite", "[lab06][ex4]
 
 // For Pareto numbers the k logarithms are independent exponentials (Renyi), so 1/estimate is the
 // mean of k of them: mean 1/a, sd 1/(a sqrt(k)), excess kurtosis 6/k. 2000 lists with k = 40: a
-// bias of 3.1 % is caught with power .999; taking m_(k-1) as reference is one of 1/k = 2.5 %, and
-// is told apart by the lists above.
+// bias of 3.1 % is detected with power .999; taking m_(k-1) as reference gives one of 1/k = 2.5 %,
+// which the lists above distinguish.
 TEST_CASE("Lab 6.4: on Pareto numbers the index is right on average", "[lab06][ex4]") {
   for (const double a : {1.5, 4.0}) {
     constexpr std::size_t lists = 2000;

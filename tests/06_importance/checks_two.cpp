@@ -1,5 +1,5 @@
-// Checks of exercise 6.7. Single estimates are compared with what their own random numbers say;
-// means and variances with closed forms. Sizes of effects are those caught with power .999.
+// Checks of exercise 6.7. Single estimates are compared with those computed from their random
+// numbers; means and variances with closed forms. Stated effect sizes are detected with power .999.
 
 #include "06_importance/inputs.h"
 #include "06_importance/match.h"
@@ -77,7 +77,7 @@ struct Plan {
   }
 };
 
-/// What one sample adds, before it is divided by a number of samples.
+/// The contribution of one sample, before division by a number of samples.
 using Term = std::function<double(const StepDensity& own, double n_own, const StepDensity& other,
                                   double n_other, std::size_t cell)>;
 
@@ -140,7 +140,7 @@ void judge_record(const Plan& plan) {
   }
   if (plan.n_first != plan.n_second)
     suspects.push_back({replay(plan, u, equal_counts, true), counts_not_given});
-  // Drawn in the other order, the second technique has the first numbers.
+  // Drawn in the opposite order, the second technique has the first numbers.
   std::vector<double> turned(u.begin() + plan.n_second, u.end());
   turned.insert(turned.end(), u.begin(), u.begin() + plan.n_second);
   suspects.push_back({replay(plan, turned, right, true), order});
@@ -153,8 +153,8 @@ void judge_record(const Plan& plan) {
               "not one a sample", "one a sample"));
 }
 
-/// The chance of the first technique, then what one_sample makes of u: as asked for, or with a
-/// mistake.
+/// The probability of the first technique, then the result of one_sample for u: the right one, or
+/// that of a mistake.
 struct OneSample {
   Weighting kind;
   const StepDensity& first;
@@ -178,7 +178,7 @@ struct OneSample {
     return (weighted ? y : raw) / (divided ? chance : 1);
   }
 
-  /// Whether rounding may decide which cell u is in.
+  /// True if rounding may decide which cell u is in.
   bool near_an_edge(double u) const {
     const bool is_first = u < share;
     const double rest = is_first ? u / share : (u - share) / (1 - share);
@@ -248,8 +248,8 @@ TEST_CASE("Lab 6.7: an estimate is what its random numbers say", "[lab06][ex7]")
   }
 }
 
-// 100 000 estimates; sd .97 to 1.12 for an integral of 2.4, so a bias of 1.3 % is caught, and a
-// variance that is off by 5 %. The bound is the closed form of the variance: MIS is no worse.
+// 100 000 estimates; sd .97 to 1.12 for an integral of 2.4, so a bias of 1.3 % and a variance that
+// is off by 5 % are detected. The bound is the closed form of the variance: MIS is no worse.
 TEST_CASE("Lab 6.7: two techniques together are unbiased, with theory's variance", "[lab06][ex7]") {
   for (const Weighting kind : {Weighting::balance, Weighting::power}) {
     for (const Plan& plan : {Plan{kind, false, 1, 1}, Plan{kind, false, 4, 1}}) {
@@ -319,7 +319,7 @@ TEST_CASE("Lab 6.7: the number handed on stays below 1", "[lab06][ex7]") {
   }
 }
 
-// 200 000 values; sd 1.3 to 2.0 for 2.4: a bias of 1.6 % and a variance off by 3 % are caught.
+// 200 000 values; sd 1.3 to 2.0 for 2.4: a bias of 1.6 % and a variance off by 3 % are detected.
 TEST_CASE("Lab 6.7: a single sample is unbiased, with theory's variance", "[lab06][ex7]") {
   for (const Weighting kind : {Weighting::balance, Weighting::power}) {
     for (const double share : {0.5, 0.2}) {

@@ -43,8 +43,8 @@ bool tame(const Pair& pair) {
   return own > 0 && other > 0 && own < 1e100 && other < 1e100 && own > 1e-100 && other > 1e-100;
 }
 
-/// The first pair whose weight is wrong is told; a mistake is named when all tame pairs agree with
-/// it, division by zero and overflow when only their pairs are wrong.
+/// Reports the first pair whose weight is wrong; names a mistake if all tame pairs agree with it,
+/// and division by zero or overflow if only their pairs are wrong.
 void judge_weights(const std::string& what, const std::vector<double>& measured, int e,
                    bool exchanged) {
   std::vector<Pair> all = pairs();

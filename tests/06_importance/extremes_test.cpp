@@ -1,4 +1,4 @@
-// The solution where doubles end: against values worked out by hand.
+// Tests the solution at the limits of double, against values computed by hand.
 
 #include "importance.h"
 
@@ -11,7 +11,7 @@
 using namespace lab06;
 
 TEST_CASE("a mean of 1e12 hides no spread") {
-  // Half of each of 1e12 and 1e12 + 1: variance .25 n / (n - 1).
+  // Half of them 1e12, half 1e12 + 1: variance .25 n / (n - 1).
   std::vector<double> values;
   constexpr int n = 1000000;
   for (int i = 0; i < n; ++i)

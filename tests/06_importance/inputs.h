@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-// What the probes of lab 06 feed the exercises with, and the checks compare against.
+// The inputs of lab 06's probes, which the checks use too.
 
 namespace lab06_tests {
 
@@ -25,7 +25,8 @@ inline std::vector<double> hard_numbers() {
   return u;
 }
 
-/// Lab 6.1: what f and the pdf say at a point. Infinities and NaN do not travel as parameters.
+/// Lab 6.1: the values of f and the pdf at a point. Infinities and NaN cannot be passed as
+/// parameters.
 struct Answers {
   double f, pdf;
 };
@@ -34,7 +35,7 @@ inline std::vector<Answers> answers() {
           {3, 0},       {infinity, 0},     {not_a_number, 1}, {0, 1e-310},   {1, -0.5},
           {0, -1e-300}, {1, not_a_number}, {0, not_a_number}};
 }
-constexpr std::size_t proper_answers = 9;  ///< the others have no density
+constexpr std::size_t proper_answers = 9;  ///< the others are not densities
 
 /// Labs 6.2 and 6.4: lists of contributions.
 enum class List {
@@ -42,7 +43,7 @@ enum class List {
   one = 1,     ///< a single number
   far = 2,     ///< 1000 numbers 1e8 + 1 and 1e8 - 1
   equal = 3,   ///< all the same
-  zeros = 4,   ///< nothing but zeros
+  zeros = 4,   ///< only zeros
   tail = 5,    ///< powers of 2, half of them negative, unsorted
   sparse = 6,  ///< three numbers among zeros
   tenths = 7,  ///< a million times 0.1
@@ -76,7 +77,7 @@ inline std::vector<double> list_of(List list) {
   return std::vector<double>(1'000'000, 0.1);
 }
 
-/// Lab 6.3: a lamp's height and the stretch of the ray.
+/// Lab 6.3: a lamp's height and the segment of the ray.
 struct Lamp {
   double height, a, b;
 };
@@ -86,8 +87,8 @@ inline const std::array<Lamp, 6>& lamps() {
   return all;
 }
 
-/// Labs 6.4 and 6.7: chances of the first of two. The last of them is one for which
-/// (u - share) / (1 - share) is rounded to 1 at the last u below 1.
+/// Labs 6.4 and 6.7: probabilities of the first of two. For the last of them (u - share) / (1 -
+/// share) is rounded to 1 at the last u below 1.
 inline const std::array<double, 5>& shares() {
   static const std::array<double, 5> all = {0.5, 0.25, 0.7, 0.01, 0.25 + 3 * 0x1p-54};
   return all;
@@ -101,7 +102,7 @@ inline std::vector<double> numbers_for(double share) {
   return u;
 }
 
-/// Lab 6.4: pdfs of two densities to be mixed. They need not be real ones: only values are
+/// Lab 6.4: pdfs of two densities to be mixed. They need not be real densities: only values are
 /// compared.
 inline double positive_pdf(double x) {
   return x >= 0 ? 2 * x : 0.25;
@@ -110,8 +111,8 @@ inline double negative_pdf(double x) {
   return x >= 0 ? 0.5 + x * x : 0;
 }
 
-/// Lab 6.5: f and g on [a, b) under a bound that is higher than need be; and a g that is 0 on half
-/// of [0, 1).
+/// Lab 6.5: f and g on [a, b) under a bound that is higher than necessary; and a g that is 0 on
+/// half of [0, 1).
 enum class Profile { parabola = 0, step = 1 };
 struct Dartboard {
   double a, b, g_max;
@@ -139,17 +140,17 @@ inline std::vector<Pair> pairs() {
           {2, 0.5, 5, 0.1},
           {0.3, 2, 0.7, 0.5},
           {0.25, 1e-3, 0.75, 1e3},
-          // One cannot have drawn the point, or has no samples to do so.
+          // One technique cannot have drawn the point, or has no samples.
           {1, 2, 1, 0},
           {3, 2, 0, 5},
           {0, 5, 0, 5},
           {1, 0, 1, 0},
           {0, 0, 3, 0},
-          // Lights that are all but points.
+          // Lights that are almost points.
           {1, 1e30, 1, 1},
           {16, 1e30, 1, 1e30},
           {1, 1e20, 1, 3e20},
-          // Squares, sums and products that leave the range of double.
+          // Squares, sums and products outside the range of double.
           {1, 1e200, 1, 1e200},
           {1, 1e200, 1, 3e200},
           {2, 1e-200, 1, 3e-200},

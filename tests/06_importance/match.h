@@ -16,7 +16,7 @@
 
 namespace lab06_tests {
 
-/// What a typical mistake gives at every place.
+/// The results of a typical mistake at every place.
 struct Alternative {
   std::vector<double> values;
   carlo::grader::Diagnosis diagnosis;
@@ -38,8 +38,8 @@ inline bool all_agree(std::span<const double> measured, std::span<const double> 
   return true;
 }
 
-/// Each value equals the expected one within relative |expected| + absolute. The first that does
-/// not is told, with label(i) in words; alternatives that all values agree with are named.
+/// Checks that each value equals the expected one within relative |expected| + absolute. Reports
+/// the first that does not, described by label(i), and alternatives that all values agree with.
 inline carlo::grader::Verdict all_match(const std::string& what,
                                         const std::function<std::string(std::size_t)>& label,
                                         std::span<const double> measured,

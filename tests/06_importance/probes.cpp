@@ -25,7 +25,7 @@ std::vector<double> list_of(const Params& params) {
   return lab06_tests::list_of(static_cast<List>(params.whole("list")));
 }
 
-/// Two densities whose samples tell which of them was asked, by the sign, and with which number.
+/// Two densities whose samples show which of them was called, by the sign, and with which number.
 lab06::Density positive() {
   return {[](double u) { return u; }, positive_pdf};
 }

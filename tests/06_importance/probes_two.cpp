@@ -26,7 +26,7 @@ lab06::Density step_density(const StepDensity& steps) {
           [steps](double x) { return steps.pdf_in(cell_of(x)); }};
 }
 
-/// Lab 6.7 is judged with weights that are right whatever Lab 6.6 says.
+/// Lab 6.7 is judged with correct weights, whatever Lab 6.6 returns.
 double balance(lab06::Effort own, lab06::Effort other) {
   return plain_weight(Weighting::balance, own.samples, own.pdf, other.samples, other.pdf);
 }
@@ -37,7 +37,7 @@ lab06::Heuristic heuristic(const Params& params) {
   return static_cast<Weighting>(params.whole("weighting")) == Weighting::power ? power : balance;
 }
 
-/// The first technique: one that leaves part of f to the second, or none of it.
+/// The first technique: one that leaves part of f to the second, or one that covers f alone.
 const StepDensity& first_steps(const Params& params) {
   return params.whole("wide") != 0 ? step_wide : step_first;
 }
@@ -106,7 +106,7 @@ PROBE("Lab 6.6 sums", "balance", "sum of the two", "power", "sum of the two",
     const double samples = 1 + std::floor(100 * rng.uniform());
     const double pdf = std::pow(10, 600 * rng.uniform() - 300);
     const double other_samples = 1 + std::floor(100 * rng.uniform());
-    // Most pairs are of like size: there the weights are neither 0 nor 1.
+    // Most pairs are of similar size: there the weights are neither 0 nor 1.
     const double factor = std::pow(10, 8 * rng.uniform() - 4);
     const lab06::Effort own{samples, pdf}, other{other_samples, pdf * factor};
     const double b = lab06::balance_weight(own, other), p = lab06::power_weight(own, other);
@@ -139,7 +139,7 @@ PROBE("Lab 6.7 multi record", "estimate", "number of rng",
   return rows.take();
 }
 
-// Every sample of the first technique has pdf 0 there: nothing may come from it, and no NaN.
+// Every sample of the first technique has pdf 0: it must contribute nothing, and no NaN.
 PROBE("Lab 6.7 vanishing", "of two techniques, the first's pdf is 0",
       "of two techniques, both pdfs are 0", "of one sample, whose pdf is 0",
       "of one sample, the other's pdf is 0") {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
-// Lab 6.7's playground: functions that are constant on each of five cells of [0, 1), so that every
-// moment of every estimator is a sum of five terms.
+// The test functions of Lab 6.7: constant on each of five cells of [0, 1), so that every moment of
+// every estimator is a sum of five terms.
 
 namespace lab06_tests {
 
@@ -18,7 +18,7 @@ inline std::size_t cell_of(double x) {
   return std::min(i, cells - 1);
 }
 
-/// A density that is steps: its probability in each cell, as multiples of 1/16.
+/// A step density: the probability of each cell, in multiples of 1/16.
 struct StepDensity {
   Steps sixteenths;
 
@@ -41,12 +41,12 @@ struct StepDensity {
   }
 };
 
-/// f, and two techniques of which neither covers it alone; f vanishes where both are 0, and in one
+/// f, and two techniques, neither of which covers it alone; f vanishes where both are 0, and in one
 /// cell the first is far too thin.
 constexpr Steps step_f = {2, 6, 1, 3, 0};
 constexpr StepDensity step_first = {{7, 1, 8, 0, 0}};
 constexpr StepDensity step_second = {{0, 6, 2, 8, 0}};
-/// One that covers f alone.
+/// A technique that covers f alone.
 constexpr StepDensity step_wide = {{3, 5, 2, 4, 2}};
 
 inline double step_integral() {
@@ -58,7 +58,7 @@ inline double step_integral() {
 
 enum class Weighting { balance = 0, power = 1, count = 2 };
 
-/// The weight by the textbook: numbers here are tame.
+/// The textbook formula of the weight: the numbers here are tame.
 inline double plain_weight(Weighting kind, double n_own, double p_own, double n_other,
                            double p_other) {
   const int e = kind == Weighting::power ? 2 : 1;

@@ -28,8 +28,8 @@ inline carlo::grader::Theory theory_of(const RawMoments& m) {
   return {m.m1, std::sqrt(v), m.fourth_cumulant() / (v * v)};
 }
 
-/// Of Y = (k + 1) x^k / ((n + 1) x^n), x with density (n + 1) x^n on [0, 1]. E[Y^m] is finite for
-/// (m - 1) n < m k + 1.
+/// The moments of Y = (k + 1) x^k / ((n + 1) x^n), x with density (n + 1) x^n on [0, 1]. E[Y^m] is
+/// finite for (m - 1) n < m k + 1.
 inline RawMoments power_moments(double k, double n) {
   const auto moment = [&](int m) {
     return std::pow(k + 1, m) * std::pow(n + 1, 1 - m) / (m * k - (m - 1) * n + 1);
@@ -37,7 +37,7 @@ inline RawMoments power_moments(double k, double n) {
   return {moment(1), moment(2), moment(3), moment(4)};
 }
 
-/// Of Y = edge (k + 1) x^k, x uniform on [0, edge).
+/// The moments of Y = edge (k + 1) x^k, x uniform on [0, edge).
 inline RawMoments uncovered_moments(double k, double edge) {
   const auto moment = [&](int m) {
     return std::pow(edge * (k + 1), m) * std::pow(edge, m * k) / (m * k + 1);
@@ -45,8 +45,8 @@ inline RawMoments uncovered_moments(double k, double edge) {
   return {moment(1), moment(2), moment(3), moment(4)};
 }
 
-/// Of one dart's contribution: 0, or (b - a) g_max f / g with density g / ((b - a) g_max). The
-/// integrals of f^m / g^(m-1) by Simpson's rule on 20 000 cells: exact to 1e-12.
+/// The moments of one dart's contribution: 0, or (b - a) g_max f / g with density g / ((b - a)
+/// g_max). The integrals of f^m / g^(m-1) by Simpson's rule on 20 000 cells: exact to 1e-12.
 inline RawMoments dart_moments(Profile profile) {
   const Dartboard board = dartboard(profile);
   const double scale = (board.b - board.a) * board.g_max;
@@ -55,7 +55,7 @@ inline RawMoments dart_moments(Profile profile) {
       const double g = profile_g(profile, x);
       return g > 0 ? std::pow(profile_f(profile, x), m) / std::pow(g, m - 1) : 0;
     };
-    // The step's lower half is 0: the rule runs over the smooth part alone.
+    // The step's lower half is 0: the rule covers only the smooth part.
     const double first = profile == Profile::step ? 0.5 : board.a;
     constexpr int n = 20'000;
     const double h = (board.b - first) / n;
@@ -67,7 +67,7 @@ inline RawMoments dart_moments(Profile profile) {
   return {moment(1), moment(2), moment(3), moment(4)};
 }
 
-/// What one sample of `own` contributes in a cell, as part of its technique's mean.
+/// The contribution of one sample of `own` in a cell, as part of its technique's mean.
 inline double step_contribution(Weighting kind, const StepDensity& own, double n_own,
                                 const StepDensity& other, double n_other, std::size_t cell) {
   const double p = own.pdf_in(cell);
@@ -75,7 +75,7 @@ inline double step_contribution(Weighting kind, const StepDensity& own, double n
   return plain_weight(kind, n_own, p, n_other, other.pdf_in(cell)) * step_f[cell] / p;
 }
 
-/// Of one weighted sample of `own`.
+/// The moments of one weighted sample of `own`.
 inline RawMoments technique_moments(Weighting kind, const StepDensity& own, double n_own,
                                     const StepDensity& other, double n_other) {
   RawMoments m;
@@ -90,7 +90,7 @@ inline RawMoments technique_moments(Weighting kind, const StepDensity& own, doub
   return m;
 }
 
-/// Of the estimate from n_first and n_second samples: cumulants of independent parts add up, and
+/// For the estimate from n_first and n_second samples: cumulants of independent parts add up, and
 /// those of a mean of n fall as n^(1 - order).
 inline carlo::grader::Theory multi_theory(Weighting kind, const StepDensity& first, double n_first,
                                           const StepDensity& second, double n_second) {
@@ -106,7 +106,7 @@ inline carlo::grader::Theory multi_theory(Weighting kind, const StepDensity& fir
   return {mean, std::sqrt(variance), fourth / (variance * variance)};
 }
 
-/// Of a single sample, the first technique chosen with probability `share`.
+/// For a single sample, with the first technique chosen with probability `share`.
 inline carlo::grader::Theory one_theory(Weighting kind, const StepDensity& first,
                                         const StepDensity& second, double share) {
   RawMoments m;

@@ -39,7 +39,7 @@ FrameRow frame_row(const Rows& rows, std::size_t i) {
   return {vector(0), vector(3), vector(6), vector(9), vector(12)};
 }
 
-/// How far lengths and angles are off, the given normal being as long as floats make it.
+/// The deviation of lengths and angles; the given normal has the best length that floats allow.
 double error_of(const FrameRow& f) {
   const double lengths = std::max(std::abs(glm::length(f.s) - 1), std::abs(glm::length(f.t) - 1));
   const double angles = std::max(
@@ -73,10 +73,10 @@ Double3 across(const FrameRow& f, Double3 v) {
   return {glm::dot(v, f.s), glm::dot(v, f.t), glm::dot(v, f.n)};
 }
 
-/// The error where a search finds it largest. A cross product with one helper for every normal
-/// was found at each of 320 random helpers; of helpers made of whole numbers up to 4, some are
-/// exact but for the normal along them, which is among the hard ones. What loses digits by 1 + n.z
-/// is worst close to -z; a helper may lie anywhere.
+/// Judges the largest error that a search finds. The search finds a cross product with a fixed
+/// helper for each of 320 random helpers; some helpers made of whole numbers up to 4 are exact
+/// except for the normal along them, which is among the hard ones. Methods that lose digits through
+/// 1 + n.z are worst close to -z; a helper may lie anywhere.
 void judge_search() {
   const Rows rows = probe("Lab 7.1 search", {.n = 3000}, {.columns = 9, .finite = false});
   const auto vector = [&](std::size_t c) {
@@ -140,7 +140,7 @@ TEST_CASE("Lab 7.1: s, t, n are right-handed", "[lab07][ex1]") {
 TEST_CASE("Lab 7.1: to_world goes along the axes and to_local comes back", "[lab07][ex1]") {
   double worst_world = 0, worst_local = 0, worst_transposed = 0;
   for (const FrameRow& f : frames()) {
-    // Against the student's own axes: whether those are right is asked above.
+    // Compared with the student's own axes: whether those are right is tested above.
     worst_world = std::max(worst_world, distance(f.world, along(f, frame_local)));
     worst_local = std::max(worst_local, distance(f.local, across(f, frame_world)));
     worst_transposed =

@@ -1,6 +1,6 @@
-// Checks of exercise 7.8: closed forms for the mapping and the densities, and what is drawn: the
-// shares of texels by chi-square from 100 000 directions (a share off by 2 % on average is caught),
-// places within texels by Kolmogorov and Smirnov.
+// Checks of exercise 7.8: closed forms for the mapping and the densities. Drawn directions: the
+// frequencies of texels by chi-square from 100 000 directions (one off by 2 % on average is
+// detected), places within texels by Kolmogorov-Smirnov.
 
 #include "07_hemisphere/image_law.h"
 #include "07_hemisphere/quadrature.h"
@@ -62,7 +62,7 @@ Params of(Sky sky, std::int64_t n = 0) {
   return {.n = n, .numbers = {{"sky", static_cast<double>(sky)}}};
 }
 
-/// Directions drawn from a sky: x, y, z, the sample's density, and what pdf() says of wi.
+/// Directions drawn from a sky: x, y, z, the sample's density, and the value of pdf() for wi.
 Rows drawn_from(Sky sky, std::size_t n) {
   return probe("Lab 7.8 directions", of(sky, static_cast<std::int64_t>(n)),
                {.rows = n, .columns = 5, .finite = false, .of = name_of(sky)});
@@ -92,7 +92,7 @@ Verdict mapping_verdict(const std::vector<Double3>& measured,
                "right everywhere");
 }
 
-/// Whether a place is right, whole turns aside.
+/// True if a place is right, up to whole turns.
 bool place_fits(ImagePoint measured, Double3 w) {
   const ImagePoint exact = stands_at(w);
   const bool pole = std::hypot(w.x, w.z) < 1e-18;
@@ -119,7 +119,8 @@ std::vector<Diagnosis> why_places_are_wrong(const std::vector<ImagePoint>& measu
   return diagnoses;
 }
 
-/// Texels that the directions fall into, and where within: across, and down by height w.y.
+/// The texels that the directions fall into, and the positions within: across, and down by height
+/// w.y.
 struct Landed {
   std::vector<double> counts;
   std::vector<double> across, down, angles;  ///< in [0, 1]; `angles`: down by the angle
@@ -147,7 +148,7 @@ double chi_square(const std::vector<double>& counts, const std::vector<double>& 
   double statistic = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (shares[i] > 0) statistic += std::pow(counts[i] - n * shares[i], 2) / (n * shares[i]);
-    // Rounding at an edge takes one in a million.
+    // Rounding at an edge moves one in a million.
     else if (counts[i] > 5)
       statistic = HUGE_VAL;
   }
@@ -185,7 +186,7 @@ bool all_alike(const std::vector<double>& values) {
                                              [](double v) { return v < 1e-3 || v > 1 - 1e-3; }));
 }
 
-/// Fewer than one in twenty values differs from the others, to seven digits.
+/// True if fewer than one in twenty values differs from the others, to seven digits.
 bool few_values(const std::vector<double>& values) {
   std::set<float> seen;
   for (const double value : values)
@@ -194,7 +195,7 @@ bool few_values(const std::vector<double>& values) {
 }
 
 /// `by_sine`: whether the samples' densities divide by the sine of the direction; then uniform
-/// angles are the same mistake.
+/// angles are part of the same mistake.
 Verdict within_verdict(Sky sky, const std::string& which, const std::vector<double>& values,
                        const std::vector<double>& angles, bool by_sine) {
   Verdict verdict =
@@ -210,8 +211,8 @@ Verdict within_verdict(Sky sky, const std::string& which, const std::vector<doub
   return verdict;
 }
 
-/// Every direction has length 1, lies in a texel that gives light, and has that texel's density, in
-/// the sample and when asked.
+/// Checks that every direction has length 1 and lies in a texel that emits, and that sample and
+/// pdf() have that texel's density.
 void judge_samples(Sky sky, const Rows& rows) {
   const SkyImage image = sky_image(sky);
   const std::vector<Double3> directions = directions_in(rows);
@@ -251,7 +252,7 @@ void judge_image_density(Sky sky) {
                           {.rows = places.size(), .finite = false, .of = name_of(sky)});
   judge(
       image_density_is(fmt::format("the density of {}", name_of(sky)), image, places, rows.values));
-  // Nine places stand for each texel of every row.
+  // Nine places represent each texel of every row.
   if (density_rows(image).size() != image.height) return;
   double integral = 0;
   for (std::size_t i = 0; i < rows.values.size(); ++i)
@@ -309,7 +310,7 @@ TEST_CASE("Lab 7.8: the density is in proportion to the luminance, and integrate
 
 namespace {
 
-/// What a density that is no number at a pole comes from: one division for all directions, or one
+/// The mistake that explains a NaN density at a pole: one division for all directions, or one
 /// there.
 std::vector<Diagnosis> why_no_number(Sky sky) {
   const SkyImage image = sky_image(sky);
@@ -368,7 +369,7 @@ TEST_CASE("Lab 7.8: a sun of one texel is hit by every u, wherever it stands", "
   }
 }
 
-// Where the sun is hidden, the sky is all the light.
+// Where the sun is hidden, all light comes from the sky.
 TEST_CASE("Lab 7.8: texels that a sun leaves 1e-9 of the power are drawn as often",
           "[lab07][ex8]") {
   const SkyImage image = sky_image(Sky::glare);
@@ -382,7 +383,7 @@ TEST_CASE("Lab 7.8: texels that a sun leaves 1e-9 of the power are drawn as ofte
         texel_place(image, stands_at({rows.at(i, 0), rows.at(i, 1), rows.at(i, 2)})).index;
     if (texel == numbers[i].texel && agree(rows.at(i, 3), density_of(image, texel), 1e-5)) continue;
     ++wrong;
-    // A float near 0 has its digits, and near 1 it has not.
+    // A float is precise near 0, and less so near 1.
     small += numbers[i].u.x < 0.9 && numbers[i].u.y < 0.9 ? 1 : 0;
   }
   judge(holds(fmt::format("the texels of {} that u is in the middle of", name_of(Sky::glare)),
@@ -390,7 +391,7 @@ TEST_CASE("Lab 7.8: texels that a sun leaves 1e-9 of the power are drawn as ofte
               small == 0 ? std::vector{float_u} : std::vector<Diagnosis>{}));
 }
 
-// E = pi / 2 (1 + cos(tilt)); what one direction contributes has its variance by quadrature.
+// E = pi / 2 (1 + cos(tilt)); the variance of one direction's contribution is by quadrature.
 TEST_CASE("Lab 7.8: the irradiance under half a sky, on floors that are tilted", "[lab07][ex8]") {
   constexpr std::size_t n = 20'000;
   for (const double tilt : {60.0, 120.0}) {

@@ -1,7 +1,7 @@
-// Checks of exercise 7.7. Irradiance against closed forms: 320 000 directions a scene; the z test
+// Checks of exercise 7.7. Irradiance against closed forms: 320 000 directions per scene; the z test
 // uses the exact variance of L cos/p, by quadrature. The largest cv of one direction is 3.6 (the
-// wall, by uniform directions): a bias of 5.6 % is caught with power .999, at the sky of 0.9 %. The
-// variance is tested on its own, for it tells whether the technique asked for was used.
+// wall, by uniform directions): a bias of 5.6 % is detected with power .999, .9 % for the sky. The
+// variance is tested separately, since it shows whether the requested technique was used.
 
 #include "07_hemisphere/irradiance.h"
 #include "grader/protocol/next_words.h"
@@ -111,17 +111,17 @@ Suspects suspects_of(const Case& c, Vec3 normal, double scale) {
   return suspects;
 }
 
-/// Whether the techniques without a lobe are right under the same light.
+/// True if the techniques without a lobe are right under the same light.
 bool others_are_right(const Case& c, Vec3 normal) {
   for (const Technique technique : {Technique::uniform, Technique::cosine}) {
-    // A tiny sun is missed by nearly all of their directions, which is no test.
+    // Nearly all of their directions miss a tiny sun, so it is no test.
     const Case other = make(c.light == Light::sun ? Light::ball : c.light, technique);
     if (!mean_is("", estimates(other, normal), theory_of(other)).passed) return false;
   }
   return true;
 }
 
-/// The mean against theory. What it may have been instead is worked out only when it is wrong.
+/// Judges the mean against theory. Possible mistakes are computed only if it is wrong.
 Verdict mean_verdict(const std::string& what, const Case& c, Vec3 normal,
                      const std::vector<double>& values, double scale = 1) {
   const Theory theory = theory_of(c, scale);
@@ -131,7 +131,7 @@ Verdict mean_verdict(const std::string& what, const Case& c, Vec3 normal,
   if (c.technique != Technique::lobe || !others_are_right(c, normal)) {
     return mean_is(what, values, theory, suspects);
   }
-  // A mistake in the lobe gives any value at all: only what fits closely is named beside it.
+  // A mistake in the lobe can give any value: report others only if they fit closely.
   double mean = 0;
   for (const double value : values)
     mean += value / static_cast<double>(values.size());
@@ -145,7 +145,7 @@ Verdict mean_verdict(const std::string& what, const Case& c, Vec3 normal,
   return lobe;
 }
 
-/// Ambient occlusion that is wrong. Where the irradiance by the same lobe is right, the lobe is.
+/// Judges ambient occlusion. If the irradiance by the same lobe is right, so is the lobe.
 Verdict occlusion_verdict(const std::string& what, const Case& c,
                           const std::vector<double>& values) {
   if (!mean_is("", estimates(c, tilted), theory_of(c)).passed)
@@ -174,7 +174,8 @@ void judge_variance(const Case& c) {
                     suspects));
 }
 
-/// All estimates equal a constant: the technique's density is proportional to the integrand.
+/// Checks that all estimates equal a constant: the technique's density is proportional to the
+/// integrand.
 void judge_exact(const Case& c) {
   double worst = 0;
   for (const double value : estimates(c, tilted))
@@ -249,8 +250,8 @@ TEST_CASE("Lab 7.7: radiance is asked once a direction, and never below the hori
                 {c.technique == Technique::lobe ? asks_below : local_not_world}));
     judge(holds("the length of the directions asked for, under " + c.name, off <= 1e-5,
                 fmt::format("off 1 by {:.2g}", off), "1"));
-    // The lobe loses the part below the horizon: within 8 standard deviations of it. A direction at
-    // the horizon may be rounded below it.
+    // The lobe loses the part below the horizon, within 8 standard deviations. A direction at the
+    // horizon may be rounded below it.
     const double lost = lost_part(c);
     const double tolerance = lost > 0 ? 8 * std::sqrt(n * lost * (1 - lost)) : 2;
     judge(equals("how often radiance was asked for, under " + c.name, asked, n * (1 - lost),
@@ -259,7 +260,7 @@ TEST_CASE("Lab 7.7: radiance is asked once a direction, and never below the hori
   }
 }
 
-// 2 pi cos(theta) at most for n = 0, and at n = 0.05 the density is above 0.07 for every float.
+// At most 2 pi cos(theta) for n = 0; at n = 0.05 the density is above 0.07 for every float.
 TEST_CASE("Lab 7.7: a direction on the lobe's very edge does not spoil the estimate",
           "[lab07][ex7]") {
   for (const double n : {0.0, 0.05}) {

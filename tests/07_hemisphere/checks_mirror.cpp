@@ -1,6 +1,6 @@
-// Checks of exercise 7.6. As checks_samplers.cpp, and two closed forms at 200 000 directions: the
-// part of the lobe below the horizon (a shift of .01 is caught with power .999) and the mean cosine
-// above it, which is (n + 1)/(n + 2) times the albedo of a Phong surface.
+// Checks of exercise 7.6: as in checks_samplers.cpp, and two closed forms with 200 000 directions:
+// the part of the lobe below the horizon (a shift of .01 is detected with power .999) and the mean
+// cosine above it, which is (n + 1)/(n + 2) times the albedo of a Phong surface.
 
 #include "07_hemisphere/subject.h"
 #include "07_hemisphere/theory.h"
@@ -34,7 +34,7 @@ const Diagnosis about_surface_normal{"density-of-wi-and-normal",
 
 constexpr std::size_t n_directions = 200'000;
 
-/// Which axis the directions surround, if another one.
+/// Names the axis that the directions surround, if it is the wrong one.
 void name_axis(Verdict& verdict, const Subject& subject, const std::vector<Double3>& world) {
   const Share right = power_law(subject.m());
   const auto surround = [&](Double3 axis) {
@@ -151,7 +151,7 @@ TEST_CASE("Lab 7.6: the density integrates to 1 over the whole sphere", "[lab07]
     others.push_back({brdf, n_plus_2});
     judge_density(subject, others, {{1 - p, cut_density}, {(n + 2.0) / (n + 1.0), n_plus_2}});
   }
-  // The analyser loses sight of what a std::function owns.
+  // The analyser loses track of what a std::function owns.
 }  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks)
 
 TEST_CASE("Lab 7.6: the density is right across the narrowest lobes, at grazing angles too",

@@ -1,7 +1,7 @@
 // Checks of exercise 7.2. Chi-square over 256 cells of equal mass from 200 000 directions: cells
-// off by 3.7 % each (rms) have a noncentrality of 270, which is caught with power .999. Darts that
-// keep the cube's corners have a mean cosine of .5155 (for a normal along an axis), which is 24
-// standard errors off 1/2; and no dart is lost.
+// off by 3.7 % each (rms) have a noncentrality of 270, which is detected with power .999. Accepting
+// darts in the cube's corners gives a mean cosine of .5155 (for a normal along an axis), 24
+// standard errors off 1/2, and loses no dart.
 
 #include "07_hemisphere/law.h"
 #include "grader/protocol/next_words.h"
@@ -68,10 +68,10 @@ Double3 reordered(Double3 dart, const std::array<int, 3>& order) {
   return w.z < 0 ? -w : w;
 }
 
-/// One direction: the darts it is told to have taken, and what the generator gave for it.
+/// One direction: the number of darts it claims, and what was drawn from the generator for it.
 struct Taken {
   double darts = 0, words = 0;
-  Double3 w, first;  ///< the answer, and what the first dart in the ball gives
+  Double3 w, first;  ///< the answer, and the direction of the first dart in the ball
 };
 
 /// The direction of the first dart in the ball, above the horizon.
@@ -84,7 +84,7 @@ Double3 first_in_ball(carlo::Rng rng) {
   return glm::normalize(Double3(dart.z < 0 ? -dart : dart));
 }
 
-/// Until one drew more than can be followed.
+/// Stops at the first that drew more than can be followed.
 std::vector<Taken> taken(std::size_t repetitions) {
   const Answer rows = probe("Lab 7.2 record", {.n = static_cast<std::int64_t>(repetitions)},
                             {.rows = repetitions, .columns = 8});
@@ -102,7 +102,7 @@ std::vector<Taken> taken(std::size_t repetitions) {
   return all;
 }
 
-/// Whether nearly all answers are the right ones but for the order in which x, y, z were drawn.
+/// True if nearly all answers are right except for the order in which x, y, z were drawn.
 bool in_another_order(const std::vector<Taken>& all) {
   for (const std::array<int, 3>& order :
        std::array<std::array<int, 3>, 5>{{{0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}}) {
@@ -114,7 +114,7 @@ bool in_another_order(const std::vector<Taken>& all) {
   return false;
 }
 
-/// Of trials with success probability p, until the first success.
+/// For trials with success probability p, until the first success.
 Theory geometric(double p) {
   return {1 / p, std::sqrt(1 - p) / p, 6 + p * p / (1 - p)};
 }

@@ -1,8 +1,8 @@
 // Checks of exercises 7.3 to 7.5. Directions: chi-square over 16 x 16 cells of equal mass, in the
-// angle and the azimuth together, from 200 000 directions; cells off by 3.7 % each (rms) are caught
-// with power .999. Where the lobe is narrow, Kolmogorov and Smirnov's test of 1 - cos^(n+1), which
-// is uniform, in double: a distribution function that is off by .015 is caught. Densities are
-// compared with their closed forms all over the sphere, and integrated.
+// angle and the azimuth together, from 200 000 directions; cells off by 3.7 % each (rms) are
+// detected with power .999. Where the lobe is narrow, a Kolmogorov-Smirnov test of 1 - cos^(n+1),
+// which is uniform, in double: a distribution function that is off by .015 is detected. Densities
+// are compared with their closed forms all over the sphere, and integrated.
 
 #include "07_hemisphere/subject.h"
 
@@ -68,7 +68,7 @@ double upper(double value, Double3 w) {
   return w.z > 0 ? value : 0;
 }
 
-/// The density is 0 wherever theory's is 0, or it would be one of the others'.
+/// True if the density is 0 wherever theory's is 0; otherwise it may be one of the others'.
 bool wrong_only_below(const Subject& subject) {
   const Rows rows = probe(
       "Lab 7.3 to 7.6 density", subject.params(),
@@ -93,7 +93,7 @@ Verdict lobe_angles(const Subject& subject, const std::vector<Double3>& directio
     shares.push_back(power_law(subject.m())(w));
   Verdict verdict = uniform_on("1 - cos^(n+1) of " + subject.name, shares, 0, 1);
   if (verdict.passed) return verdict;
-  // To seven digits, for phi rounds as well.
+  // To seven digits, since phi is rounded as well.
   std::set<float> angles;
   for (const double share : shares)
     angles.insert(static_cast<float>(share));
@@ -162,7 +162,7 @@ TEST_CASE("Lab 7.5: directions follow the lobe, in angle and azimuth", "[lab07][
   for (const double n : {0.0, 1.0, 2.5, 20.0, 1000.0, 1e7}) {
     const Subject subject = lobe_subject(n);
     const Drawn drawn = draw(subject, n_sampled);
-    // The 0th root has no value: all directions end on the horizon.
+    // The 0th root is undefined: all directions end up on the horizon.
     judge_drawn(subject, drawn, n == 0 ? std::vector{root_n} : std::vector<Diagnosis>{});
     std::vector<OtherLaw> others = {{power_law(n + 2), root_n_plus_2},
                                     {uniform_angle, theta_uniform}};

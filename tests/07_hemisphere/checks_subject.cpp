@@ -1,4 +1,4 @@
-// What the checks of 7.3 to 7.6 have in common.
+// Shared by the checks of 7.3 to 7.6.
 
 #include "07_hemisphere/subject.h"
 
@@ -22,7 +22,7 @@ void judge_density(const Subject& subject, const std::vector<OtherPdf>& others,
   for (const double value : rows.values)
     sum += value;
   judge(density_is("the density of " + subject.name, subject, places, rows.values, others));
-  // The midpoint rule at 200 heights: off by less than .002 for n up to 10.
+  // The midpoint rule at 200 heights: its error is below .002 for n up to 10.
   judge(equals("the integral of the density over the sphere", sum * 4 * pi / count, 1, 0.004,
                integrals));
 }
@@ -32,7 +32,7 @@ namespace {
 const Diagnosis on_horizon{"direction-on-horizon",
                            "there are u whose direction lies on the horizon, where the density is "
                            "0: keep the cosine above 0."};
-/// Whether only numbers u with a coordinate 0 are bad, and all of them.
+/// True if only numbers u with a coordinate 0 are bad, and all of them.
 bool bad_at_zero_only(const std::vector<Vec2>& u, const std::vector<bool>& bad) {
   bool x = true, y = true;
   for (std::size_t i = 0; i < u.size(); ++i) {
@@ -86,18 +86,18 @@ const Diagnosis neighbours_parted{"neighbours-parted",
                                   "nearby u give directions far apart: stratified u will not give "
                                   "stratified directions."};
 
-/// Where a direction lies when the law is spread evenly over the unit disc: directions that are
-/// close for the law's width are close there.
+/// The position of a direction when the law is spread evenly over the unit disc: directions that
+/// are close relative to the law's width are close there.
 glm::dvec2 on_disc(Double3 w, const Share& share) {
   const double across = std::hypot(w.x, w.y);
   if (!(across > 0)) return {0, 0};
   return std::sqrt(share(w)) / across * glm::dvec2(w.x, w.y);
 }
 
-/// Of what pairs of neighbours do in one coordinate of u.
+/// Statistics of pairs of neighbours in one coordinate of u.
 struct Steps {
-  double far = 0;      ///< how many pairs are much farther apart than their u are
-  double degrees = 0;  ///< in how many pairs the azimuth has moved by 360 radians per unit of u
+  double far = 0;      ///< the number of pairs that are much farther apart than their u
+  double degrees = 0;  ///< the number of pairs whose azimuth moved by 360 radians per unit of u
 };
 
 Steps steps_between(const std::vector<Double3>& from, const std::vector<Double3>& to,
@@ -116,11 +116,11 @@ Steps steps_between(const std::vector<Double3>& from, const std::vector<Double3>
 
 }  // namespace
 
-// On the disc, where u moves by d, the formulas' directions move by 2 pi d at most along a circle,
+// On the disc, if u moves by d, right formulas move directions by at most 2 pi d along a circle,
 // and by d/(2 r) outwards at radius r: more than 30 d for one pair in 3600. A line along which the
-// direction jumps parts one pair in 8000. Of 2000 pairs a twentieth may be parted: right mappings
-// are failed with a probability below 1e-30, those with ten such lines as well. A mapping that
-// winds round 57 times parts 99 % of them.
+// direction jumps separates one pair in 8000. A twentieth of 2000 pairs may be separated: right
+// mappings fail with a probability below 1e-30, and so do those with ten such lines. A mapping that
+// winds round 57 times separates 99 % of them.
 void judge_neighbours(const Subject& subject) {
   constexpr std::size_t pairs = 2000;
   const Rows rows = probe("Lab 7.3 to 7.5 neighbours", subject.params(pairs),
@@ -164,8 +164,8 @@ void judge_drawn(const Subject& subject, const Drawn& drawn,
   std::string example;
   for (std::size_t i = 0; i < drawn.pdf.size(); ++i) {
     const Double3 w = drawn.directions[i];
-    // A density is asked for elsewhere; here that it belongs to the samples. A direction on the
-    // very edge may be rounded out of the lobe.
+    // Densities are tested elsewhere; here they must belong to the samples. A direction on the very
+    // edge may be rounded out of the lobe.
     const bool edge = subject.axes().local(w).z < 1e-6;
     if (edge || agree(drawn.pdf[i], subject.pdf(w), 2 * subject.tolerance(w))) continue;
     if (++wrong > 1) continue;

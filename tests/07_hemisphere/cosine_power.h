@@ -9,12 +9,12 @@
 
 namespace lab07_tests {
 
-/// -log(cos) of the angle between w and z, exact for small angles and large ones; z > 0.
+/// -log(cos) of the angle between w and z, accurate for small and large angles; z > 0.
 inline double minus_log_cosine(Double3 w) {
   return 0.5 * std::log1p((w.x * w.x + w.y * w.y) / (w.z * w.z));
 }
 
-/// How much of a law lies within w's angle to z: uniform on [0, 1) when the law is right.
+/// The fraction of a law within w's angle to z: uniform on [0, 1) if the law is right.
 using Share = std::function<double(Double3)>;
 
 /// The law of density m / (2 pi) cos^(m-1): 1 is uniform, 2 cosine-weighted, n + 1 the lobe.
@@ -24,16 +24,16 @@ inline Share power_law(double m) {
 inline double power_law_pdf(double m, Double3 w) {
   return w.z > 0 ? m / (2 * pi) * std::exp(-(m - 1) * minus_log_cosine(w)) : 0;
 }
-/// The angle itself is uniform up to 90 degrees.
+/// For a law whose angle itself is uniform up to 90 degrees.
 inline double uniform_angle(Double3 w) {
   return std::atan2(std::hypot(w.x, w.y), w.z) * 2 / pi;
 }
-/// The sine of the angle is uniform.
+/// For a law whose sine of the angle is uniform.
 inline double uniform_sine(Double3 w) {
   return std::hypot(w.x, w.y) / glm::length(w);
 }
 
-/// The azimuth as a part of `turn`.
+/// The azimuth as a fraction of `turn`.
 inline double azimuth_share(Double3 w, double turn = 2 * pi) {
   const double phi = std::atan2(w.y, w.x);
   return (phi < 0 ? phi + 2 * pi : phi) / turn;

@@ -6,11 +6,11 @@
 #include <functional>
 #include <vector>
 
-// The law of Lab 7.8's lamp, and what typical mistakes give in its place.
+// The law of Lab 7.8's lamp, and the results of typical mistakes.
 
 namespace lab07_tests {
 
-/// Where a point of the image lies: in which texel, and where within, from 0 to 1.
+/// The position of a point of the image: its texel, and the place within, from 0 to 1.
 struct TexelPlace {
   std::size_t index;
   double across, down;
@@ -28,7 +28,7 @@ inline TexelPlace texel_place(const SkyImage& image, ImagePoint p) {
           close(x, width) || close(y, height)};
 }
 
-/// The same; at an edge the lit one among the texels there. Rounding may take a direction either
+/// The same; at an edge the lit one of the texels there, since rounding may move a direction either
 /// way.
 inline TexelPlace lit_texel_near(const SkyImage& image, ImagePoint p) {
   TexelPlace found = texel_place(image, p);
@@ -48,14 +48,14 @@ inline double density_of(const SkyImage& image, std::size_t index) {
   return image.luminance[index] / image.power;
 }
 
-/// Whether a density is some lit texel's.
+/// True if a density is that of some lit texel.
 inline bool fits_a_texel(const SkyImage& image, double density) {
   return std::any_of(image.luminance.begin(), image.luminance.end(), [&](double luminance) {
     return luminance > 0 && agree(density, luminance / image.power, 1e-5);
   });
 }
 
-/// The chance of each texel, in proportion to luminance times solid angle.
+/// The probability of each texel, proportional to luminance times solid angle.
 inline std::vector<double> shares_by_power(const SkyImage& image) {
   std::vector<double> shares;
   for (std::size_t k = 0; k < image.luminance.size(); ++k)
@@ -63,7 +63,7 @@ inline std::vector<double> shares_by_power(const SkyImage& image) {
   return shares;
 }
 
-/// The same in proportion to luminance alone.
+/// The same, proportional to luminance alone.
 inline std::vector<double> shares_by_luminance(const SkyImage& image) {
   double sum = 0;
   for (const double luminance : image.luminance)
@@ -112,8 +112,8 @@ inline const Diagnosis half_sphere{
 inline const Diagnosis half_around{"half-a-turn",
                                    "the azimuth covers half a turn only: it runs from 0 to 2 pi."};
 
-/// A wrong mapping: where a point of the image is seen; and the direction at whose right place a
-/// direction is looked up.
+/// A wrong mapping: where a point of the image is seen; and the direction whose right place is
+/// looked up for a direction.
 struct OtherMapping {
   std::function<Double3(ImagePoint)> seen;
   std::function<Double3(Double3)> back;
@@ -121,7 +121,7 @@ struct OtherMapping {
 };
 
 inline std::vector<OtherMapping> other_mappings() {
-  // By a map of directions, there and back.
+  // Composed of a map of directions, forward and back.
   const auto moved = [](const std::function<Double3(Double3)>& there,
                         const std::function<Double3(Double3)>& back, const Diagnosis& diagnosis) {
     return OtherMapping{[there](ImagePoint p) { return there(seen_in(p)); }, back, diagnosis};
@@ -141,7 +141,7 @@ inline std::vector<OtherMapping> other_mappings() {
             [](Double3 w) { return Double3(w.z, w.y, -w.x); }, turned),
       moved([](Double3 w) { return Double3(w.z, w.y, -w.x); },
             [](Double3 w) { return Double3(-w.z, w.y, w.x); }, turned),
-      // The spherical() of Lab 7.3.
+      // spherical() of Lab 7.3.
       moved([](Double3 w) { return Double3(-w.z, w.x, w.y); },
             [](Double3 w) { return Double3(w.y, w.z, -w.x); }, other_up),
       same([](Double3 w) { return Double3(w.x, w.z, w.y); }, other_up),
@@ -158,7 +158,7 @@ inline std::vector<OtherMapping> other_mappings() {
   };
 }
 
-/// Chances of texels that a mistake gives.
+/// Probabilities of texels due to a mistake.
 struct OtherShares {
   std::vector<double> shares;
   Diagnosis diagnosis;
@@ -203,7 +203,7 @@ inline std::vector<OtherImagePdf> other_image_pdfs(const SkyImage& image) {
   };
 }
 
-/// Whether these are the densities of a law that divides by the sine of each direction.
+/// True if these are the densities of a law that divides by the sine of each direction.
 inline bool divides_by_sine(const SkyImage& image, const std::vector<Double3>& directions,
                             const std::vector<double>& densities) {
   for (const OtherImagePdf& other : other_image_pdfs(image)) {
@@ -218,7 +218,7 @@ inline bool divides_by_sine(const SkyImage& image, const std::vector<Double3>& d
   return false;
 }
 
-/// The densities at `places` against theory; says which mistake all of them agree with.
+/// Compares the densities at `places` with theory; reports a mistake that all of them agree with.
 inline Verdict image_density_is(const std::string& what, const SkyImage& image,
                                 const std::vector<Vec3>& places,
                                 const std::vector<double>& measured) {

@@ -11,20 +11,20 @@
 #include <string>
 #include <tuple>
 
-// What estimates of irradiance are by theory: mean, spread and kurtosis for a light and a
-// technique, by quadrature.
+// Theory for estimates of irradiance: mean, spread and kurtosis for a light and a technique, by
+// quadrature.
 
 namespace lab07_tests {
 
 enum class Technique { rejection = 0, uniform = 1, cosine = 2, lobe = 3 };
 
-/// What is to be integrated, and how.
+/// The integrand, and the technique.
 struct Case {
   std::string name;
   Light light;
   Technique technique;
-  double n = 1;        ///< of the lobe,
-  bool aimed = false;  ///< which points at the light, or else along the normal
+  double n = 1;        ///< for the lobe,
+  bool aimed = false;  ///< which points at the light, or otherwise along the normal
 };
 
 inline constexpr std::array<const char*, 4> technique_names = {
@@ -56,8 +56,8 @@ inline double pdf_of(const Case& c, Double3 w) {
   return power_law_pdf(c.n + 1, Axes(axis_of(c)).local(w));
 }
 
-/// Calls f with the directions above the horizon that light comes from, and with their solid
-/// angles; below = true: from below it.
+/// Calls f with the directions above the horizon from which light comes, and with their solid
+/// angles; with below = true, those below it.
 template <class F>
 void over_lit(const Case& c, const F& f, bool below = false) {
   const auto where_lit = [&](Double3 w, double solid_angle) {
@@ -80,7 +80,7 @@ double lit_integral(const Case& c, const F& f, bool below = false) {
   return sum;
 }
 
-/// Of one direction's contribution L cos/p.
+/// Statistics of one direction's contribution L cos/p.
 struct Contribution {
   double mean, sd, excess_kurtosis;
 };
@@ -99,7 +99,7 @@ inline Contribution integrated(const Case& c) {
   return {mean, std::sqrt(variance), variance > 0 ? fourth / (variance * variance) - 3 : 0};
 }
 
-/// A case is judged for several normals and in several tests: it is integrated once.
+/// A case is judged for several normals and in several tests, but integrated only once.
 inline const Contribution& contribution(const Case& c) {
   using Key = std::tuple<Light, Technique, double, bool>;
   static std::map<Key, Contribution> known;
@@ -109,7 +109,7 @@ inline const Contribution& contribution(const Case& c) {
   return found->second;
 }
 
-/// Directions of an estimate, and how many estimates are asked for.
+/// Directions per estimate, and the number of estimates requested.
 inline constexpr double count = 16, repetitions = 20'000;
 
 inline carlo::grader::Theory theory_of(const Case& c, double scale = 1) {
@@ -134,7 +134,7 @@ inline double lost_part(const Case& c) {
   return below / (steps * static_cast<double>(steps));
 }
 
-/// The irradiance under an open sky, as far as the technique's directions reach.
+/// The irradiance under an open sky, within the reach of the technique's directions.
 inline double open_sky(const Case& c) {
   const Axes axes(axis_of(c));
   double sum = 0;

@@ -9,13 +9,14 @@
 #include <string>
 #include <vector>
 
-// How directions are distributed.
+// The distribution of directions.
 
 namespace lab07_tests {
 
-/// Directions in the axes of their law, cells of equal mass in both coordinates together:
-/// chi-square, too good a fit fails as well. A direction outside the law's support is a fail, but
-/// for one at its edge, which rounding takes either way. Without a name (`what`), no figure.
+/// Directions in the axes of their law, in cells of equal mass in both coordinates together:
+/// chi-square, where too good a fit fails as well. A direction outside the law's support fails,
+/// except at its edge, where rounding may move it either way. Without a name (`what`), there is no
+/// figure.
 inline carlo::grader::Verdict distributed(const std::string& what,
                                           const std::vector<Double3>& directions,
                                           const Share& share, double turn = 2 * pi) {
@@ -53,7 +54,7 @@ inline carlo::grader::Verdict distributed(const std::string& what,
   return verdict;
 }
 
-/// Whether the directions lie on a curve: at (nearly) every angle they have a few azimuths only,
+/// True if the directions lie on a curve: at (nearly) every angle there are only a few azimuths,
 /// wherever phi starts.
 inline bool number_reused(const std::vector<Double3>& directions, const Share& share) {
   std::array<std::array<bool, cells_a_side>, cells_a_side> seen{};
@@ -88,7 +89,7 @@ inline std::vector<Double3> local_to(const Axes& axes, const std::vector<Double3
   return local;
 }
 
-/// The largest deviation of a length from 1; NaN when there is one.
+/// The largest deviation of a length from 1; NaN if there is one.
 inline double worst_length(const std::vector<Double3>& directions) {
   double worst = 0;
   for (const Double3 w : directions) {

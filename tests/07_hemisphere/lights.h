@@ -19,9 +19,9 @@ enum class Light {
   sun = 5      ///< a tiny cone at 60 degrees, as narrow as a lobe of n = 1e7
 };
 
-constexpr double sun_angle = 3.5e-4;  ///< half of what it spans
+constexpr double sun_angle = 3.5e-4;  ///< its half-angle
 
-/// Where balls and suns stand, in the axes of the normal.
+/// The direction of balls and suns, in the axes of the normal.
 inline Double3 light_centre(Light light) {
   const double theta = light == Light::ball ? 50 : light == Light::sunset ? 80 : 60;
   const double phi = 0.7;
@@ -29,7 +29,7 @@ inline Double3 light_centre(Light light) {
   return {sine * std::cos(phi), sine * std::sin(phi), std::cos(theta * pi / 180)};
 }
 
-/// Whether light comes from the direction w, given in the axes of the normal.
+/// True if light comes from the direction w, given in the axes of the normal.
 inline bool lit(Light light, Double3 w) {
   const auto in_cone = [&](double sine) {
     const Double3 centre = light_centre(light);

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-// What a student sees of directions and densities that are wrong.
+// Figures for the student about wrong directions and densities.
 
 namespace lab07_tests {
 
-/// The angle of w to z, exact for small ones.
+/// The angle between w and z, accurate for small ones.
 inline double angle_to_axis(Double3 w) {
   return std::atan2(std::hypot(w.x, w.y), w.z);
 }
@@ -22,7 +22,7 @@ inline double degrees(double radians) {
   return radians * 180 / pi;
 }
 
-/// The angle that all but a ten-thousandth of the law lies within; 90 degrees for wide ones.
+/// The angle within which all but a ten-thousandth of the law lies; 90 degrees for wide ones.
 inline double edge_of(const Share& share) {
   double low = 0, high = pi / 2;
   for (int i = 0; i < 60; ++i) {
@@ -32,7 +32,7 @@ inline double edge_of(const Share& share) {
   return high > 1.2 ? pi / 2 : high;
 }
 
-/// How many directions lie at each angle to the axis, up to `last`.
+/// The number of directions at each angle to the axis, up to `last`.
 inline carlo::grader::Figure angle_figure(const std::vector<Double3>& directions,
                                           const Share& share, double last) {
   constexpr std::size_t bins = 36;
@@ -55,7 +55,7 @@ inline carlo::grader::Figure angle_figure(const std::vector<Double3>& directions
   return figure;
 }
 
-/// How many directions lie at each azimuth.
+/// The number of directions at each azimuth.
 inline carlo::grader::Figure azimuth_figure(const std::vector<Double3>& directions) {
   constexpr std::size_t bins = 36;
   std::vector<double> counts(bins);
@@ -68,8 +68,8 @@ inline carlo::grader::Figure azimuth_figure(const std::vector<Double3>& directio
   return figure;
 }
 
-/// The simplest picture that shows what is wrong with counts in rows of one angle and columns of
-/// one azimuth, all of the same mass: the angles alone, the azimuths alone, or the cells.
+/// The simplest figure that shows what is wrong with counts in rows of one angle and columns of one
+/// azimuth, all of the same mass: the angles alone, the azimuths alone, or the cells.
 inline carlo::grader::Figure directions_figure(const std::vector<Double3>& directions,
                                                const Share& share,
                                                const std::vector<double>& counts) {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-// Where lab 07's exercises are asked, for the probes (floats, as students get them) and for the
+// The inputs of lab 07's exercises, for the probes (floats, as students get them) and for the
 // checks (the same floats, in double).
 
 namespace lab07_tests {
@@ -39,8 +39,9 @@ struct Axes {
 };
 
 /// Normals in all directions, and many where frames break: on the axes, with zeros of both signs,
-/// as close to n = -z and n = z as floats come, and along vectors of small whole numbers, which may
-/// be the only helper of a cross product. Weak places elsewhere are searched for (Lab 7.1 search).
+/// as close to n = -z and n = z as floats allow, and along vectors of small whole numbers, which
+/// may be the only helper of a cross product. Other weak places are found by a search (Lab 7.1
+/// search).
 inline std::vector<Vec3> hard_normals() {
   std::vector<Vec3> normals = {{0, 0, 1},     {0, 0, -1},      {0.0f, -0.0f, -1}, {1, 0, 0},
                                {-1, 0, 0},    {0, 1, 0},       {0, -1, 0},        {1, 0, -0.0f},
@@ -67,7 +68,7 @@ inline std::vector<Vec3> hard_normals() {
 constexpr Vec3 frame_local{0.3f, -0.5f, 0.8f};
 constexpr Vec3 frame_world{-0.6f, 0.2f, 0.7f};
 
-/// Numbers u in [0, 1) as a generator of 24 bits gives them, both ends included; and their pairs.
+/// Numbers u in [0, 1) from a 24-bit generator, including both ends; and their pairs.
 inline std::vector<Vec2> edge_numbers() {
   const std::vector<float> edges = {0,    0x1p-24f, 0x1p-23f,     0x1p-12f,     0.25f,
                                     0.5f, 0.75f,    1 - 0x1p-12f, 1 - 0x1p-23f, 1 - 0x1p-24f};
@@ -79,28 +80,30 @@ inline std::vector<Vec2> edge_numbers() {
   return pairs;
 }
 
-/// How far apart neighbours among the numbers u are, in one coordinate at a time: so many steps of
-/// a generator of 24 bits, a prime, lest it be whole turns of an azimuth that winds.
+/// The distance between neighbouring numbers u, in one coordinate at a time: a number of steps of a
+/// 24-bit generator that is prime, so that it is not a whole number of turns of an azimuth that
+/// winds.
 constexpr float neighbour_step = 2011 * 0x1p-24f;
 
-/// A neighbour of x that is in [0, 1) as well.
+/// A neighbour of x that is also in [0, 1).
 inline float neighbour(float x) {
   return x < 0.5f ? x + neighbour_step : x - neighbour_step;
 }
 
-/// Places to ask a density at: all over the sphere, at equal steps of height and azimuth, cell by
-/// cell.
+/// Places at which densities are tested: all over the sphere, at equal steps of height and azimuth,
+/// cell by cell.
 constexpr int density_rings = 200, density_sectors = 32;
 inline Vec3 density_place(int ring, int sector) {
   const double z = 1 - (2 * ring + 1.0) / density_rings;
   return at_angles(std::acos(z), 2 * pi * (sector + 0.5) / density_sectors);
 }
 
-/// Of how many mirror directions Lab 7.7 is asked for the lobe's very edge, with this many streams.
+/// The number of mirror directions for which Lab 7.7 tests the lobe's very edge, with this many
+/// streams.
 constexpr int edge_mirrors = 64, edge_streams = 48;
 
-/// Places across a lobe of exponent n about `axis`: from its middle to where e^-16 of the density
-/// is left, or to the lobe's edge where that comes first.
+/// Places across a lobe of exponent n about `axis`: from its middle to where the density has fallen
+/// to e^-16, or to the lobe's edge if that comes first.
 constexpr int lobe_steps = 160;
 inline Vec3 lobe_place(int step, double n, Vec3 axis) {
   // cos^n = e^-s, s = 0 ... 16.

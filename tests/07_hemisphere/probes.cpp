@@ -11,7 +11,7 @@ using carlo::grader::RowWriter;
 
 namespace {
 
-/// One of the samplers of Labs 7.3 to 7.6, as the check asks for it.
+/// One of the samplers of Labs 7.3 to 7.6, as requested by the check.
 struct Subject {
   Sampler sampler;
   float n;
@@ -50,7 +50,7 @@ struct Subject {
     return lab07::mirror_lobe_pdf(w, wo, n);
   }
 
-  /// Of the lobes, in double; z for the others.
+  /// The lobe's axis, in double; z for the others.
   Vec3 axis() const {
     return sampler == Sampler::mirror ? Vec3(-wo.x, -wo.y, wo.z) : Vec3(0, 0, 1);
   }

@@ -1,6 +1,6 @@
-// Where are the student's frames weakest? An axis that a method cannot bear is a point of the
-// sphere that no list of normals holds. But s turns ever faster as the normal comes near it, and
-// that leads there.
+// Finds where the student's frames are weakest. An axis that a method cannot handle is a point of
+// the sphere that no list of normals contains. But s turns ever faster as the normal approaches it,
+// which leads there.
 
 #include "07_hemisphere/places.h"
 #include "grader/worker/probe.h"
@@ -16,7 +16,7 @@ namespace {
 
 struct Found {
   Vec3 normal{0};
-  double error = 0;  ///< of lengths and right angles; infinite for axes that are no numbers
+  double error = 0;  ///< of lengths and right angles; infinite for axes with NaN
   Double3 s{0};
 };
 
@@ -42,8 +42,8 @@ Double3 beside(Double3 centre, double radius, carlo::Rng& rng) {
   return glm::normalize(centre + radius * Double3(x, y, z));
 }
 
-/// A part of the sphere: the worst normal in it, and how much s turns: 0 not at all, 1 to all
-/// sides.
+/// A part of the sphere: its worst normal, and how much s turns in it: 0 not at all, 1 in all
+/// directions.
 struct Region {
   Double3 centre;
   Found worst;
@@ -66,8 +66,8 @@ Region look_around(Double3 centre, double radius, carlo::Rng& rng) {
 constexpr double first_radius = 0.06;
 constexpr int radii = 30;  ///< each 0.6 of the one before: the last is 2e-8
 
-/// To where s turns most, in ever smaller regions, down to the spacing of floats; the worst on the
-/// way.
+/// Goes to where s turns most, in ever smaller regions, down to the spacing of floats; returns the
+/// worst on the way.
 Found climb(Region region, carlo::Rng& rng) {
   constexpr int neighbours = 24;
   Found worst = region.worst;
@@ -87,8 +87,8 @@ Found climb(Region region, carlo::Rng& rng) {
 
 }  // namespace
 
-// The worst normal found. n regions all over the sphere are looked at; from those where s turns
-// most the search climbs.
+// The worst normal found. Examines n regions all over the sphere; the search climbs from those
+// where s turns most.
 PROBE("Lab 7.1 search", "normal.x", "normal.y", "normal.z", "s.x", "s.y", "s.z", "t.x", "t.y",
       "t.z") {
   constexpr std::size_t climbs = 10;

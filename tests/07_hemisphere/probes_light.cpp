@@ -14,7 +14,7 @@ using carlo::grader::RowWriter;
 
 namespace {
 
-/// A surface, its light, and how it is to be sampled.
+/// A surface, its light, and the sampling technique.
 struct Surface {
   Vec3 normal;
   Axes axes;
@@ -36,8 +36,8 @@ struct Surface {
   bool lit(Vec3 wi) const { return lab07_tests::lit(light, axes.local(wi)); }
 };
 
-/// Streams of Rng(7, stream) whose first uniform_float() is the last float below 1, which comes up
-/// once in 2^24 numbers: found by going through them all.
+/// Streams of Rng(7, stream) whose first uniform_float() is the last float below 1, which occurs
+/// once in 2^24 numbers; found by exhaustive search.
 constexpr std::array<std::uint64_t, edge_streams> last_float_streams = {
     11998468,  14742555,  82817238,  104415125, 111509448, 118533986, 159975561, 173333219,
     176784087, 217789148, 235894363, 244954394, 280412877, 284885921, 286890080, 294656044,
@@ -72,7 +72,7 @@ PROBE("Lab 7.7 record", "radiance was asked for", "of this below the horizon", "
   double asked = 0, below = 0, off = 0;
   const lab07::Radiance radiance = [&](Vec3 wi) {
     asked += 1;
-    // Rounding may take a direction at the horizon below it.
+    // Rounding may move a direction at the horizon below it.
     below += glm::dot(Double3(wi), surface.axes.z) < -1e-6 ? 1 : 0;
     const double length = glm::length(Double3(wi));
     off = length == length ? std::max(off, std::abs(length - 1)) : 1e9;
@@ -83,8 +83,9 @@ PROBE("Lab 7.7 record", "radiance was asked for", "of this below the horizon", "
   return {7, {asked, below, off, next[0], next[1], next[2], next[3]}};
 }
 
-// Estimates from one direction of the lobe, its u.x the last float below 1: it lies on the lobe's
-// very edge, and turning may round it out, where the density is 0. By mirror directions all around.
+// Estimates from one direction of the lobe, with u.x the last float below 1: it lies on the lobe's
+// very edge, and turning may round it out of the lobe, where the density is 0. For mirror
+// directions all around.
 PROBE("Lab 7.7 edge", "estimate") {
   const Vec3 normal(params["x"], params["y"], params["z"]);
   const Axes axes(normal);
@@ -102,7 +103,7 @@ PROBE("Lab 7.7 edge", "estimate") {
   return rows.take();
 }
 
-// The irradiance of an open sky from many directions at once; they all contribute the same.
+// The irradiance of an open sky from many directions at once, which all contribute the same.
 PROBE("Lab 7.7 many", "irradiance") {
   carlo::Rng rng(params.seed);
   const lab07::Radiance sky = [](Vec3) { return 1.0f; };

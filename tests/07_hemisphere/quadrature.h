@@ -8,7 +8,7 @@
 namespace lab07_tests {
 
 /// Calls f with directions around an axis, up to the angle whose 1 - cos is `reach`, and with the
-/// solid angle that each stands for: the midpoint rule.
+/// solid angle that each represents: the midpoint rule.
 template <class F>
 void over_directions(Double3 axis, double reach, const F& f) {
   constexpr int rings = 500, sectors = 500;

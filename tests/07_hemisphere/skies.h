@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-// The images of Lab 7.8, and where they are asked; the convention is that of the contract.
+// The images of Lab 7.8, and the test inputs; the convention is that of the contract.
 
 namespace lab07_tests {
 
@@ -20,14 +20,14 @@ enum class Sky {
   sun_middle = 4,
   sun_bottom = 5,  ///< in the last row, at the other side of the seam
   cap = 6,         ///< the first of 4000 rows
-  glare = 7        ///< 1 all over, and a sun of 1e9 in one texel
+  glare = 7        ///< 1 everywhere, and a sun of 1e9 in one texel
 };
 
 struct SkyImage {
   std::size_t width, height;
   std::vector<double> luminance;
   double power =
-      0;  ///< luminance times solid angle, of all texels: summed once, not for each place
+      0;  ///< luminance times solid angle, over all texels: summed once, not for each place
 
   SkyImage(std::size_t columns, std::size_t rows, std::vector<double> texels)
       : width(columns), height(rows), luminance(std::move(texels)) {
@@ -88,7 +88,7 @@ inline SkyImage sky_image(Sky sky) {
   return {1, 1, {2.5}};
 }
 
-/// Where u finds a texel of an image.
+/// A u that selects a texel of an image.
 struct TexelNumber {
   glm::dvec2 u;
   std::size_t texel;
@@ -134,7 +134,7 @@ inline ImagePoint stands_at(Double3 w) {
   return {around < 0 ? around + 1 : around, std::atan2(std::hypot(w.x, w.z), w.y) / pi};
 }
 
-/// All over the image, edges and corners included.
+/// All over the image, including edges and corners.
 inline std::vector<ImagePoint> image_places() {
   std::vector<ImagePoint> places;
   for (int j = 0; j <= 32; ++j) {
@@ -170,8 +170,8 @@ inline std::vector<Vec3> sphere_places() {
   return places;
 }
 
-/// Where densities are asked: nine points within each texel, away from its edges, of the rows that
-/// `density_rows` names; then both poles.
+/// Places at which densities are tested: nine points within each texel, away from its edges, in the
+/// rows given by `density_rows`; then both poles.
 inline std::vector<std::size_t> density_rows(const SkyImage& image) {
   std::vector<std::size_t> rows;
   for (std::size_t j = 0; j < image.height; ++j) {

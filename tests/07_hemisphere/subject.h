@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-// The samplers of Labs 7.3 to 7.6 as their checks see them: what theory says of each, and what
-// typical mistakes give in its place.
+// The samplers of Labs 7.3 to 7.6 for their checks: the theory of each, and the results of typical
+// mistakes.
 
 namespace lab07_tests {
 
@@ -20,19 +20,19 @@ using carlo::grader::Verdict;
 struct Subject {
   std::string name;
   Sampler sampler;
-  double n = 0;  ///< exponent, where it has one
+  double n = 0;  ///< exponent, if it has one
   Vec3 wo{0, 0, 1};
 
   double m() const {
     if (sampler == Sampler::uniform) return 1;
     return sampler == Sampler::cosine ? 2 : n + 1;
   }
-  /// Of the law, from the same floats that the student gets.
+  /// The law's axes, from the same floats that the student gets.
   Axes axes() const { return Axes(Double3(-wo.x, -wo.y, wo.z)); }
   double pdf(Double3 w) const { return power_law_pdf(m(), axes().local(w)); }
 
-  /// How exact a density from floats can be at w, relatively: n tan(alpha) times the rounding of a
-  /// direction, and some operations.
+  /// The relative accuracy that a density from floats can have at w: n tan(alpha) times the
+  /// rounding of a direction, and some operations.
   double tolerance(Double3 w) const {
     const Double3 local = axes().local(w);
     const double tangent = std::hypot(local.x, local.y) / std::abs(local.z);
@@ -65,7 +65,7 @@ inline Subject mirror_subject(double n, double degrees) {
           Sampler::mirror, n, at_angles(degrees * pi / 180, 0.9)};
 }
 
-/// A law that typical mistakes give.
+/// The law of a typical mistake.
 struct OtherLaw {
   Share share;
   Diagnosis diagnosis;
@@ -90,7 +90,7 @@ inline const Diagnosis near_horizon{
     "near the horizon x^2 + y^2 rounds to 1 or more, and 1 minus it to 0 or less, which has no "
     "logarithm: there w.z is what knows the angle."};
 
-/// Chi-square of directions; says what they look like when they are wrong.
+/// Chi-square of directions; reports what wrong ones look like.
 inline Verdict samples_follow(const Subject& subject, const std::vector<Double3>& world,
                               const std::vector<OtherLaw>& others = {}) {
   const std::vector<Double3> local = local_to(subject.axes(), world);
@@ -98,7 +98,7 @@ inline Verdict samples_follow(const Subject& subject, const std::vector<Double3>
   Verdict verdict = distributed("directions of " + subject.name, local, right);
   if (verdict.passed) return verdict;
   if (number_reused(local, right)) verdict.diagnoses.push_back(reused_number);
-  // Half a turn from wherever it starts is no density of the other half.
+  // Half a turn from wherever it starts is not a density of the other half.
   if (distributed("", local, right, pi).passed) verdict.diagnoses.push_back(half_turn);
   for (const OtherLaw& other : others) {
     if (distributed("", local, other.share, other.turn).passed) {
@@ -108,7 +108,7 @@ inline Verdict samples_follow(const Subject& subject, const std::vector<Double3>
   return verdict;
 }
 
-/// Six digits, or in words that it is no number.
+/// Six digits, or "NaN ...".
 inline std::string number_or_nan(double value) {
   return std::isnan(value) ? "NaN, which is no number" : fmt::format("{:.6g}", value);
 }
@@ -132,7 +132,8 @@ inline carlo::grader::Figure density_figure(const Subject& subject,
       });
 }
 
-/// The student's density at each place against theory; says which mistake all values agree with.
+/// Compares the student's density at each place with theory; reports a mistake that all values
+/// agree with.
 inline Verdict density_is(const std::string& what, const Subject& subject,
                           const std::vector<Double3>& places, const std::vector<double>& measured,
                           const std::vector<OtherPdf>& others = {}) {
@@ -191,26 +192,27 @@ inline Verdict narrow_density_is(const Subject& subject, const std::vector<Doubl
   return verdict;
 }
 
-/// All over the sphere: against theory, and its integral, which must be 1.
+/// Judges the density all over the sphere: against theory, and its integral, which must be 1.
 void judge_density(const Subject& subject, const std::vector<OtherPdf>& others,
                    const carlo::grader::Suspects& integrals);
 
-/// For every pair of u at the edges: length 1, a density above 0 that is finite, above the horizon
-/// where there is one.
+/// For every pair of u at the edges: length 1, a finite density above 0, above the horizon if there
+/// is one.
 void judge_edges(const Subject& subject, const std::vector<Diagnosis>& at_zero);
 
-/// Nearby u give nearby directions, whatever the mapping; it may jump along a few lines.
+/// Checks that nearby u give nearby directions, whatever the mapping; it may jump along a few
+/// lines.
 void judge_neighbours(const Subject& subject);
 
-/// `count` directions from random numbers, with the densities that the student gives them.
+/// `count` directions from random numbers, with the student's densities.
 struct Drawn {
   std::vector<Double3> directions;
   std::vector<double> pdf;
 };
 Drawn draw(const Subject& subject, std::size_t count);
 
-/// Length 1; none below the horizon but for the mirror's lobe; the density of each is theory's.
-/// `all_below`: what it is a sign of when none lies above.
+/// Checks that directions have length 1, that none is below the horizon (except for the mirror's
+/// lobe), and that the density of each is theory's. `all_below`: the diagnosis if none is above.
 void judge_drawn(const Subject& subject, const Drawn& drawn,
                  const std::vector<Diagnosis>& all_below = {});
 

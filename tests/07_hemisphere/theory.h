@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-// Closed forms for the lobe about the mirror direction; the angle is that of the mirror direction
+// Closed forms for the lobe about the mirror direction; theta is the angle of the mirror direction
 // with the normal, n a whole number. Integrals of powers of the cosine over half a circle, solved
 // by recursion.
 
@@ -17,7 +17,7 @@ inline double wallis(int j) {
   return w;
 }
 
-/// The part of the lobe's directions that lies below the horizon.
+/// The fraction of the lobe's directions below the horizon.
 inline double below_horizon(int n, double theta) {
   const double c = std::cos(theta), s = std::sin(theta);
   double sum = 0;
@@ -26,8 +26,8 @@ inline double below_horizon(int n, double theta) {
   return ((n % 2 == 0 ? theta : std::numbers::pi / 2) - c * sum) / std::numbers::pi;
 }
 
-/// The integral of (n + 2)/(2 pi) cos^n(alpha) cos(theta_i) over the hemisphere: what a Phong
-/// surface of k_s = 1 reflects of a bright sky.
+/// The integral of (n + 2)/(2 pi) cos^n(alpha) cos(theta_i) over the hemisphere: the reflectance of
+/// a Phong surface of k_s = 1 under a uniform sky.
 inline double lobe_albedo(int n, double theta) {
   const double c = std::cos(theta), s = std::sin(theta);
   double sum = 0;

@@ -1,5 +1,5 @@
-// Checks of exercise 8.1: each stratum of a pixel has a ray, and the places within the strata are
-// uniform.
+// Checks of exercise 8.1: each stratum of a pixel has a ray, and the positions within the strata
+// are uniform.
 
 #include "08_path_tracer/theory.h"
 #include "grader/judge/figures.h"
@@ -40,12 +40,11 @@ Figure strata_picture(std::size_t strata, const std::vector<double>& rays) {
   return figure;
 }
 
-/// The directions are floats: of a place closer than this to a stratum's edge they cannot say on
-/// which side it lies. Asked on which side its ray is, a right solution lost a stratum with one
-/// seed of 2000.
+/// The directions are floats: for a position closer than this to a stratum's edge rounding decides
+/// the side. A strict test fails a right solution for one seed of 2000.
 constexpr double rounding = 1e-4;
 
-/// How many strata have a ray of their own, where one on an edge may count for either side.
+/// The number of strata with a ray of their own, where one on an edge may count for either side.
 std::size_t strata_met(int strata, const std::vector<std::pair<double, double>>& places) {
   const auto sides = [strata](double x) {
     std::set<int> all;

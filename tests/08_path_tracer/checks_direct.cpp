@@ -1,7 +1,7 @@
-// Checks of exercise 8.2: direct light. 100 000 estimates a lamp against closed forms and
-// integrals, with theory's standard deviation. One estimate has a coefficient of variation up
-// to 4.2 (the wall by directions): a bias of 12 % is caught there with power .999, 5 % at the
-// rectangle; half of the rays lost at the tilted floor, many times over.
+// Checks of exercise 8.2: direct light. 100 000 estimates per lamp against closed forms and
+// integrals, with theory's standard deviation. One estimate has a coefficient of variation up to
+// 4.2 (the wall by directions): there a bias of 12 % is detected with power .999, 5 % at the
+// rectangle; a loss of half of the rays at the tilted floor is many times larger.
 
 #include "08_path_tracer/theory.h"
 #include "grader/judge/judge.h"
@@ -118,7 +118,7 @@ Rows estimates(Lamp lamp, int form) {
        .of = fmt::format("{}, {}", form == 0 ? "by area" : "by directions", name_of(lamp))});
 }
 
-/// Lamps emit (1, 2, 4): each estimate must have its channels so.
+/// Lamps emit (1, 2, 4): the channels of each estimate must have this ratio.
 void judge_channels(const std::string& what, const Rows& rows) {
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < rows.count(); ++i) {
@@ -134,7 +134,7 @@ void judge_channels(const std::string& what, const Rows& rows) {
 }
 
 /// The mean of 100 000 estimates and its standard error, from the estimates themselves; and the
-/// share of those that are not 0.
+/// fraction that is not 0.
 struct Sample {
   double mean = 0, error = 0, lit = 0;
 
@@ -156,16 +156,16 @@ struct Judged {
   Verdict verdict;
 };
 
-/// Some of the estimates became 0, and the others are about right: which of them rounding takes
-/// away may depend on where they come from.
+/// True if some of the estimates became 0 and the others are about right: which of them rounding
+/// removes may depend on where they come from.
 bool is_thinned(const Judged& j) {
   const Moments& right = j.lamp.area;
   const double one = j.sample.mean / j.sample.lit, right_one = right.mean / right.lit;
   return j.sample.lit < right.lit - 0.005 && one > right_one / 2 && one < right_one * 2;
 }
 
-/// What takes light away at random: rounding, where rays start or where they end. Only the tilted
-/// floor far from the origin makes rays that start on it meet it again.
+/// The causes of light lost at random: rounding, where rays start or where they end. Only on the
+/// tilted floor far from the origin do rays meet the surface that they start on.
 std::vector<Diagnosis> lost_to_rounding(const std::vector<Judged>& all) {
   bool others = false;
   for (const Judged& j : all) {
@@ -176,8 +176,8 @@ std::vector<Diagnosis> lost_to_rounding(const std::vector<Judged>& all) {
   return {others ? in_its_own_way : hits_itself};
 }
 
-/// The slip that explains what every lamp shows. Over a lamp that is parallel to the floor, at
-/// height 1, one cosine is as good as the other and as the distance: no lamp alone can tell.
+/// The mistake that explains the results for every lamp. For a lamp parallel to the floor, at
+/// height 1, both cosines are equal, and so is the distance: no lamp alone is enough.
 std::vector<Diagnosis> common_slip(const std::vector<Judged>& all) {
   const auto dark = [](const Judged& j) { return j.sample.mean == 0 && j.sample.error == 0; };
   if (std::all_of(all.begin(), all.end(), dark)) return {always_dark};
@@ -214,7 +214,7 @@ bool a_lone_lamp_is_right() {
   return Sample(column(estimates(Lamp::rectangle, 0), 0)).fits(by_area(Lamp::rectangle).mean);
 }
 
-/// Whether the lamp is never asked beside the sun.
+/// True if the lamp is never chosen beside the sun.
 bool misses_the_weak() {
   const Rows rows = estimates(Lamp::weak, 0);
   const auto dark = [&](std::size_t channel) {
@@ -247,7 +247,7 @@ TEST_CASE("Lab 8.2: direct light by area", "[lab08][ex2]") {
 TEST_CASE("Lab 8.2: one of several lights by area", "[lab08][ex2]") {
   // Three lights, one of which is the floor itself, in blue: no point of it lights the floor. The
   // others are halves of the square, red of radiance 1 and green of radiance 3: values of
-  // `rectangle` times half of their radiance, over their chance.
+  // `rectangle` times half of their radiance, over their probability.
   const Moments square = by_area(Lamp::rectangle);
   const std::vector<double> chances =
       light_chances({1e4 * 0.0722 * static_cast<double>(floor_glow), 0.5 * 0.2126, 1.5 * 0.7152});
@@ -270,7 +270,7 @@ TEST_CASE("Lab 8.2: one of several lights by area", "[lab08][ex2]") {
               fmt::format("{:g} of {}", both, rows.count()), "none", {all_lights}));
   Verdict verdict = mean_is("light by area from two lamps", sums, m.theory());
   if (!verdict.passed && both == 0) {
-    // Each lamp's share is 1/6 ± .0012.
+    // Each lamp's frequency is 1/6 ± .0012.
     const auto n = static_cast<double>(rows.count());
     const auto chosen = [&](double power) {
       return square.mean * (0.5 * std::pow(c_red, power) + 1.5 * std::pow(c_green, power));
@@ -291,7 +291,7 @@ TEST_CASE("Lab 8.2: one of several lights by area", "[lab08][ex2]") {
 
 TEST_CASE("Lab 8.2: a weak lamp beside a far, strong sun", "[lab08][ex2]") {
   // rho/pi (3 + 3) = .95493 with rho = 1/2; without the lamp half of it, 100 standard errors less.
-  // By power the lamp has next to no chance, so that what it has is half of an even one.
+  // By power the lamp has almost no probability: all it has is half of an even one.
   const Moments lamp = ball_by_area(near_lamp), sun = ball_by_area(far_sun);
   const Moments m{lamp.mean + sun.mean, lamp.square / 0.25 + sun.square / 0.75};
   Verdict verdict = mean_is("light by area from a lamp and a sun",
@@ -327,7 +327,7 @@ TEST_CASE("Lab 8.2: only lights that face the surface count, no sky and not the 
 }
 
 TEST_CASE("Lab 8.2: the hemisphere form has the same mean", "[lab08][ex2]") {
-  // What is lost where the floor is tilted and far off, and nowhere else, was lost to rounding.
+  // Losses only where the floor is tilted and far off are due to rounding.
   std::vector<Judged> all;
   bool others = true;
   for (const LampCase& c : lamps()) {

@@ -1,4 +1,4 @@
-// Checks of exercise 8.7: the laws of mirrors and glass, exact values all.
+// Checks of exercise 8.7: the laws of mirrors and glass, all exact values.
 
 #include "08_path_tracer/theory.h"
 
@@ -50,11 +50,11 @@ double s_only(double cos_i, double eta) {
   return s * s;
 }
 
-/// What typical mistakes make of fresnel().
+/// The results of typical mistakes in fresnel().
 Suspects fresnel_suspects(double cos_i, double eta) {
   const double exact = fresnel_exact(cos_i, eta), s = s_only(cos_i, eta);
   Suspects suspects{{fresnel_exact(cos_i, 1 / eta), eta_inverted}, {2 * exact, both_polarisations}};
-  // Straight on the two polarisations are the same.
+  // At normal incidence the two polarisations are the same.
   if (cos_i < 0.98 && exact < 1) {
     suspects.push_back({s, one_polarisation});
     suspects.push_back({2 * exact - s, one_polarisation});
@@ -68,7 +68,7 @@ double fresnel_of(double cos_i, double eta, double degrees) {
       .at(0, 0);
 }
 
-/// The refracted direction in the plane of x and z, where there is one.
+/// The refracted direction in the plane of x and z, if there is one.
 struct Refracted {
   bool is_there;
   Double3 direction;
@@ -79,8 +79,8 @@ Refracted refracted(double degrees, double eta) {
   return {rows.at(0, 0) == 1, {rows.at(0, 1), rows.at(0, 2), rows.at(0, 3)}};
 }
 
-/// Whether fresnel() and refract() are right by themselves, at the angles at which glass is judged:
-/// where they are not, glass is wrong with them.
+/// True if fresnel() and refract() are right by themselves, at the angles used for glass; if not,
+/// glass is wrong because of them.
 bool laws_are_right() {
   for (const double eta : {1 / 1.5, 1.5}) {
     for (const double degrees : {0.0, 30.0, 60.0}) {
@@ -155,7 +155,7 @@ struct Slanted {
     return fmt::format("{:g} degrees from {}", degrees, front == 1 ? "outside" : "within");
   }
   Double3 mirrored() const { return {-sine(), 0, cosine()}; }
-  /// Where light for u goes to, with this index ratio.
+  /// The direction that light takes for u, with this index ratio.
   Double3 direction(double u, double ratio) const {
     if (u < fresnel_exact(cosine(), ratio)) return mirrored();
     const double x = ratio * sine();
@@ -163,7 +163,7 @@ struct Slanted {
   }
 };
 
-/// What the samples of glass look like in one view.
+/// Statistics of the samples of glass in one view.
 struct GlassSamples {
   double wrong = 0, unscaled = 0, inverse = 0, reflected_weight = 0, swapped = 0;
 
@@ -184,14 +184,14 @@ struct GlassSamples {
   }
 };
 
-/// Straight on, light goes the same way whatever the index ratio is.
+/// At normal incidence the direction does not depend on the index ratio.
 struct SeenGlass {
   Slanted view;
   GlassSamples samples;
   bool is_swapped() const { return samples.swapped == 64 && view.degrees > 0; }
 };
 
-/// What is wrong with glass: if the ratio is, weights are wrong with it, in all views.
+/// The diagnosis for glass: if the ratio is wrong, so are the weights, in all views.
 std::vector<Diagnosis> of_glass(const std::vector<SeenGlass>& views) {
   if (!laws_are_right()) return {};
   bool outside = false, within = false;

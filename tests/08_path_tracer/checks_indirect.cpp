@@ -14,7 +14,7 @@ const Diagnosis counted_twice{
 const Diagnosis direct_missing{"direct-light-missing",
                                "light straight from the lights is missing."};
 
-/// A verdict on paths; where those that are absorbed bring nothing, that is what is wrong with all.
+/// Judges paths; if absorbed paths contribute nothing, that explains all failures.
 void judge_direct(Verdict verdict) {
   if (!verdict.passed && ends_dark(column(trace(direct, furnace_of(0.5, 0.25)), 0)))
     verdict.diagnoses = {absorbed_dark};
@@ -31,7 +31,7 @@ TEST_CASE("Lab 8.6: nothing is counted twice", "[lab08][ex6]") {
 }
 
 TEST_CASE("Lab 8.6: a furnace, with and without what the first surface emits", "[lab08][ex6]") {
-  // Emission 1; then rho at each vertex, by area, without variance: within a sphere the cosines and
+  // Emission 1; then rho at each vertex, by area, without variance: inside a sphere the cosines and
   // the distance cancel.
   const Theory red = series(0.5, 1), green = series(0.5, 0.5);
   for (const double emission : {1.0, 0.0}) {

@@ -49,7 +49,7 @@ Rows trace_all(Params params, double depth, bool finite = true) {
                 .of = fmt::format("{}, {}", length, view_text(params))});
 }
 
-/// What paths of any length bring in a furnace of albedo .5.
+/// The values of paths of any length in a furnace of albedo .5.
 std::vector<double> in_whole_furnace() {
   return column(trace_all(furnace_of(0.5, 0.25), 0, false), 0);
 }
@@ -58,8 +58,8 @@ bool all_are(const std::vector<double>& values, double value) {
   return std::all_of(values.begin(), values.end(), [=](double x) { return x == value; });
 }
 
-/// A verdict on paths in other worlds: what ends paths too early or without their light in a
-/// furnace does so there as well.
+/// Judges paths in other worlds: a mistake that ends paths too early, or without their light, shows
+/// in a furnace as well.
 void judge_paths(Verdict verdict) {
   if (!verdict.passed) {
     const std::vector<double> values = in_whole_furnace();
@@ -69,7 +69,7 @@ void judge_paths(Verdict verdict) {
   judge(verdict);
 }
 
-/// Light from the square lamp where the light's point is divided by `divisor` in place of its
+/// The light from the square lamp if the light's point is divided by `divisor` in place of its
 /// density, and everything else is right: directions are cosine-weighted, half of them absorbed.
 template <class Divisor>
 double lamp_divided_by(const Divisor& divisor) {
@@ -85,8 +85,8 @@ double lamp_divided_by(const Divisor& divisor) {
   return sum;
 }
 
-/// The mean of paths between mirrors of reflectance .6: throughput .6, .36, .216 ..., each vertex
-/// from the third on is a bet, and `change` is what becomes of the throughput where it is won.
+/// The mean of paths between mirrors of reflectance .6: throughput .6, .36, .216 ...; from the
+/// third vertex on roulette is played, and `change` is what happens to the throughput of survivors.
 template <class Change>
 double between_mirrors(const Change& change) {
   double throughput = 1, alive = 1, mean = 0;
@@ -103,7 +103,7 @@ double between_mirrors(const Change& change) {
 }  // namespace
 
 TEST_CASE("Lab 8.8: closed forms, at every length of path", "[lab08][ex8]") {
-  // Standard deviations are bounds: three halves of what a right solution shows (no closed form).
+  // Standard deviations are bounds: three halves of a right solution's (no closed form).
   for (const double depth : {1.0, 2.0, 3.0, 0.0}) {
     const Rows rows = trace_all(furnace_of(0.5, 0.25), depth);
     const double red = depth == 0 ? 2 : 2 * (1 - std::pow(0.5, depth));
@@ -141,24 +141,23 @@ TEST_CASE("Lab 8.8: a lamp, a glossy ball, glass", "[lab08][ex8]") {
 
 TEST_CASE("Lab 8.8: a weak lamp beside a far, strong sun", "[lab08][ex8]") {
   // rho/pi (3 + 3) with rho = 1/2. The sd is a bound, a quarter more than that of light by area
-  // alone: directions seldom meet what a light's point does not, and weigh little there.
+  // alone: directions rarely meet what a light's point does not, and have small weights there.
   const std::vector<double> seen =
       column(trace_all(with(on_floor, {{"lamp", static_cast<double>(Lamp::weak)}}), 0), 0);
   judge_paths(mean_is("light from a lamp and a sun", seen, {3 / pi, 6 / pi}));
 }
 
 TEST_CASE("Lab 8.8: a lamp in a mirror and behind glass, seen by a rough surface", "[lab08][ex8]") {
-  // A path brings the lamp's radiance 1 or nothing, and more than 1 where roulette might have ended
-  // it: the sd is a bound, twice that of a path that it spares. Less than 1 is a weight: the one
-  // that the vertex before would give leaves a fiftieth of the light, which is 18 standard errors
-  // too little.
+  // A path contributes the lamp's radiance 1 or nothing, and more than 1 if roulette might have
+  // ended it: the sd is a bound, twice that of a path without roulette. Less than 1 means a weight:
+  // that of the previous vertex leaves a fiftieth of the light, 18 standard errors too little.
   for (const Place place : {by_mirror, by_pane}) {
     const double exact = 0.5 * (place == by_mirror ? mirrored_share() : lamp_share);
     const std::vector<double> seen = column(trace_all(with(place, {}), 0, false), 0);
     Verdict verdict =
         mean_is(place == by_mirror ? "light from a lamp in a mirror" : "light through a pane", seen,
                 {exact, 2 * std::sqrt(exact)});
-    // No comparison is true of NaN, and power_heuristic(0, 0) may well be that.
+    // No comparison is true for NaN, and power_heuristic(0, 0) may well be NaN.
     const bool weighed =
         std::none_of(seen.begin(), seen.end(), [](double x) { return x >= 0.999; });
     if (!verdict.passed && weighed) verdict.diagnoses.push_back(kept_across);
@@ -173,8 +172,9 @@ TEST_CASE("Lab 8.8: roulette ends paths and keeps the mean", "[lab08][ex8]") {
       column(trace_all(with(in_mirrors, {{"r", 0.6}, {"g", 0.6}, {"b", 0.6}}), 0), 0);
   Verdict verdict = mean_is("radiance in a furnace of mirrors of reflectance .6", seen, {2.5, 1.5},
                             {{none, no_compensation}, {times, multiplied}, {0, ended_dark}});
-  // Divided by the probability to end values have no mean to be known by. The first bet is won with
-  // probability .864; the next comes four vertices later, where the path has this much.
+  // Values divided by the probability to end have no mean to be recognised by. The first roulette
+  // is survived with probability .864; the next comes four vertices later, where the path has this
+  // throughput.
   const double first = 1 + 0.6 + 0.36, won = 0.216 / (1 - 0.864);
   const double next = first + won * (1 + 0.6 + 0.36 + 0.216);
   const auto ends =

@@ -1,4 +1,4 @@
-// Checks of the values of exercise 8.3: closed forms at 112 pairs of directions a material.
+// Checks of the values of exercise 8.3: closed forms at 112 pairs of directions per material.
 
 #include "08_path_tracer/theory.h"
 #include "grader/judge/figures.h"
@@ -77,8 +77,8 @@ struct Lobe {
   ValueOf diffuse;
 };
 
-/// What rounding made of the lobe's cosine: everything is right but for pairs of nearly equal
-/// vectors, and these are as if the cosine were off by so many roundings of a float below 1.
+/// The effect of rounding on the lobe's cosine: everything is right except for pairs of nearly
+/// equal vectors, and these are as if the cosine were off by a few roundings of a float below 1.
 std::vector<Diagnosis> of_rounding(const Lobe& lobe, const std::vector<double>& measured,
                                    const std::vector<DirectionPair>& pairs, const ValueOf& exact,
                                    double tolerance) {
@@ -122,8 +122,8 @@ Figure values_picture(const std::vector<DirectionPair>& pairs, const std::vector
       });
 }
 
-/// Whether the half vector explains the values. With the largest n they are rounded beyond
-/// recognition; whoever used it there has done so before, with a smaller one.
+/// True if the half vector explains the values. With the largest n they are rounded beyond
+/// recognition; but then a smaller n shows the mistake.
 bool by_half_vector(const PhongTheory& t, const std::vector<double>& measured,
                     const std::vector<DirectionPair>& pairs, const ValueOf& diffuse, double scale) {
   if (t.n < 1 || t.n > 100) return false;
@@ -141,7 +141,7 @@ void judge_values(const std::string& what, const PhongCase& c, const std::vector
                   const ValueOf& exact, const std::vector<Alternative>& alternatives,
                   const Lobe& lobe, bool& half) {
   const std::vector<DirectionPair> pairs = direction_pairs(c.n);
-  // 1 - cos has a relative error of some float roundings over its angle, n times as much in the
+  // 1 - cos has a relative error of some float roundings over its angle, and n times as much in the
   // power.
   const double tolerance = 1e-5 + 2e-6 * std::sqrt(static_cast<double>(c.n));
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -206,7 +206,7 @@ double pdf_about(const PhongTheory& t, const DirectionPair& d, Vec3 axis) {
          t.ks * (t.n + 1) / (2 * pi) * cos_power(Double3(axis), Double3(d.wi), t.n);
 }
 
-/// No pair of directions lies in a very narrow lobe that stands elsewhere: it would fit any.
+/// No pair of directions lies in a very narrow lobe elsewhere: any pair would fit it.
 bool tells_axes_apart(const PhongCase& c) {
   return c.ks > 0 && c.n > 0 && c.n < 100;
 }

@@ -1,6 +1,6 @@
-// Checks of what exercise 8.3 samples: 100 000 directions a case; chi-square over 64 cells against
-// the density's integrals (cells off by 6 % each, rms, are caught with power .999), the mean weight
-// against the reflectance in closed form.
+// Checks of the samples of exercise 8.3: 100 000 directions per case; chi-square over 64 cells
+// against the density's integrals (cells off by 6 % each, rms, are detected with power .999), and
+// the mean weight against the reflectance in closed form.
 
 #include "08_path_tracer/phong_cells.h"
 #include "grader/judge/figures.h"
@@ -55,7 +55,7 @@ const Diagnosis drawn_about_wo{"lobe-drawn-about-wo",
                                "mirror direction."};
 
 struct SampleCase {
-  std::size_t material;  ///< of phong_cases()
+  std::size_t material;  ///< into phong_cases()
   double degrees;
 };
 
@@ -82,7 +82,7 @@ Double3 local(const Rows& rows, std::size_t i) {
           glm::dot(wi, Double3(frame.n))};
 }
 
-/// Where the lobe was drawn instead.
+/// The mistake that explains where the lobe was drawn.
 std::vector<Diagnosis> of_place(const SampleCase& c, const PhongTheory& theory,
                                 const std::vector<double>& lobe,
                                 const std::vector<double>& counts) {
@@ -95,14 +95,14 @@ std::vector<Diagnosis> of_place(const SampleCase& c, const PhongTheory& theory,
   for (auto ring = turned.begin(); ring != turned.end(); ring += sectors)
     std::rotate(ring, ring + sectors / 2, ring + sectors);
   if (fits(turned)) return {drawn_about_wo};
-  // In which azimuth the lobe stands then, depends on the frame; how steeply, does not.
+  // The lobe's azimuth then depends on the frame; its elevation does not.
   const double degrees = std::acos(world_wo(c.degrees).z) * 180 / pi;
   const std::vector<double> mass = cell_masses(theory, lobe_masses(theory.n, degrees));
   if (fit_of(by_rings(counts), by_rings(mass)).good()) return {wo_not_local};
   return {};
 }
 
-/// What counts that do not fit `mass` fit instead.
+/// The mistake that explains counts that do not fit `mass`.
 std::vector<Diagnosis> of_cells(const PhongTheory& right, const std::vector<double>& lobe,
                                 const std::vector<double>& counts,
                                 const std::vector<double>& mass) {
@@ -128,7 +128,7 @@ std::vector<Diagnosis> of_cells(const PhongTheory& right, const std::vector<doub
   return {};
 }
 
-/// Whether f and pdf() are right by themselves: where they are not, samples are wrong with them.
+/// True if f and pdf() are right by themselves; if not, samples are wrong because of them.
 bool functions_are_right(const SampleCase& c) {
   const PhongTheory theory(phong_cases()[c.material]);
   const std::vector<DirectionPair> pairs = direction_pairs(phong_cases()[c.material].n);
@@ -152,7 +152,7 @@ bool functions_are_right(const SampleCase& c) {
   return true;
 }
 
-/// What cells that are wrong are a sign of, `unturned` where no direction lies below the world's
+/// Names the mistakes that explain wrong cells; `unturned` if no direction lies below the world's
 /// horizon.
 void name_cells(Verdict& verdict, const SampleCase& c, const std::vector<double>& counts,
                 bool unturned) {
@@ -161,7 +161,7 @@ void name_cells(Verdict& verdict, const SampleCase& c, const std::vector<double>
   if (!functions_are_right(c)) return;
   const PhongTheory theory(phong_cases()[c.material]);
   const std::vector<double> lobe = lobe_masses(theory.n, c.degrees);
-  // Of directions as wide as these the normal's hemisphere holds many that point down.
+  // With such wide directions the normal's hemisphere contains many that point down.
   if (unturned && counts.back() < 0.9 * draws) {
     verdict.diagnoses = {not_turned};
     return;
@@ -171,7 +171,7 @@ void name_cells(Verdict& verdict, const SampleCase& c, const std::vector<double>
     verdict.diagnoses = of_cells(theory, lobe, counts, cell_masses(theory, lobe));
 }
 
-/// Without the last cell, which counts what was absorbed.
+/// Without the last cell, which counts absorbed samples.
 Figure cells_picture(std::vector<double> counts, std::vector<double> mass) {
   const auto absorbed = counts.back();
   const double right = mass.back() * draws;
@@ -219,7 +219,7 @@ void judge_cells(const SampleCase& c, const Rows& rows) {
   judge(verdict);
 }
 
-/// What samples' weights were made of, instead of f cos/pdf.
+/// What the samples' weights consist of, instead of f cos/pdf.
 struct Weights {
   double some = 0, wrong = 0, no_pdf = 0, no_cosine = 0, one_lobe = 0, all_over_one = 0;
 
@@ -261,7 +261,7 @@ void judge_weights(const SampleCase& c, const Rows& rows) {
     weights.add(theory, theory.f(normal, wo, wi), density, cosine, rows.at(i, 4), tolerance);
     wrong_pdf += std::abs(rows.at(i, 5) - density) <= tolerance * density ? 0 : 1;
   }
-  // 1 sample in 1000 may lie where rounding makes much of a lobe's edge.
+  // 1 sample in 1000 may lie where rounding has a large effect at a lobe's edge.
   const bool right = weights.wrong <= 1e-3 * weights.some;
   judge(holds("weights f cos/pdf, " + title(c), right,
               fmt::format("{:g} of {:g} differ", weights.wrong, weights.some), "all equal",

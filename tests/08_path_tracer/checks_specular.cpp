@@ -1,4 +1,4 @@
-// Checks of exercise 8.7: worlds of mirrors and glass. Exact values, but for the last one.
+// Checks of exercise 8.7: worlds of mirrors and glass. Exact values, except in the last one.
 
 #include "08_path_tracer/paths.h"
 
@@ -36,8 +36,8 @@ std::vector<double> through_glass() {
   return column(trace({{"place", behind_glass}}), 0);
 }
 
-/// What takes emission away: the wall behind a mirror or glass is black where it does not emit, and
-/// every path ends there.
+/// The causes of missing emission: the wall behind a mirror or glass is black apart from its
+/// emission, and every path ends there.
 std::vector<Diagnosis> of_black(bool in_mirror) {
   if (ends_dark(column(trace({{"place", in_furnace}, {"r", 0.5}, {"g", 0.5}, {"b", 0.5}}), 0))) {
     return {absorbed_dark};
@@ -62,7 +62,7 @@ TEST_CASE("Lab 8.7: what is seen in a mirror and through glass", "[lab08][ex7]")
 }
 
 TEST_CASE("Lab 8.7: a lamp is seen in a mirror, too", "[lab08][ex7]") {
-  // Without the emission of the first surface as well, which is the mirror and emits nothing.
+  // Also without the emission of the first surface, which is the mirror and emits nothing.
   for (const double emission : {1.0, 0.0}) {
     const Rows rows = trace(
         {{"place", wall_in_mirror}, {"r", 0.5}, {"g", 0.6}, {"b", 0.7}, {"emission", emission}});
@@ -75,12 +75,12 @@ TEST_CASE("Lab 8.7: a lamp is seen in a mirror, too", "[lab08][ex7]") {
 }
 
 TEST_CASE("Lab 8.7: emission counts behind mirrors and glass", "[lab08][ex7]") {
-  // Behind the ball a black wall that emits 1: every path ends there, whatever its way.
+  // Behind the ball is a black wall that emits 1: every path ends there, whatever its way.
   const std::vector<double> seen = through_glass();
   judge(all_equal("a glowing wall through a glass ball", seen,
                   std::vector<double>(seen.size(), 1.0), 1e-3,
                   is_black(seen) ? of_black(false) : std::vector<Diagnosis>{}));
-  // The sd is a bound: three halves of what a right solution shows (no closed form).
+  // The sd is a bound: three halves of a right solution's (no closed form).
   judge(mean_is(
       "radiance in a furnace around a glass ball",
       column(trace({{"place", with_glass}, {"r", 0.5}, {"g", 0.5}, {"b", 0.5}}, n_paths), 0),

@@ -1,6 +1,6 @@
-// Checks of exercise 8.5: 100 000 estimates a case against integrals over the cone and the rest of
-// the hemisphere, with theory's standard deviation: the largest coefficient of variation is 7.1, so
-// that a bias of 20 % is caught with power .999 there, and of 1 % in the first case.
+// Checks of exercise 8.5: 100 000 estimates per case against integrals over the cone and the rest
+// of the hemisphere, with theory's standard deviation. The largest coefficient of variation is 7.1,
+// for which a bias of 20 % is detected with power .999; in the first case 1 %.
 
 #include "08_path_tracer/theory.h"
 

@@ -1,7 +1,7 @@
-// Checks of exercise 8.4: worlds with closed forms, 50 000 paths each.
-// The lecture's rule in a furnace of albedo 1/2 has infinite variance (the value is multiplied by
-// 10 with probability 1/20 each time), and no z test of its mean means anything: its values are
-// known one by one instead, and how often each must come.
+// Checks of exercise 8.4: worlds with closed forms, 50 000 paths each. The lecture's rule in a
+// furnace of albedo 1/2 has infinite variance (the value is multiplied by 10 with probability 1/20
+// each time), so a z test of its mean is meaningless: instead its possible values and their
+// frequencies are tested.
 
 #include "08_path_tracer/paths.h"
 
@@ -46,13 +46,13 @@ namespace {
 /// The lecture's p_emit.
 constexpr double p = 0.9;
 
-/// Whether more than 10 of the values are this one.
+/// True if more than 10 of the values are this one.
 bool has(const std::vector<double>& values, double value) {
   return std::count_if(values.begin(), values.end(),
                        [&](double v) { return std::abs(v - value) < 1e-3 * value; }) > 10;
 }
 
-/// In a furnace: emission came with the chance, or the division, of reflection.
+/// True if, in a furnace, emission has the probability, or the divisor, of reflection.
 bool swapped(const std::vector<double>& values) {
   const auto first = std::count_if(values.begin(), values.end(),
                                    [](double v) { return std::abs(v * p - 1) < 1e-3; });
@@ -61,9 +61,9 @@ bool swapped(const std::vector<double>& values) {
                     : std::abs(share - (1 - p)) < 0.01;
 }
 
-/// Whether about half of the rays get lost from the second bounce on, as those do that start on a
-/// surface: there a furnace whose albedo is q rho shows 1/(1 - q rho). The first bounce is the same
-/// one for all paths.
+/// True if about half of the rays that start on a surface, from the second bounce on, get lost:
+/// then a furnace with albedo q rho has radiance 1/(1 - q rho). The first bounce is the same for
+/// all paths.
 bool loses_half(const Rows& rows) {
   double red = 0, green = 0;
   for (std::size_t i = 0; i < rows.count(); ++i) {
@@ -75,7 +75,8 @@ bool loses_half(const Rows& rows) {
   return half(share(red, 0.5)) && half(share(green, 0.25));
 }
 
-/// By the lecture's rule emission comes as often as it must, and nothing from beyond the surface.
+/// True if, by the lecture's rule, emission is as frequent as it must be, but nothing comes from
+/// beyond the surface.
 bool nothing_from_beyond(const std::vector<double>& values) {
   const auto first = std::count_if(values.begin(), values.end(),
                                    [](double v) { return std::abs(v * p - 1) < 1e-3; });
@@ -87,7 +88,7 @@ std::vector<double> in_lectures_furnace() {
   return column(trace(lecture, furnace_of(0.5, 0.5)), 0);
 }
 
-/// What a furnace shows that is wrong with the mended rule.
+/// The diagnosis of the corrected rule in a furnace.
 std::vector<Diagnosis> of_mended(const Rows& rows) {
   const std::vector<double> red = column(rows, 0);
   if (has(red, 1 / p)) return {still_the_lecture};
@@ -100,7 +101,7 @@ std::vector<Diagnosis> of_mended(const Rows& rows) {
   return {};
 }
 
-/// The same for either rule: what is wrong there is wrong in other worlds, too.
+/// The same for either rule: mistakes seen there affect other worlds, too.
 std::vector<Diagnosis> seen_in_furnace(Method method) {
   if (method == mended) return of_mended(trace(mended, furnace_of(0.5, 0.25)));
   const std::vector<double> values = in_lectures_furnace();

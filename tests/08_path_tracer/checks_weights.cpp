@@ -1,5 +1,5 @@
-// Checks of what exercise 8.8 weighs light with: the power heuristic and the density of light
-// points, exact values both.
+// Checks of the weights of exercise 8.8: the power heuristic and the density of light points, both
+// exact.
 
 #include "08_path_tracer/theory.h"
 
@@ -72,7 +72,7 @@ TEST_CASE("Lab 8.8: the density of light points", "[lab08][ex8]") {
     const Rows rows = probe("Lab 8.8 light pdf", {.numbers = {{"lamp", static_cast<double>(lamp)}}},
                             {.rows = 40, .columns = 5, .of = name_of(lamp)});
     double wrong = 0, lit = 0;
-    // What each mistake makes of the density, and how many values are that.
+    // The density due to each mistake, and the number of values that match it.
     struct Other {
       std::function<double(double d2, double cosine, double area, double chance)> factor;
       Diagnosis diagnosis;

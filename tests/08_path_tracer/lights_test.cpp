@@ -1,5 +1,5 @@
-// Lab 08's lights: with which chances World::choose() takes them. All is exact: of all 2^24 numbers
-// that Rng::uniform_float() gives, so many belong to a light as its chance says.
+// The probabilities with which World::choose() takes lab 08's lights. Exact: of all 2^24 numbers
+// that Rng::uniform_float() gives, a light gets as many as its chance() says.
 
 #include "08_path_tracer/scenes.h"
 #include "given/light_choice.h"
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double step = 0x1p-24;
 
-/// How many of the numbers of uniform_float() choose each light.
+/// The number of values of uniform_float() that choose each light.
 std::vector<double> numbers_of(const lab08::World& world) {
   std::vector<double> counts(world.lights().size());
   for (std::uint32_t i = 0; i < 1U << 24; ++i)
@@ -63,7 +63,7 @@ TEST_CASE("Lab 08: each triangle of a mesh is a light, and one without area is n
   REQUIRE(world.lights().size() == 3);
   check_chances(world);
   CHECK(world.lights()[1].chance() == 0);
-  // Half of the even half: the triangle without area has no part of it.
+  // Half of the even half: the triangle without area gets no part of it.
   CHECK(world.lights()[2].chance() == 0.25f);
   const auto met = world.intersect({{0.2f, 0.2f, 0.5f}, {0, 0, 1}});
   REQUIRE(met);

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-// Worlds with closed forms that exercises 8.4 to 8.8 send their paths through, what they bring
-// there, and the mistakes that several of these exercises share.
+// The worlds with closed forms for the paths of exercises 8.4 to 8.8, their expected results, and
+// the mistakes that several of these exercises share.
 
 namespace lab08_tests {
 
@@ -68,8 +68,8 @@ inline carlo::grader::Theory ball_theory() {
       m.sd()};
 }
 
-/// Emission 1 at every vertex of a path that goes on with probability `go` and weight `weight`:
-/// mean and sd of 1 + weight + weight^2 + ...
+/// For emission 1 at every vertex of a path that continues with probability `go` and weight
+/// `weight`: mean and sd of 1 + weight + weight^2 + ...
 inline carlo::grader::Theory series(double go, double weight) {
   const double mean = 1 / (1 - go * weight);
   const double square = (1 + 2 * go * weight * mean) / (1 - go * weight * weight);
@@ -79,8 +79,8 @@ inline carlo::grader::Theory series(double go, double weight) {
 inline const double lamp_share =
     0.7522747 / pi;  ///< of cosine-weighted directions that meet the square lamp
 
-/// Whether paths that are absorbed bring nothing: in a furnace every surface emits, and every path
-/// that counts it brings something.
+/// True if absorbed paths contribute nothing: in a furnace every surface emits, and every path that
+/// counts it contributes.
 inline bool ends_dark(const std::vector<double>& in_furnace) {
   return std::find(in_furnace.begin(), in_furnace.end(), 0) != in_furnace.end();
 }

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-// How many of exercise 8.3's directions each cell of the hemisphere should get, and whether it has.
+// The expected and actual numbers of exercise 8.3's directions in each cell of the hemisphere.
 
 namespace lab08_tests {
 
@@ -16,13 +16,13 @@ constexpr std::size_t draws = 100'000;
 
 constexpr int rings = 8, sectors = 8;
 
-/// The part of the lobe, (n + 1)/(2 pi) cos^n about the mirror direction, that each cell holds.
+/// The part of the lobe, (n + 1)/(2 pi) cos^n about the mirror direction, in each cell.
 inline std::vector<double> lobe_masses(double n, double degrees) {
   const double angle = degrees * pi / 180;
   const Double3 mirror(-std::sin(angle), 0, std::cos(angle));
   std::vector<double> mass(rings * sectors);
   over_turns(800, [&](double u, double cosine, double sine, double weight) {
-    // The mirror direction has no y: what lies at -y is the same again.
+    // The mirror direction has no y: the part at -y is the same.
     if (sine < 0) return;
     const double r = std::sqrt(1 - u * u), v = std::atan2(sine, cosine) / (2 * pi);
     const auto ring = static_cast<std::size_t>(u * rings) * sectors;
@@ -34,7 +34,7 @@ inline std::vector<double> lobe_masses(double n, double degrees) {
   return mass;
 }
 
-/// Of the density whose chances are the theory's kd and ks; the last is what no cell gets.
+/// For the density with theory's kd and ks as probabilities; the last is the part in no cell.
 inline std::vector<double> cell_masses(const PhongTheory& theory, const std::vector<double>& lobe) {
   std::vector<double> mass;
   mass.reserve(lobe.size() + 1);
@@ -74,7 +74,7 @@ inline Fit fit_of(const std::vector<double>& counts, const std::vector<double>& 
   return fit;
 }
 
-/// Counts or masses of cells, for each ring alone; the last stays what it is.
+/// Counts or masses per ring; the last one stays as it is.
 inline std::vector<double> by_rings(const std::vector<double>& cells) {
   std::vector<double> sums(rings);
   for (std::size_t i = 0; i + 1 < cells.size(); ++i)

@@ -10,8 +10,7 @@
 #include <utility>
 #include <vector>
 
-// Materials, directions and cones that lab 08's probes feed the exercises with, and the checks
-// compare against.
+// The materials, directions and cones of lab 08's probes, which the checks use too.
 
 namespace lab08_tests {
 
@@ -89,7 +88,7 @@ inline std::vector<DirectionPair> direction_pairs(float exponent) {
 struct SplitCase {
   Vec3 axis;
   float one_minus_cos;
-  float light, elsewhere;  ///< radiance within the cone and outside
+  float light, elsewhere;  ///< radiance inside the cone and outside
 };
 
 inline std::vector<SplitCase> split_cases() {

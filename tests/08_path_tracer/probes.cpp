@@ -1,5 +1,5 @@
 // Probes of lab 08's exercises 8.1 to 8.3 and 8.5. They call the student's functions and return raw
-// values; what the values should be stands in checks_*.cpp.
+// values; checks_*.cpp says what the values should be.
 
 #include "08_path_tracer/places.h"
 #include "08_path_tracer/scenes.h"
@@ -22,8 +22,8 @@ carlo::Phong phong_of(const Params& params) {
 
 }  // namespace
 
-// A camera that looks along -z with a square film as wide as it is far. Each row: where in its
-// pixel a ray went through (in pixels, from the pixel's top left), and how many rays there were.
+// A camera that looks along -z with a square film as wide as it is far. Each row: where a ray went
+// through its pixel (in pixels, from the pixel's top left), and how many rays there were.
 PROBE("Lab 8.1 rays", "x in the pixel", "y in the pixel",
       "(last two rows: red and green of the mean; its blue and the number of rays)") {
   carlo::Camera camera;
@@ -46,13 +46,13 @@ PROBE("Lab 8.1 rays", "x in the pixel", "y in the pixel",
 }
 
 // Direct light at the floor's origin, by either form. The BRDF is wrong on purpose where the
-// contract says that nobody asks.
+// contract says that it is never called.
 PROBE("Lab 8.2 estimates", "red", "green", "blue") {
   const auto lamp = static_cast<Lamp>(params.whole("lamp"));
   const lab08::World world(lamp_scene(lamp));
   const Pose pose = pose_of(lamp);
   carlo::Rng rng(params.seed);
-  // One point, seen from many sides: each time rounding puts it a little elsewhere.
+  // One point, seen from many sides: each time it is rounded differently.
   std::vector<lab08::Surface> surfaces;
   for (int side = 0; side < 32; ++side) {
     const float azimuth = 0.2f * static_cast<float>(side);
@@ -124,7 +124,7 @@ PROBE("Lab 8.5 estimates", "estimate", "directions asked", "below the horizon", 
     double calls = 0, below = 0, within = 0;
     const lab08::Incoming incoming = [&](Vec3 wi) {
       calls += 1;
-      // On the horizon the cosine is 0, and whoever asks there adds 0.
+      // On the horizon the cosine is 0, so a call there adds 0.
       below += wi.z < -1e-6f ? 1 : 0;
       within += cone.contains(wi) ? 1 : 0;
       return cone.contains(wi) ? Rgb(c.light) : Rgb(c.elsewhere);

@@ -69,8 +69,8 @@ View view_of(const Params& params) {
   return {};
 }
 
-/// Independent numbers that note what was read: how often each place, and how many reads were not
-/// where a vertex has its numbers.
+/// Independent numbers that record reads: how often each place was read, and how many reads were
+/// not where a vertex has its numbers.
 class NotedDimensions final : public lab08::Dimensions {
  public:
   explicit NotedDimensions(carlo::Rng& rng) : rng_(&rng) {}
@@ -122,7 +122,7 @@ PROBE("Lab 8.4 p_emit", "reflects", "emits", "does both", "both, in other channe
   return rows.take();
 }
 
-// `method`: 0 lecture's, 1 mended (8.4); 2 direct (8.6); 3 specular (8.7).
+// `method`: 0 the lecture's, 1 corrected (8.4); 2 direct (8.6); 3 specular (8.7).
 PROBE("Lab 8 paths", "red", "green", "blue") {
   const View view = view_of(params);
   const lab08::World world(view.scene);
@@ -162,7 +162,7 @@ PROBE("Lab 8.7 refract", "is refracted", "wt.x", "wt.y", "wt.z") {
                 : std::vector<double>{0, 0, 0, 0}};
 }
 
-// A surface as a ray from above meets it, or from within.
+// A surface as met by a ray from above, or from inside.
 PROBE("Lab 8.7 specular", "wi.x", "wi.y", "wi.z", "weight.r", "weight.g", "weight.b", "pdf",
       "(row 1: the mirror; then glass, for u = 1/128, 3/128, 5/128 and so on)") {
   const carlo::Dielectric glass{1.5f, 1};
@@ -183,14 +183,14 @@ PROBE("Lab 8.7 specular", "wi.x", "wi.y", "wi.z", "weight.r", "weight.g", "weigh
 }
 
 PROBE("Lab 8.8 heuristic", "weight") {
-  // No number says infinity in JSON: -1 does.
+  // JSON has no infinity: -1 stands for it.
   const auto q = params["q"] < 0 ? HUGE_VALF : static_cast<float>(params["q"]);
   return {1, {number(lab08::power_heuristic(static_cast<float>(params["p"]), q))}};
 }
 
 // The density at the floor's origin of the points that rays in a few directions meet; and the same
-// from the geometry alone: distance^2, cosine at what was met, its area if it is a light, and with
-// which chance that is chosen.
+// from the geometry alone: distance^2, cosine at the hit, its area if it is a light, and the
+// probability of choosing that.
 PROBE("Lab 8.8 light pdf", "light_pdf", "distance^2", "cosine there", "area of the light", "chance",
       "(a row a ray from the floor; area 0: it meets no light)") {
   const lab08::World world(lamp_scene(static_cast<Lamp>(params.whole("lamp"))));

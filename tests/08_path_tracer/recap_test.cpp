@@ -1,8 +1,8 @@
-// The Recap as printed and as mended, against closed forms.
+// The Recap as printed and as corrected, against closed forms.
 //
-// Means are judged with the standard deviation of theory, not with the sample's own: some twenty z
-// tests at |z| < 5.5 raise a false alarm in less than 1e-6 of all runs (4e-8 each). n paths find a
-// bias of 8.6 standard errors with power .999: of 2.7 % in the worst case below, where one path's
+// Means are judged with theory's standard deviation, not with the sample's own: about twenty z
+// tests at |z| < 5.5 raise a false alarm in less than 1e-6 of all runs (4e-8 each). n paths detect
+// a bias of 8.6 standard errors with power .999: 2.7 % in the worst case below, where one path's
 // standard deviation is 1.4 times its mean and n = 200 000.
 
 #include "recap_room.h"
@@ -26,7 +26,7 @@ struct Theory {
   double sd() const { return std::sqrt(square - mean * mean); }
 };
 
-/// Of the powers of the cosine over the wall's two sets of directions, each uniform in its set.
+/// Moments of the cosine over the wall's two sets of directions, each uniform in its set.
 struct Cosines {
   double light, light_squared, other, other_squared;
 
@@ -44,8 +44,8 @@ double emits(const RecapRoom& room) {
   return room.wall_emits > 0 ? 0.9 : 0;
 }
 
-/// One path of recap_as_printed(): with chance p Le / p, else (A + B X) / (1 - p), where A is what
-/// the light ray brings, X another path's value.
+/// One path of recap_as_printed(): with probability p the value Le / p, otherwise (A + B X) / (1 -
+/// p), where A is the light ray's contribution and X another path's value.
 Theory recap_theory(const RecapRoom& room) {
   const Cosines cosines(room);
   const double solid = room.solid_angle(), p = emits(room), f = room.albedo / pi;
@@ -70,9 +70,8 @@ Theory random_direction_theory(const RecapRoom& room) {
   return {mean, square / (1 - f * f * (1 - to_ball) * cosines.other_squared / (1 - p))};
 }
 
-/// recap_mended(): Le, and one of three: with chance 1 - albedo the light ray, with chance albedo
-/// (1
-/// - F) another path's value, else nothing.
+/// recap_mended(): Le, and one of three: with probability 1 - albedo the light ray, with
+/// probability albedo (1 - F) another path's value, otherwise nothing.
 Theory mended_theory(const RecapRoom& room) {
   const Cosines cosines(room);
   const double q = 1 - room.albedo, on = room.albedo * (1 - room.view_factor());
@@ -123,7 +122,7 @@ const std::vector<RecapRoom>& rooms() {
 TEST_CASE("the room of the Recap: what is emitted is absorbed") {
   for (const RecapRoom& room : rooms()) {
     const double F = room.view_factor(), wall = room.exact(), ball = room.ball_radiance;
-    // Over pi and a unit of the wall; the ball absorbs what it gets.
+    // Over pi and per unit of the wall; the ball absorbs what it receives.
     const double emitted = room.wall_emits + F * ball;
     const double absorbed = (1 - room.albedo) * (F * ball + (1 - F) * wall) + F * wall;
     CHECK(std::abs(emitted - absorbed) < 1e-12 * emitted);
@@ -139,8 +138,8 @@ TEST_CASE("the room of the Recap: the printed forms' means are those of their ra
     CHECK(close(room.random_direction_mean(), random_direction_theory(room).mean));
     CHECK(close(room.exact(), mended_theory(room).mean));
   }
-  // Weights of 1/2 p_light and 1/2 (1 - p_light) for Omega and 2 pi - Omega: a ball of solid angle
-  // 1 gets no non-light ray, a smaller one a negative one.
+  // Weights of 1/2 p_light and 1/2 (1 - p_light) instead of Omega and 2 pi - Omega: with a ball of
+  // solid angle 1 the non-light ray has weight 0, with a smaller one a negative weight.
   RecapRoom room{0.5, std::sqrt(1 - std::pow(1 - 1 / (2 * pi), 2)), 0, 1};
   CHECK(std::abs(room.solid_angle() - 1) < 1e-12);
   CHECK(std::abs(room.light_ratio() - 0.5) < 1e-12);
@@ -155,7 +154,7 @@ TEST_CASE("the Recap as printed brings what its weights say, and not what it sho
   for (const RecapRoom& room : rooms()) {
     constexpr int n = many_paths / 10;
     const Theory recap = recap_theory(room), random = random_direction_theory(room);
-    // Where no path ends by itself 32 calls leave a factor of 1e-16 or less to come.
+    // Where no path ends by itself, the remainder after 32 calls has a factor of at most 1e-16.
     check_mean(paths(room, recap_as_printed, n, 32, stream++).mean, recap.mean, recap.sd(), n);
     check_mean(paths(room, random_direction_as_printed, n, 1 << 12, stream++).mean, random.mean,
                random.sd(), n);
@@ -172,7 +171,7 @@ TEST_CASE("the mended Recap brings what the room shows, with the variance of the
                theory.sd(), many_paths);
   }
   // The mean z^2 of 1000 means of 500 paths is 1 with a deviation of sqrt(2/1000) = .045 (1/500 of
-  // a path's excess kurtosis more): alpha < 1e-6; a standard deviation off by 15 % is found with
+  // a path's excess kurtosis more): alpha < 1e-6; a standard deviation off by 15 % is detected with
   // power .999.
   const RecapRoom room = rooms().front();
   const Theory theory = mended_theory(room);
@@ -189,18 +188,18 @@ TEST_CASE("the mended Recap brings what the room shows, with the variance of the
 TEST_CASE("the Recap calls itself as often as it must, and where walls are dark for ever") {
   const RecapRoom bright = rooms()[0], dark = rooms()[2];
   constexpr int n = many_paths / 10;
-  // Two calls with chance 1/10, of which the light ray's is the last of its kind.
+  // Two calls with probability 1/10; the light ray's is the last of its kind.
   check_mean(paths(bright, recap_as_printed, n, 1 << 12, 200).calls, 1 + 2 / 9.0,
              2 * std::sqrt(0.1) / 0.9, n);
   const Paths printed = paths(dark, recap_as_printed, 1000, 64, 201);
-  // But for the one in some 10^5 that grazes the wall or, by rounding, the ball: no z test.
+  // Except for the one in about 10^5 that grazes the wall or, by rounding, the ball: no z test.
   CHECK(printed.cut > 0.99);
   CHECK(printed.calls > 63);
   // One random direction ends when it meets the ball.
   const double s = dark.solid_angle() / (2 * pi);
   check_mean(paths(dark, random_direction_as_printed, n, 1 << 12, 202).calls, 1 + 1 / s,
              std::sqrt(1 - s) / s, n);
-  // Mended: non-light rays, a geometric number of them, and at their end perhaps a light ray.
+  // Corrected: a geometric number of non-light rays, then perhaps a light ray.
   for (const RecapRoom& room : {bright, dark}) {
     const double on = room.albedo * (1 - room.view_factor()), light = (1 - room.albedo) / (1 - on);
     const Paths mended = paths(room, recap_mended, n, 1 << 12, 203);
@@ -225,8 +224,8 @@ void add_ball(carlo::Scene& scene, const BallLamp& ball, float radiance) {
   scene.shapes.push_back({carlo::Sphere{ball.centre, ball.radius}, 1, Rgb(radiance)});
 }
 
-/// At the origin of the floor, from this many degrees off its normal. One path's value lies between
-/// 0 and `most`: its standard deviation is half of that at most.
+/// At the origin of the floor, seen at this many degrees off its normal. One path's value lies
+/// between 0 and `most`, so its standard deviation is at most half of that.
 void check_floor(const carlo::Scene& scene, const BallLamp& lamp, double degrees, double exact,
                  double most, std::uint64_t stream) {
   const World world(scene);
@@ -247,10 +246,10 @@ TEST_CASE("the mended Recap with a lamp half set, and one behind a pillar") {
   const BallLamp low{{2, 0, 0}, 1};
   carlo::Scene scene = floor_under_sky(grey);
   add_ball(scene, low, 4);
-  // A light ray at most: solid angle .842, cosine .5, f = .6/pi, radiance 4, over .4.
+  // At most one light ray: solid angle .842, cosine .5, f = .6/pi, radiance 4, over .4.
   check_floor(scene, low, 30, albedo / pi * (4 * set + pi - set), 1, 300);
 
-  // A shining pillar that hides the lamp and more; radius 1/2 at distance 1.
+  // An emitting pillar that hides more than the lamp; radius 1/2 at distance 1.
   const BallLamp hidden{{0, 0, 4}, 0.5f}, pillar{{0, 0, 1}, 0.5f};
   scene = floor_under_sky(grey);
   add_ball(scene, hidden, 100);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <variant>
 
-// The worlds that lab 08's probes build; each has a closed form (theory.h).
+// The worlds of lab 08's probes; each has a closed form (theory.h).
 
 namespace lab08_tests {
 
@@ -18,7 +18,7 @@ inline std::uint32_t add_phong(carlo::Scene& scene, Rgb kd, Rgb ks = Rgb(0), flo
   return static_cast<std::uint32_t>(scene.materials.size() - 1);
 }
 
-/// Lights over the point (0, 0, 0) of a floor whose normal is +z. The world of `disk` is moved as a
+/// Lights over the point (0, 0, 0) of a floor with normal +z. The world of `disk` is moved as a
 /// whole, see pose_of().
 enum class Lamp {
   rectangle = 0,  ///< the unit square, centred at height 1, facing down
@@ -30,7 +30,7 @@ enum class Lamp {
   covered = 5,    ///< `rectangle`, half of it behind a black screen
   behind = 6,     ///< `rectangle`, facing up, over a floor that emits, under a sky
   none = 7,       ///< no light but a sky
-  weak = 8,       ///< `near_lamp` and, with 2e9 times its power, `far_sun`: 3 of irradiance each
+  weak = 8,       ///< `near_lamp` and `far_sun`, with 2e9 times its power: irradiance 3 each
   count = 9
 };
 
@@ -56,11 +56,11 @@ struct LitBall {
 inline const LitBall near_lamp{{{0.6f, 0, 0.8f}, 0.1f}, 3 / (3.14159265f * 0.008f)};
 inline const LitBall far_sun{{{0, 0, 1e5f}, 1e3f}, 3 / (3.14159265f * 1e-4f)};
 
-/// What floors emit that glow, and the skies: no estimate of direct light has any of it.
+/// The emission of glowing floors and of skies: estimates of direct light must not contain it.
 constexpr float floor_glow = 16, sky_glow = 3;
 
-/// Tilted, and far from the origin: no coordinate of a point of the floor is exact there, and rays
-/// that start on it meet it again, from about half of its points.
+/// Tilted, and far from the origin: there no coordinate of a point of the floor is exact, and rays
+/// that start on it would meet it again, from about half of its points.
 struct Pose {
   Frame3 frame{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   Vec3 origin{0};
@@ -140,8 +140,7 @@ inline carlo::Scene lamp_scene(Lamp lamp) {
   return scene;
 }
 
-/// Seen from its inside: a sphere of radius 2 that emits 1 everywhere, albedo `rho` in each
-/// channel.
+/// Seen from inside: a sphere of radius 2 that emits 1 everywhere, albedo `rho` in each channel.
 inline carlo::Scene furnace(Rgb rho, float radius = 2) {
   carlo::Scene scene;
   scene.shapes.push_back({carlo::Sphere{{0, 0, 0}, radius, true}, add_phong(scene, rho), Rgb(1)});
@@ -164,8 +163,8 @@ inline carlo::Scene furnace_with_mirror(Rgb reflectance) {
   return scene;
 }
 
-/// The unit square, centred at height 1, facing down, of radiance 1; before it a screen, so that
-/// the point (0, 0, 0) of the floor sees nothing of it but through the screen.
+/// The unit square, centred at height 1, facing down, of radiance 1, with a screen in front: the
+/// point (0, 0, 0) of the floor sees it only through the screen.
 inline carlo::Scene screened_lamp(carlo::Material screen) {
   carlo::Scene scene = lamp_scene(Lamp::rectangle);
   scene.shapes[1].radiance = Rgb(1);
@@ -175,15 +174,15 @@ inline carlo::Scene screened_lamp(carlo::Material screen) {
   return scene;
 }
 
-/// The screen is of glass that is no denser than air: light goes straight through.
+/// The screen is glass as thin as air: light goes straight through.
 inline carlo::Scene lamp_behind_pane() {
   return screened_lamp({carlo::Dielectric{1, 1}, false});
 }
 
-/// How far the mirror of mirrored_lamp() stands from the point (0, 0, 0) of the floor.
+/// The distance of the mirror of mirrored_lamp() from the point (0, 0, 0) of the floor.
 constexpr float mirror_distance = 0.6f;
 
-/// The screen is black; (0, 0, 0) sees all of the lamp in a lossless mirror beside it.
+/// The screen is black; (0, 0, 0) sees the whole lamp in a lossless mirror beside it.
 inline carlo::Scene mirrored_lamp() {
   carlo::Scene scene = screened_lamp({carlo::Phong{Rgb(0), Rgb(0), 0}, false});
   scene.materials.push_back({carlo::Mirror{Rgb(1)}, false});

@@ -11,7 +11,7 @@
 #include <numbers>
 #include <vector>
 
-// Closed forms and integrals, in double, that lab 08's checks compare with.
+// Closed forms and integrals, in double, for lab 08's checks.
 
 namespace lab08_tests {
 
@@ -19,7 +19,7 @@ using Double2 = glm::dvec2;
 using Double3 = glm::dvec3;
 constexpr double pi = std::numbers::pi;
 
-/// Mean and mean square of one estimate, and the chance that it is not 0, where that is asked for.
+/// Mean and mean square of one estimate, and the probability that it is not 0, if requested.
 struct Moments {
   double mean = 0, square = 0, lit = 0;
   double sd() const { return std::sqrt(std::max(square - mean * mean, 0.0)); }
@@ -36,7 +36,7 @@ void over_square(int n, const F& visit) {
 }
 
 /// Midpoint rule over heights u in [0, 1) and one turn: visit(u, cos(phi), sin(phi), weight). The
-/// turn's cosines are worked out once, not for every height.
+/// turn's cosines are computed once, not for every height.
 template <class F>
 void over_turns(int n, const F& visit) {
   std::vector<Double2> turns;
@@ -50,7 +50,7 @@ void over_turns(int n, const F& visit) {
   }
 }
 
-/// What one estimate by area leaves out or has upside down, as a typical mistake.
+/// The factor that an estimate by area omits or inverts, as a typical mistake.
 enum class Slip {
   none,
   cos_surface,
@@ -58,10 +58,10 @@ enum class Slip {
   distance,
   distance_once,
   area,
-  area_divided,  ///< divided by the area, which is to be multiplied by
+  area_divided,  ///< divided by the area instead of multiplied
   density,       ///< multiplied by the density per solid angle
   shadow,
-  cosine_twice  ///< not left out: one more cosine at the surface
+  cosine_twice  ///< nothing omitted: one more cosine at the surface
 };
 
 /// f cos(theta) over the density per solid angle, for a BRDF of 1/2 pi and radiance 1.
@@ -129,7 +129,7 @@ inline Moments by_area(Lamp lamp, Slip slip = Slip::none) {
   return m;
 }
 
-/// The same of a ball of light that lies above the horizon and casts no shadow.
+/// The same for a ball of light that is above the horizon and casts no shadow.
 inline Moments ball_by_area(const LitBall& light) {
   Moments m;
   const auto radius = static_cast<double>(light.ball.radius);
@@ -148,7 +148,7 @@ inline Moments ball_by_area(const LitBall& light) {
   return m;
 }
 
-/// World::choose()'s chances, for lights that are no meshes.
+/// World::choose()'s probabilities, for lights that are not meshes.
 inline std::vector<double> light_chances(const std::vector<double>& powers) {
   double all = 0;
   for (const double power : powers)
@@ -159,8 +159,8 @@ inline std::vector<double> light_chances(const std::vector<double>& powers) {
   return chances;
 }
 
-/// The part of cosine-weighted directions that meets the lamp of mirrored_lamp(): it stands behind
-/// the mirror as far as in front of it.
+/// The fraction of cosine-weighted directions that meets the lamp of mirrored_lamp(): its image is
+/// as far behind the mirror as the lamp is in front.
 inline double mirrored_share() {
   const double shift = 2 * static_cast<double>(mirror_distance);
   double share = 0;
@@ -172,8 +172,8 @@ inline double mirrored_share() {
   return share;
 }
 
-/// cos^n of the angle between two unit vectors, 0 for blunt angles. The cosine comes from the
-/// chord, so that pow() starts from an error of 1e-16 and ends, at n = 1e7, with one of 1e-9.
+/// cos^n of the angle between two unit vectors, 0 for obtuse angles. The cosine comes from the
+/// chord, so that pow() starts with an error of 1e-16 and ends, at n = 1e7, with one of 1e-9.
 inline double cos_power(Double3 a, Double3 b, double n) {
   const double chord = glm::length(a - b);
   const double cosine = 1 - chord * chord / 2;
@@ -197,13 +197,13 @@ struct PhongTheory {
     if (!(cosine > 0)) return 0;
     return kd * cosine / pi + ks * (n + 1) / (2 * pi) * cos_power(mirrored(normal, wo), wi, n);
   }
-  /// The weight of one sample, 0 where none is returned, at this angle of wo.
+  /// The weight of one sample, 0 if none is returned, at this angle of wo.
   Moments weights(double degrees) const {
     const double angle = degrees * pi / 180;
     const Double3 normal(0, 0, 1), wo(std::sin(angle), 0, std::cos(angle));
     Moments m;
     over_turns(1000, [&](double u, double cosine, double sine, double weight) {
-      // wo has no y: what lies at -y is the same again.
+      // wo has no y: the part at -y is the same.
       if (sine < 0) return;
       weight *= 2;
       const double r = std::sqrt(1 - u * u);
@@ -235,7 +235,7 @@ inline double specular_albedo(int n, double degrees) {
   return sum + std::pow(S, n + 2) * w(n) / pi;
 }
 
-/// Integrals over the part of a cone that lies above a floor: solid angle, of cos and of cos^2.
+/// Integrals over the part of a cone above a floor: solid angle, of cos and of cos^2.
 struct ConeTheory {
   double whole = 0, above = 0, cosine = 0, square = 0;
 

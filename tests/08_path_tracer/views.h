@@ -7,7 +7,7 @@
 
 #include <string>
 
-// What the probes of lab 08's paths look at, as the checks ask for it.
+// The views of the probes of lab 08's paths, as requested by the checks.
 
 namespace lab08_tests {
 
@@ -16,17 +16,17 @@ enum Place {
   in_furnace = 0,      ///< r, g, b: its albedo
   with_glass = 1,      ///< a furnace around a ball of glass
   on_ball = 2,         ///< kd, ks, exponent; degrees
-  on_floor = 3,        ///< lamp: which Lamp is over it
+  on_floor = 3,        ///< lamp: the Lamp over it
   mirror_ball = 4,     ///< r, g, b: its reflectance; degrees
   glass_ball = 5,      ///< degrees
   in_mirrors = 6,      ///< a furnace that mirrors; r, g, b: its reflectance
   behind_glass = 7,    ///< a wall that glows, seen through a ball of glass
   wall_in_mirror = 8,  ///< the same, seen in a ball of mirror; r, g, b: its reflectance
-  by_mirror = 9,       ///< a floor that a mirror brings all its light to
+  by_mirror = 9,       ///< a floor lit only by way of a mirror
   by_pane = 10,        ///< the same, a pane of glass
 };
 
-/// The place and whence it is seen, in words.
+/// A description of the place and of the point of view.
 inline std::string place_text(const carlo::grader::Params& params) {
   const auto rgb = [&] {
     if (params["r"] == params["g"] && params["g"] == params["b"])

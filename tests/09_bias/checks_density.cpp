@@ -1,5 +1,5 @@
 // Checks of exercise 9.5: radiance from photons at one point. The photons follow from the probe's
-// seed, so what they bring is known, and what it would be with one of the usual slips.
+// seed, so the right result is known, and so are those of the usual mistakes.
 
 #include "09_bias/density_checks.h"
 
@@ -66,7 +66,7 @@ const Diagnosis fewer_counted{"fewer-than-k-counted",
                               "disc is, and the contract makes that 0."};
 const Diagnosis nothing_is_nan{"nothing-is-not-0", "where no photon lies the radiance is 0."};
 
-/// What is added up for one photon, and by what the sum is divided.
+/// The term that is summed for each photon, and the divisor of the sum.
 struct Recipe {
   Diagnosis diagnosis;
   std::function<DensityVec(const DensityPhoton&, double cosine)> term;
@@ -139,7 +139,7 @@ double distance_of(const DensityPhoton& photon, const DensityPlace& place) {
   return glm::length(DensityVec(photon.p) - DensityVec(place.at));
 }
 
-/// The photons nearer than `radius`, and the disc of another, or of the same.
+/// Sums the photons nearer than `radius`, over the disc of this or another radius.
 DensityVec estimate(const Recipe& recipe, const std::vector<DensityPhoton>& photons,
                     double disc_radius) {
   DensityVec sum(0);
@@ -175,7 +175,7 @@ std::vector<std::vector<DensityPhoton>> photons_of_places(std::uint64_t seed) {
   return all;
 }
 
-/// What `value(place, photons)` is at all places.
+/// The results of `value(place, photons)` for all places.
 std::vector<DensityVec> at_places(
     std::uint64_t seed, const std::function<void(const DensityPlace&, std::vector<DensityPhoton>,
                                                  std::vector<DensityVec>&)>& add) {
@@ -232,7 +232,7 @@ TEST_CASE("Lab 9.5: radiance from the nearest photons", "[lab09][ex5]") {
   const Answer rows =
       probe("Lab 9.5 nearest", {},
             {.rows = asked + 2, .columns = 3, .finite = false, .of = "the nearest photons of 60"});
-  // `counted` photons of k, and the disc that number `last` of them ends.
+  // `counted` photons of k, and the disc that ends at number `last` of them.
   const auto by = [&](const Recipe& recipe, std::size_t uncounted, std::size_t before,
                       double scale_power = 0) {
     return at_places(rows.seed, [&](const DensityPlace& place, const auto& photons, auto& values) {
@@ -278,7 +278,7 @@ TEST_CASE("Lab 9.5: both are unbiased where photons lie uniformly", "[lab09][ex5
   const Rows rows = probe("Lab 9.5 uniform", {.n = maps},
                           {.rows = maps, .columns = 2, .finite = true, .of = "uniform photons"});
   constexpr double k = uniform_nearest, n = uniform_photons;
-  // The share of the disc up to the k-th photon has the density Beta(k, n - k + 1).
+  // The fraction of the disc up to the k-th photon has the density Beta(k, n - k + 1).
   judge(mean_is("the radiance from the 12 nearest of 60 uniform photons", column(rows, 0),
                 {1, std::sqrt((n - k + 1) / (n * (k - 2)))},
                 {{k / (k - 1), kth_counted},

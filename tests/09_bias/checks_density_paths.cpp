@@ -1,5 +1,5 @@
-// Checks of exercise 9.5: rays that meet photons. The worlds are such that what each ray brings, or
-// what rays bring on average, is known in closed form; the photons follow from the probe's seed.
+// Checks of exercise 9.5: rays that meet photons. The radiance of each ray, or its mean, is known
+// in closed form for these worlds; the photons follow from the probe's seed.
 
 #include "09_bias/density_checks.h"
 
@@ -54,7 +54,7 @@ std::vector<DensityPhoton> photons_on_target(std::uint64_t seed) {
   return drawn_photons(rng, target_photons, {0, 0, 0}, {0, 0, 1}, target_radius);
 }
 
-/// What the photons on the target bring.
+/// The radiance due to the photons on the target.
 DensityVec target_photons_bring(const std::vector<DensityPhoton>& photons, Vec3 wo) {
   const auto r = static_cast<double>(target_radius);
   DensityVec sum(0);
@@ -67,17 +67,18 @@ DensityVec target_photons_bring(const std::vector<DensityPhoton>& photons, Vec3 
 
 constexpr std::size_t sight_rays = 100;
 
-/// What a ray shows of the target, and what it would with a slip.
+/// The right radiance of a ray to the target, and those due to mistakes.
 struct Seen {
-  DensityVec is{0};  ///< what all rays brought; of those that glass did not reflect
+  DensityVec is{0};  ///< the radiance of all rays; of those that glass did not reflect
   DensityVec weight{1}, last_weight{1};
   DensityVec emitted{0}, photons{0}, around{0};
 };
 
-/// What cannot be told from a single ray.
+/// What a single ray cannot show.
 struct Sights {
-  bool alike = true;          ///< whether all rays of one sight brought the same
-  bool density_right = true;  ///< whether radiance_within() is right, so that slips are the path's
+  bool alike = true;          ///< true if all rays of one sight have the same radiance
+  bool density_right = true;  ///< true if radiance_within() is right, so that mistakes are the
+                              ///< path's
 };
 
 Seen see(Sight sight, bool caustic, Sights& sights) {
@@ -107,7 +108,7 @@ Seen see(Sight sight, bool caustic, Sights& sights) {
   }
   bool found = false;
   for (const DensityVec& value : brought) {
-    // Glass reflects some rays, to nothing.
+    // Glass reflects some rays, into nothing.
     if (sight == Sight::glass && value == DensityVec(0)) continue;
     if (!found) seen.is = value;
     found = true;

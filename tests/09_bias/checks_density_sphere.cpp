@@ -1,6 +1,6 @@
-// Checks of exercise 9.5: no light by two roads, and none by neither. In a closed sphere that emits
-// and reflects, with a ball of mirror in its middle, every part of the light is a geometric series.
-// The photons bring a colour that no lamp has.
+// Checks of exercise 9.5: all light comes by exactly one way. In a closed sphere that emits and
+// reflects, with a ball of mirror in its middle, every part of the light is a geometric series. The
+// photons have a colour that no lamp has.
 
 #include "09_bias/density_checks.h"
 
@@ -57,19 +57,19 @@ const Diagnosis sky_by_camera_only{"environment-lost-after-phong",
 
 // The sphere --------------------------------------------------------------------------------------
 
-/// From a point of the wall, in cosine-weighted directions, this share sees the ball.
+/// The fraction of cosine-weighted directions from a point of the wall that meets the ball.
 constexpr double share_of_ball =
     static_cast<double>(ball_radius) * static_cast<double>(ball_radius);
 constexpr auto albedo = static_cast<double>(wall_albedo);
 constexpr auto mirror = static_cast<double>(ball_reflectance);
 
-/// What one vertex on the wall brings by itself.
+/// The contribution of one vertex on the wall.
 struct Vertex {
   double mean, square;
 };
 
-/// Direct light of each vertex: the one point that is sampled is seen or it is hidden by the ball,
-/// and all that are seen bring the same.
+/// Direct light at each vertex: the sampled point is visible or hidden by the ball, and all visible
+/// points contribute the same.
 constexpr double lit = albedo * static_cast<double>(wall_glow);
 constexpr Vertex by_lamp{lit * (1 - share_of_ball), lit* lit*(1 - share_of_ball)};
 
@@ -80,10 +80,10 @@ Vertex by_photons() {
   return {radiance, radiance * radiance};
 }
 
-/// The mean of what goes on from a vertex: straight to the wall, or by the mirror.
+/// The mean of what continues from a vertex: straight to the wall, or by the mirror.
 constexpr double onwards = albedo * (1 - share_of_ball + share_of_ball * mirror);
 
-/// A path's light from vertex 1 on, of which each brings the same on average.
+/// A path's light from vertex 1 on; each vertex contributes the same on average.
 Theory path_theory(const Vertex& vertex) {
   const double mean = vertex.mean / (1 - onwards);
   const double squares = albedo * (1 - share_of_ball + share_of_ball * mirror * mirror);
@@ -95,7 +95,7 @@ double mean_of_path(double vertex) {
   return vertex / (1 - onwards);
 }
 
-/// What rays brought, and whether radiance_within() is right, so that slips are the path's.
+/// The radiance of rays, and whether radiance_within() is right, so that mistakes are the path's.
 struct SphereRays {
   std::vector<double> lamp, photons;
   bool density_right = true;
@@ -120,7 +120,7 @@ SphereRays sphere_rays(bool caustic, bool mirrored, std::size_t rays) {
   return all;
 }
 
-/// mean_is(), and suspects are told where all values are alike as well.
+/// mean_is(), but with suspects reported even if all values are alike.
 Verdict judge_part(const std::string& what, const std::vector<double>& values, const Theory& theory,
                    const Suspects& suspects) {
   Verdict verdict = mean_is(what, values, theory, suspects);
@@ -140,7 +140,8 @@ bool told(const Verdict& verdict, const Diagnosis& diagnosis) {
                      [&](const Diagnosis& one) { return one.id == diagnosis.id; });
 }
 
-/// Whether paths end at the first Phong surface: then what photons bring there is all, always.
+/// True if paths end at the first Phong surface: then the photons' contribution there is always
+/// everything.
 bool end_at_first(const std::vector<double>& by_photons_of_rays, double weight) {
   return std::all_of(by_photons_of_rays.begin(), by_photons_of_rays.end(), [&](double value) {
     return std::abs(value - weight * by_photons().mean) <= 1e-4;
@@ -160,7 +161,7 @@ Suspects lamp_suspects(double glow, bool ends) {
           {glow + straight / (1 - albedo * onwards), weight_twice}};
 }
 
-/// `ends`: whether the path's own light has shown that it ends at the first surface.
+/// `ends`: the path's own light has shown that it ends at the first surface.
 Suspects photon_suspects(bool ends) {
   const double each = by_photons().mean, all = mean_of_path(each);
   return {{each, ends ? path_ends : first_caustic_only},
@@ -217,13 +218,13 @@ TEST_CASE("Lab 9.5: a map of all photons is all of the reflected light", "[lab09
     const double wrong_lamp = wrong(seen.lamp, static_cast<double>(wall_glow));
     const double wrong_photons = wrong(seen.photons, by_photons().mean);
     std::vector<Diagnosis> found;
-    // What is sampled at one surface alone leaves the photons' part as it is.
+    // If light is sampled at only one surface, the photons' part is unaffected.
     if (seen.density_right && differ(seen.lamp))
       found = {differ(seen.photons) ? goes_on : samples_beside_map};
     const std::string where = mirrored ? "in a mirror" : "seen straight";
     judge(holds("rays to a wall " + where + " that bring another light of its own than it emits",
                 wrong_lamp == 0, fmt::format("{:g} of {}", wrong_lamp, rays), "0", found));
-    // A photon that comes along the wall, as four in a million gradings meet one, has no side.
+    // A photon that arrives along the wall, as in four of a million gradings, has no side.
     judge(holds("rays to a wall " + where + " that bring another light by photons",
                 wrong_photons <= 1, fmt::format("{:g} of {}", wrong_photons, rays), "none, or one",
                 found));
@@ -246,7 +247,7 @@ void judge_white_ball(bool caustic, bool in_glass) {
   DensityVec shown = expected;
   for (const DensityVec& value : radiances(rows)) {
     dark += value == DensityVec(0) ? 1 : 0;
-    // What the glass reflects towards the sky is seen by both.
+    // Both see the light that the glass reflects towards the sky.
     const bool right =
         same_radiance(value, expected) || (in_glass && same_radiance(value, DensityVec(sky)));
     if (!right) shown = value;

@@ -1,5 +1,5 @@
-// Checks of exercise 9.1. Everything has an exact answer; unbiased for every distribution, and the
-// same in any order, only one bias^2 is, and only one variance (Halmos 1946).
+// Checks of exercise 9.1. Everything has an exact answer: only one bias^2 and one variance are
+// unbiased for every distribution and independent of the order (Halmos 1946).
 
 #include "09_bias/error_data.h"
 #include "grader/judge/judge.h"
@@ -85,7 +85,7 @@ double list_mean(const std::vector<double>& list) {
   return sum;
 }
 
-/// The right parts of a list, and what slips make of them.
+/// The right parts of a list, and the results of mistakes.
 struct ErrorTheory {
   double bias2, variance;
   Suspects biases, variances;
@@ -120,7 +120,7 @@ ErrorTheory error_theory(const Estimates& list) {
   return theory;
 }
 
-/// Judges bias^2 and variance; both are right to `tolerance` of what they are made of.
+/// Judges bias^2 and variance; both must be right to `tolerance`, relative to their terms.
 bool judge_error_parts(const std::string& name, double bias2, double variance,
                        const ErrorTheory& theory, double tolerance,
                        const std::vector<Diagnosis>& elsewhere_right = {}) {
@@ -176,7 +176,7 @@ std::vector<double> list_logs(std::vector<double> list) {
   return list;
 }
 
-/// What slips make of the slope of y over x, both logarithms.
+/// The results of mistakes in the slope of y over x, both logarithms.
 Suspects slope_slips(const ErrorCurve& curve) {
   const std::vector<double> x = list_logs(curve.n), y = list_logs(curve.error);
   const FitSums sums = fit_sums(x, y);
@@ -218,8 +218,8 @@ TEST_CASE("Lab 9.1: bias and variance of short lists", "[lab09][ex1]") {
 }
 
 TEST_CASE("Lab 9.1: bias and variance of random numbers, near 0 and far from it", "[lab09][ex1]") {
-  // Two numbers may be so near to each other that a running mean has eight digits of their distance
-  // left: in one of 1e7 lists it has fewer.
+  // Two numbers may be so close that a running mean leaves only eight digits of their difference:
+  // in one of 1e7 lists it leaves fewer.
   constexpr double tolerance = 1e-8;
   bool right = true;
   for (const std::int64_t n : {2, 7, 40}) {
@@ -238,7 +238,7 @@ TEST_CASE("Lab 9.1: the slope of least squares on logarithmic axes", "[lab09][ex
     const Answer rows = probe("Lab 9.1 slope", {.n = n}, {.finite = false, .of = of});
     const ErrorCurve curve = drawn_curve(rows.seed, n);
     const FitSums sums = fit_sums(list_logs(curve.n), list_logs(curve.error));
-    // Any two points lie on their line: there some slips are none.
+    // Two points always lie on their line: there some mistakes have no effect.
     judge(equals("the slope through " + of, rows.at(0, 0), sums.xy / sums.xx, 1e-9,
                  n == 2 ? Suspects{} : slope_slips(curve)));
   }

@@ -1,5 +1,5 @@
-// Checks of exercise 9.3, feature_weight(). Everything has an exact answer, worked out in double
-// from the numbers that the probe drew; what the contract leaves to rounding is below 1e-5.
+// Checks of exercise 9.3, feature_weight(). Everything has an exact answer, computed in double from
+// the numbers that the probe drew; the rounding that the contract allows is below 1e-5.
 
 #include "09_bias/feature_theory.h"
 #include "grader/judge/judge.h"
@@ -70,7 +70,7 @@ const Diagnosis not_exponential{"weight-not-exponential", "the weight is exp(-d)
 const Diagnosis term_missing{"term-missing", "this difference makes none in the weight."};
 const Diagnosis not_symmetric{"not-symmetric", "a weight is the same both ways round."};
 
-/// What slips of any exponent d make of exp(-d).
+/// The results of mistakes in exp(-d) for any exponent d.
 Suspects general_slips(double d) {
   return {{std::exp(d), grows},
           {1 / (1 + d), not_exponential},
@@ -79,7 +79,7 @@ Suspects general_slips(double d) {
           {1, term_missing}};
 }
 
-/// Of a feature whose squared distance is `squared`.
+/// The results of mistakes for a feature with squared distance `squared`.
 Suspects feature_slips(double squared, double strength) {
   const double d = squared / (2 * strength * strength), length = std::sqrt(squared);
   Suspects slips{{std::exp(-2 * d), half_lost},
@@ -105,7 +105,7 @@ Suspects normal_slips(const Pair& p) {
 Suspects depth_slips(const Pair& p) {
   const double a = real(p.one.depth), b = real(p.other.depth), apart = a - b;
   const double two = 2 * p.strength.depth * p.strength.depth;
-  // Who divides by the wrong depth still leaves out one of 0.
+  // Even with the wrong divisor, a depth of 0 is still left out.
   const auto over = [&](double depth) {
     return depth == 0 ? 1 : std::exp(-apart * apart / (depth * depth * two));
   };
@@ -220,14 +220,14 @@ const char* name_of(PairKind kind) {
   return "that differ in everything a little";
 }
 
-/// What a weight that is no number comes from.
+/// The mistake that explains a NaN weight.
 std::vector<Diagnosis> undefined(PairKind kind) {
   if (kind == no_depth) return {sky_not_defined};
   if (kind == both_sure || kind == same_sure) return {sure_not_defined};
   return {};
 }
 
-/// Whether the weight is right.
+/// Judges the weight; true if it is right.
 bool judge_weight(const std::string& what, double measured, double right, PairKind kind,
                   const Suspects& slips) {
   Verdict verdict = equals(what, measured, right, 1e-5, slips);

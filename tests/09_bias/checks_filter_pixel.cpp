@@ -1,5 +1,5 @@
 // Checks of exercise 9.3, filter_pixel(): exact means over windows in the middle of images, at
-// their edges and larger than they are. Weights are those of the contract.
+// their edges, and larger than the image. Weights are those of the contract.
 
 #include "09_bias/feature_theory.h"
 #include "grader/judge/judge.h"
@@ -54,7 +54,7 @@ struct WindowCase {
   const char* name;
 };
 
-/// What slips make of one channel's mean and variance.
+/// The results of mistakes for one channel's mean and variance.
 struct WindowSlips {
   Suspects color, variance;
 

@@ -1,6 +1,6 @@
-// Checks of exercise 9.7, make_record() and record_error(). What a record makes of its directions
-// is exact; the directions themselves are judged by their distribution, 4000 of them: a mean that
-// is off by .07 is caught with power .999.
+// Checks of exercise 9.7, make_record() and record_error(). What a record computes from its
+// directions is exact; the directions themselves are judged by their distribution, 4000 of them: a
+// mean that is off by .07 is detected with power .999.
 
 #include "09_bias/irradiance_theory.h"
 #include "grader/judge/judge.h"
@@ -105,7 +105,7 @@ MadeRecord made_record(Around around, std::size_t normal, int strata, double sca
   return made;
 }
 
-/// Sums over the directions that a record asked for.
+/// Sums over the directions of a record.
 struct RecordSums {
   Double3 radiance{0}, with_cosine{0};
   double inverses = 0, distances = 0, finite = 0, logarithms = 0, least = endless, cosines = 0,
@@ -142,7 +142,7 @@ Suspects irradiance_suspects(const RecordSums& sums, double count, int channel) 
           {right / pi97 / pi97, record_slips::pi_missing}};
 }
 
-/// Of one over the distance, which is finite where that is not.
+/// Suspects for one over the distance, which is finite even if the distance is not.
 Suspects distance_suspects(const RecordSums& sums, double count) {
   const double right = sums.inverses / count;
   return {{count / sums.distances, record_slips::arithmetic},
@@ -193,11 +193,11 @@ void judge_record(Around around, std::size_t normal, int strata, double scale,
                distance_suspects(sums, count)));
 }
 
-/// Means along the normal and two tangents of many records' directions.
+/// Means of many records' directions along the normal and two tangents.
 struct Directions97 {
   std::vector<double> along_n, along_s, along_t, inverse, calls;
 
-  /// Whether all records have had the same directions.
+  /// True if all records had the same directions.
   bool identical() const {
     for (const auto* means : {&along_n, &along_s, &along_t}) {
       for (const double mean : *means) {
@@ -274,7 +274,7 @@ TEST_CASE("Lab 9.7: a record's directions are cosine-weighted around the normal"
     squares.push_back(one.along_n[i] * one.along_n[i]);
     turns.push_back(std::atan2(one.along_t[i], one.along_s[i]));
   }
-  // With uniform directions cos itself is uniform, so that cos^2 has the mean 1/3.
+  // For uniform directions cos itself is uniform, so that cos^2 has the mean 1/3.
   judge(mean_is("squared cosine of single directions", squares, {0.5, std::sqrt(1 / 12.0)},
                 {{1 / 3.0, record_slips::uniform_directions}}));
   for (const auto* tangent : {&one.along_s, &one.along_t}) {
@@ -288,14 +288,14 @@ TEST_CASE("Lab 9.7: a record's directions are cosine-weighted around the normal"
 }
 
 TEST_CASE("Lab 9.7: a record's directions are stratified", "[lab09][ex7]") {
-  // Independent directions would scatter with variances of 1/18 and 1/4 over their number; strata
-  // have less than a fifth of that whatever Lab 7.4 maps the square with. 96 records: chance moves
-  // a variance by 15 %.
+  // Independent directions would have variances of 1/18 and 1/4 over their number; strata have less
+  // than a fifth of that, however Lab 7.4 maps the square. 96 records: chance changes a variance by
+  // 15 %.
   constexpr double directions = 256;
   const Directions97 many = many_records(Around::ceiling, 6, 16, 96);
   judge(is_so("directions of two records", !many.identical(), "the same", "different ones",
               {record_slips::not_jittered}));
-  // Wrong directions are not the strata's fault.
+  // Wrong directions are not due to the strata.
   std::vector<Diagnosis> diagnoses;
   if (many.calls.front() != directions) {
     diagnoses = {record_slips::wrong_count};
@@ -342,7 +342,7 @@ TEST_CASE("Lab 9.7: Ward's estimate of the error", "[lab09][ex7]") {
   const auto agrees = [&](std::size_t i, Slip97 slip) {
     const ErrorCase& c = cases[i];
     const double value = error97(c.record, c.p, c.n, slip);
-    // A root of 1 - n . n' in double, of normals of length 1 in double, is right to 2e-8.
+    // A root of 1 - n . n' in double, for normals of length 1 in double, is right to 2e-8.
     return rows.at(i, 0) == value || std::abs(rows.at(i, 0) - value) <= 2e-8 + 2e-6 * value;
   };
   const auto all_agree = [&](Slip97 slip) {

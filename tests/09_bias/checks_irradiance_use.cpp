@@ -1,4 +1,4 @@
-// Checks of exercise 9.7, interpolate() and cached_irradiance(): all of them exact.
+// Checks of exercise 9.7, interpolate() and cached_irradiance(), all exact.
 
 #include "09_bias/irradiance_theory.h"
 #include "grader/judge/judge.h"
@@ -78,7 +78,7 @@ Interpolations interpolations(std::int64_t drawn) {
   return all;
 }
 
-/// The slips that explain all answers.
+/// The mistakes that explain all answers.
 std::vector<Diagnosis> common_slip97(const Interpolations& all) {
   std::vector<Diagnosis> fitting;
   for (const auto& slips : {use_slips97(), error_slips97()}) {
@@ -102,7 +102,7 @@ struct CacheRow {
 
 enum class CacheSlip { none, not_kept, made_always, made_first, made_twice };
 
-/// What an exercise would have done that is right, or wrong in one way.
+/// The rows of a right solution, or of one with a given mistake.
 std::vector<CacheRow> cache_rows(const std::vector<Asker>& askers, CacheSlip slip) {
   std::vector<KnownRecord> records;
   std::vector<CacheRow> rows;

@@ -1,4 +1,4 @@
-// Checks of exercise 9.4: which lamp a photon leaves, and where photons come down.
+// Checks of exercise 9.4: which lamp photons leave, and where they land.
 
 #include "09_bias/photon_checks.h"
 
@@ -34,7 +34,7 @@ PhotonVec power_of(const ColouredLamp& lamp) {
   return std::numbers::pi * side * side * PhotonVec(lamp.radiance);
 }
 
-/// What each lamp's power is of all, by luminance.
+/// Each lamp's fraction of the total power, by luminance.
 std::vector<double> shares_by_power(Lamps lamps) {
   std::vector<double> shares;
   double all = 0;
@@ -47,7 +47,7 @@ std::vector<double> shares_by_power(Lamps lamps) {
   return shares;
 }
 
-/// World::choose()'s chances.
+/// World::choose()'s probabilities.
 std::vector<double> chances_of(Lamps lamps) {
   std::vector<double> chances = shares_by_power(lamps);
   for (double& chance : chances)
@@ -55,7 +55,7 @@ std::vector<double> chances_of(Lamps lamps) {
   return chances;
 }
 
-/// Whether these shares are nearer to `expected` than chance would bring others.
+/// True if these frequencies match `expected` within chance.
 bool look_like(const std::vector<double>& measured, const std::vector<double>& expected) {
   double most = 0;
   for (std::size_t i = 0; i < measured.size(); ++i)
@@ -63,7 +63,7 @@ bool look_like(const std::vector<double>& measured, const std::vector<double>& e
   return most < 0.03;
 }
 
-/// Which lamp each of many photons has left, and what flux they carry.
+/// The lamp that each of many photons left, and the flux that they carry.
 struct Emitted {
   static constexpr std::size_t photons = 20'000;
   std::vector<double> shares;
@@ -89,7 +89,7 @@ std::vector<Diagnosis> of_shares(const std::vector<double>& measured) {
   return {};
 }
 
-/// Returns whether lamps are chosen as they should.
+/// Returns true if lamps are chosen correctly.
 bool judge_shares(const std::string& what, const Emitted& emitted,
                   const std::vector<double>& chances, const std::vector<Diagnosis>& diagnoses) {
   double statistic = 0;
@@ -117,7 +117,7 @@ void judge_fluxes(const std::string& of, Lamps lamps, const Emitted& emitted) {
 
 }  // namespace
 
-// 20 000 photons tell chances that are off by a fiftieth with power .999.
+// 20 000 photons detect probabilities that are off by a fiftieth with power .999.
 TEST_CASE("Lab 9.4: lamps half by their powers, half evenly", "[lab09][ex4]") {
   const Emitted emitted(coloured_lamps, false);
   if (judge_shares("how often each of three lamps is chosen", emitted, chances_of(coloured_lamps),
@@ -125,7 +125,7 @@ TEST_CASE("Lab 9.4: lamps half by their powers, half evenly", "[lab09][ex4]") {
     judge_fluxes("three", coloured_lamps, emitted);
 }
 
-// Without its photons the weak lamp's surroundings are dark, whatever the error bar says.
+// Without its photons the weak lamp's surroundings would be dark, whatever the error bar says.
 TEST_CASE("Lab 9.4: a weak lamp beside a strong one has its photons", "[lab09][ex4]") {
   const Emitted emitted(weak_and_strong, true);
   std::vector<Diagnosis> diagnoses;
@@ -138,8 +138,8 @@ TEST_CASE("Lab 9.4: a weak lamp beside a strong one has its photons", "[lab09][e
 
 namespace {
 
-/// The solid angle of the rectangle from (0, 0) to (x, y) at distance 1 from the point above its
-/// first corner.
+/// The solid angle of the rectangle from (0, 0) to (x, y), seen from the point at distance 1 above
+/// its first corner.
 double corner_angle(double x, double y) {
   return std::atan(x * y / std::sqrt(x * x + y * y + 1));
 }
@@ -150,7 +150,7 @@ Rows land(bool square, std::size_t photons) {
                {.rows = photons, .columns = 3, .of = square ? "a square lamp" : "a point lamp"});
 }
 
-/// Cells of side 1/4 of the square from (-1, -1) to (1, 1), and a last one for all else.
+/// Cells of side 1/4 of the square from (-1, -1) to (1, 1), and a last one for everything else.
 constexpr std::size_t cells_across = 8;
 
 std::size_t cell_of(double x, double y) {
@@ -160,7 +160,7 @@ std::size_t cell_of(double x, double y) {
                 : cells_across * cells_across;
 }
 
-/// The share of a point lamp's photons in each cell: its part of the solid angle.
+/// The fraction of a point lamp's photons in each cell: its fraction of the solid angle.
 std::vector<double> shares_below() {
   std::vector<double> shares;
   double rest = 1;

@@ -1,4 +1,4 @@
-// Checks of exercise 9.4: photons among Phong surfaces. What is stored of each is known.
+// Checks of exercise 9.4: photons among Phong surfaces. The right records of each photon are known.
 
 #include "08_path_tracer/theory.h"
 #include "09_bias/photon_trails.h"
@@ -52,15 +52,15 @@ const Diagnosis lobe_number{
 
 // The closed sphere -------------------------------------------------------------------------------
 
-/// Flux is multiplied by this at each reflection; the chance to go on is the red albedo.
+/// Flux is multiplied by this at each reflection; the probability to continue is the red albedo.
 PhotonVec closed_weight() {
   const PhotonVec albedo(closed_albedo);
   return albedo / albedo.r;
 }
 
-/// Directions there are known from the points, so from the photons themselves. Points are rounded
-/// and a photon starts a little beside its own, 1.4e-6 in all: of two points that are next to each
-/// other, as one reflection in 1e7 makes them, that is no small part of their distance.
+/// Directions there follow from the points, and so from the photons themselves. Points are rounded
+/// and a photon starts slightly beside its own, 1.4e-6 in all: for two points close together, as
+/// after one reflection in 1e7, that is no small part of their distance.
 Stored in_closed(const Trail& trail, std::size_t i, std::size_t k) {
   const PhotonVec p = trail.stored[k].p;
   const PhotonVec from =
@@ -98,8 +98,8 @@ std::vector<Diagnosis> of_closed_wi(const std::vector<Trail>& all) {
   return {};
 }
 
-/// Whether what is stored first is where photons arrive second: off the ray that was sent, and with
-/// a count of one.
+/// True if the first record is at the second arrival: off the ray that was sent, and with a count
+/// of one.
 bool direct_is_missing(const std::vector<Trail>& all) {
   double some = 0, second = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -113,7 +113,7 @@ bool direct_is_missing(const std::vector<Trail>& all) {
   return second > 0.99 * some;
 }
 
-/// Whether photons are stored twice in one place.
+/// True if photons are stored twice in one place.
 bool photons_meet_themselves(const std::vector<Trail>& all) {
   double twice = 0;
   for (const Trail& trail : all) {
@@ -134,7 +134,7 @@ TEST_CASE("Lab 9.4: power is conserved in a closed sphere", "[lab09][ex4]") {
   std::vector<double> red = column(rows, 0);
   for (double& value : red)
     value /= sent.r;
-  // The number of arrivals is geometric, and the chance to go on q.
+  // The number of arrivals is geometric, with probability q to continue.
   const auto q = static_cast<double>(closed_albedo.r);
   Verdict verdict =
       mean_is("red flux stored in a sphere of albedo .6, all bounces, of each sent", red,
@@ -155,12 +155,12 @@ TEST_CASE("Lab 9.4: what is stored in a closed sphere", "[lab09][ex4]") {
   std::vector<double> second;
   for (const Trail& trail : all) {
     nothing += trail.count >= 1 ? 0 : 1;
-    // From one point of a sphere's inside, cosine-weighted directions reach all others alike: their
-    // heights over it, along its normal, are uniform.
+    // From a point inside a sphere, cosine-weighted directions reach all other points equally:
+    // their heights above it, along its normal, are uniform.
     if (trail.stored.size() > 1)
       second.push_back(glm::dot(trail.stored[1].p, glm::normalize(trail.stored[0].p)));
   }
-  // Whose first photons are missing has other ones in their places.
+  // If first photons are missing, others are in their places.
   const auto unless_missing =
       [missing = direct_is_missing(all)](const std::vector<Diagnosis>& diagnoses) {
         return missing ? std::vector{direct_lost} : diagnoses;

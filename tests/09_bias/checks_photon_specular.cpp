@@ -105,7 +105,7 @@ TEST_CASE("Lab 9.4: through glass", "[lab09][ex4]") {
              scaled ? std::vector{scaled_by_eta} : std::vector<Diagnosis>{});
   judge_none("photons that are not stored once, on the black ball or around the glass",
              others + stored - within - outside, stored, at_glass);
-  // Glass reflects 4 % and a little more at these angles: none of 500 once in 1e9 times.
+  // Glass reflects 4 % and a little more at these angles: none of 500 happens once in 1e9 times.
   judge(holds("photons within the glass and around it", within > 0 && outside > 0,
               fmt::format("{:g} and {:g}", within, outside), "some, and some"));
   judge_none("photons with a wrong count of glass", specular, stored,

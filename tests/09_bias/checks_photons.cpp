@@ -1,5 +1,5 @@
 // Checks of exercise 9.4: photons as they leave lamps. All four numbers of an emission are uniform
-// once they are mapped back to [0, 1): where on the lamp, the square of the cosine, and the
+// once they are mapped back to [0, 1): the position on the lamp, the square of the cosine, and the
 // azimuth.
 
 #include "09_bias/photon_checks.h"
@@ -53,7 +53,7 @@ const Diagnosis fixed_offset{"fixed-offset",
                              "photons start a fixed distance off the lamp, which is far beside a "
                              "small one: leave() takes what rounding asks for."};
 
-/// The azimuth of d about n, from some fixed direction across.
+/// The azimuth of d about n, from a fixed perpendicular direction.
 double azimuth_about(PhotonVec n, PhotonVec d) {
   const PhotonVec s =
       glm::normalize(glm::cross(n, std::abs(n.z) < 0.9 ? PhotonVec(0, 0, 1) : PhotonVec(1, 0, 0)));
@@ -100,7 +100,7 @@ TEST_CASE("Lab 9.4: a point lamp shines all around", "[lab09][ex4]") {
 
 namespace {
 
-/// A photon that left a lamp: where from, in numbers of [0, 1), the normal there, and how far in
+/// A photon that left a lamp: its origin in numbers of [0, 1), the normal there, and how far in
 /// front of the lamp it starts.
 struct Departure {
   double u, v;
@@ -133,13 +133,13 @@ double lamp_area(PhotonLamp lamp) {
   return (lamp == PhotonLamp::ball ? 4 : 1) * std::numbers::pi * r * r;
 }
 
-/// What photons of one lamp are like.
+/// Statistics of the photons of one lamp.
 struct Departures {
   PhotonCells<4> cells{3};
   double behind = 0, far = 0, backwards = 0, not_unit = 0, up = 0, cosines = 0;
 
   Departures(PhotonLamp lamp, const Rows& rows) {
-    // A dozen roundings of the largest coordinate, several times over.
+    // A dozen roundings of the largest coordinate, with a margin.
     const double farthest = lamp == PhotonLamp::speck ? 1e-6 : 1e-3;
     for (std::size_t i = 0; i < rows.count(); ++i) {
       const PhotonVec d = vec(rows, i, 3);

@@ -1,5 +1,5 @@
 // Checks of exercise 9.2: the filters and their inversion, by closed forms. checks_pixel_rays.cpp
-// has those of pixels.
+// has those for pixels.
 
 #include "09_bias/pixel_filter_theory.h"
 #include "grader/judge/figures.h"
@@ -92,7 +92,7 @@ struct FilterValues {
   bool inside(std::size_t i) const {
     return std::max(std::abs(points[i].x), std::abs(points[i].y)) < filter.radius;
   }
-  /// The number c for which all values inside are c times the shape; NaN: there is none.
+  /// The number c for which all values inside are c times the shape; NaN if there is none.
   double factor(const Shape2& shape) const {
     const double c = is[0] / shape(points[0].x, points[0].y);
     for (std::size_t i = 0; i < is.size(); ++i) {
@@ -108,12 +108,12 @@ bool near(double is, double should) {
   return std::abs(is - should) <= 1e-4 * std::abs(should);
 }
 
-/// What is wrong if the shape is right and its height is not.
+/// The diagnosis if the shape is right but its height is not.
 Diagnosis of_height(const FilterCase& filter, double height) {
   const double area = shape_area(filter), kept = kept_share(filter);
   if (filter.curve == gaussian_curve && near(height * area * area, kept * kept))
     return cut_not_made_up;
-  // Where twice the area is 1 that says nothing.
+  // Where twice the area is 1 that means nothing.
   if (near(height * area, 1)) return one_direction;
   if (near(height, 1)) return peak_is_one;
   if (filter.curve == box_curve && near(height * area * area, 4)) return radius_is_width;
@@ -181,7 +181,7 @@ void judge_values(std::size_t number) {
 
 // Offsets -----------------------------------------------------------------------------------------
 
-/// A way to go wrong about an offset.
+/// A mistake in an offset.
 struct OffsetSlip {
   Diagnosis diagnosis;
   std::function<PixelPoint(PixelPoint u)> offset;
@@ -217,7 +217,7 @@ std::vector<OffsetSlip> tent_slips(double r) {
 
 std::vector<OffsetSlip> gaussian_slips(const FilterCase& filter) {
   const double r = filter.radius, kept = kept_share(filter);
-  // Far beyond its radius a Gaussian ends nowhere.
+  // Cut far beyond its radius, a Gaussian is practically untruncated.
   const FilterCase whole{gaussian_curve, 8 * filter.sigma, filter.sigma};
   const auto uncut = [=](double u) { return place_of(whole, u); };
   const auto clamped = [=](double u) { return std::clamp(place_of(whole, u), -r, r); };
@@ -261,7 +261,7 @@ std::vector<OffsetSlip> offset_slips(const FilterCase& filter) {
   return slips;
 }
 
-/// The largest distance along one axis; NaN where there is no number.
+/// The largest distance along one axis; NaN if a coordinate is NaN.
 double apart(PixelPoint a, PixelPoint b) {
   const double x = std::abs(a.x - b.x), y = std::abs(a.y - b.y);
   return std::isnan(x + y) ? NAN : std::max(x, y);
@@ -271,8 +271,8 @@ struct OffsetAnswer {
   FilterCase filter;
   std::vector<PixelPoint> pairs, is;
 
-  /// Whether an answer near to another law is far from the right one: of a Gaussian that is nearly
-  /// a box the uniform law tells nothing.
+  /// True if an answer that fits another law is far from the right one: for a Gaussian that is
+  /// nearly a box, the uniform law says nothing.
   bool tells_apart(const std::function<PixelPoint(PixelPoint)>& right,
                    const std::function<PixelPoint(PixelPoint)>& other) const {
     return std::any_of(pairs.begin(), pairs.end(), [&](PixelPoint u) {
@@ -289,8 +289,8 @@ struct OffsetAnswer {
   }
 };
 
-/// Whether the uncut Gaussian has been inverted, also where that shows at the ends of [0, 1) only.
-/// There it may end at the radius, or nowhere.
+/// True if the untruncated Gaussian was inverted, even where that shows only at the ends of [0, 1).
+/// There it may be cut at the radius, or infinite.
 bool is_uncut(const OffsetAnswer& answer) {
   const FilterCase& filter = answer.filter;
   const FilterCase whole{gaussian_curve, 8 * filter.sigma, filter.sigma};

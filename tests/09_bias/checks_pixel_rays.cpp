@@ -1,5 +1,5 @@
-// Checks of exercise 9.2: what pixels make of their rays. What the rays bring follows from the
-// probe's seed, and so does the pixel's value, once it is known where they went.
+// Checks of exercise 9.2: how pixels combine their rays. The rays' radiances follow from the
+// probe's seed, and so does the pixel's value, once the rays' positions are known.
 
 #include "09_bias/pixel_rays.h"
 #include "grader/judge/figures.h"
@@ -76,14 +76,14 @@ std::vector<Diagnosis> of_places(const RaysAnswer& answer) {
   const FilterCase& filter = answer.filter;
   if (all_offsets(answer, [&](PixelPoint p) { return within(filter, {p.x + 0.5, p.y + 0.5}); }))
     return {from_pixel_corner};
-  // The film's bottom lies 1/2 below the middle of its last row.
+  // The film's bottom is 1/2 below the middle of its last row.
   constexpr double turned = 2 * corner_y + 1 - film_height;
   if (all_offsets(answer, [&](PixelPoint p) { return within(filter, {p.x, -p.y - turned}); }))
     return {pixel_upside_down};
   return {miss_pixel};
 }
 
-/// Judges that rays stay in the filter's square and fill it, past the film's edges.
+/// Checks that rays stay in the filter's square and fill it, even beyond the film's edges.
 void judge_square(const RaysAnswer& answer, const std::string& of) {
   const bool in_square =
       all_offsets(answer, [&](PixelPoint p) { return within(answer.filter, p); });
@@ -99,7 +99,7 @@ void judge_square(const RaysAnswer& answer, const std::string& of) {
                                  : kept_on_film}));
 }
 
-/// Whether the mean square of the offsets is near to this: to six standard deviations of a tent.
+/// True if the mean square of the offsets is near this: to six standard deviations of a tent.
 bool spread_is(const RaysAnswer& answer, double square) {
   double sum = 0;
   for (const PixelPoint p : answer.offsets)
@@ -107,8 +107,8 @@ bool spread_is(const RaysAnswer& answer, double square) {
   return std::abs(sum - square) < 0.12 * square;
 }
 
-/// Judges the distribution of the places, which should be that of `filter`. `others`: what to say
-/// of a spread that is some other's.
+/// Judges the distribution of the positions, which should be that of `filter`. `others`: the
+/// diagnosis if the spread is that of another.
 void judge_spread(const RaysAnswer& answer, const FilterCase& filter, const std::string& of,
                   const std::vector<std::pair<double, Diagnosis>>& others) {
   std::vector<double> shares, products;
@@ -151,8 +151,8 @@ double filter_square(const FilterCase& filter) {
 
 // Values ------------------------------------------------------------------------------------------
 
-/// Sums over the rays, each weighed by weight(offset). What rounding has put beyond the radius lies
-/// on it.
+/// Sums over the rays, each weighted by weight(offset). Positions that rounding put beyond the
+/// radius count as on it.
 template <class Weight>
 std::array<double, 4> weighed_sums(const RaysAnswer& answer, const Weight& weight) {
   std::array<double, 4> sums{};
@@ -210,7 +210,7 @@ std::vector<Diagnosis> of_pixel(const RaysAnswer& answer, bool weighted) {
   std::size_t next = 0;
   const auto own = weighed_sums(answer, [&](PixelPoint) { return answer.own_values[next++]; });
   if (is(own, own[3])) return {};
-  // One weight may come of many things.
+  // A single weight has too many explanations.
   if (n == 1) return {};
   const double square = 4 * filter.radius * filter.radius;
   if (is(once, 1)) return {weights_not_divided};
@@ -232,7 +232,7 @@ void judge_pixel(const RaysAnswer& answer, bool weighted, const std::string& of)
   judge(holds("rays" + of, counted_right, number_in_report(answer.rays), number_in_report(n),
               {too_few_rays}));
   const auto sums = weighed_sums(answer, [&](PixelPoint p) {
-    // One ray alone decides, whatever its weight.
+    // A single ray decides, whatever its weight.
     return weighted && answer.count() > 1 ? filter_density(answer.filter, p.x, p.y) : 1.0;
   });
   const bool right = same(answer.pixel, sums, sums[3]);
@@ -277,7 +277,8 @@ TEST_CASE("Lab 9.2: rays of a weighted pixel are uniform in the filter's square"
 
 TEST_CASE("Lab 9.2: a weighted pixel is divided by the sum of its weights", "[lab09][ex2]") {
   for (const std::size_t filter : {std::size_t{1}, std::size_t{2}}) {
-    // Of fewer than 8 rays the weights of a tent may all be so small that places' rounding shows.
+    // With fewer than 8 rays the weights of a tent may all be so small that the rounding of
+    // positions shows.
     for (const std::int64_t n : {1, 8, 64}) {
       const RaysAnswer answer = rays_answer(filter, true, n);
       judge_pixel(answer, true,

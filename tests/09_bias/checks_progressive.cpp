@@ -1,4 +1,4 @@
-// Checks of exercise 9.6. Nothing is random there but what the probe's seed gives.
+// Checks of exercise 9.6. The only random inputs follow from the probe's seed.
 
 #include "09_bias/progressive_data.h"
 #include "grader/judge/judge.h"
@@ -71,7 +71,7 @@ bool near_to(double is, double should, double tolerance) {
   return std::abs(is - should) <= tolerance * std::abs(should);
 }
 
-/// A way to go wrong about the next radius.
+/// A mistake in the next radius.
 struct RadiusSlip {
   Diagnosis diagnosis;
   std::function<double(const ProgressivePass&)> radius;
@@ -132,7 +132,7 @@ TEST_CASE("Lab 9.6: the next radius", "[lab09][ex6]") {
     right = right && (i >= extreme || same);
     std::vector<Diagnosis> told = found;
     if (found.empty() && !right && as_float) told = {floats_drift};
-    // Of 1e-30 and 1e30 a float holds no square.
+    // The squares of 1e-30 and 1e30 do not fit into a float.
     if (right) told = {floats_drift};
     judge(holds(fmt::format("the radius after pass {}, of radius {:.6g}, alpha = {:.4g}", pass,
                             radius, alpha),
@@ -170,7 +170,7 @@ TEST_CASE("Lab 9.6: the radius after a hundred thousand passes", "[lab09][ex6]")
 
 namespace {
 
-/// What progressive_mean() asked for, and what it made of it.
+/// The calls of progressive_mean(), and its result.
 struct ProgressiveAnswer {
   ProgressiveRun run;
   std::uint64_t seed;
@@ -208,7 +208,7 @@ std::vector<Diagnosis> of_pass_numbers(const std::vector<double>& pass) {
   return {};
 }
 
-/// `all`: whether every pass's radius is what `radius(pass)` says.
+/// `all`: every pass's radius is radius(pass).
 std::vector<Diagnosis> of_radii(const ProgressiveAnswer& answer) {
   const auto all = [&](const std::function<double(double pass)>& radius) {
     for (std::size_t i = 0; i < answer.radius.size(); ++i) {
@@ -217,7 +217,7 @@ std::vector<Diagnosis> of_radii(const ProgressiveAnswer& answer) {
     return true;
   };
   const auto [bound_first, bound_alpha] = answer.run;
-  const auto first = bound_first, alpha = bound_alpha;  // older clang captures no bindings
+  const auto first = bound_first, alpha = bound_alpha;  // older clang cannot capture bindings
   const auto root = [alpha = alpha](double pass) { return std::sqrt(shrinking(pass, alpha)); };
   const auto chain = [&](double pass) {
     return radius_of(answer.run, static_cast<std::int64_t>(pass));
@@ -253,7 +253,7 @@ std::vector<Diagnosis> of_radii(const ProgressiveAnswer& answer) {
   return {floats_drift};
 }
 
-/// What a mean might be instead.
+/// A possible wrong mean.
 struct MeanSlip {
   Diagnosis diagnosis;
   glm::dvec3 mean;
@@ -320,7 +320,7 @@ void judge_progressive_mean(std::int64_t passes) {
     }
   }
   if (wrong_radius > 0) wrong_radii = fmt::format("{:g}", wrong_radius) + wrong_radii;
-  // Calls that are too few or too many have other passes and radii, and another mean.
+  // With too few or too many calls, passes, radii and the mean all differ.
   const auto unless_miscounted = [&](const std::vector<Diagnosis>& diagnoses) {
     return found.empty() ? diagnoses : found;
   };

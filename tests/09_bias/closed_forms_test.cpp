@@ -1,6 +1,6 @@
-// Lab 09's parts where the answer is a formula: the density of photons under a point lamp and in a
-// sphere, and filters, whose weights add up to 1. Means are judged with the standard deviation of
-// theory: eight z tests at |z| < 5.5 raise a false alarm in less than 1e-6 of all seeds.
+// Parts of lab 09 with closed forms: the density of photons under a point lamp and in a sphere, and
+// filters, whose weights add up to 1. Means are judged with theory's standard deviation: eight z
+// tests at |z| < 5.5 raise a false alarm for less than 1e-6 of all seeds.
 
 #include "bias.h"
 
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// With this for a BRDF, radiance is irradiance.
+/// With this BRDF, radiance is irradiance.
 Rgb one(Vec3) {
   return Rgb(1);
 }
@@ -34,13 +34,13 @@ std::uint32_t add(carlo::Scene& scene, float albedo) {
   return static_cast<std::uint32_t>(scene.materials.size() - 1);
 }
 
-/// The irradiance that a point lamp of intensity 1 at height 1 brings to a disc of the floor, on
-/// average: 1 cos/d^2, summed over rings and turns by their middles.
+/// The mean irradiance on a disc of the floor from a point lamp of intensity 1 at height 1:
+/// cos/d^2, summed over rings and turns by their middles.
 double mean_below_lamp(double x, double y, double radius) {
   constexpr int rings = 200, turns = 200;
   double sum = 0;
   for (int i = 0; i < rings; ++i) {
-    const double r = radius * std::sqrt((i + 0.5) / rings);  // rings of one area
+    const double r = radius * std::sqrt((i + 0.5) / rings);  // rings of equal area
     for (int k = 0; k < turns; ++k) {
       const double turn = 2 * pi * (k + 0.5) / turns;
       const double px = x + r * std::cos(turn), py = y + r * std::sin(turn);
@@ -64,7 +64,7 @@ TEST_CASE("density: the floor under a point lamp") {
                  [&](const Photon& photon) { photons.push_back(photon); });
   }
   const PhotonMap map(std::move(photons), 1 / static_cast<float>(emitted));
-  // At the foot the disc's share of all light is a cone's.
+  // At the foot the disc's fraction of all light is that of a cone.
   const double foot = 2 * (1 - 1 / std::hypot(1, 0.4)) / (0.4 * 0.4);
   CHECK(std::abs(mean_below_lamp(0, 0, 0.4) / foot - 1) < 1e-4);
   for (const auto& [x, y, radius] : std::vector<std::array<float, 3>>{
@@ -102,8 +102,8 @@ TEST_CASE("density: in a closed sphere of albedo rho the irradiance is pi/(1 - r
     mean +=
         static_cast<double>(radiance_within(map, *wall, one, static_cast<float>(disc)).g) / points;
   }
-  // Within any distance d of a point of a sphere lie pi d^2 of it. How often a photon is stored is
-  // geometric; what discs beside each other find is as good as independent.
+  // A distance of d from a point of a sphere encloses an area of pi d^2. The number of times a
+  // photon is stored is geometric; the counts of neighbouring discs are practically independent.
   const double stored = 1 / (1 - albedo), share = disc * disc / (4 * radius * radius);
   const double exact = pi * stored;
   const double of_power = albedo / emitted, of_discs = 1 / (emitted * stored * share * points);
@@ -172,7 +172,7 @@ TEST_CASE("filters: what is of one colour keeps it, however few the rays") {
 }
 
 TEST_CASE("filters: the feature filter's weights add up to 1, also at the image's edges") {
-  // Of one white pixel in a black image the filter shows the weight that it has at each place: as
+  // For one white pixel in a black image the filter shows its weight at each position: since
   // colours make no difference where k is huge, such images add up to white.
   Rng rng(9);
   const FeatureImage black = drawn_image(rng);

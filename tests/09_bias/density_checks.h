@@ -11,14 +11,14 @@
 #include <string>
 #include <vector>
 
-// What the checks of Lab 9.5 are written with.
+// Helpers for the checks of Lab 9.5.
 
 namespace lab09_density {
 
 using DensityVec = glm::dvec3;
 using carlo::grader::Diagnosis, carlo::grader::Rows, carlo::grader::Verdict;
 
-/// Radiances that a typical mistake would give, one for each that is judged together.
+/// The radiances that a typical mistake would give, one for each of those judged together.
 struct Reading {
   Diagnosis diagnosis;
   std::vector<DensityVec> radiances;
@@ -31,12 +31,12 @@ inline std::vector<DensityVec> radiances(const Rows& rows) {
   return all;
 }
 
-constexpr double radiance_tolerance = 1e-4;  ///< as a part of the largest channel
+constexpr double radiance_tolerance = 1e-4;  ///< relative to the largest channel
 
 inline bool same_radiance(DensityVec is, DensityVec should) {
   const double size = std::max({std::abs(should.r), std::abs(should.g), std::abs(should.b)});
   const DensityVec off = glm::abs(is - should);
-  // NaN is not the same.
+  // NaN equals nothing.
   return off.r <= radiance_tolerance * size && off.g <= radiance_tolerance * size &&
          off.b <= radiance_tolerance * size;
 }
@@ -50,8 +50,8 @@ inline std::string radiance_text(DensityVec radiance) {
   return fmt::format("({:.5g}, {:.5g}, {:.5g})", radiance.r, radiance.g, radiance.b);
 }
 
-/// Every radiance is what it should be; where one is not, a reading that fits them all is named.
-/// `names`: what each is.
+/// Checks that every radiance is right; otherwise names a reading that fits all of them. `names`:
+/// what each is.
 inline void judge_radiances(const std::vector<DensityVec>& are,
                             const std::vector<DensityVec>& should,
                             const std::vector<std::string>& names,
@@ -76,7 +76,7 @@ inline double cosine_of(const DensityPhoton& photon, DensityVec normal) {
   return glm::dot(DensityVec(photon.wi), normal);
 }
 
-/// What radiance_within() is for the BRDF that is the same function for all.
+/// radiance_within() for a BRDF that is the same function for all.
 inline DensityVec density_within(const std::vector<DensityPhoton>& photons, DensityVec at,
                                  DensityVec normal, double radius) {
   DensityVec sum(0);

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-// The photons of Lab 9.5's probes, which its checks work out once more from the probe's seed.
+// The photons of Lab 9.5's probes, which its checks compute again from the probe's seed.
 
 namespace lab09_density {
 
@@ -19,7 +19,7 @@ using carlo::Rgb;
 using carlo::Rng;
 using carlo::Vec3;
 
-/// lab09::Photon, which the judge does not know.
+/// A copy of lab09::Photon, which the judge does not have.
 struct DensityPhoton {
   Vec3 p, wi;
   Rgb flux;
@@ -33,7 +33,7 @@ inline Vec3 drawn_direction(Rng& rng) {
   return {r * std::cos(phi), r * std::sin(phi), z};
 }
 
-/// A direction that rounding takes to neither side of a surface with this normal.
+/// A direction that rounding cannot move to the other side of a surface with this normal.
 inline Vec3 drawn_beside(Vec3 normal, Rng& rng) {
   Vec3 d = drawn_direction(rng);
   while (std::abs(glm::dot(d, normal)) < 1e-3f)
@@ -42,8 +42,9 @@ inline Vec3 drawn_beside(Vec3 normal, Rng& rng) {
 }
 
 /// Photons around a point of a surface, up to two radii away and none at the radius itself, with a
-/// flux of the radius squared, more or less. Half of them come from either side. No two are at
-/// distances that rounding could exchange: of an even number, half have a part each of the radius.
+/// flux of about the radius squared. Half of them come from either side. Distances are so far apart
+/// that rounding cannot exchange them: half of an even number of photons get a different fraction
+/// of the radius each.
 inline std::vector<DensityPhoton> drawn_photons(Rng& rng, int count, Vec3 at, Vec3 normal,
                                                 float radius) {
   std::vector<DensityPhoton> photons;
@@ -51,7 +52,7 @@ inline std::vector<DensityPhoton> drawn_photons(Rng& rng, int count, Vec3 at, Ve
   for (int i = 0; i < count; ++i) {
     DensityPhoton photon{};
     const Vec3 away = drawn_direction(rng);
-    // In no order: 7 and half have no common divisor.
+    // In shuffled order: 7 and half have no common divisor.
     const auto part = static_cast<float>(i / 2 * 7 % half);
     const float within = (part + 0.05f + 0.9f * rng.uniform_float()) / static_cast<float>(half);
     const float share = i % 2 == 0 ? 0.98f * within : 1.02f + within;
@@ -66,8 +67,7 @@ inline std::vector<DensityPhoton> drawn_photons(Rng& rng, int count, Vec3 at, Ve
   return photons;
 }
 
-/// A point of a surface and a disc about it: far from the origin, of no size to speak of, and
-/// large.
+/// A point of a surface and a disc about it: far from the origin, very small, and large.
 struct DensityPlace {
   Vec3 at;
   float radius;
@@ -78,19 +78,19 @@ inline constexpr int density_photons = 60;
 
 inline const Vec3 density_normal{-2 / 3.0f, -1 / 3.0f, 2 / 3.0f};
 inline const Vec3 density_wo{2 / 7.0f, -3 / 7.0f, 6 / 7.0f};
-inline const Rgb density_glow{0.5f, 0.25f, 2};  ///< what the surface emits
+inline const Rgb density_glow{0.5f, 0.25f, 2};  ///< the surface's emission
 
-/// The BRDF there: some function of wi, > 0.
+/// The BRDF there: an arbitrary function of wi, > 0.
 inline Rgb density_brdf(Vec3 wi) {
   return {0.3f + 0.2f * wi.x, 0.2f + 0.1f * wi.y, 0.25f + 0.2f * wi.z};
 }
 
-/// How many of the nearest.
+/// Numbers of nearest photons.
 inline constexpr std::array<int, 4> density_counts = {2, 7, 20, density_photons};
 
 // Uniform photons ---------------------------------------------------------------------------------
 
-/// Photons on a disc of radius 1, of flux pi all together: their irradiance is 1.
+/// Photons on a disc of radius 1, with a total flux of pi: their irradiance is 1.
 inline constexpr int uniform_photons = 60, uniform_nearest = 12;
 inline constexpr float uniform_radius = 0.4f;
 

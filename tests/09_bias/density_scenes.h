@@ -5,18 +5,18 @@
 #include "scene/camera.h"
 #include "scene/scene.h"
 
-// The worlds in which Lab 9.5's probes follow rays, and what the checks know of them.
+// The worlds in which Lab 9.5's probes follow rays, which the checks use too.
 
 namespace lab09_density {
 
-/// How a ray comes to a small round target at the origin that faces up, or past it. No light goes
-/// from the target back to it.
+/// How a ray reaches a small round target at the origin that faces up, or misses it. No light
+/// returns from the target to itself.
 enum class Sight {
   straight = 0,
   mirror = 1,   ///< by a mirror
-  mirrors = 2,  ///< by two
+  mirrors = 2,  ///< by two mirrors
   glass = 3,    ///< through the surface of glass, below which the target lies
-  sky = 4,      ///< to nothing, under a sky
+  sky = 4,      ///< misses, under a sky
   mirrored_sky = 5,
   count = 6
 };
@@ -34,7 +34,7 @@ inline const Rgb first_mirror{0.5f, 0.6f, 0.7f}, second_mirror{0.9f, 0.8f, 0.4f}
 inline constexpr float glass_index = 1.5f, target_radius = 0.05f;
 inline constexpr int target_photons = 16;
 
-/// Where the target is seen from in glass, and how a ray comes there from outside.
+/// The point in glass from which the target is seen, and how a ray gets there from outside.
 inline const Vec3 glass_place{-0.5f, 0, 1};
 inline Vec3 above_glass() {
   const float sine = glass_index * 0.5f / std::sqrt(1.25f);
@@ -58,7 +58,7 @@ inline carlo::Ray sight_ray(Sight sight) {
   }
 }
 
-/// The direction in which the target sends what is seen of it.
+/// The direction in which the target is seen.
 inline Vec3 target_wo(Sight sight) {
   if (sight == Sight::straight) return glm::normalize(Vec3(1, 2, 3));
   return sight == Sight::glass ? glm::normalize(glass_place) : Vec3(0, 0, 1);
@@ -88,7 +88,7 @@ inline carlo::Scene sight_scene(Sight sight) {
   return scene;
 }
 
-/// A white ball under a sky that has one radiance; bare, or in a ball of glass.
+/// A white ball under a sky of constant radiance; bare, or inside a ball of glass.
 inline carlo::Scene white_ball_scene(bool in_glass) {
   carlo::Scene scene;
   scene.lights.environment = sky;
@@ -101,7 +101,7 @@ inline carlo::Scene white_ball_scene(bool in_glass) {
 }
 
 /// A ball of mirror in a sphere that emits red and reflects. A few photons, all of which serve
-/// everywhere, bring green alone: of each pair, whose directions are opposite, one counts.
+/// everywhere, carry only green: of each pair, with opposite directions, one counts.
 inline constexpr float wall_albedo = 0.6f, ball_reflectance = 0.8f, ball_radius = 0.4f,
                        wall_glow = 1, everywhere = 3;
 inline constexpr float pair_flux = 15;  ///< of each photon

@@ -1,5 +1,5 @@
-// Lab 09's photons, all steps together, where the answer is known: no light by two roads and none
-// by neither; and how fast the errors of shrinking discs and of paths fall.
+// Lab 09's photons, all steps together, where the answer is known: all light comes by exactly one
+// way; and how fast the errors of shrinking discs and of paths fall.
 
 #include "bias.h"
 #include "given/sampled.h"
@@ -22,8 +22,8 @@ using lab09::PhotonMap;
 
 namespace {
 
-/// A sphere that emits 1 and reflects a half, and a ball of glass at its middle: the radiance is 2
-/// everywhere, and within any distance of a point of a sphere lies as much of it as of a plane.
+/// A sphere that emits 1 and reflects a half, with a ball of glass at its middle: the radiance is 2
+/// everywhere, and a distance encloses as much area on a sphere as on a plane.
 carlo::Scene furnace_with_glass() {
   carlo::Scene scene;
   scene.materials = {{carlo::Diffuse{Rgb(0.5f)}, false}, {carlo::Dielectric{1.5f, 1}, false}};
@@ -42,7 +42,7 @@ PhotonMap emitted_map(const lab09::World& world, int emitted, bool caustics, Rng
   return {std::move(photons), 1 / static_cast<float>(emitted)};
 }
 
-/// The mean over rays from a point beside the ball to all sides.
+/// The mean over rays from a point beside the ball in all directions.
 double mean_radiance(int rays, Rng& rng, const std::function<Rgb(const carlo::Ray&)>& radiance) {
   double sum = 0;
   for (int i = 0; i < rays; ++i) {

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-// What Lab 9.1's probes ask and its checks work out once more. It follows from the probe's seed:
-// nobody knows the answers beforehand.
+// The questions of Lab 9.1's probes, which its checks compute again. They follow from the probe's
+// seed, so that the answers cannot be known beforehand.
 
 namespace lab09_tests {
 
@@ -18,15 +18,15 @@ struct Estimates {
   std::vector<double> values;
 };
 
-/// How the estimates of a list lie: around exact + off, evenly spread over `width`.
+/// The estimates of a list: around exact + off, evenly spread over `width`.
 struct EstimatesCase {
   double exact, off, width;
 };
 
 inline std::vector<EstimatesCase> estimates_cases() {
-  return {{3, 0.25, 4},         // the bias drowns in the noise
-          {3, 2, 1},            // and does not
-          {1e6, 0.001, 0.003},  // far from 0, and all nearly the same
+  return {{3, 0.25, 4},         // the bias is lost in the noise
+          {3, 2, 1},            // the bias is not lost
+          {1e6, 0.001, 0.003},  // far from 0, and nearly all the same
           {-1, 1e8, 3}};        // far from the exact value
 }
 
@@ -38,7 +38,7 @@ inline Estimates drawn_estimates(const EstimatesCase& c, std::uint64_t seed, std
   return drawn;
 }
 
-/// Errors that fall roughly as a power of n, in no order.
+/// Errors that fall roughly as a power of n, in no particular order.
 struct ErrorCurve {
   std::vector<double> n, error;
 };

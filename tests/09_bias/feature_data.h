@@ -8,14 +8,14 @@
 #include <cstdint>
 #include <vector>
 
-// What Lab 9.3's probes ask and its checks work out once more. It follows from the probe's seed:
-// nobody knows the answers beforehand.
+// The questions of Lab 9.3's probes, which its checks compute again. They follow from the probe's
+// seed, so that the answers cannot be known beforehand.
 
 namespace lab09_features {
 
 using Three = std::array<float, 3>;
 
-/// A pixel, as bias.h has it.
+/// A pixel, as in bias.h.
 struct Pixel {
   Three color{}, variance{}, albedo{}, normal{};
   float depth = 0;
@@ -31,20 +31,20 @@ struct Pair {
   Strength strength;
 };
 
-/// What the pixels of a pair differ in.
+/// How the pixels of a pair differ.
 enum PairKind {
   nothing,
   albedo,
   normal,
   depth,
-  no_depth,    ///< in nothing; both see the sky
+  no_depth,    ///< not at all; both see the sky
   sky,         ///< one of them sees the sky
-  color,       ///< beyond their noise
-  noise,       ///< within their noise
+  color,       ///< in colour, beyond their noise
+  noise,       ///< in colour, within their noise
   one_sure,    ///< one has no variance
   both_sure,   ///< neither has: the weight is 0
   same_sure,   ///< neither has, and the colours are equal
-  everything,  ///< in all of them a little
+  everything,  ///< a little in everything
   pair_kinds
 };
 
@@ -62,7 +62,7 @@ inline Three drawn_normal(carlo::Rng& rng) {
           static_cast<float>(z)};
 }
 
-/// n, turned by an angle about some axis.
+/// n, rotated by an angle about some axis.
 inline Three turned_normal(const Three& n, double angle) {
   const std::size_t least = std::abs(n[0]) < 0.6f ? 0 : 1;
   std::array<double, 3> t{};
@@ -81,7 +81,7 @@ inline Three turned_normal(const Three& n, double angle) {
   return out;
 }
 
-/// Pixels of one colour and the same features; k and the strengths are no round numbers.
+/// Pixels of equal colour and features; k and the strengths are no round numbers.
 inline Pair equal_pair(carlo::Rng& rng) {
   Pair pair;
   pair.one.color = drawn_three(rng, 0.5, 2);
@@ -96,7 +96,7 @@ inline Pair equal_pair(carlo::Rng& rng) {
   return pair;
 }
 
-/// Moves the other colour by so many standard errors of the difference, another for each channel.
+/// Moves the other colour by this many standard errors of the difference, in each channel.
 inline void part_colors(Pair& pair, double first, double second, double third) {
   const std::array<double, 3> errors{first, second, third};
   for (std::size_t c = 0; c < 3; ++c) {
@@ -153,11 +153,11 @@ struct PixelImage {
   }
 };
 
-/// What an image's pixels differ in, besides their colours and variances.
+/// How an image's pixels differ, apart from their colours and variances.
 enum ImageKind {
-  flat,   ///< in nothing, and k is so large that no colour counts
-  edged,  ///< a wall's edge runs through it: beyond, all features are far from those before
-  rough   ///< in everything a little
+  flat,   ///< not at all, and k is so large that colours do not matter
+  edged,  ///< the edge of a wall: all features beyond it are far from those before
+  rough   ///< a little in everything
 };
 
 inline PixelImage drawn_image(ImageKind kind, std::uint64_t seed) {

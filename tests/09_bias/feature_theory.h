@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-// The weights and means of Lab 9.3, and what slips make of them.
+// The weights and means of Lab 9.3, and the results of mistakes.
 
 namespace lab09_features {
 
@@ -20,7 +20,7 @@ inline double apart2(const Three& a, const Three& b) {
   return sum;
 }
 
-/// The terms of a weight's exponent, as the contract has them.
+/// The terms of a weight's exponent, as in the contract.
 struct Terms {
   double albedo, normal, depth, color;
   double weight() const { return std::exp(-(albedo + normal + depth + color)); }
@@ -31,7 +31,7 @@ inline double relative_depth(const Pixel& a, const Pixel& b) {
   return larger > 0 ? (real(a.depth) - real(b.depth)) / larger : 0;
 }
 
-/// How a slip computes one channel's distance of colours from its apart = c - c' and the variances.
+/// Sums a mistake's colour distances over the channels, from apart = c - c' and the variances.
 template <class Channel>
 double color_sum(const Pair& p, const Channel& channel) {
   double sum = 0;
@@ -59,7 +59,7 @@ inline Terms terms_of(const Pair& p) {
           part * part / (2 * p.strength.depth * p.strength.depth), color_term(p)};
 }
 
-/// A window's pixels and what each weighs beside the one in its middle.
+/// The pixels of a window with their weights relative to the middle one.
 struct WindowSums {
   double weights = 0, squares = 0;
   std::array<double, 3> color{}, variance{}, variance_once{};
@@ -75,7 +75,7 @@ struct WindowSums {
   }
 };
 
-/// The pixels up to `across` and `down` away; `edge`: what stands for those that the image lacks.
+/// The pixels up to `across` and `down` away; `edge`: what replaces those outside the image.
 enum class Edge { cut, repeated, wrapped };
 inline WindowSums window_sums(const PixelImage& image, int x, int y, int across, int down,
                               Edge edge = Edge::cut, bool with_middle = true) {

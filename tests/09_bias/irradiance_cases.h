@@ -10,8 +10,8 @@
 #include <limits>
 #include <vector>
 
-// What probes and checks of exercise 9.7 both know: surroundings of a point, records, and points
-// that ask for irradiance.
+// Shared by the probes and checks of exercise 9.7: surroundings of a point, records, and points
+// that need irradiance.
 
 namespace lab09_tests {
 
@@ -38,9 +38,9 @@ struct Tangents {
 
 enum class Around {
   room,       ///< radiance and distances of many sizes
-  half_open,  ///< a ceiling over one half, and nothing over the other
+  half_open,  ///< a ceiling over one half, nothing over the other
   open,       ///< nothing anywhere
-  ball,       ///< inside of a ball of radius 2, 1 above its middle as the normal goes
+  ball,       ///< inside a ball of radius 2, 1 above its middle along the normal
   ceiling     ///< a plane at height 1
 };
 
@@ -49,7 +49,7 @@ struct Arrived {
   double distance;
 };
 
-/// What arrives from wi at a point with this normal.
+/// The radiance and distance in direction wi from a point with this normal.
 inline Arrived arrived(Around around, Double3 n, Double3 wi, double scale) {
   const Tangents axes(n);
   const Double3 walls(1, 2, 4);
@@ -71,7 +71,7 @@ inline Arrived arrived(Around around, Double3 n, Double3 wi, double scale) {
   return {walls, scale / cosine};
 }
 
-/// A record, as both sides know it.
+/// A record, as known to both sides.
 struct KnownRecord {
   Vec3 p, n;
   Rgb E;
@@ -122,7 +122,7 @@ inline std::vector<Query> named_queries() {
       {"huge", {at(2e5f, 0, a, 1e6), at(-4e5f, 0, b, 1e6)}, o, up, 0.5}};
 }
 
-/// A record and a point that asks for its error.
+/// A record and a point at which its error is needed.
 struct ErrorCase {
   KnownRecord record;
   Vec3 p, n;
@@ -138,7 +138,7 @@ inline std::vector<ErrorCase> error_cases() {
     add(up, up, {0, away, 0}, 2);
   for (const double angle : {1e-6, 1e-5, 1e-3, 0.02, 0.5, 1.0, 1.6, 3.0})
     add(up, turned(angle), o, 1);
-  // The same normal twice: where rounding has made it a little longer than 1, n . n is above 1.
+  // The same normal twice: where rounding has made it slightly longer than 1, n . n is above 1.
   for (int i = 1; i <= 24; ++i)
     add(turned(0.06 * i), turned(0.06 * i), o, 1);
   for (const double angle : {0.0, 1e-3, 0.2, 1.0})
@@ -155,7 +155,7 @@ inline Vec3 tilted(Rng& rng, double most) {
       Double3(std::sin(angle) * std::cos(turn), std::sin(angle) * std::sin(turn), std::cos(angle)));
 }
 
-/// How far the record lies in front, in its distances, along the mean of the normals.
+/// How far the record lies in front, in units of its distance, along the mean of the normals.
 inline double in_front(const KnownRecord& r, Vec3 p, Vec3 n) {
   return glm::dot(Double3(r.p) - Double3(p), (Double3(n) + Double3(r.n)) / 2.0) / r.distance;
 }
@@ -164,7 +164,7 @@ inline double true_error(const KnownRecord& r, Vec3 p, Vec3 n) {
          glm::length(Double3(n) - Double3(r.n)) / std::sqrt(2.0);
 }
 
-/// Lists of records around the origin, none of them so near to a limit that rounding decides.
+/// Lists of records around the origin, none of them so near a limit that rounding decides.
 inline std::vector<Query> drawn_queries(std::uint64_t seed, std::int64_t count) {
   Rng rng(seed);
   std::vector<Query> all;
@@ -186,25 +186,25 @@ inline std::vector<Query> drawn_queries(std::uint64_t seed, std::int64_t count) 
   return all;
 }
 
-/// Points that ask a cache one after the other.
+/// Points that query a cache one after the other.
 struct Asker {
   Vec3 p, n;
 };
 
 constexpr double cache_most = 0.3;
 
-/// The record that is made at a point, shorter near the edge between floor and wall.
+/// The record made at a point, with a shorter distance near the edge between floor and wall.
 inline KnownRecord made_at(Vec3 p, Vec3 n) {
   return {p, n, Rgb(1 + p.x, 2 + p.y + 3 * p.z, 1), 0.2 + static_cast<double>(p.x + p.z)};
 }
 
-/// Whether rounding may decide if one point's record serves the other.
+/// True if rounding may decide whether one point's record serves the other.
 inline bool too_close_to_call(const Asker& maker, const Asker& asker) {
   const KnownRecord record = made_at(maker.p, maker.n);
   return std::abs(true_error(record, asker.p, asker.n) - cache_most) < 1e-4;
 }
 
-/// On a floor and on a wall, 1 x 1; every eighth is one of the others again.
+/// On a floor and on a wall, 1 x 1; every eighth repeats one of the others.
 inline std::vector<Asker> askers(std::uint64_t seed, std::int64_t count) {
   Rng rng(seed);
   std::vector<Asker> all;
@@ -225,7 +225,7 @@ inline std::vector<Asker> askers(std::uint64_t seed, std::int64_t count) {
   return all;
 }
 
-/// A ball whose wall emits 1 and reflects .6: of so many bounces.
+/// A ball whose wall emits 1 and reflects .6, with this many bounces.
 constexpr int furnace_bounces = 4;
 constexpr double furnace_albedo = 0.6;
 

@@ -8,13 +8,13 @@
 #include <span>
 #include <vector>
 
-// What exercise 9.7's functions return where they are right, and where typical mistakes are made.
+// The results of exercise 9.7's functions if they are right, and with typical mistakes.
 
 namespace lab09_tests {
 
 enum class Slip97 {
   none,
-  // of record_error()
+  // in record_error()
   root_missing,
   root_of_two,
   angle_missing,
@@ -26,7 +26,7 @@ enum class Slip97 {
   place_absolute,
   root_of_all,
   larger_alone,
-  // of interpolate()
+  // in interpolate()
   weights_equal,
   weights_squared,
   weights_by_error,
@@ -41,7 +41,7 @@ enum class Slip97 {
   in_front_by_records_normal
 };
 
-/// A slip and what to say of it.
+/// A mistake and its diagnosis.
 struct Told97 {
   Slip97 slip;
   carlo::Diagnosis diagnosis;

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-// What the checks of photons are written with.
+// Helpers for the checks of photons.
 
 namespace lab09_photons {
 
@@ -29,7 +29,7 @@ inline PhotonVec vec(const Rows& rows, std::size_t row, std::size_t first) {
   return {rows.at(row, first), rows.at(row, first + 1), rows.at(row, first + 2)};
 }
 
-/// The largest relative difference of the channels; infinite for what is no number.
+/// The largest relative difference of the channels; infinite for NaN.
 inline double off(PhotonVec flux, PhotonVec expected) {
   double most = 0;
   for (int i = 0; i < 3; ++i) {
@@ -46,7 +46,8 @@ struct FluxSuspect {
   Diagnosis diagnosis;
 };
 
-/// All photons, one at least, carry the flux that they should. Returns whether all have one flux.
+/// Checks that all photons, at least one, carry the right flux. Returns true if all have the same
+/// flux.
 inline bool judge_flux(const std::string& what, const std::vector<PhotonVec>& flux,
                        PhotonVec expected, const std::vector<FluxSuspect>& suspects) {
   constexpr double tolerance = 1e-4;
@@ -76,7 +77,7 @@ inline std::vector<PhotonVec> fluxes(const Rows& rows, std::size_t first) {
   return all;
 }
 
-/// Numbers of [0, 1) in `bins` equal parts each, counted together.
+/// Counts numbers of [0, 1), with `bins` equal parts each, in joint cells.
 template <std::size_t dimensions>
 class PhotonCells {
  public:
@@ -93,7 +94,7 @@ class PhotonCells {
     for (const double x : point) {
       const double place = x * static_cast<double>(bins_);
       const bool inside = place >= 0 && place < static_cast<double>(bins_);
-      // Rounding, and what is no number.
+      // Rounding, and NaN.
       const std::size_t bin = inside ? static_cast<std::size_t>(place) : place > 0 ? bins_ - 1 : 0;
       cell = cell * bins_ + bin;
     }
@@ -125,7 +126,7 @@ class PhotonCells {
     return sum / static_cast<double>(points_.size());
   }
 
-  /// Whether one number tells another.
+  /// True if two of the numbers are correlated.
   bool correlated() const {
     for (std::size_t a = 0; a < dimensions; ++a) {
       for (std::size_t b = 0; b < a; ++b) {

@@ -1,5 +1,5 @@
 // The photon map against a search through all photons. Both round distances in the same way, so
-// that they must find the very same photons.
+// they must find exactly the same photons.
 
 #include "given/photon_map.h"
 
@@ -25,10 +25,11 @@ namespace {
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
-/// How photons lie: in space, on one plane, on one line, in a few points, in a single one.
+/// How photons are distributed: in space, on one plane, on one line, in a few points, in a single
+/// one.
 enum class Lie { space, plane, line, points, point };
 
-/// Each photon's number is its count of Phong surfaces.
+/// The number of each photon is stored as its count of Phong surfaces.
 std::vector<Photon> photons(Lie lie, int count, Rng& rng) {
   std::vector<Photon> all;
   for (int i = 0; i < count; ++i) {
@@ -58,7 +59,7 @@ std::set<int> by_hand(const std::vector<Photon>& all, Vec3 p, float radius) {
   return numbers;
 }
 
-/// Fails where one is found twice, or with a wrong distance.
+/// Fails if one is found twice, or with a wrong distance.
 std::set<int> by_map(const PhotonMap& map, Vec3 p, float radius) {
   std::set<int> numbers;
   map.within(p, radius, [&](const Photon& photon, float d2) {
@@ -97,7 +98,7 @@ TEST_CASE("photon map: it finds what a search through all photons finds") {
       const PhotonMap map(all, 1);
       REQUIRE(map.size() == all.size());
       for (int i = 0; i < 40; ++i) {
-        // At photons, where distances are 0 and equal ones common, and anywhere.
+        // At photons, where distances are 0 and ties common, and anywhere.
         const float x = rng.uniform_float(), y = rng.uniform_float();
         const Vec3 p = i % 2 == 0 ? all[rng.next_u32() % all.size()].p : Vec3(x, y, 3 * x);
         for (const float radius : {1e-6f, 0.03f, 0.3f, 1.0f, 10.0f, infinity})

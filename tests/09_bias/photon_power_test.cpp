@@ -1,7 +1,7 @@
-// A million photons and the power of their lamps. What a photon brings is known exactly where
-// nothing is left to chance; elsewhere means are judged with the standard deviation of theory:
-// seven z tests at |z| < 5.5 raise a false alarm in less than 1e-6 of all seeds. By them a million
-// photons show the power of a closed room to a part in a thousand or two.
+// A million photons and the power of their lamps. A photon's contribution is known exactly where
+// nothing is random; elsewhere means are judged with theory's standard deviation: seven z tests at
+// |z| < 5.5 raise a false alarm for less than 1e-6 of all seeds. They confirm the power of a closed
+// room to one or two parts in a thousand.
 
 #include "bias.h"
 
@@ -49,7 +49,7 @@ Double3 times_pi(double area, Double3 radiance) {
   return std::numbers::pi * area * radiance;
 }
 
-/// Whether a mean of a million values is what it should be.
+/// True if a mean of a million values is right.
 bool is_mean(double mean, double exact, double sd) {
   return std::abs(mean - exact) < 5.5 * sd / std::sqrt(static_cast<double>(million));
 }
@@ -65,7 +65,7 @@ TEST_CASE("photons: mirrors and glass lose and add nothing") {
                   {carlo::Sphere{{0.6f, 0, 0}, 0.5f}, glass, Rgb(0)},
                   {carlo::Sphere{{-0.6f, 0, 0}, 0.5f}, mirror, Rgb(0)},
                   {carlo::Sphere{{0.6f, 0, 0}, 0.2f}, black, Rgb(0)},
-                  // Grey, and of one power, so that all photons carry the same flux.
+                  // Grey lamps of equal power, so that all photons carry the same flux.
                   {carlo::Disk{{0, 0, 1}, {0, 0, -1}, 0.5f}, black, Rgb(2)},
                   {carlo::Sphere{{0, 1.5f, 0}, 0.1f}, black, Rgb(12.5f)}};
   const World world(scene);
@@ -106,7 +106,7 @@ TEST_CASE("photons: in a closed room of albedo rho the power arrives 1/(1 - rho)
   const Arrived arrived = send(world);
   CHECK(glm::length(arrived.first / power - Double3(1)) < 1e-5);
   for (int i = 0; i < 3; ++i) {
-    // 1 + w + w^2 + ..., as long as the photon goes on, with chance q at a time.
+    // 1 + w + w^2 + ..., as long as the photon continues, with probability q each time.
     const auto q = static_cast<double>(albedo.r), rho = static_cast<double>(albedo[i]), w = rho / q;
     const double exact = 1 / (1 - rho), square = (1 + 2 * rho * exact) / (1 - q * w * w);
     CHECK(is_mean(arrived.all[i] / power[i], exact, std::sqrt(square - exact * exact)));

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <span>
 
-// The worlds into which lab 09's probes send photons, and what the checks know of them.
+// The worlds of lab 09's photon probes, which the checks use too.
 
 namespace lab09_photons {
 
@@ -61,7 +61,7 @@ inline carlo::Scene row_of(std::span<const ColouredLamp> lamps) {
 /// Two squares that face up: a weak one from x = 0 on, and one of 1e8 times its power from 10 on.
 inline constexpr ColouredLamp weak_and_strong[] = {{1, {3, 2, 1}}, {100, {3e4f, 2e4f, 1e4f}}};
 
-/// A black floor, z = 0; over it, at height 1, a square lamp of side 1 that faces down, or nothing.
+/// A black floor, z = 0, with a square lamp of side 1 that faces down at height 1, or without.
 inline carlo::Scene landing_place(bool with_lamp) {
   carlo::Scene scene;
   const std::uint32_t black = add_phong(scene, Rgb(0));
@@ -77,7 +77,7 @@ enum class PhotonPlace {
   closed = 0,   ///< in a diffuse sphere of radius 2 with albedos .6, .3 and .15
   mirrors = 1,  ///< between a grey floor, z = 0, and a mirror that faces it, z = 1
   glass = 2,    ///< a black ball in a ball of glass in a black sphere, radii .5, 1 and 3
-  backs = 3,    ///< before a lamp (x = 1), and behind a one-sided white surface (x = -1)
+  backs = 3,    ///< in front of a lamp (x = 1), and behind a one-sided white surface (x = -1)
   glossy = 4,   ///< on a glossy floor, in a black sphere of radius 10
   white = 5,    ///< in a sphere that absorbs nothing
   hall = 6      ///< in a sphere of lossless mirror

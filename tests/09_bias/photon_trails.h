@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-// What is stored of photons, beside what should be.
+// Stored photons, and the right ones.
 
 namespace lab09_photons {
 
@@ -16,16 +16,16 @@ inline const Diagnosis counts_itself{"counts-the-surface-itself",
 inline const Diagnosis phong_not_counted{"phong-not-counted",
                                          "phong does not grow at Phong surfaces."};
 
-constexpr std::size_t shown_photons = 3;  ///< photons that the probe shows of each one sent
+constexpr std::size_t shown_photons = 3;  ///< photons shown by the probe for each one sent
 
-/// One photon that was stored; of one that is expected, also how far off wi may be.
+/// A stored photon; for an expected one, also the tolerance of wi.
 struct Stored {
   PhotonVec p, wi, flux;
   double phong, specular;
   double wi_tolerance = 1e-3;
 };
 
-/// What was stored of one photon sent.
+/// The photons stored for one that was sent.
 struct Trail {
   std::vector<Stored> stored;  ///< the first `shown_photons`
   double count = 0;
@@ -49,10 +49,10 @@ inline std::vector<Trail> trails(PhotonPlace place, const std::string& name, std
   return all;
 }
 
-/// What photon number k of a trail should be.
+/// The right photon number k of a trail.
 using Expected = std::function<Stored(std::size_t trail, std::size_t k)>;
 
-/// How many of the photons differ from what they should be, in each respect.
+/// How many of the photons are wrong, in each respect.
 struct Differences {
   double p = 0, wi = 0, flux = 0, phong = 0, specular = 0, all = 0;
 
@@ -71,7 +71,7 @@ struct Differences {
   }
 };
 
-/// Whether all photons that `which` holds for have what `has` says, and there are some.
+/// True if `has` holds for all photons for which `which` does, and there are some.
 inline bool photons_have(const std::vector<Trail>& trails,
                          const std::function<bool(const Stored&, std::size_t k)>& which,
                          const std::function<bool(const Stored&, std::size_t k)>& has) {

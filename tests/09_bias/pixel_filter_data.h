@@ -6,19 +6,19 @@
 #include <cstdint>
 #include <vector>
 
-// What Lab 9.2's probes ask and its checks work out once more from the probe's seed.
+// The questions of Lab 9.2's probes, which its checks compute again from the probe's seed.
 
 namespace lab09_pixels {
 
-/// A filter, as the contract's PixelFilter; curves are numbered as there.
+/// A filter, like the contract's PixelFilter; curves are numbered as there.
 struct FilterCase {
   int curve;
   double radius, sigma;
 };
 constexpr int box_curve = 0, tent_curve = 1, gaussian_curve = 2;
 
-/// One filter of each curve, the Gaussian cut off where it still counts; then a box of one pixel
-/// and Gaussians that are cut off as late as the contract allows, or are nearly boxes.
+/// One filter of each curve, the Gaussian cut where it still matters; then a box of one pixel, and
+/// Gaussians that are cut as late as the contract allows, or are nearly boxes.
 constexpr std::size_t plain_filters = 3;
 inline std::vector<FilterCase> drawn_filters(std::uint64_t seed) {
   carlo::Rng rng(seed, 1);
@@ -38,9 +38,9 @@ struct PixelPoint {
   double x, y;
 };
 
-/// Points where filter_value() is asked, as parts of the radius. Each of the first is followed by
-/// its mirror images (-x, y), (x, -y) and (y, x); then there are points outside of the circle but
-/// not of the square, and beyond the radius in one direction only.
+/// Points at which filter_value() is tested, as fractions of the radius. Each of the first is
+/// followed by its mirror images (-x, y), (x, -y) and (y, x); then come points outside the circle
+/// but inside the square, and beyond the radius in only one direction.
 constexpr std::size_t mirrored_points = 8, corner_points = 4, outer_points = 8;
 inline std::vector<PixelPoint> drawn_points(std::uint64_t seed) {
   carlo::Rng rng(seed, 2);
@@ -62,7 +62,7 @@ inline std::vector<PixelPoint> drawn_points(std::uint64_t seed) {
   return points;
 }
 
-/// Pairs of numbers that offsets are made of: the last ones are the ends of [0, 1) and its middle.
+/// Pairs of numbers for offsets: the last ones are the ends of [0, 1) and its middle.
 constexpr std::size_t end_pairs = 4;
 inline std::vector<PixelPoint> drawn_pairs(std::uint64_t seed) {
   carlo::Rng rng(seed, 3);
@@ -77,10 +77,10 @@ inline std::vector<PixelPoint> drawn_pairs(std::uint64_t seed) {
   return pairs;
 }
 
-/// The film of the probes: 2 wide and high at distance 1, in pixels that are no squares.
+/// The film of the probes: 2 wide and high at distance 1, with pixels that are not square.
 constexpr int film_width = 16, film_height = 8;
 
-/// What the rays of a pixel bring, one after the other: red is the same for all.
+/// The radiances of a pixel's rays, in order: red is the same for all.
 struct Brought {
   double r, g, b;
 };
@@ -95,7 +95,8 @@ inline std::vector<Brought> drawn_radiance(std::uint64_t seed, std::int64_t rays
   return all;
 }
 
-/// Where an edge runs through a pixel, from its middle to the right, as a part of the radius.
+/// The position of an edge through a pixel, from its middle to the right, as a fraction of the
+/// radius.
 inline double drawn_edge(std::uint64_t seed) {
   return 0.15 + 0.3 * carlo::Rng(seed, 5).uniform();
 }

@@ -8,12 +8,12 @@
 #include <numbers>
 #include <string>
 
-// Closed forms that Lab 9.2's checks compare with.
+// Closed forms for Lab 9.2's checks.
 
 namespace lab09_pixels {
 
-/// For statistical comparisons: their names are the same in all gradings, so that a calibration
-/// knows them again.
+/// Names for statistical comparisons: they are the same in all gradings, so that a calibration
+/// recognises them.
 inline std::string curve_of(const FilterCase& filter) {
   if (filter.curve == box_curve) return "a box";
   return filter.curve == tent_curve ? "a tent" : "a Gaussian";
@@ -25,17 +25,17 @@ inline std::string name_of(const FilterCase& filter) {
                                         : name;
 }
 
-/// The Gaussian's height at its middle is 1 here.
+/// A Gaussian with height 1 at its middle.
 inline double bell(double x, double sigma) {
   return std::exp(-x * x / (2 * sigma * sigma));
 }
 
-/// The share of an uncut Gaussian that is kept.
+/// The fraction of an untruncated Gaussian that is kept.
 inline double kept_share(const FilterCase& filter) {
   return std::erf(filter.radius / (filter.sigma * std::numbers::sqrt2));
 }
 
-/// The curve with height 1 at its middle, cut off.
+/// The truncated curve with height 1 at its middle.
 inline double curve_shape(const FilterCase& filter, double x) {
   if (std::abs(x) > filter.radius) return 0;
   if (filter.curve == box_curve) return 1;
@@ -43,7 +43,7 @@ inline double curve_shape(const FilterCase& filter, double x) {
   return bell(x, filter.sigma);
 }
 
-/// What curve_shape() integrates to.
+/// The integral of curve_shape().
 inline double shape_area(const FilterCase& filter) {
   if (filter.curve == box_curve) return 2 * filter.radius;
   if (filter.curve == tent_curve) return filter.radius;
@@ -55,7 +55,7 @@ inline double filter_density(const FilterCase& filter, double x, double y) {
   return curve_shape(filter, x) * curve_shape(filter, y) / (area * area);
 }
 
-/// The share of one axis that lies beyond a distance >= 0 on one side; no digits are lost there.
+/// The fraction of one axis beyond a distance >= 0 on one side, without loss of digits.
 inline double share_beyond(const FilterCase& filter, double distance) {
   const double d = std::min(distance / filter.radius, 1.0);
   if (filter.curve == box_curve) return (1 - d) / 2;
@@ -66,13 +66,13 @@ inline double share_beyond(const FilterCase& filter, double distance) {
   return (tail(d) - tail(1)) / kept_share(filter);
 }
 
-/// The share of one axis that lies before x.
+/// The fraction of one axis below x.
 inline double share_before(const FilterCase& filter, double x) {
   const double beyond = share_beyond(filter, std::abs(x));
   return x < 0 ? beyond : 1 - beyond;
 }
 
-/// The place before which the share u lies.
+/// The position below which the fraction u lies.
 inline double place_of(const FilterCase& filter, double u) {
   const double beyond = std::min(u, 1 - u);
   double low = 0, high = filter.radius;
@@ -83,12 +83,12 @@ inline double place_of(const FilterCase& filter, double u) {
   return u < 0.5 ? -low : low;
 }
 
-/// Mean and mean square of weighted_pixel() by one or two rays, for a tent and an edge at the part
-/// `edge` of its radius beyond which it is lit.
+/// Mean and mean square of weighted_pixel() with one or two rays, for a tent and an edge at the
+/// fraction `edge` of its radius, beyond which it is lit.
 ///
-/// Along x, t = 1 - |x|/radius is uniform: of lit points, which have the chance c/2, on [0, c],
-/// c = 1 - edge. A weight is t of x times t of y, and minus the logarithm of two such numbers has
-/// the density v exp(-v).
+/// Along x, t = 1 - |x|/radius is uniform; for lit points, which have probability c/2, on [0, c], c
+/// = 1 - edge. A weight is t of x times t of y, and minus the logarithm of the product of two such
+/// numbers has the density v exp(-v).
 struct WeightedEdge {
   double mean = 0, square = 0;
 };

@@ -7,19 +7,19 @@
 #include <cmath>
 #include <vector>
 
-// What Lab 9.2's rays are judged by: where they went, and what was made of them.
+// The record of Lab 9.2's rays for judging them: their positions, and the result.
 
 namespace lab09_pixels {
 
-/// Where the rays of one pixel went, and what was made of them.
+/// The positions of one pixel's rays, and the result.
 struct RaysAnswer {
   FilterCase filter;
   std::vector<PixelPoint> offsets;
   std::vector<Brought> brought;
   double rays = 0;
   std::array<double, 3> pixel{};
-  std::vector<double> own_values;  ///< what filter_value() says of the offsets
-  bool offsets_right = true;       ///< of sample_filter()
+  std::vector<double> own_values;  ///< filter_value() at the offsets
+  bool offsets_right = true;       ///< from sample_filter()
 
   std::size_t count() const { return offsets.size(); }
 };
@@ -54,7 +54,7 @@ inline RaysAnswer rays_answer(std::size_t filter, bool weighted, std::int64_t n)
   return answer;
 }
 
-/// Whether sample_filter() is right: what a wrong one does to rays is no mistake of the rays.
+/// True if sample_filter() is right: the effects of a wrong one are not the rays' mistakes.
 inline bool offsets_are_right(std::size_t filter) {
   const std::size_t count = drawn_pairs(0).size();
   const carlo::grader::Answer rows = carlo::grader::probe(
@@ -70,7 +70,7 @@ inline bool offsets_are_right(std::size_t filter) {
   return right;
 }
 
-/// Places on the film are floats.
+/// Positions on the film are floats.
 constexpr double place_rounding = 1e-4;
 
 inline bool within(const FilterCase& filter, PixelPoint p) {
@@ -90,7 +90,7 @@ inline bool one_place(const RaysAnswer& answer) {
   });
 }
 
-/// Whether no ray leaves the film.
+/// True if no ray leaves the film.
 inline bool all_on_film(const RaysAnswer& answer) {
   return all_offsets(answer, [](PixelPoint p) {
     return p.x >= -0.5 - place_rounding && p.y <= 0.5 + place_rounding;

@@ -1,6 +1,6 @@
-// Probes of exercise 9.5: they call the student's functions and return raw values; what the values
-// should be stands in checks_density.cpp and checks_density_paths.cpp. No photon comes from the
-// student's Lab 9.4.
+// Probes of exercise 9.5: they call the student's functions and return raw values;
+// checks_density.cpp and checks_density_paths.cpp say what the values should be. No photon comes
+// from the student's Lab 9.4.
 
 #include "09_bias/density_scenes.h"
 #include "bias.h"
@@ -51,7 +51,7 @@ PhotonMap uniform_map(Rng& rng) {
   return map_of(photons);
 }
 
-/// What radiance_within() itself brings at a point, by density_brdf().
+/// The result of radiance_within() itself at a point, with density_brdf().
 Rgb radiance_at(const PhotonMap& map, Vec3 p, Vec3 n, float radius) {
   Surface surface = surface_at(p);
   surface.n = n;

@@ -1,5 +1,5 @@
-// Probes of exercise 9.1: they call the student's functions and return raw values; what the values
-// should be stands in checks_error.cpp.
+// Probes of exercise 9.1: they call the student's functions and return raw values; checks_error.cpp
+// says what the values should be.
 
 #include "09_bias/error_data.h"
 #include "bias.h"

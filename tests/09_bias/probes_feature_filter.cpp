@@ -1,5 +1,5 @@
-// Probes of exercise 9.3: they call the student's functions and return raw values; what the values
-// should be stands in checks_feature_filter.cpp and checks_filter_pixel.cpp.
+// Probes of exercise 9.3: they call the student's functions and return raw values;
+// checks_feature_filter.cpp and checks_filter_pixel.cpp say what the values should be.
 
 #include "09_bias/feature_data.h"
 #include "bias.h"

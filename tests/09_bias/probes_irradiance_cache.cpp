@@ -1,5 +1,5 @@
-// Probes of exercise 9.7: they call the student's functions and return raw values; what the values
-// should be stands in checks_irradiance_cache.cpp and checks_irradiance_use.cpp.
+// Probes of exercise 9.7: they call the student's functions and return raw values;
+// checks_irradiance_cache.cpp and checks_irradiance_use.cpp say what the values should be.
 
 #include "09_bias/irradiance_cases.h"
 #include "bias.h"
@@ -23,7 +23,7 @@ lab09::Record record_of(const KnownRecord& known) {
   return {known.p, known.n, known.E, known.distance};
 }
 
-/// Returns what arrives and calls `asked` with each direction.
+/// Returns what arrives, and calls `asked` with each direction.
 lab09::LookAround looking(const Params& params, Vec3 n, const std::function<void(Vec3)>& asked) {
   const auto around = static_cast<Around>(params.whole("around"));
   const double scale = params["scale"];
@@ -67,7 +67,8 @@ PROBE("Lab 9.7 record", "wi.x", "wi.y", "wi.z",
   return rows.take();
 }
 
-// Many records of one point: of each the means of its directions along the normal and two tangents.
+// Many records of one point: for each the means of its directions along the normal and two
+// tangents.
 PROBE("Lab 9.7 records", "along n", "along s", "along t", "1/distance", "directions") {
   const Vec3 n = record_normals().at(static_cast<std::size_t>(params.whole("normal")));
   const Tangents axes{Double3(n)};
@@ -122,8 +123,8 @@ PROBE("Lab 9.7 cache", "red", "green", "blue", "records made so far", "records k
   return rows.take();
 }
 
-// A ball of radius 1 whose wall emits 1 and reflects. What a record's rays meet is emission and
-// irradiance from the cache of the next bounce; the last one sees emission alone.
+// A ball of radius 1 whose wall emits 1 and reflects. A record's rays meet emission and irradiance
+// from the cache of the next bounce; those of the last bounce meet only emission.
 PROBE("Lab 9.7 furnace", "E") {
   carlo::Rng rng(params.seed);
   std::vector<lab09::Cache> caches(furnace_bounces, {cache_most, 0, endless});

@@ -1,5 +1,5 @@
-// Probes of exercise 9.4: they call the student's functions and return raw values; what the values
-// should be stands in checks_photons.cpp and checks_photon_paths.cpp.
+// Probes of exercise 9.4: they call the student's functions and return raw values;
+// checks_photons.cpp and checks_photon_paths.cpp say what the values should be.
 
 #include "09_bias/photon_scenes.h"
 #include "bias.h"
@@ -55,7 +55,7 @@ PROBE("Lab 9.4 lamps", "o.x", "flux.r", "flux.g", "flux.b") {
   return rows.take();
 }
 
-// Where photons of a lamp at height 1 come down: of a point, or of a square.
+// Where photons of a lamp at height 1 land: of a point lamp, or of a square one.
 PROBE("Lab 9.4 landing", "x", "y", "how often it was stored") {
   const bool square = params.whole("square") == 1;
   const lab08::World world(landing_place(square));
@@ -75,7 +75,7 @@ PROBE("Lab 9.4 landing", "x", "y", "how often it was stored") {
   return rows.take();
 }
 
-// The first photons that are stored of each one sent.
+// The first photons stored for each one sent.
 PROBE("Lab 9.4 stored", "p.x", "p.y", "p.z", "wi.x", "wi.y", "wi.z", "flux.r", "flux.g", "flux.b",
       "phong", "specular", "how many were stored",
       "(three rows for each photon sent; 0 where fewer were stored)") {
@@ -102,7 +102,7 @@ PROBE("Lab 9.4 stored", "p.x", "p.y", "p.z", "wi.x", "wi.y", "wi.z", "flux.r", "
   return rows.take();
 }
 
-// The flux that is stored of one photon, all of it together.
+// The total flux stored for one photon.
 PROBE("Lab 9.4 sums", "red", "green", "blue", "how often it was stored") {
   const auto place = static_cast<PhotonPlace>(params.whole("place"));
   const lab08::World world(photon_scene(place));

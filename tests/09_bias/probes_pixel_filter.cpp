@@ -1,5 +1,5 @@
-// Probes of exercise 9.2: they call the student's functions and return raw values; what the values
-// should be stands in checks_pixel_filter.cpp and checks_pixel_rays.cpp.
+// Probes of exercise 9.2: they call the student's functions and return raw values;
+// checks_pixel_filter.cpp and checks_pixel_rays.cpp say what the values should be.
 
 #include "09_bias/pixel_filter_data.h"
 #include "bias.h"
@@ -45,7 +45,7 @@ PROBE("Lab 9.2 values", "value") {
   return rows.take();
 }
 
-// In the middles of n x n squares that cover one and a half radii to each side.
+// At the middles of n x n squares that cover one and a half radii to each side.
 PROBE("Lab 9.2 grid", "value") {
   const lab09::PixelFilter filter = filter_of(params);
   const auto place = [&](std::int64_t i) {
@@ -71,8 +71,8 @@ PROBE("Lab 9.2 offsets", "x", "y") {
   return rows.take();
 }
 
-// Where the rays of one pixel went through, in pixels from its middle, and the filter there (of
-// weighted pixels); and what was made of what they brought.
+// The positions of one pixel's rays, in pixels from its middle, with the filter's values there (for
+// weighted pixels); and the result from their radiances.
 PROBE(
     "Lab 9.2 rays", "x", "y", "value",
     "(a row for each ray, n and no more; then red, green and blue of the pixel; then how many rays "
@@ -101,7 +101,7 @@ PROBE(
   return rows.take();
 }
 
-// Estimates of a pixel that an edge runs through: it is lit on the right.
+// Estimates of a pixel with an edge through it: it is lit on the right.
 PROBE("Lab 9.2 edges", "estimate") {
   const double edge = drawn_edge(params.seed) * filter_of(params).radius;
   carlo::Rng rng(params.seed);
@@ -118,7 +118,7 @@ PROBE("Lab 9.2 edges", "estimate") {
   return rows.take();
 }
 
-// No samples, no weights.
+// No samples, so no weights.
 PROBE("Lab 9.2 nothing", "red", "green", "blue") {
   carlo::Rng rng(params.seed);
   const carlo::Rgb pixel = pixel_of(

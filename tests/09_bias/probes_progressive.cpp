@@ -1,5 +1,5 @@
-// Probes of exercise 9.6: they call the student's functions and return raw values; what the values
-// should be stands in checks_progressive.cpp.
+// Probes of exercise 9.6: they call the student's functions and return raw values;
+// checks_progressive.cpp says what the values should be.
 
 #include "09_bias/progressive_data.h"
 #include "bias.h"
@@ -25,7 +25,7 @@ PROBE("Lab 9.6 many passes", "radius") {
   return {1, {radius}};
 }
 
-// What progressive_mean() asks for, and what it makes of the answers.
+// The calls of progressive_mean(), and its result.
 PROBE(
     "Lab 9.6 mean", "pass", "radius",
     "(a row for each pass that is asked for, n and no more; then how many those were, and 0; then "

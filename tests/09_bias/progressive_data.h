@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-// What Lab 9.6's probes ask and its checks work out once more from the probe's seed.
+// The questions of Lab 9.6's probes, which its checks compute again from the probe's seed.
 
 namespace lab09_progressive {
 
@@ -29,8 +29,8 @@ inline std::vector<ProgressivePass> drawn_passes(std::uint64_t seed) {
   return passes;
 }
 
-/// A chain of radii, and what the passes of a mean bring. Of red all bring the same; of green each
-/// has its own; blue is 1 but for the first one, which is so large that a float that holds it does
+/// A chain of radii, and the radiances of a mean's passes. Red is the same in all; green is
+/// different in each; blue is 1 except in the first, which is so large that a float holding it does
 /// not grow by 1.
 struct ProgressiveRun {
   double first_radius, alpha;

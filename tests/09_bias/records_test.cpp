@@ -28,7 +28,7 @@ Vec3 point_of_cube(Rng& rng) {
   return {x, y, z};
 }
 
-/// Each record's number is its red; distances from `scale` times 1e-4 to 1.
+/// The number of each record is its red; distances from `scale` times 1e-4 to 1.
 std::vector<Record> records(int count, float scale, Vec3 at, Rng& rng) {
   std::vector<Record> all;
   for (int i = 0; i < count; ++i) {
@@ -50,8 +50,8 @@ Cache cache_of(const std::vector<Record>& all, double most, double nearest, doub
   return cache;
 }
 
-/// Fails where a record is missing that reaches p, where one comes twice or out of its order, or
-/// one that is far away.
+/// Fails if a record that reaches p is missing, if one comes twice or out of order, or if one is
+/// far away.
 void check_near(const Cache& cache, double most, Vec3 p) {
   std::vector<int> found;
   for (const Record& record : cache.near(p))

@@ -17,7 +17,7 @@ using namespace carlo;
 
 namespace {
 
-/// A folder of its own that goes when the test ends.
+/// A temporary folder, removed when the test ends.
 class Folder {
  public:
   Folder() : path_(fs::temp_directory_path() / fmt::format("carlo_course_{}", ::getpid())) {

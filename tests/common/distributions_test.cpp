@@ -49,9 +49,9 @@ TEST_CASE("chi-square quantiles and noncentralities agree with closed forms", "[
   CHECK_THROWS_AS(carlo::chi_square_upper_quantile(-1, 2), std::domain_error);
 }
 
-// Of 2 n degrees of freedom the upper tail is the probability that a Poisson number of mean x / 2
-// is below n. The largest term by Stirling's series, in which all that is as large as n log n has
-// gone.
+// For 2 n degrees of freedom the upper tail is the probability that a Poisson number of mean x / 2
+// is below n. The largest term comes from Stirling's series, in which everything of the size of n
+// log n has cancelled.
 TEST_CASE("chi-square tails are Poisson sums for many degrees of freedom", "[stats]") {
   for (const double n : {50.0, 5e3, 5e5, 5e6}) {
     for (const double z : {-5.0, -1.0, 0.0, 3.0, 8.0}) {
@@ -71,7 +71,7 @@ TEST_CASE("chi-square tails are Poisson sums for many degrees of freedom", "[sta
 
 TEST_CASE("chi-square tails agree with closed forms", "[stats]") {
   for (const double x : {0.1, 1.0, 10.0, 200.0}) {
-    // Two degrees of freedom are an exponential, one is a squared normal.
+    // Two degrees of freedom give an exponential, one gives a squared normal.
     CHECK(close(carlo::chi_square_upper(x, 2), std::exp(-x / 2), 1e-12));
     CHECK(close(carlo::chi_square_upper(x, 1), carlo::normal_two_sided(std::sqrt(x)), 1e-10));
     CHECK(close(carlo::chi_square_lower(x, 2), -std::expm1(-x / 2), 1e-12));

@@ -1,4 +1,4 @@
-// Lamps that lie exactly where others lie: one of each is left, or the scene is refused.
+// Lamps that coincide exactly: one of each is kept, or the scene is refused.
 
 #include "mesh_helpers.h"
 #include "scene/needs.h"
@@ -18,7 +18,7 @@ std::string at_place(const std::string& steps) {
   return "<transform name=\"toWorld\">" + steps + "</transform>";
 }
 
-/// A lamp of this type, with what stands inside it.
+/// A lamp of this type, with these elements inside.
 std::string lamp(const std::string& type, const std::string& inside, double radiance = 1) {
   return fmt::format(
       "<shape type=\"{}\">{}<emitter type=\"area\"><rgb name=\"radiance\" value=\"{}\"/></emitter>"
@@ -35,7 +35,7 @@ std::string lamp_error(const std::string& elements) {
   return "";
 }
 
-/// How many lights are left, and that a note says how many are not.
+/// Checks how many lights are left, and that a note counts the others.
 void check_lamps(const std::string& elements, std::size_t left, int gone) {
   const Scene scene = load_elements(elements);
   INFO(elements);
@@ -55,7 +55,7 @@ TEST_CASE("of lamps in one place that face the same way one is left", "[scene]")
   }
   check_lamps(lamp("cube", "") + lamp("cube", ""), 6, 6);
   check_lamps(lamp("rectangle", "") + lamp("disk", "") + lamp("sphere", ""), 3, 0);
-  // Lamps that are put off lie nowhere.
+  // Lamps of radiance 0 are not lamps.
   check_lamps(lamp("rectangle", "") + lamp("rectangle", "", 0), 1, 0);
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("a square lamp is the same from any of its corners", "[scene]") {
   }
   check_lamps(lamp("rectangle", "") + lamp("rectangle", at_place("<rotate z=\"1\" angle=\"45\"/>")),
               2, 0);
-  // Upside down it is on the other side, mirrored it is not.
+  // Upside down it faces the other side, mirrored it does not.
   check_lamps(
       lamp("rectangle", "") + lamp("rectangle", at_place("<rotate x=\"1\" angle=\"180\"/>")), 2, 0);
   check_lamps(lamp("rectangle", "") + lamp("rectangle", at_place("<scale x=\"-1\"/>")), 1, 1);
@@ -113,14 +113,15 @@ TEST_CASE("triangles of lamps of different meshes coincide", "[scene]") {
   CHECK(notes_with(load(mesh("a") + mesh("a") + mesh("a")), "4 triangles of lamps left out") == 1);
   CHECK(lights(mesh("a") + mesh("c")) == 4);
   CHECK(lights(mesh("a") + mesh("b")) == 3);
-  // Half of a rectangle each.
+  // Each is half of a rectangle.
   CHECK(lights(mesh("d") + lamp("rectangle", "")) == 1);
   CHECK(lights(mesh("a") + lamp("rectangle", "")) == 3);
   CHECK_THROWS(load(mesh("a") + mesh("a", 2)));
 }
 
 TEST_CASE("many lamps are compared in little time", "[scene]") {
-  // Processor time of 16 times as many: some 16 times as much; by pairs it would be 256 times.
+  // Processor time for 16 times as many should be about 16 times as much; comparing all pairs would
+  // take 256 times.
   const auto clock_ticks = [](std::size_t count) {
     std::string text;
     for (std::size_t i = 0; i < count; ++i) {

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-// OpenEXR files of one part, unpacked, with what our writer never writes.
+// OpenEXR files of one part, uncompressed, with features that our writer never writes.
 
 namespace common_test {
 
 struct Box {
-  int left, top, right, bottom;  ///< the last two within
+  int left, top, right, bottom;  ///< the last two inclusive
 };
 
 inline std::string little(std::uint64_t value, int bytes) {

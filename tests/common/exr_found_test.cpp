@@ -42,7 +42,8 @@ std::string read_error(const std::string& bytes) {
   return "";
 }
 
-/// Data whose pixel in column x, row y of the display window's coordinates is x + 100 y, red.
+/// Data in which the pixel at column x, row y of the display window's coordinates is x + 100 y,
+/// red.
 std::string with_windows(Box display, Box data) {
   Pixels pixels;
   for (int y = data.top; y <= data.bottom; ++y) {
@@ -174,7 +175,7 @@ TEST_CASE("Chromaticities are taken to those of Rec. 709: the same X, Y, Z") {
   close(wide.image.at(1, 0), .5f * Rgb(-.5876f, 1.1329f, -.1006f));
   REQUIRE(wide.notes.size() == 1);
   CHECK_THAT(wide.notes[0], ContainsSubstring("a.exr: its chromaticities, red (0.708, 0.292)"));
-  // X, Y, Z themselves, whose white is that of equal energy: IEC 61966-2-1's matrix. D65 is white.
+  // X, Y, Z themselves, with the white of equal energy: IEC 61966-2-1's matrix. D65 is white.
   const ExrFile xyz = read_bytes(
       with_chromaticities({1, 0, 0, 1, 0, 0, 1 / 3.f, 1 / 3.f}, {{1, 0, 0}, {.9505f, 1, 1.089f}}));
   close(xyz.image.at(0, 0), {3.2410f, -.9692f, .0556f});

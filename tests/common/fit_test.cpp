@@ -65,8 +65,8 @@ TEST_CASE("A weight counts like repeated points", "[fit]") {
 }
 
 TEST_CASE("The 95 % intervals of slope and line hold the truth in 95 % of the trials", "[fit]") {
-  // n = 4000 trials: the share's standard deviation is sqrt(.95 .05 / 4000) = .00345. Allowed are 5
-  // of them, alpha = 6e-7 a check. Using the normal quantile 1.96 for Student's 2.447 would cover
+  // n = 4000 trials: the rate's standard deviation is sqrt(.95 .05 / 4000) = .00345. 5 of them are
+  // allowed, alpha = 6e-7 per check. Using the normal quantile 1.96 for Student's 2.447 would cover
   // .902, which is 13.9 standard deviations off: power > .999.
   constexpr int trials = 4000;
   carlo::Rng rng(20);
@@ -113,7 +113,7 @@ TEST_CASE("A running mean has the mean and the spread of its numbers, however fa
     carlo::RunningMean mean;
     for (int i = 1; i <= 9; ++i)
       mean.add(offset + i);
-    // Of 1 to n: mean (n + 1)/2, variance n (n + 1)/12.
+    // For 1 to n: mean (n + 1)/2, variance n (n + 1)/12.
     CHECK(mean.count() == 9);
     CHECK(mean.mean() == offset + 5);
     CHECK(std::abs(mean.deviation() - std::sqrt(7.5)) < 1e-12);

@@ -39,10 +39,10 @@ TEST_CASE("FLIP of an image with itself is zero") {
 }
 
 TEST_CASE("FLIP of two constant images is their colour difference alone") {
-  // Green against blue is what the scale's end is made of. Black and white differ by L* = 100 and
-  // nothing else; the distance of green and blue, worked out by hand from CIELAB of the primaries
-  // (L* 87.735, 32.298; a* -86.183, 79.188; b* 83.179, -107.857, times L*/100): 55.437 +
-  // hypot(101.188, 107.813) = 203.30.
+  // Green against blue defines the end of the scale. Black and white differ by L* = 100 and nothing
+  // else; the distance of green and blue, computed by hand from CIELAB of the primaries (L* 87.735,
+  // 32.298; a* -86.183, 79.188; b* 83.179, -107.857, times L*/100): 55.437 + hypot(101.188,
+  // 107.813) = 203.30.
   const Image black = constant(24, 16, Rgb(0)), white = constant(24, 16, Rgb(1));
   const Image green = constant(24, 16, Rgb(0, 1, 0)), blue = constant(24, 16, Rgb(0, 0, 1));
   for (const float value : flip_map(green, blue))

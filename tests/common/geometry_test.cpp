@@ -72,7 +72,8 @@ TEST_CASE("A sphere of radius 1 seen from 1e4 away is hit where it should be") {
     const Vec3 origin = 1e4f * random_direction(rng);
     const Vec3 target = 0.98f * rng.uniform_float() * random_direction(rng);
     const Vec3 d = glm::normalize(target - origin);
-    // The float direction itself may pass the sphere; ask an independent double computation.
+    // The float direction itself may miss the sphere; compare with an independent double
+    // computation.
     const Vec3d dd = glm::normalize(Vec3d(d)), o(origin);
     const double b = glm::dot(o, dd), distance = glm::length(o - b * dd);
     if (distance > 0.999) continue;
@@ -88,7 +89,8 @@ TEST_CASE("A sphere of radius 1 seen from 1e4 away is hit where it should be") {
   CHECK(worst <= 1e-6);
 }
 
-/// How often a ray that leaves a surface point into its outer hemisphere meets the same shape.
+/// Counts how often a ray that leaves a surface point into its outer hemisphere meets the same
+/// shape.
 struct SelfHits {
   int tried = 0, hits = 0;
 };
@@ -130,7 +132,7 @@ TEST_CASE("No convex shape is hit by rays that leave it, at any scale and place"
 }
 
 TEST_CASE("A gap of 1e-3 radii between nested spheres is still seen, at any scale") {
-  // Hard case 14: offsets or a tmin of fixed size jump it.
+  // Hard case 14: offsets or a tmin of fixed size skip the gap.
   for (const float s : {1e-4f, 1e-2f, 1.0f, 1e2f, 1e4f, 1e6f}) {
     const Vec3 c = s * Vec3(3, -2, 1);
     const Scene scene = scene_of({{Sphere{c, s}}, {Sphere{c, s * (1 - 1e-3f)}}});
@@ -149,7 +151,8 @@ TEST_CASE("A gap of 1e-3 radii between nested spheres is still seen, at any scal
 }
 
 TEST_CASE("No ray passes between two triangles or parallelograms that share an edge") {
-  // Hard case 16: rays aimed at shared edges leak through Moeller and Trumbore's test in 8.5 %.
+  // Hard case 16: rays aimed at shared edges leak through Moeller and Trumbore's test in 8.5 % of
+  // cases.
   Rng rng(7);
   const Vec3 a(-1.3f, -1.1f, 0.2f), b(1.7f, -0.9f, -0.1f), c(1.2f, 1.6f, 0.3f),
       d(-1.5f, 1.4f, 0.1f);

@@ -34,7 +34,7 @@ TEST_CASE("the largest indices give the largest fractions below 1", "[halton]") 
   }
 }
 
-// Any b^k consecutive points hold one in each of the b^k strata.
+// Any b^k consecutive points have one in each of the b^k strata.
 TEST_CASE("consecutive points of one coordinate are stratified", "[halton]") {
   for (std::size_t dimension = 0; dimension < 6; ++dimension) {
     const std::uint32_t base = halton_bases[dimension];

@@ -1,4 +1,4 @@
-// Radiance pictures (.hdr): what their pixels stand for, and what is wrong with broken ones.
+// Radiance pictures (.hdr): the meaning of their pixels, and the errors of broken ones.
 
 #include "image/hdr.h"
 
@@ -22,7 +22,7 @@ using Catch::Matchers::ContainsSubstring;
 using common_test::TemporaryFolder;
 namespace fs = std::filesystem;
 
-/// A Radiance picture of 8 x 2 pixels: a plain row, and one in runs.
+/// A Radiance picture of 8 x 2 pixels: a plain row, and a run-length encoded one.
 std::string radiance_picture(const std::string& header = "") {
   std::string bytes =
       "#?RADIANCE\n# made here\nFORMAT=32-bit_rle_rgbe\n" + header + "\n-Y 2 +X 8\n";
@@ -33,7 +33,7 @@ std::string radiance_picture(const std::string& header = "") {
     bytes += {static_cast<char>(128 + count), static_cast<char>(value)};
   };
   run(8, 200);
-  bytes += {3, 1, 2, 3};  // as they are
+  bytes += {3, 1, 2, 3};  // literal bytes
   run(5, 4);
   run(8, 0);
   run(4, 128);
@@ -57,7 +57,7 @@ TEST_CASE("A Radiance picture has the values that its pixels stand for") {
   CHECK(read_hdr(path).image.at(0, 0) == Rgb(.25f, .125f, 0));
 }
 
-/// The colour of the first pixel, (1, .5, 0) in the file, and what is noted.
+/// The colour of the first pixel, (1, .5, 0) in the file, and the notes.
 HdrFile with_header(const std::string& header, const std::string& behind = "") {
   const TemporaryFolder scratch;
   write_file(scratch.path() / "a.hdr", radiance_picture(header) + behind);
@@ -68,7 +68,7 @@ TEST_CASE("A Radiance picture is divided by its EXPOSURE and its COLORCORR") {
   CHECK(with_header("COLORCORR= 2 4 8\n").image.at(0, 0) == Rgb(.5f, .125f, 0));
   CHECK(with_header("COLORCORR=2 4 8\nEXPOSURE=2\nCOLORCORR=\t.5  1 1 \n").image.at(0, 0) ==
         Rgb(.5f, .0625f, 0));
-  // Lines of the pictures that this one was made of are indented.
+  // Lines from the pictures that this one was made of are indented.
   CHECK(with_header("pfilt -e 2\n\tEXPOSURE=2\n\tCOLORCORR=2 2 2\n").image.at(0, 0) ==
         Rgb(1, .5f, 0));
   for (const std::string wrong : {"COLORCORR=1 1\n", "COLORCORR=1 1 1 1\n", "COLORCORR=1 x 1\n",
@@ -80,7 +80,7 @@ TEST_CASE("A Radiance picture's PRIMARIES are taken to those of Rec. 709") {
   const HdrFile same = with_header("PRIMARIES= .640 .330 .300 .600 .150 .060 .3127 .3290\n");
   CHECK(same.image.pixels == with_header("").image.pixels);
   CHECK(same.notes.empty());
-  // Radiance's own have another green and the equal-energy white.
+  // Radiance's own primaries have another green and the equal-energy white.
   const HdrFile other = with_header("PRIMARIES= .640 .330 .290 .600 .150 .060 .3333 .3333\n");
   REQUIRE(other.notes.size() == 1);
   CHECK_THAT(other.notes[0], ContainsSubstring("a.hdr: its PRIMARIES, red (0.64, 0.33)"));

@@ -71,8 +71,8 @@ TEST_CASE("A film's standard error is the textbook's, and infinite for one block
 }
 
 TEST_CASE("A film's standard error is honest: z-scores of known means have unit variance") {
-  // 2000 pixels of 64 uniform samples each: sum of z^2 is chi-square with about 2000
-  // (heavier-tailed: t with 63 degrees) - sd of its mean .033; the bound is 5 of those.
+  // 2000 pixels of 64 uniform samples each: the sum of z^2 is chi-square with about 2000 degrees of
+  // freedom (heavier-tailed: t with 63), the sd of its mean .033; the bound is 5 of those.
   Rng rng(3);
   double sum = 0;
   for (int pixel = 0; pixel < 2000; ++pixel) {
@@ -88,8 +88,8 @@ TEST_CASE("A film's standard error is honest: z-scores of known means have unit 
 }
 
 TEST_CASE("An exact sum is the same in any order and any parts, over the range of doubles") {
-  // Terms of 1e-300 to 1e300, some of which cancel: the kept digits are those of the largest, so
-  // the sum is right to 2^-64 of it, and the same bits however it was made.
+  // Terms of 1e-300 to 1e300, some of which cancel: the digits of the largest are kept, so the sum
+  // is right to 2^-64 of it, with the same bits in any order.
   Rng rng(11);
   for (const double range : {1.0, 20.0, 150.0, 300.0}) {
     std::vector<double> terms;
@@ -192,7 +192,7 @@ TEST_CASE("An EXR's size is one that its bytes can unpack to") {
   CHECK(read_exr(path).image.pixels.size() == 640 * 480);
   write_exr(path, {random_image(2, 2, 1), {}, {}});
   std::string bytes = read_file(path);
-  // Of four numbers the third is the last column.
+  // The third of the four numbers is the last column.
   const std::string before = std::string("dataWindow") + '\0' + "box2i" + '\0';
   bytes[bytes.find(before) + before.size() + 4 + 8 + 2] = 1;
   write_file(path, bytes);
@@ -273,7 +273,7 @@ TEST_CASE("Errors against a reference are the definitions'") {
 }
 
 TEST_CASE("Bias z-scores of unbiased noise are standard normal, and a bias of 5 sd shows") {
-  // 200 images of 32x32 with unit noise a pixel: the variance of 600 z has sd .058.
+  // 200 images of 32x32 with unit noise per pixel: the variance of 600 z has sd .058.
   double sum = 0;
   const Image zero(32, 32);
   Image se(32, 32);

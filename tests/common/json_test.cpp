@@ -73,7 +73,7 @@ Whole full() {
           Part{"third", 3}};
 }
 
-/// The full document with one text in place of another.
+/// The full document with one text replaced by another.
 std::string with(const std::string& from, const std::string& to) {
   std::string text = json_text(full());
   const std::size_t at = text.find(from);
@@ -139,7 +139,7 @@ TEST_CASE("a text that is no document is one line that says so", "[json]") {
   CHECK(error_of("{\"a\": 1,}").starts_with("whole.json: not valid JSON at byte"));
   CHECK(error_of("[]") == "whole.json: expected an object, got a list");
   CHECK(error_of("{\"count\": 1e999}").starts_with("whole.json: a number is too large"));
-  // As deep as the text is long: no stack may overflow.
+  // Nested as deep as the text is long: the stack must not overflow.
   CHECK(error_of(std::string(1'000'000, '[')).starts_with("whole.json: not valid JSON"));
   const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
   CHECK(error_of(with("-7", deep)).find("\"count\" must be") < 20);

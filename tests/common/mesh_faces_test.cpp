@@ -1,5 +1,5 @@
-// What becomes of the faces of meshes as they are found: faces that stand there twice, polygons
-// that are not convex, vertices that no face uses, vertex normals against the winding.
+// How faces of real meshes are treated: duplicate faces, polygons that are not convex, unused
+// vertices, vertex normals against the winding.
 
 #include "mesh_helpers.h"
 #include "scene/center.h"
@@ -15,7 +15,7 @@ namespace {
 using namespace carlo;
 using namespace scene_test;
 
-/// A face with these corners from the one numbered `start` on, as an OBJ's line.
+/// A face with these corners, from number `start` on, as a line of an OBJ file.
 std::string face_from(const std::vector<int>& corners, std::size_t start) {
   std::string line = "f";
   for (std::size_t i = 0; i < corners.size(); ++i)
@@ -39,7 +39,7 @@ TEST_CASE("a face that stands there more than once is taken once", "[scene]") {
       {minus + "f 1 2 3\nf 5 6 7\n", 1, 1},
       {"f 1 2 3 4\nf 1 2 3\nf 1 3 4\n", 2, 2},
       {"f 1 2 3\nf 1 2 3 4\n", 2, 1},
-      // The other way around, and with other corners.
+      // In the opposite order, and with other corners.
       {"f 1 2 3 4\nf 4 3 2 1\n", 4, 0},
       {"f 1 2 3\nf 3 2 1\nf 2 1 3\n", 2, 1},
       {"f 1 2 3\nf 1 2 4\nf 2 3 4\n", 3, 0},
@@ -55,7 +55,7 @@ TEST_CASE("a face that stands there more than once is taken once", "[scene]") {
 }
 
 TEST_CASE("faces are compared where the scene puts them", "[scene]") {
-  // In float 1e8 and 1e8 + 1 are one place.
+  // In float 1e8 and 1e8 + 1 are the same point.
   const std::string two =
       "v 0 0 0\nv 0 1 0\nv 0 0 1\nv 1 0 0\nv 1 1 0\nv 1 0 1\nf 1 2 3\nf 4 5 6\n";
   CHECK(mesh_of(load_obj(two)).triangles.size() == 2);
@@ -141,7 +141,7 @@ TEST_CASE("a polygon whose edges cross is refused by its line", "[scene]") {
   for (int i = 0; i < 5; ++i)
     star += fmt::format("v {} {} 0\n", std::cos(i * 2.513), std::sin(i * 2.513));
   has(error_of(star + "f 1 2 3 4 5\n"), "mesh.obj:6: the edges of a face of 5 corners cross");
-  std::string loop;  // once around, and once more within
+  std::string loop;  // once around, and once more inside
   for (int i = 0; i < 12; ++i) {
     const double r = i < 6 ? 2 : 1, angle = i * 1.0472;
     loop += fmt::format("v {} {} 0\n", r * std::cos(angle), r * std::sin(angle));
@@ -181,9 +181,9 @@ TEST_CASE("vertices that no face uses are left out, and the scene is no larger f
   const Scene without = load_obj(unit_square + "f 1 2 3 4\n");
   CHECK(mesh_of(with).positions == mesh_of(without).positions);
   CHECK(mesh_of(with).triangles == mesh_of(without).triangles);
-  // The camera is in the origin, so that the square is all of the box.
+  // The camera is at the origin, so that the square is the whole bounding box.
   CHECK(diameter(with) == std::sqrt(2.0));
-  // Also those of triangles that were left out.
+  // Nor those of triangles that were left out.
   const Scene thin = load_obj(unit_square + "v 9 0 0\nf 1 2 3 4\nf 1 2 5\n");
   CHECK(diameter(thin) == std::sqrt(2.0));
   const Scene ply =
@@ -203,7 +203,7 @@ TEST_CASE("vertex normals against the winding are noted", "[scene]") {
   CHECK(notes_with(load_obj(in, face_normals), "mesh.obj: " + against) == 1);
   CHECK(notes_with(load_obj(in, face_normals + flip_normals), "normals") == 0);
   CHECK(notes_with(load_obj(out, face_normals), "normals") == 0);
-  // A mirror turns both.
+  // A reflection affects both.
   const std::string mirror = "<transform name=\"toWorld\"><scale x=\"-1\"/></transform>";
   CHECK(notes_with(load_obj(out, face_normals + mirror), "normals") == 0);
   CHECK(notes_with(load_obj(in, face_normals + mirror), against) == 1);
@@ -212,7 +212,7 @@ TEST_CASE("vertex normals against the winding are noted", "[scene]") {
   CHECK(notes_with(load_obj(some, face_normals),
                    "mesh.obj: the vertex normals of 1 of 2 faces point against their triangles") ==
         1);
-  // One that is not there says nothing.
+  // A missing normal has no effect.
   const std::string missing = unit_square + "vn 0 0 -1\nf 1//1 2//2 3//1\n";
   CHECK(notes_with(load_obj(missing, face_normals), "point against") == 0);
 }

@@ -1,4 +1,4 @@
-// Meshes as other programs write them: what is passed over, what is noted and what is refused.
+// Meshes as other programs write them: what is skipped, what is noted and what is refused.
 
 #include "course/cli/source_folder.h"
 #include "mesh_helpers.h"
@@ -43,10 +43,10 @@ TEST_CASE("a statement of an OBJ goes on after a backslash", "[scene]") {
          at = text.find('\n', at + end.size()))
       text.replace(at, 1, end);
     CHECK(area(mesh_of(load_obj(text))) == 1);
-    // Blanks may follow it, and the file may end.
+    // Blanks may follow it, and the file may end there.
     CHECK(area(mesh_of(load_obj(fmt::format("{}f 1 2 \\ {}3 4 \\", unit_square, end)))) == 1);
   }
-  // Not from a comment; the first line is the one that an error names, and lines go on counting.
+  // Not from a comment; an error names the first line, and counting of lines continues.
   CHECK(area(mesh_of(load_obj("# C:\\\n" + unit_square + "f 1 2 3 4 # \\\n"))) == 1);
   check_has(mesh_error("obj", unit_square + "f 1 2 \\\n3 x\n"), "mesh.obj:5: expected a vertex");
   check_has(mesh_error("obj", unit_square + "f 1 2 \\\n3 4\nf 1 2 9"),
@@ -70,7 +70,7 @@ TEST_CASE("statements of an OBJ that change no polygon are passed over with one 
   CHECK(notes_with(load_obj(unit_square + "mg 0\nbevel on\n" + face), "mg, bevel changes") == 1);
   for (const std::string statement : {"vt 0 0", "vn 0 0 1", "o a", "g", "s off", "mtllib a.mtl"})
     CHECK(load_obj(fmt::format("{}{}\n{}", unit_square, statement, face)).notes.size() ==
-          1);  // of no light
+          1);  // without a light
 }
 
 TEST_CASE("statements of an OBJ that make other geometry are refused by name", "[scene]") {
@@ -125,7 +125,7 @@ TEST_CASE("errors in the text of a PLY name their line and the property", "[scen
   check_has(error_of(good + "4 0 1 2 4\n"), "mesh.ply: vertex 4 is out of range: there are 4");
 }
 
-/// The bytes of a number, in an order.
+/// The bytes of a number, big- or little-endian.
 template <class T>
 std::string bytes_of_number(T value, bool big) {
   auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
@@ -157,7 +157,7 @@ TEST_CASE("a binary PLY has its bytes in either order", "[scene]") {
     const std::string text = binary_ply(big);
     CHECK(area(mesh_of(load_mesh("ply", text))) == 301);
     CHECK(vector_area(mesh_of(load_mesh("ply", text))).y == 301);
-    // A line's end behind it is an editor's; more is no mesh.
+    // A line end after the data comes from an editor; anything more is not a mesh.
     CHECK(notes_with(load_mesh("ply", text + "\n"), "an end of line follows the last value") == 1);
     CHECK(notes_with(load_mesh("ply", text + "\r\n"), "an end of line follows") == 1);
     check_has(mesh_error("ply", text + "\n\n"), "there is more data than the header announces");
@@ -178,7 +178,7 @@ TEST_CASE("a PLY's strips of triangles turn every other one, and begin anew afte
   CHECK(vector_area(mesh_of(square)).y == 4);
   CHECK(vector_area(mesh_of(of("7 0 1 3 -1 1 2 3\n"))).y == 4);
   CHECK(vector_area(mesh_of(of("9 -1 0 1 3 -1 -1 1 2 3\n"))).y == 4);
-  // Strips are joined by corners twice, whose triangles have no area.
+  // Strips are joined by repeated corners, whose triangles have no area.
   CHECK(vector_area(mesh_of(of("9 0 1 3 3 1 1 1 2 3\n"))).y == 4);
   const Scene longer = of("-1 0 -3\n1 0 -3\n6 0 1 3 2 4 5\n", 6);
   CHECK(area(mesh_of(longer)) == Catch::Approx(glm::length(vector_area(mesh_of(longer)))));

@@ -8,8 +8,8 @@
 
 namespace scene_test {
 
-/// A scene with one <shape> of this type ("obj" or "ply") and text, and these elements in the
-/// shape.
+/// A scene with one <shape> of this type ("obj" or "ply") with this text, and these elements inside
+/// the shape.
 inline carlo::Scene load_mesh(const std::string& type, const std::string& bytes,
                               const std::string& inside = "") {
   const TemporaryFolder folder;
@@ -30,7 +30,7 @@ inline const carlo::Mesh& mesh_of(const carlo::Scene& scene, std::size_t shape =
   return std::get<carlo::Mesh>(scene.shapes.at(shape).geometry);
 }
 
-/// What loading it fails with; nothing when it loads.
+/// The error when loading it; empty if it loads.
 inline std::string mesh_error(const std::string& type, const std::string& bytes,
                               const std::string& inside = "") {
   try {
@@ -41,7 +41,7 @@ inline std::string mesh_error(const std::string& type, const std::string& bytes,
   return "";
 }
 
-/// How many of a scene's notes contain a text.
+/// The number of a scene's notes that contain a text.
 inline int notes_with(const carlo::Scene& scene, const std::string& text) {
   int count = 0;
   for (const std::string& note : scene.notes)
@@ -49,8 +49,8 @@ inline int notes_with(const carlo::Scene& scene, const std::string& text) {
   return count;
 }
 
-/// The vector area of a mesh, and the sum of its triangles' areas: of the same length when all of
-/// them face the same way.
+/// The vector area of a mesh, and the sum of its triangles' areas: of equal length if all of them
+/// face the same way.
 inline glm::dvec3 vector_area(const carlo::Mesh& mesh) {
   glm::dvec3 sum(0);
   for (const glm::uvec3& t : mesh.triangles) {

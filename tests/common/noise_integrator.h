@@ -10,8 +10,7 @@
 
 namespace common_test {
 
-/// An integrator without a scene: whoever derives says what a pixel's samples are. It can press
-/// Ctrl-C.
+/// An integrator without a scene: derived classes define a pixel's samples. It can simulate Ctrl-C.
 class NoiseIntegrator : public carlo::Integrator {
  public:
   std::string name() const override { return "noise"; }

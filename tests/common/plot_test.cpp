@@ -22,7 +22,7 @@ Stretch around(const Axis& axis, const std::vector<double>& values) {
   return carlo::round_stretch(axis, values);
 }
 
-/// The words along the x axis of an empty plot, powers as "10^-9".
+/// The labels along the x axis of an empty plot, powers as "10^-9".
 std::vector<std::string> ticks(const Axis& axis, Stretch across) {
   const std::string svg = Plot(axis, across, {"", Unit::number, Scale::linear}, {0, 1}).svg("");
   std::vector<std::string> words;

@@ -29,7 +29,7 @@ constexpr const char* exercises = R"([
    "predict": {"question": "Which is worst?", "kind": "choice", "choices": ["dice", "rule"],
                "experiment": "slopes", "name": "method", "largest": "error"}}])";
 
-/// A tree with one lab of which Lab 1.1 is written.
+/// A tree with one lab, in which Lab 1.1 is solved.
 class PredictionTree {
  public:
   explicit PredictionTree(const std::string& list = exercises)
@@ -52,7 +52,7 @@ class PredictionTree {
   fs::path root_;
 };
 
-/// What was said while these lines were typed.
+/// The output while these lines were typed.
 std::string asked(Predictions& predictions, std::vector<std::string> lines, bool again = false) {
   std::string said;
   predictions.ask([&](const std::string& text) { said += text; },

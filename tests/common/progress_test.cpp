@@ -1,4 +1,4 @@
-// What a progress line tells a terminal.
+// The output of a progress line at a terminal.
 
 #include "support/progress.h"
 
@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// What `work` writes to a terminal that is its stderr, in a process of its own.
+/// What `work` writes to stderr, a terminal, in a separate process.
 template <class Work>
 std::string at_terminal(const Work& work) {
   int terminal = -1;
@@ -30,7 +30,7 @@ std::string at_terminal(const Work& work) {
   }
   std::string said;
   std::array<char, 4096> block{};
-  // At the end a terminal has an error, no end of file.
+  // At the end a terminal reports an error, not end of file.
   for (ssize_t got = 0; (got = ::read(terminal, block.data(), block.size())) > 0;)
     said.append(block.data(), static_cast<std::size_t>(got));
   ::close(terminal);

@@ -30,7 +30,7 @@ TEST_CASE("Floats and doubles made from the largest word stay below 1") {
 }
 
 TEST_CASE("Every float of the grid has the same number of words") {
-  // 2^8 words map to each of the 2^24 floats; the top float, which clamping would favour, included.
+  // 2^8 words map to each of the 2^24 floats, including the top float, which clamping would favour.
   CHECK(to_float(0xFFFFFF00) == to_float(0xFFFFFFFF));
   CHECK(to_float(0xFFFFFEFF) < to_float(0xFFFFFF00));
 }

@@ -13,7 +13,7 @@ namespace {
 
 using namespace carlo;
 
-/// Uniform noise around 1 + x; optionally something bad in one place.
+/// Uniform noise around 1 + x; optionally with a bad sample in one place.
 class Noise final : public common_test::NoiseIntegrator {
  public:
   int throw_at = -1, nan_at = -1;
@@ -80,7 +80,7 @@ TEST_CASE("Samples that are not finite are counted and left out") {
 
 TEST_CASE("Ctrl-C ends the render and keeps what is finished") {
   Noise noise;
-  noise.interrupt_at = 20;  // 6 tiles a pass
+  noise.interrupt_at = 20;  // 6 tiles per pass
   const RenderResult result = run(noise, 64, 1);
   CHECK(result.interrupted);
   CHECK(result.film.blocks(0, 0) == 4);

@@ -129,7 +129,7 @@ TEST_CASE("A table wider than the terminal goes on below, behind the names of it
   CHECK(rows[3].empty());
   CHECK(rows[4] == "method   third value");
   CHECK(rows[6] == "another           30");
-  CHECK(lines(table.text(5)).size() == 11);  // a column at least in each block
+  CHECK(lines(table.text(5)).size() == 11);  // at least one column in each block
   CHECK(lines(Table({"alone"}).text(3)).size() == 1);
   table.add_row({"one", 1.75, 2.5, 3.5});  // a second one: its first value tells it apart
   CHECK(lines(table.text(36))[5] == "method   first value  third value");
@@ -175,10 +175,10 @@ TEST_CASE("Whatever text a page is given stays text", "[report]") {
   const std::string html = page.html();
   CHECK(occurrences(html, "<b>") == 0);
   CHECK(occurrences(html, "<script>alert") == 0);
-  // A page of text and charts has no script, and nothing opens or closes one.
+  // A page of text and charts has no script, and no text opens or closes one.
   CHECK(occurrences(html, "<script") == 0);
   CHECK(occurrences(html, "</script") == 0);
-  // The title, the series in the legend, in the description, at its 3 points and in 3 rows.
+  // The title; the series in the legend, in the description, at its 3 points and in 3 rows.
   CHECK(occurrences(html, carlo::html_escaped(hostile)) >= 9);
 }
 

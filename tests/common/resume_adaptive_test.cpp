@@ -25,10 +25,10 @@ using namespace carlo;
 using common_test::TemporaryFolder;
 namespace fs = std::filesystem;
 
-constexpr int width = 37, height = 21;  // tiles and units that the film cuts
+constexpr int width = 37, height = 21;  // the film's edges cut tiles and units
 
-/// Pixels that differ in brightness and, a hundredfold, in variance; a tenth of 1 or so comes to
-/// each of them from lamps.
+/// Pixels that differ in brightness and, a hundredfold, in variance; lamps contribute about a tenth
+/// of 1 to each.
 class Flicker final : public common_test::NoiseIntegrator {
  public:
   std::uint32_t lamp_paths() const override { return 1; }
@@ -92,7 +92,7 @@ RenderResult read(const fs::path& path) {
   return {.film = state->film(), .counts = earlier.counts(), .adaptive_state = state};
 }
 
-/// The result as it comes back from a file.
+/// The result after writing and reading a file.
 RenderResult written_and_read(const RenderResult& result) {
   const TemporaryFolder folder;
   write_exr(folder.path() / "a.exr", file_of(result));
@@ -118,7 +118,8 @@ TEST_CASE("An interrupted adaptive render that is resumed has the bits of an und
   const RenderResult whole = run(undisturbed);
   REQUIRE(whole.adaptive->least < whole.adaptive->most);
   const int calls = undisturbed.calls;
-  // In the first round, in the second (12 jobs of 8 calls are a round), in a late one, in the last.
+  // In the first round, in the second (12 jobs of 8 calls make a round), in a late one, in the
+  // last.
   for (const int call : {1, 60, 100, 191, calls / 2, calls - 1}) {
     INFO("call " << call << " of " << calls);
     Flicker flicker;
@@ -131,8 +132,8 @@ TEST_CASE("An interrupted adaptive render that is resumed has the bits of an und
   }
 }
 
-/// Whether two states are the same to the last bit; the number of units for which one half alone
-/// has decided.
+/// Checks that two states are the same to the last bit; returns the number of units for which one
+/// half alone has decided.
 int check_same_state(const AdaptiveState& a, const AdaptiveState& b) {
   CHECK(a.level == b.level);
   CHECK(a.floors == b.floors);
@@ -219,12 +220,12 @@ TEST_CASE("An adaptive render does not go on from another one") {
   const TemporaryFolder folder;
   const fs::path path = folder.path() / "a.exr";
   const RenderResult result = run(Flicker(), 256);
-  // The rounds of 32 samples a pixel are others.
+  // The rounds for 32 samples per pixel are different.
   const RenderResult few = run(Flicker(), 32);
   CHECK_THROWS_AS(run(Flicker(), most, &few), Error);
   CHECK_THROWS_AS(run(Flicker(), 32, &result), Error);
   CHECK_THROWS_AS(render(Flicker(), width, height + 1, options(most, &result)), Error);
-  // Nor from a uniform one.
+  // Nor from a uniform render.
   RenderOptions uniform = options(64);
   uniform.target_error.reset();
   const RenderResult other = render(Flicker(), width, height, uniform);
@@ -271,7 +272,7 @@ TEST_CASE("An adaptive render does not go on from another one") {
   CHECK_THROWS_AS(EarlierRender(path), Error);
 }
 
-/// A share of the round that comes after `start`; the second is interrupted and gone on with.
+/// A shard of the round that follows `start`; the second is interrupted and resumed.
 RenderResult round_share(const RenderResult& start, const Shard& share) {
   RenderResult before = start;
   before.counts = {};
@@ -290,7 +291,7 @@ RenderResult round_share(const RenderResult& start, const Shard& share) {
   return written_and_read(result);
 }
 
-/// A round in shares, and what it decides.
+/// A round in shards, and its decisions.
 RenderResult shared_round(const RenderResult& start, std::uint32_t shares) {
   RenderResult all = start;
   AdaptiveState state = *start.adaptive_state;

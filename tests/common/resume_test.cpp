@@ -212,7 +212,7 @@ TEST_CASE("A fingerprint depends on all that an image depends on, and on nothing
     change(s);
     CHECK(fingerprint(s) != before);
   }
-  // And on what an image around the scene shows, and on how it is turned.
+  // It also depends on the image around the scene and its rotation.
   const auto under_sky = [](float texel, double turn) {
     Scene s = scene();
     Envmap map{Image(2, 1), glm::dmat3(turn, 0, 0, 0, 1, 0, 0, 0, turn)};

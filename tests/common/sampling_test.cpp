@@ -37,7 +37,7 @@ TEST_CASE("The second Sobol' coordinate agrees with the textbook's direction num
   }
 }
 
-/// Whether 2^m points have one point in each elementary interval of volume 2^-m.
+/// True if 2^m points have one point in each elementary interval of volume 2^-m.
 bool is_net(const std::vector<Vec2>& points, int m) {
   for (int k = 0; k <= m; ++k) {
     std::set<std::pair<int, int>> boxes;
@@ -65,8 +65,8 @@ TEST_CASE("Every aligned block of shuffled, scrambled Sobol' points is a (0, m, 
 }
 
 TEST_CASE("Owen scrambling is uniform: each point is equally likely in each of 64 intervals") {
-  // Chi-square over seeds, 64 cells of 1000 expected, 63 degrees of freedom: 63 + 5.5 sd is beyond
-  // the alpha = 1e-6 quantile (127).
+  // Chi-square over seeds, 64 cells with 1000 expected, 63 degrees of freedom: 63 + 5.5 sd is
+  // beyond the alpha = 1e-6 quantile (127).
   std::vector<int> count(64);
   for (std::uint64_t seed = 0; seed < 64000; ++seed) {
     SobolSampler sampler({.seed = seed, .pixel = 5, .index = 3, .spp = 8});
@@ -92,7 +92,7 @@ TEST_CASE("permute() is a permutation for every size") {
   }
 }
 
-/// The rank that permute() gives a seed, and the rank of the permutation that it then makes.
+/// The rank that permute() gives a seed, and the rank of the resulting permutation.
 std::uint64_t rank_of_images(std::uint32_t n, std::uint64_t seed) {
   std::vector<std::uint32_t> images;
   for (std::uint32_t i = 0; i < n; ++i)
@@ -108,9 +108,9 @@ std::uint64_t rank_of_images(std::uint32_t n, std::uint64_t seed) {
 }
 
 TEST_CASE("permute() gives every permutation of up to 12 the same share of the seeds") {
-  // By exact count, without drawing: the seeds of rank r are those from ceil(r 2^64 / n!) on to the
-  // next rank's, 2^64 / n! of them but for one. That its first and last seed make the permutation
-  // of rank r is tried for every r up to n = 8, and for 20000 of them above.
+  // By exact counting, without drawing: the seeds of rank r are those from ceil(r 2^64 / n!) up to
+  // the next rank's, 2^64 / n! of them, give or take one. Its first and last seed must make the
+  // permutation of rank r: tested for every r up to n = 8, and for 20000 of them above.
   __extension__ using Wide = unsigned __int128;
   for (std::uint32_t n = 2; n <= most_ranked; ++n) {
     const std::uint64_t count = factorial(n);
@@ -128,7 +128,7 @@ TEST_CASE("permute() gives every permutation of up to 12 the same share of the s
 
 TEST_CASE("permute() sends every pair of elements everywhere equally often") {
   // Chi-square of the images of two elements over 1e5 seeds, n (n - 1) cells. Its normal deviate is
-  // beyond 5.5 with alpha = 1e-6 or less for these degrees of freedom (Wilson and Hilferty).
+  // beyond 5.5 with alpha <= 1e-6 for these degrees of freedom (Wilson and Hilferty).
   for (const std::uint32_t n : {3u, 4u, 5u, 13u, 16u, 36u}) {
     for (const auto& [a, b] : {std::pair{0u, 1u}, std::pair{0u, 2u}, std::pair{1u, n - 1}}) {
       std::vector<double> count(std::size_t{n} * n);
@@ -151,8 +151,9 @@ TEST_CASE("permute() sends every pair of elements everywhere equally often") {
 }
 
 TEST_CASE("Pairs of dimensions are stratified independently") {
-  // For n samples the cells of two dimension pairs make two permutations; how often sample 0 and 1
-  // are in cells i, j of one and k, l of the other: independent, by chi-square over 2e5 seeds.
+  // For n samples the cells of two dimension pairs make two permutations. How often samples 0 and 1
+  // are in cells i, j of one and k, l of the other must be independent, by chi-square over 2e5
+  // seeds.
   constexpr std::uint32_t n = 4;
   constexpr int seeds = 200000;
   std::vector<double> count(144);

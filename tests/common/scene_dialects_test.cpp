@@ -1,5 +1,5 @@
-// What of Mitsuba's and Nori's scenes is read: each line of the table in common/scene/README.md is
-// loaded, and the page has whatever the loader knows.
+// Which parts of Mitsuba's and Nori's scenes are read: loads each line of the table in
+// common/scene/README.md, and checks that the page lists everything that the loader knows.
 
 #include "course/cli/source_folder.h"
 #include "scene/fingerprint.h"
@@ -62,7 +62,7 @@ std::vector<Row> rows() {
   std::vector<Row> out;
   std::istringstream lines(between(page(), "| in | written so |", "\n## "));
   std::string line;
-  std::getline(lines, line), std::getline(lines, line);  // the head
+  std::getline(lines, line), std::getline(lines, line);  // the table's head
   while (std::getline(lines, line) && line.starts_with("| ")) {
     const std::size_t second = line.find(" | "), third = line.find(" | ", second + 3);
     REQUIRE(third != std::string::npos);
@@ -158,7 +158,7 @@ class Files {
     write_bytes(folder_.path() / "scene.xml", text);
     return load_scene(folder_.path() / "scene.xml");
   }
-  /// The message of the error; empty when there is none.
+  /// The error message; empty if there is none.
   std::string error(const std::string& text) const {
     try {
       load(text);
@@ -172,7 +172,7 @@ class Files {
   TemporaryFolder folder_;
 };
 
-/// Loads a scene with the snippet and looks whether becomes of it what the table says.
+/// Loads a scene with the snippet and checks that the result is what the table says.
 void check_snippet(const Files& files, const std::string& in, const std::string& snippet,
                    const std::string& what) {
   INFO(in << ": " << snippet << " is said to be: " << what);
@@ -307,12 +307,12 @@ TEST_CASE("the spectrum of one number in an emitter is white in 0.6, not in 3", 
   const Scene old_scene = load_text(scene_of("0.6.0", sky));
   CHECK(old_scene.lights.environment == Rgb(0.5f));
   CHECK(old_scene.notes.empty());
-  // What Mitsuba 3.9.1 renders.
+  // As rendered by Mitsuba 3.9.1.
   const Scene scene = load_text(scene_of("3.0.0", sky));
   CHECK(
       scene_test::close(scene.lights.environment, Rgb(0.6023975f, 0.47414577f, 0.4544582f), 5e-5f));
   CHECK(scene.notes.size() == 1);
-  // A surface has it grey in both.
+  // For a surface it is grey in both.
   const Scene grey = load_text(scene_of(
       "3.0.0",
       "<emitter type=\"constant\"/><shape type=\"sphere\"><bsdf type=\"diffuse\"><spectrum "

@@ -1,4 +1,4 @@
-// An image around the scene as the loader reads it; what it refuses is in broken_scenes/.
+// An image around the scene as loaded; what the loader refuses is in broken_scenes/.
 
 #include "image/exr.h"
 #include "scene/needs.h"
@@ -11,7 +11,7 @@ namespace {
 
 using namespace carlo;
 
-/// A scene with a 4 x 2 image around it, whose texel (x, y) is 1 + x + 4 y, red.
+/// A scene with a 4 x 2 image around it, in which texel (x, y) is 1 + x + 4 y, red.
 Scene under_image(const std::string& properties) {
   const scene_test::TemporaryFolder folder;
   Image image(4, 2);
@@ -42,7 +42,7 @@ TEST_CASE("an image around the scene stands beside the file, is scaled and turne
   CHECK(red(plain, {-.1f, -1, 1}) == 7);
   CHECK(red(plain, {-1, -1, -.1f}) == 8);
   CHECK(red(under_image("<float name=\"scale\" value=\"3\"/>"), {1, 1, .1f}) == 6);
-  // Turned so that its +y is +z, as in scenes whose z is up, and mirrored.
+  // Rotated so that its +y is +z, as in scenes with z upwards, and mirrored.
   const Scene upright =
       under_image("<transform name=\"toWorld\"><rotate x=\"1\" angle=\"90\"/></transform>");
   CHECK(red(upright, {.1f, 1, 1}) == 1);

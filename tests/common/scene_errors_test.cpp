@@ -44,8 +44,8 @@ std::vector<std::string> lines_of(const std::string& message) {
   return out;
 }
 
-/// The message of the Error that loading throws; empty when it loads. Any other exception fails the
-/// test that calls this.
+/// The message of the Error that loading throws; empty if it loads. Any other exception fails the
+/// calling test.
 std::string error_of(const fs::path& path,
                      const std::map<std::string, std::string>& parameters = {}) {
   try {
@@ -61,7 +61,7 @@ std::string bytes_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-/// `bytes` with one to four bytes changed, removed, doubled or the rest cut off.
+/// `bytes` with one to four bytes changed, removed or doubled, or truncated.
 std::string mutated(std::string bytes, carlo::Rng& rng) {
   static const std::string interesting = "<>\"'/=-$&.09eE \n\xff\x01";
   const std::uint32_t edits = 1 + rng.next_u32() % 4;
@@ -88,7 +88,8 @@ std::string mutated(std::string bytes, carlo::Rng& rng) {
   return bytes;
 }
 
-/// Loads `runs` mutations of `target`, in a copy of its folder's files; `scene` is what is loaded.
+/// Loads `runs` mutations of `target`, in a copy of its folder's files; `scene` is the file to
+/// load.
 void fuzz(const std::vector<fs::path>& files, const std::string& target, const std::string& scene,
           int runs) {
   const TemporaryFolder folder;

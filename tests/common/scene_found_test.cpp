@@ -1,5 +1,4 @@
-// Scenes as they are found: what they say beyond what an image needs is taken where it changes
-// nothing.
+// Scenes from the wild: information that an image does not need is accepted if it changes nothing.
 
 #include "course/cli/source_folder.h"
 #include "file_table.h"
@@ -31,7 +30,7 @@ TEST_CASE("an exponent that floats cannot tell from a smaller one is taken as th
 }
 
 TEST_CASE("near and far clip are taken where they cut nothing", "[scene]") {
-  // A room around the camera, a unit sphere three in front of it.
+  // A room around the camera, with a unit sphere three units in front of it.
   const auto loads = [](const std::string& clip) {
     try {
       load_text(

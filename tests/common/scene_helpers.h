@@ -29,13 +29,13 @@ inline carlo::Scene load_text(const std::string& text,
   return carlo::load_scene(folder.path() / "scene.xml", parameters);
 }
 
-/// The scene with these elements and a camera.
+/// A scene with these elements and a camera.
 inline carlo::Scene load_elements(const std::string& elements) {
   return load_text("<scene version=\"0.6.0\"><sensor type=\"perspective\"><float name=\"fov\" " +
                    std::string("value=\"90\"/></sensor>") + elements + "</scene>");
 }
 
-/// Whether two points agree within `tolerance` in each coordinate; false for NaN.
+/// True if two points agree within `tolerance` in each coordinate; false for NaN.
 inline bool close(carlo::Vec3 a, carlo::Vec3 b, float tolerance = 1e-5f) {
   const carlo::Vec3 d = glm::abs(a - b);
   return d.x <= tolerance && d.y <= tolerance && d.z <= tolerance;

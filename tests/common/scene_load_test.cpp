@@ -1,4 +1,4 @@
-// Materials, lights, camera, film, sampler, parameters, includes, needs and the scenes we bring.
+// Materials, lights, camera, film, sampler, parameters, includes, needs and our own scenes.
 
 #include "course/cli/source_folder.h"
 #include "scene/needs.h"
@@ -47,7 +47,7 @@ const std::string fov90 = "<float name=\"fov\" value=\"90\"/>";
 }  // namespace
 
 TEST_CASE("what floats cannot tell from a turned plane is told of", "[scene]") {
-  // A card of half side `card` above a floor of half side `floor`, both turned about an axis.
+  // A card of half side `card` above a floor of half side `floor`, both rotated about an axis.
   const auto notes = [](double floor, double card, double gap, double turn) {
     const auto square = [&](double half, double height) {
       return "<shape type=\"rectangle\"><transform name=\"toWorld\"><scale value=\"" +
@@ -72,7 +72,7 @@ TEST_CASE("what floats cannot tell from a turned plane is told of", "[scene]") {
 }
 
 TEST_CASE("a scene far from the origin is moved there with all that it has", "[scene]") {
-  // Coordinates with more digits than a float has at 1e6, .03 there.
+  // Coordinates with more digits than a float, whose step is .03 at 1e6.
   const std::string there = "<translate x=\"1e6\" y=\"-2e6\" z=\"3e6\"/>";
   const auto text = [](const std::string& move) {
     return "<scene version=\"0.6.0\"><shape type=\"sphere\"><point name=\"center\" x=\".125\" "
@@ -344,7 +344,7 @@ TEST_CASE("an sdf is read into steps in postfix order", "[scene]") {
   CHECK(std::get<sdf::Combine>(sdf.steps[3]).operation == sdf::Operation::unite);
   CHECK(std::get<sdf::Combine>(sdf.steps[4]).operation == sdf::Operation::subtract);
   CHECK(std::get<sdf::Combine>(sdf.steps[4]).smoothing == 0.5);
-  // Half a way along x: outside the ball of radius 3, within smoothing of no edge.
+  // Half way along x: outside the ball of radius 3, out of reach of any smoothed edge.
   CHECK(sdf::distance(sdf, {0.9, 0, 0}) == Catch::Approx(2.1));
 }
 

@@ -77,7 +77,7 @@ TEST_CASE("vertex normals are refused unless faceNormals is asked for", "[scene]
   CHECK(mesh_of(scene).triangles.size() == 1);
   CHECK_THROWS(load_obj(scene_test::unit_square + "f 1 2 3\n",
                         "<boolean name=\"faceNormals\" value=\"false\"/>"));
-  // Texture coordinates alone are no normals, nor is what is left out.
+  // Texture coordinates alone are not normals, nor are missing numbers.
   for (const char* face : {"f 1/ 2/ 3/\n", "f 1// 2// 3//\n", "f 1/1/ 2/1/ 3/1/\n"})
     CHECK(mesh_of(load_obj(scene_test::unit_square + "vt 0 0\n" + face)).triangles.size() == 1);
   CHECK(mesh_of(load_obj(scene_test::unit_square + "vt 0 0\nf 1/1 2/1 3/1\n")).triangles.size() ==
@@ -123,8 +123,8 @@ TEST_CASE("a mesh that shines is one light a triangle", "[scene]") {
 }
 
 TEST_CASE("a large mesh takes time in proportion to its size", "[scene]") {
-  // Processor time of 16 times as many faces, on the same machine: some 16 times as much; with time
-  // in their square 256 times. So it is when each stands there twice.
+  // Processor time for 16 times as many faces, on the same machine: about 16 times as much;
+  // quadratic time would be 256 times. The same holds if each face is duplicated.
   const auto clock_ticks = [](std::size_t count) {
     std::string text, faces;
     for (std::size_t i = 0; i < count; ++i) {

@@ -11,7 +11,7 @@ using scene_test::load_elements;
 
 namespace {
 
-/// The only shape of a scene, made of `type` with `inside`.
+/// The only shape of a scene: a `type` with `inside`.
 template <class T>
 T only(const std::string& type, const std::string& inside = "") {
   const Scene scene = load_elements("<shape type=\"" + type + "\">" + inside + "</shape>");
@@ -34,7 +34,7 @@ float area(const Parallelogram& p) {
   return glm::length(glm::cross(p.u, p.v));
 }
 
-/// Where a transform takes the point (1, 0, 0), seen as a sphere's centre.
+/// The image of the point (1, 0, 0) under a transform, as a sphere's centre.
 Vec3 image_of_x(const std::string& steps) {
   return only<Sphere>("sphere",
                       "<point name=\"center\" x=\"1\" y=\"0\" z=\"0\"/>" + to_world(steps))

@@ -1,5 +1,5 @@
 // Signed distance functions: each form against its closed form, gradients, Lipschitz bounds, boxes,
-// and what sphere tracing finds.
+// and the hits of sphere tracing.
 
 #include "geometry/analytic.h"
 #include "geometry/intersector.h"
@@ -35,7 +35,7 @@ struct Named {
   Sdf sdf;
 };
 
-/// One of each form and operation, all of size about 1; some turned and moved within.
+/// One of each form and operation, all of size about 1; some rotated and moved inside.
 std::vector<Named> examples() {
   const Similarity aside = turned(0.7, {0.2, -0.1, 0.3}, 0.8);
   const Solid ball{Ball{0.8}, {}}, torus{Torus{0.7, 0.2}, aside}, gyroid{Gyroid{0.6, 0.06}, aside},
@@ -56,7 +56,7 @@ std::vector<Named> examples() {
           {"gyroid", made({ball, gyroid, Combine{Operation::intersect, 0.05}})}};
 }
 
-/// The same with a place in the world.
+/// The same with a placement in the world.
 Sdf placed(Sdf sdf, const Similarity& place) {
   sdf.place = place;
   return sdf;
@@ -105,8 +105,8 @@ TEST_CASE("distances keep the Lipschitz bound 1, gradients are their slopes", "[
     }
     CHECK(steepest <= 1 + 1e-12);
     CHECK(quotient <= 1 + 1e-7);
-    // On creases differences see both sides; a point falls within 1e-6 of one about once in 1e5,
-    // and within 1e-2 of a form's axis, where curvature takes 1e-4, still less than once in 1e3.
+    // On creases differences see both sides. A point is within 1e-6 of a crease about once in 1e5;
+    // it is within 1e-2 of a form's axis, where curvature costs 1e-4, less than once in 1e3.
     CHECK(off <= points / 1000);
   }
 }
@@ -174,7 +174,7 @@ TEST_CASE("no point of a solid is outside its box", "[sdf]") {
     }
     CHECK(inside >= 500);
     CHECK(outside_box == 0);
-    // Not far too large either: no side is more than twice what the solid fills of it.
+    // Nor far too large: no side is more than twice the solid's extent.
     const Vec3d slack = (box.upper - box.lower) / (upper - lower);
     CHECK(std::max({slack.x, slack.y, slack.z}) <= 2);
   }
@@ -204,7 +204,7 @@ TEST_CASE("a ball by sphere tracing is the sphere, at every scale and place", "[
         if ((t > 0) != (found > 0)) {
           ++differ;
         } else if (t > 0) {
-          // intersect_sphere measures in units of the direction made exactly 1 long.
+          // intersect_sphere measures in units of the direction normalized to exactly 1.
           const double length = glm::length(Vec3d(ray.d));
           worst_t = std::max(worst_t, std::abs(found * length - t) / (s * (4 + far)));
           const Vec3 n = tracer.point(ray.o, ray.d, found).n;
@@ -214,7 +214,7 @@ TEST_CASE("a ball by sphere tracing is the sphere, at every scale and place", "[
       }
       INFO("scale " << s << ", place " << far);
       CHECK(differ == 0);
-      // Grazing, the distance is a square root: what is known to 1e-15 is found to some 1e-11.
+      // At grazing angles the distance is a square root: an accuracy of 1e-15 leaves about 1e-11.
       CHECK(worst_t <= 1e-10);
       CHECK(worst_n <= 1e-6);
     }
@@ -318,12 +318,12 @@ TEST_CASE("rays that leave a surface do not meet it where they start", "[sdf]") 
         const float cosine = glm::dot(d, hit.n);
         ++tried;
         const Ray out{offset_origin(hit.p, hit.p_error, hit.n, d), d};
-        // What is not convex may be met again, but not next to the start by a steep ray.
+        // A shape that is not convex may be hit again, but a steep ray not near its start.
         if (geometry.intersect(out, next) &&
             (convex || (cosine > 0.1f && next.t < 1e-3f * static_cast<float>(s)))) {
           ++again;
         }
-        // Inwards, every ray must come out, through the back of the surface.
+        // Every inward ray must come out, through the back of the surface.
         const Ray in{offset_origin(hit.p, hit.p_error, hit.n, -d), -d};
         if (!geometry.intersect(in, next) || glm::dot(next.n, in.d) < 0) ++lost;
       }

@@ -49,7 +49,7 @@ TEST_CASE("a job's name follows from its folder, through links and dots") {
   CHECK(name != job_name("grade", "/tmp/b"));
 }
 
-/// Whether another process could have the lock now.
+/// True if another process could take the lock now.
 bool another_takes(const std::filesystem::path& folder, FolderLock::Use use) {
   const pid_t child = ::fork();
   if (child == 0) ::_exit(FolderLock::take(folder, use) ? 0 : 1);

@@ -1,4 +1,4 @@
-// How far a student is, what is kept of verdicts, and what is told of a compiler's words.
+// A student's progress, stored verdicts, and the presentation of compiler messages.
 
 #include "course/guide/status.h"
 
@@ -97,17 +97,17 @@ TEST_CASE("an exercise is untouched, begun, judged, and edited since", "[course]
   CHECK_FALSE(tree.status().exercises[0].changed);
   tree.write("return 1;", "return 2;", "throws");
   CHECK(tree.stage(0) == Stage::passed);
-  CHECK_FALSE(tree.status().exercises[0].changed);  // another one was
+  CHECK_FALSE(tree.status().exercises[0].changed);  // another exercise was
   tree.judge("1.2", "failed", 1);
   CHECK(tree.stage(1) == Stage::failed);
   CHECK(tree.status().points() == 3);
   tree.write("return 1;", "return 3;", "throws");
   CHECK(tree.stage(1) == Stage::edited);
   tree.write("throws", "return 2;", "throws");
-  CHECK(tree.stage(0) == Stage::begun);  // one of its two functions
-  CHECK(tree.status().points() == 1);    // and what is open has no points
+  CHECK(tree.stage(0) == Stage::begun);  // one of its two functions is done
+  CHECK(tree.status().points() == 1);    // and an open exercise has no points
   tree.write("return 1;", "return 2;", "throws");
-  CHECK(tree.stage(0) == Stage::passed);  // the text that was judged is back
+  CHECK(tree.stage(0) == Stage::passed);  // the judged text is back
 }
 
 TEST_CASE("what has passed stays so until it is judged again, and says that it was changed",
@@ -275,7 +275,7 @@ TEST_CASE("a missing } is told once, where the next function begins", "[course]"
   CHECK(messages[0].line == 21);
   CHECK(has(messages[0].text, "a } is missing"));
   CHECK(messages[0].excerpt.size() == 2);
-  CHECK(messages[1].line == 33);  // an error of its own
+  CHECK(messages[1].line == 33);  // a separate error
   const std::string clang =
       "/tree/labs/02_pi/pi.cpp:21:12: error: function definition is not allowed here\n"
       "/tree/labs/02_pi/pi.cpp:45:2: error: expected '}'\n";

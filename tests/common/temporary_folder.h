@@ -9,7 +9,7 @@
 
 namespace common_test {
 
-/// A folder of its own that is gone when the test is over.
+/// A temporary folder, removed when the test is over.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

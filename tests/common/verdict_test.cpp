@@ -15,7 +15,7 @@ using nlohmann::json;
 
 namespace {
 
-/// With something else than the default in every member.
+/// A result in which no member has its default value.
 LabResult full_result() {
   Verdict verdict;
   verdict.what = "the mean";
@@ -98,7 +98,7 @@ TEST_CASE("what lacks a member, or has one of another type, is no verdict", "[ve
     INFO(place.to_string());
     json wrong = whole;
     wrong[place] = json::array({json::object()});
-    // Both are sums, for programs; nobody reads them back.
+    // Both are sums, for other programs; they are not read back.
     const bool derived =
         place == json::json_pointer("/points") || place == json::json_pointer("/max");
     if (!derived) CHECK_THROWS_AS(lab_result_from(wrong), Error);
@@ -147,7 +147,7 @@ TEST_CASE("a problem is cut where there is no room for it, and never made longer
   TestRecord test = result.exercises[0].tests[0];
   test.problem = test.printed = std::string(2000, 'x');
   result.exercises[0].tests = std::vector<TestRecord>(400, test);
-  // What the long ones leave is less than a hundred of these take.
+  // The long ones leave less space than a hundred of these take.
   test.problem = std::string(90, 'y');
   result.exercises[0].tests.insert(result.exercises[0].tests.end(), 100, test);
   const std::vector<TestRecord> back = lab_result_from_text(to_text(result)).exercises[0].tests;

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-// What a browser makes of the viewer: tests/pages.
+// Browser tests of the viewer are in tests/pages.
 
 namespace {
 

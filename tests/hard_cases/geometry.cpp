@@ -41,7 +41,7 @@ HardCase far_sphere() {
     const float r = 0.9f * std::sqrt(rng.uniform_float()),
                 phi = 2 * carlo::pi_f * rng.uniform_float();
     const Vec3 d = glm::normalize(Vec3(r * std::cos(phi), r * std::sin(phi), 10'000));
-    // How far the point found lies off the sphere.
+    // The distance of the computed point from the sphere.
     const auto off = [&](double t) {
       return std::abs(glm::length(t * glm::normalize(glm::dvec3(d)) - center) - 1);
     };
@@ -88,8 +88,8 @@ HardCase self_hits() {
 }
 
 HardCase thin_gap() {
-  // Between spheres of radius 1 and 1.001, and the same 1e-4 times as large: does a ray that leaves
-  // the inner one see the outer?
+  // Between spheres of radius 1 and 1.001, and 1e-4 times as large: does a ray that leaves the
+  // inner one see the outer?
   int naive = 0, ours = 0, rays = 0;
   for (const float s : {1.0f, 1e-4f}) {
     const Scene scene = spheres({{{0, 0, 0}, s}, {{0, 0, 0}, 1.001f * s, true}});

@@ -5,8 +5,7 @@
 
 namespace hard_cases {
 
-/// One place where the obvious code fails: what that gives, what ours gives, and the bound that
-/// ours has to keep.
+/// A place where the obvious code fails: its result, our result, and the bound that ours must keep.
 struct HardCase {
   int number = 0;
   std::string name;

@@ -33,7 +33,7 @@ struct Spread {
   double mean, relative_sd;
 };
 
-/// Of one estimate of the irradiance of a floor with normal +z at `from`.
+/// For one estimate of the irradiance of a floor with normal +z at `from`.
 Spread irradiance(const Scene& scene, Vec3 from, int n) {
   const renderer::Lights lights(scene);
   carlo::Rng rng(6);

@@ -1,4 +1,4 @@
-// `./carlo test --hard`: the table of hard cases. Exit code 0 when all bounds hold.
+// `./carlo test --hard`: prints the table of hard cases. Exit code 0 if all bounds hold.
 
 #include "course/cli/main_guard.h"
 #include "hard_case.h"

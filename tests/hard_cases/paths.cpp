@@ -13,7 +13,7 @@ namespace {
 using carlo::Rgb;
 using carlo::Scene;
 
-/// From within a sphere that emits 1 and has this albedo.
+/// Seen from inside a sphere that emits 1 and has this albedo.
 Scene furnace(float albedo) {
   Scene scene;
   scene.width = scene.height = 16;

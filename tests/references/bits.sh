@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# bits.sh: makes bits.txt again: the SHA-256 of each scene's sums, which every machine must reach.
+# bits.sh: writes bits.txt: the SHA-256 of each scene's sums, which every machine must reproduce.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 root=$here/../..

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# make.sh [--OPTION=VALUE ...] [SCENE ...]: makes the reference images of common/scenes again (all of
-# them, or those named) and prints their table; of all of them, it puts the table into README.md.
+# make.sh [--OPTION=VALUE ...] [SCENE ...]: renders the reference images of common/scenes again (all
+# of them, or those named) and prints their table; if all are made, it puts the table into
+# README.md.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 root=$here/../..

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# make_sky.sh: makes the sky of common/scenes/image_light.xml again, common/scenes/parts/sky.exr.
+# make_sky.sh: writes the sky of common/scenes/image_light.xml, common/scenes/parts/sky.exr.
 set -euo pipefail
 root=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../..
 build=$root/build/release

@@ -1,4 +1,4 @@
-// Adaptive renders by both kernels: unbiased, and of the same bits for any number of threads.
+// Adaptive renders by both kernels are unbiased, and have the same bits for any number of threads.
 
 #include "lab_scenes.h"
 #include "scene/load_scene.h"
@@ -22,8 +22,8 @@ RenderResult render_adaptive(const Scene& scene, renderer::Kernel kernel, double
                 {.spp = 4096, .threads = threads, .progress = false, .target_error = target});
 }
 
-/// A closed cube that glows all around and reflects half: every pixel is 2, and the paths' lengths
-/// are what varies.
+/// A closed cube that glows all around and reflects half: every pixel is 2, and only the lengths of
+/// paths vary.
 Scene furnace(SamplerKind sampler) {
   Scene scene;
   scene.width = scene.height = 8;
@@ -39,8 +39,8 @@ Scene furnace(SamplerKind sampler) {
 }
 
 TEST_CASE("Adaptive renders of a furnace are unbiased, by both kernels and all samplers") {
-  // 60 renders a case; z of their mean, its standard error from their spread, is Student's t with
-  // 59 degrees: |z| > 5 fails one in 10^5 cases by chance. A bias of .5 % would show in each.
+  // 60 renders per case; z of their mean, with the standard error from their spread, is Student's t
+  // with 59 degrees: |z| > 5 fails one in 10^5 cases by chance. Each would show a bias of .5 %.
   for (const renderer::Kernel kernel : {renderer::Kernel::scalar, renderer::Kernel::best}) {
     for (const SamplerKind sampler : sampler_kinds) {
       const Scene scene = furnace(sampler);

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# additions_test.sh ROOT BUILD: nobody adds to the renderer and forgets a place in silence. On a copy of the
-# tree this adds kinds that nothing handles (a shape, a material, a light, a sampler), one after the other,
-# and asks the compiler, for errors only: it must name every place that tells kinds apart. Such places are
-# every match() and std::visit(), every switch over kinds, and where OtherLights or Needs are taken apart.
-# What passes over unknown kinds instead (get_if, holds_alternative, ==, a light by its name) needs a reason
-# in the list below. The page for those who add: solutions/renderer/README.md.
+# additions_test.sh ROOT BUILD: additions to the renderer cannot silently miss a place. On a copy of
+# the tree this adds kinds that nothing handles (a shape, a material, a light, a sampler), one after
+# the other, and runs the compiler, for errors only: it must report every place that distinguishes
+# kinds. Such places are every match() and std::visit(), every switch over kinds, and every place
+# that takes OtherLights or Needs apart. Code that silently ignores unknown kinds (get_if,
+# holds_alternative, ==, a light by its name) needs a reason in the list below. The page on
+# additions: solutions/renderer/README.md.
 set -euo pipefail
 root=$1 build=$2
 fail() { printf 'additions_test: %s\n' "$*" >&2 && exit 1; }
@@ -70,33 +71,33 @@ done <<<"$reasons"
 
 {
   grep -rnE '\b(match|std::visit)\(' common solutions labs | grep -v '^common/scene/match.h:' |
-    grep -v '^common/course/verdict/' # kinds of figures are none of the renderer's
+    grep -v '^common/course/verdict/' # kinds of figures do not concern the renderer
   grep -rnE 'auto& \[(.*\benvironment|parallelograms)\b' common solutions labs
   grep -rnE -A1 'switch \(' common solutions labs | sed -nE '/case [A-Za-z:]*Kind::/{s/^([^ ]*)-([0-9]+)-.*/\1 \2/p}' |
     while read -r file line; do printf '%s:%d:\n' "$file" "$((line - 1))"; done
 } | sed -E 's/^([^:]*:[0-9]+):.*/\1/' | sort -u >"$work/places"
 [ "$(wc -l <"$work/places")" -ge 30 ] || fail "found $(wc -l <"$work/places") places only: $(cat "$work/places")"
 
-# file<TAB>command of what is compiled.
+# file<TAB>command for everything that is compiled.
 awk -F'": "' '
   /^ *"command"/ { sub(/",?$/, "", $2); command = $2; gsub(/\\"/, "\"", command) }
   /^ *"file"/ { sub(/",?$/, "", $2); print $2 "\t" command }' "$build/compile_commands.json" >"$work/commands"
 
-# The line of $work/commands by which a file of the tree is compiled, by itself or with others.
+# The line of $work/commands that compiles a file of the tree, by itself or with others.
 unit_of() {
   local together
   together=$(grep -lF "\"$1\"" "$build"/together/*/*.cpp 2>/dev/null | tail -n 1) || true
   grep -m1 -F "${together:-$root/$1}"$'\t' "$work/commands" || fail "nothing compiles $1"
 }
 
-# compile UNIT: the compiler's words about a line of $work/commands, on the copy.
+# compile UNIT: the compiler's output for a line of $work/commands, on the copy.
 compile() {
   local command=${1#*$'\t'} all=''
   command=${command#*ccache } command=${command/ -o * -c / -c }
   command=${command//-I$root/-I$tree}
   command=${command/-c $root\/common/-c $tree/common} command=${command/-c $root\/solutions/-c $tree/solutions}
   command=${command/-c $root\/labs/-c $tree/labs}
-  # GCC tells all that it finds by itself.
+  # GCC reports all errors by default.
   [[ $command != *clang++* ]] || all='-ferror-limit=0 -ftemplate-backtrace-limit=0'
   (cd "$build" && LC_ALL=C eval "$command -fsyntax-only -Werror=switch $all" 2>&1) || true
 }
@@ -107,12 +108,12 @@ change() {
   ! cmp -s "$1" "$root/$1" || fail "$1 is not what this test thinks: it could not add to it"
 }
 
-# try WHAT PATTERN: compiles what has places and holds the pattern; the places that are named go to
-# $work/named. Then the copy is as it was.
+# try WHAT PATTERN: compiles the files that have places and match the pattern; the reported places
+# go to $work/named. Afterwards restores the copy.
 try() {
   local file unit
   cut -d: -f1 "$work/places" | sort -u | while read -r file; do
-    # A header's places are named with those of the files that use it.
+    # Places in a header are reported with the files that use it.
     if [[ $file = *.cpp ]] && grep -qE "$2" "$file"; then unit_of "$file"; fi
   done | sort -u >"$work/units"
   : >"$work/words"

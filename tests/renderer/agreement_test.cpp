@@ -1,33 +1,34 @@
 // Three integrators that share no line of light transport agree, on every tile of every scene: lab
-// 08's solution by recursion as in the lecture, mended (trace_path(), or trace_specular()), lab
+// 08's solution by recursion as in the lecture, corrected (trace_path(), or trace_specular()), lab
 // 08's solution in a loop (path_radiance()), and the reference renderer.
 //
-// Where the lecture's estimator has finite variance: with lights that have an area and surfaces
-// that absorb, trace_path()'s has. A bounce weighs at most (n + 2)/(n + 1), is survived with
-// probability kd + ks, and ((n + 2)/(n + 1))^2 (kd + ks) < 1 in all our scenes; what paths meet is
-// bounded. Point lights, which no direction meets, are refused by lab 08, and no scene has them; so
-// is the image around `image_light`, which is left out here. trace_specular() stands in for
-// trace_path() in three scenes: `caustics` and `procedural`, for trace_path() knows no mirrors and
-// glass; and `highlights`, where the variance is finite, but only one path in some 10^5 meets the
-// smallest lamp, and no tile would see a normal deviate. It samples lights by area, whose 1/d^2 has
-// infinite variance where a surface touches a light; in these scenes none does. In `rare_paths`
-// noise is a few bright paths, and it takes many for a sum of them to be normal: the loop needs 3
-// million in a tile at seed 2, with a quarter of them a tile's skewness, .6, lets two false alarms
-// expect. So all three get more there, in larger tiles; smaller ones, with four times the samples,
-// nightly.
+// The lecture's estimator must have finite variance: with lights that have an area and surfaces
+// that absorb, trace_path()'s has. A bounce weighs at most (n + 2)/(n + 1) and is survived with
+// probability kd + ks; ((n + 2)/(n + 1))^2 (kd + ks) < 1 in all our scenes, and the radiances that
+// paths meet are bounded. Lab 08 refuses point lights, which no direction meets, and no scene has
+// them; it also refuses the image around `image_light`, which is left out here. trace_specular()
+// replaces trace_path() in three scenes: in `caustics` and `procedural`, since trace_path() does
+// not support mirrors and glass; and in `highlights`, where the variance is finite, but only one
+// path in about 10^5 meets the smallest lamp, so that no tile would be close to normal. It samples
+// lights by area, whose 1/d^2 has infinite variance where a surface touches a light; in these
+// scenes none does. In `rare_paths` a few bright paths make up the noise, and it takes many of them
+// for a normal sum: the loop needs 3 million in a tile at seed 2; with a quarter of them a tile's
+// skewness, .6, leads to two expected false alarms. So all three get more samples there, in larger
+// tiles; nightly runs use smaller ones, with four times the samples.
 //
-// Error rates: a tile's channel is outside of 4 standard errors with probability 6.3e-5 if it is
-// normal, the whole image outside of 3 with 2.7e-3. There are 48 + 3 comparisons for each pair and
-// scene: over 14 scenes another seed would fail somewhere with probability .12 for the tiles (.24
-// with their skewness) and .25 for the images at most; channels and pairs are correlated. So the
-// seed is fixed. Whether tiles are normal enough their skewness says: the false alarms that it lets
-// expect are counted, and have a limit. Power: a tile's difference has a standard error of .4
+// Error rates: a tile's channel is outside 4 standard errors with probability 6.3e-5 if it is
+// normal, the whole image outside 3 with 2.7e-3. There are 48 + 3 comparisons for each pair and
+// scene: over 14 scenes another seed would fail somewhere with probability at most .12 for the
+// tiles (.24 with their skewness) and .25 for the images; channels and pairs are correlated. So the
+// seed is fixed. The skewness shows whether tiles are normal enough: the number of false alarms
+// that it leads to is computed and limited. Power: a tile's difference has a standard error of .4
 // to 3.5 % of the image (rare_paths 7 %, highlights, where lamps are seen, 15 %), the whole image's
-// of .1 to .9 % (3 and 4 %); deviations of 7 and 6 standard errors are seen with probability .999.
+// of .1 to .9 % (3 and 4 %); deviations of 7 and 6 standard errors are detected with probability
+// .999.
 //
-// CARLO_AGREEMENT_SEED, CARLO_AGREEMENT_SIZE (pixels a side, a multiple of the tile's),
-// CARLO_AGREEMENT_TILE and CARLO_AGREEMENT_FACTOR (times the samples) look elsewhere, at more or
-// smaller tiles, and more sharply; CARLO_AGREEMENT_SCENE at one scene only.
+// CARLO_AGREEMENT_SEED, CARLO_AGREEMENT_SIZE (pixels per side, a multiple of the tile's),
+// CARLO_AGREEMENT_TILE and CARLO_AGREEMENT_FACTOR (times the samples) test other samples, more or
+// smaller tiles, and smaller deviations; CARLO_AGREEMENT_SCENE selects one scene.
 
 #include "lab_scenes.h"
 #include "scene/needs.h"
@@ -60,18 +61,18 @@ std::uint32_t from_environment(const char* name, std::uint32_t otherwise) {
   return text == nullptr ? otherwise : static_cast<std::uint32_t>(std::strtoul(text, nullptr, 10));
 }
 
-/// The scenes that are asked for.
+/// The selected scenes.
 std::vector<std::string> scene_names() {
   const char* only = std::getenv("CARLO_AGREEMENT_SCENE");
   return only == nullptr ? lab_scenes::names() : std::vector<std::string>{only};
 }
 
-/// The recursive tracer of a scene, and how many times 128 samples a pixel each integrator gets:
-/// enough for tiles that are normal.
+/// The recursive tracer for a scene, and the samples per pixel of each integrator in multiples of
+/// 128: enough for normal tiles.
 struct Plan {
   lab08::Method method = lab08::Method::recursive;
   std::uint32_t recursive = 8, iterative = 4, reference = 4;
-  int tile = 8;  ///< pixels a side
+  int tile = 8;  ///< pixels per side
 };
 
 Plan plan_of(const std::string& scene) {
@@ -103,7 +104,7 @@ Estimates estimate(Scene scene, const Plan& plan) {
       from_environment("CARLO_AGREEMENT_TILE", static_cast<std::uint32_t>(plan.tile)));
   resize(scene, size, size);
   scene.sampler = SamplerKind::independent;
-  // The recursive tracers have no limit. The scene that has one shows lights alone.
+  // The recursive tracers have no limit. The scene that has one shows only lights.
   scene.max_depth = 0;
   const auto recursive = lab08::make_lab_integrator(scene, {plan.method, seed, first.per_pixel()});
   const auto iterative =
@@ -115,15 +116,15 @@ Estimates estimate(Scene scene, const Plan& plan) {
           tiles::estimate(*reference, size, tile, third)};
 }
 
-/// max(|z|, worst) that does not lose NaN.
+/// max(|z|, worst) that keeps NaN.
 void raise(double& worst, double z) {
   if (!(std::abs(z) <= worst)) worst = std::abs(z);
 }
 
-/// What the tiles of two estimates say.
+/// The comparison of the tiles of two estimates.
 struct Comparison {
   double worst = 0, whole = 0;  ///< largest |z| of a tile and of the whole image
-  double skewness = 0;          ///< largest of a tile
+  double skewness = 0;          ///< the largest of any tile
   double false_alarms = 0;      ///< expected number beyond tile_limit
   /// Standard errors of the difference, relative to the image's mean: rms of a tile, and of all.
   double tile_error = 0, image_error = 0;
@@ -161,7 +162,7 @@ void check_agreement(const std::string& scene, const char* names, const Estimate
   INFO(scene << ", " << names);
   CHECK(found.worst <= tile_limit);
   CHECK(found.whole <= image_limit);
-  // More: the tiles are not normal, and the scene needs more samples.
+  // If there are more, the tiles are not normal, and the scene needs more samples.
   CHECK(found.false_alarms <= most_false_alarms);
 }
 
@@ -173,7 +174,7 @@ TEST_CASE("Recursive, iterative and reference integrator agree on every tile of 
   REQUIRE(lab_scenes::names().size() >= 13);
   for (const std::string& name : scene_names()) {
     const Scene scene = lab_scenes::load(name);
-    if (needs(scene).envmap) continue;  // lab 08 knows no image for a lamp
+    if (needs(scene).envmap) continue;  // lab 08 does not support an image as a lamp
     const Estimates e = estimate(scene, plan_of(name));
     check_agreement(name, "recursive, iterative", e.recursive, e.iterative);
     check_agreement(name, "recursive, reference", e.recursive, e.reference);

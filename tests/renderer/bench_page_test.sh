@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# bench_page_test.sh BENCH SOURCE: a part of `./carlo bench` gives a page and the same numbers as JSON;
-# what it cannot do is an error of one line, without a page.
+# bench_page_test.sh BENCH SOURCE: a part of `./carlo bench` writes a page and the same numbers as
+# JSON; impossible requests give an error of one line and no page.
 set -euo pipefail
 bench=$1 source=$2
 scratch=$(mktemp -d)

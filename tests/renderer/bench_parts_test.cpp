@@ -1,4 +1,5 @@
-// What `./carlo bench` tells Blender, and how it judges the answer; bench_parts_test.sh runs it.
+// The scenes that `./carlo bench` gives to Blender, and its judgement of the results;
+// bench_parts_test.sh runs it.
 
 #include "random/rng.h"
 #include "renderer/bench/agreement.h"
@@ -97,7 +98,7 @@ TEST_CASE("Cycles' bounces are our segments without the camera's and the lamp's"
   CHECK(bounces(5) == 3);
   CHECK(bounces(0) == 1024);
   CHECK(bounces(1) == 0);
-  // Direct light is Cycles' least; where we have none, nothing reflects.
+  // Direct light is Cycles' minimum; where our scene has none, nothing reflects.
   const json spec = bench::peer_scene(scene, bench::Peer::cycles);
   REQUIRE(!spec.at("materials").empty());
   for (const json& material : spec.at("materials"))
@@ -174,7 +175,7 @@ Image reference() {
   return noisy(6);
 }
 
-/// Of all pixels alike: .75 is about the root mean square of their values.
+/// The same for all pixels: .75 is about the root mean square of their values.
 Image reference_error() {
   Image error(size, size);
   for (Rgb& e : error.pixels)
@@ -192,7 +193,7 @@ TEST_CASE("Images that differ by their noise agree") {
 }
 
 // Power: the standard error of a channel's mean difference is .075 / 64 sqrt(1/5 + 1) = .0013, and
-// 2 % of .75 is 11 of them; the limit of 5 is passed all but surely.
+// 2 % of .75 is 11 of them, so the limit of 5 is almost certainly exceeded.
 TEST_CASE("A scene that is 2 % brighter does not agree") {
   const bench::Agreement a = bench::agreement(five(1.02f), reference(), reference_error());
   CHECK(!a.holds());

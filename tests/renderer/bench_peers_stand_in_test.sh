@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# bench_peers_stand_in_test.sh BENCH SOURCE RENDER: the part peers of `./carlo bench` with our own renderer
-# in the place of a Python that has Mitsuba alone: an image of the same scene counts, one of another scene
-# does not, an integrator that fails has a line, and what is not installed is said.
+# bench_peers_stand_in_test.sh BENCH SOURCE RENDER: the part `peers` of `./carlo bench` with our own
+# renderer in place of a Python that has only Mitsuba: an image of the same scene counts, one of
+# another scene does not, a failing integrator gets a line, and missing renderers are reported.
 set -euo pipefail
 bench=$1 source=$2 render=$3
 scratch=$(mktemp -d)
@@ -14,7 +14,7 @@ fail() {
   exit 1
 }
 
-# A Cornell box, whatever is asked for.
+# Renders a Cornell box, whatever is requested.
 cat >"$scratch/python" <<EOF
 #!/usr/bin/env bash
 set -e
@@ -34,7 +34,7 @@ EOF
 chmod +x "$scratch/python"
 mkdir "$scratch/scripts"
 
-# run PYTHON: its table to $scratch/out.
+# run PYTHON: writes its table to $scratch/out.
 run() {
   "$bench" --scenes "$source/common/scenes" --references "$scratch/references" --scratch "$scratch" \
     --only peers --peers "$scratch/$1" --peer-scripts "$scratch/scripts" --seed 31 \

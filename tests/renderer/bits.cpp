@@ -1,6 +1,6 @@
-// carlo_bits: the SHA-256 of each scene's sums, by both techniques on each instruction set that
-// this machine has, and by the scalar kernel. Every machine, compiler and standard library must
-// reach those in tests/references/bits.txt (tests/references/bits.sh makes that file again).
+// carlo_bits: the SHA-256 of each scene's sums, by both techniques on each instruction set of this
+// machine, and by the scalar kernel. Every machine, compiler and standard library must reproduce
+// those in tests/references/bits.txt (written by tests/references/bits.sh).
 
 #include "course/cli/arguments.h"
 #include "course/cli/main_guard.h"
@@ -26,7 +26,7 @@ namespace {
 
 using namespace carlo;
 
-// Small, so that it is a matter of seconds; blocks of 2 samples.
+// Small enough to take seconds; blocks of 2 samples.
 constexpr int width = 48, height = 36;
 constexpr std::uint32_t spp = 16;
 
@@ -54,7 +54,7 @@ void add(grader::Sha256& digest, const ExactSum& sum) {
   digest.add(bytes);
 }
 
-/// Of all that a render finds out: the pixels' exact sums, and what was counted.
+/// Digests everything that a render computes: the pixels' exact sums, and its counts.
 std::string digest_of(const RenderResult& result) {
   grader::Sha256 digest;
   for (int y = 0; y < result.film.height(); ++y) {
@@ -71,7 +71,8 @@ std::string digest_of(const RenderResult& result) {
   return digest.hex();
 }
 
-/// In how many pixels two images differ, and by how much at most, relative to the larger.
+/// The number of pixels in which two images differ, and the largest difference, relative to the
+/// larger value.
 std::string difference(const Film& a, const Film& b) {
   int pixels = 0;
   double most = 0;
@@ -101,7 +102,7 @@ Digests read(const std::string& path) {
   return digests;
 }
 
-/// Prints what differs; whether anything does.
+/// Prints the differences; returns true if there are any.
 class Comparison {
  public:
   explicit Comparison(std::optional<Digests> expected) : expected_(std::move(expected)) {}
@@ -144,8 +145,8 @@ class Comparison {
   std::optional<Digests> expected_;
 };
 
-/// Of surfaces that a ray meets at once, which one the scalar kernel takes depends on the order in
-/// which Embree asks, and that on the processor. In this scene it shows.
+/// If a ray meets several surfaces at once, the one that the scalar kernel takes depends on the
+/// order in which Embree tests them, and that depends on the processor. This scene shows it.
 bool depends_on_embree(const std::string& scene, const Way& way) {
   return scene == "polished" && !way.vector_kernel;
 }

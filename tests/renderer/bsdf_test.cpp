@@ -104,9 +104,9 @@ TEST_CASE("The closed form has the values tabulated from quad-precision quadratu
 }
 
 TEST_CASE("Directions follow the pdf: chi-square over cells of the hemisphere") {
-  // Cells in (cos theta, phi); expected masses by quadrature of evaluate().pdf; what falls below
-  // the horizon is its own cell. 1e6 samples, cells pooled to >= 100. Normal approximation of
-  // chi-square: z < 6.
+  // Cells in (cos theta, phi); expected masses by quadrature of evaluate().pdf; directions below
+  // the horizon are a cell of their own. 1e6 samples, cells pooled to >= 100. Normal approximation
+  // of chi-square: z < 6.
   const ModifiedPhong bsdf(Rgb(0.3f), Rgb(0.5f), 20);
   const Vec3 wo = at_angle(70 * closed_forms::pi / 180);
   constexpr int rows = 40, columns = 80, fine = 24, samples = 1000000;
@@ -239,7 +239,7 @@ TEST_CASE("Glass obeys Snell and Fresnel") {
     const Refraction in = refract(up, wo, eta);
     REQUIRE(in.wt);
     CHECK(std::abs(-in.wt->x * 1.5f - wo.x) <= 1e-5f);  // Snell
-    // The way back out has the same reflectance.
+    // The way out has the same reflectance.
     const Refraction out = refract(-up, *in.wt, 1.5f);
     CHECK(std::abs(out.reflectance - in.reflectance) <= 2e-4f);
   }

@@ -1,6 +1,6 @@
 // Whole renders against closed forms. Each mean must lie within 4 standard errors, and the standard
-// error be below .2 %; samples are independent, so that the standard error is unbiased. At fixed
-// seeds nothing is left to chance; over seeds each test would fail once in 16 000.
+// error must be below .2 %; samples are independent, so that the standard error is unbiased. Seeds
+// are fixed, so nothing is left to chance; with another seed each test would fail once in 16 000.
 
 #include "closed_forms.h"
 #include "scene_tools.h"
@@ -33,8 +33,8 @@ Scene empty_scene(int size) {
   return scene;
 }
 
-/// The closed form of the albedo, interpolated in theta: its sum over n terms is too slow to take
-/// for every ray. With 400 steps the error is below 3e-6 but for the last degree at large n.
+/// The closed form of the albedo, interpolated in theta, since its sum over n terms is too slow for
+/// every ray. With 400 steps the error is below 3e-6, except for the last degree at large n.
 class AlbedoTable {
  public:
   explicit AlbedoTable(int n) {
@@ -55,8 +55,8 @@ class AlbedoTable {
 };
 
 TEST_CASE("A convex Phong object in a uniform environment shows kd + ks a(n, theta)") {
-  // A sphere of radius 1 that fills part of the film. What the film should read is the mean over
-  // camera rays, by quadrature on a grid of rays much finer than the pixels.
+  // A sphere of radius 1 that fills part of the film. The expected film is the mean over camera
+  // rays, by quadrature on a grid of rays much finer than the pixels.
   constexpr float kd = 0.3f, ks = 0.6f;
   for (const int n : {0, 1, 2, 50, 1000, 1000000}) {
     Scene scene = empty_scene(24);
@@ -113,7 +113,8 @@ TEST_CASE("A closed furnace reads Le / (1 - rho)") {
       Scene scene = empty_scene(16);
       scene.camera = look_at({.1f, .2f, .3f}, {1, 1, 1}, {0, 1, 0}, 100);
       const auto albedo = static_cast<float>(rho);
-      // A lobe with ks = 0 everywhere but in its model: the mixture's bookkeeping is on trial too.
+      // A lobe whose ks is 0 everywhere although the model has it: this also tests the bookkeeping
+      // of the mixture.
       scene.materials = {phong ? Material{Phong{Rgb(albedo), Rgb(0), 20}, false}
                                : Material{Diffuse{Rgb(albedo)}, false}};
       for (const Parallelogram& face : inward_cube())
@@ -185,8 +186,8 @@ TEST_CASE("A floor under a point light reads rho I cos / (pi d^2)") {
 }
 
 TEST_CASE("Area lights lose nothing far from the origin") {
-  // A light point rounds to behind the light for half of the samples: a shadow ray that only stops
-  // a fraction short of it is then blocked by the light itself, by 33 % at 1e4.
+  // Half of the light points are rounded to behind the light: a shadow ray that ends only a
+  // fraction short of the point is then blocked by the light itself, which costs 33 % at 1e4.
   for (const Shape& light :
        {Shape{Disk{{0, 1, 0}, glm::normalize(Vec3(.4f, -1, .2f)), .5f}},
         Shape{Sphere{{0, 1, 0}, .4f}},
@@ -234,7 +235,8 @@ TEST_CASE("A light that is switched off changes nothing") {
 }
 
 TEST_CASE("Rectangle lights of tiny solid angle have the right brightness") {
-  // The sum of four angles less 2 pi keeps 1e-15 absolute: at 1e7 sides' distance 3 % were lost.
+  // The sum of four angles less 2 pi has an absolute accuracy of 1e-15: at a distance of 1e7 sides
+  // 3 % would be lost.
   for (const float distance : {1e2f, 1e4f, 1e6f, 1e8f}) {
     Scene scene = floor_under({Parallelogram{{-.5f, distance, -.5f}, {1, 0, 0}, {0, 0, 1}}}, .7);
     scene.shapes.back().radiance = Rgb(2 * distance * distance);
@@ -274,7 +276,7 @@ TEST_CASE("Paths that would never end are cut and counted") {
 
 TEST_CASE("A level mirror above the floor shows the floor, dimmed by its reflectance") {
   // The mirror hides part of the light from the floor: both cameras see the spot at x = .55, and
-  // the one that looks up at the mirror must see .9 of what the other sees.
+  // the one that looks up at the mirror must see .9 times the radiance that the other sees.
   Scene scene = floor_under({Disk{{0, 1, 0}, {0, -1, 0}, 1}}, .7);
   scene.materials.push_back({Mirror{Rgb(.9f)}, false});
   scene.shapes.push_back({Parallelogram{{.5f, .45f, -.05f}, {.1f, 0, 0}, {0, 0, .1f}}, 2});

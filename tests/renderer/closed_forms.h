@@ -38,8 +38,8 @@ inline double phong_below(int n, double theta) {
   return ((odd ? pi / 2 : theta) - c * sum) / pi;
 }
 
-/// Irradiance from a sphere of radiance 1 at `h` radii, its centre at angle theta to the normal,
-/// wholly above the horizon.
+/// Irradiance from a sphere of radiance 1 at a distance of `h` radii, its centre at angle theta to
+/// the normal, entirely above the horizon.
 inline double sphere_irradiance(double h, double theta) {
   return pi * std::cos(theta) / (h * h);
 }

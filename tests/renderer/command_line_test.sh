@@ -47,7 +47,7 @@ refused 'frobnicate' "$good" --frobnicate
 refused 'ends in .html, got .page.txt' "$good" --page page.txt
 refused 'cannot write .*: ' "$good" --page no/such/folder/page.html
 
-# And the good case: four files, a report, exit code 0.
+# The good case: four files, a report, exit code 0.
 (cd "$scratch" && "$renderer" "$good" --size 16x16 --spp 4 -o "$scratch/good" >stdout 2>stderr) ||
   complain "the good scene failed: $(cat "$scratch/stderr")"
 for suffix in png exr error.png json; do
@@ -55,19 +55,19 @@ for suffix in png exr error.png json; do
 done
 grep -q 'standard error' "$scratch/stdout" || complain 'the report has no standard error'
 
-# With a target: a map of where the samples went, and what came of it.
+# With a target: also a map of where the samples went, and the result.
 "$renderer" "$good" --size 16x16 --target-error .3 --spp 512 -o "$scratch/target" >"$scratch/stdout" ||
   complain '--target-error failed'
 [ -s "$scratch/target.samples.png" ] || complain 'target.samples.png is missing'
 grep -q '"reached"' "$scratch/target.json" || complain 'the JSON report has no share of pixels'
 grep -q 'within it are' "$scratch/stdout" || complain 'the report has no share of pixels'
 
-# start_long NAME ARGUMENTS...: a long render in $long, which has written its first checkpoint.
+# start_long NAME ARGUMENTS...: starts a long render, $long, and waits for its first checkpoint.
 start_long() {
   (cd "$scratch" &&
     exec "$renderer" "$good" --quiet --size 32x32 --seed 9 --checkpoint .2 -o "$1" "${@:2}") &
   long=$!
-  # However slow the machine is.
+  # Waits however slow the machine is.
   while kill -0 "$long" 2>/dev/null; do
     [ ! -s "$scratch/$1.json" ] || return 0
     sleep .1
@@ -75,7 +75,7 @@ start_long() {
   complain "$1 ended without a checkpoint"
 }
 
-# What goes on, and what does not (the bits are tests/common/resume_test.cpp's).
+# Which renders can be resumed, and which not (tests/common/resume_test.cpp compares the bits).
 "$renderer" "$good" --quiet --size 32x32 --spp 64 --seed 9 -o "$scratch/whole"
 start_long part --spp 4194304
 kill -INT "$long"
@@ -95,7 +95,7 @@ refused 'cannot read .*short.exr' --resume "$scratch/short.exr" --spp 128
 "$renderer" "$good" --quiet --size 32x32 --spp 64 --seed 9 --no-sums -o "$scratch/small"
 refused 'not the sums' --resume "$scratch/small.exr" --spp 128
 
-# A checkpoint outlives what cannot be caught.
+# A checkpoint survives a kill that cannot be caught.
 start_long killed --spp 4194304
 kill -KILL "$long"
 wait "$long" 2>/dev/null || true
@@ -116,7 +116,7 @@ refused 'cannot go on with --spp 32' --resume "$scratch/target_killed.exr" --spp
 cmp "$scratch/undisturbed.exr" "$scratch/target_killed.exr" ||
   complain 'a render with a target that was killed and resumed has other bits'
 
-# A page, if one is wanted: beside the image, or where the option says. A scene may follow the option.
+# A page on demand: beside the image, or where the option says. A scene may follow the option.
 [ ! -e "$scratch/good.html" ] || complain 'a page that nobody asked for'
 "$renderer" --quiet --size 16x16 --spp 4 -o "$scratch/good" --page "$good"
 grep -q 'class="viewer"' "$scratch/good.html" || complain 'the page has no viewer'
@@ -126,7 +126,7 @@ grep -q "./carlo render --quiet --size 16x16" "$scratch/good.html" || complain '
 grep -q '<dt>FLIP</dt>' "$scratch/page.html" || complain 'the page has no FLIP'
 [ ! -e "$scratch/other.html" ] || complain 'two pages'
 
-# The film's size on the command line means the same as in the file, whatever side fov spans.
+# The film's size on the command line means the same as in the file, whichever side fov spans.
 sed 's|<float name="fov" value="39.3077"/>|<float name="fov" value="30"/><string name="fovAxis" value="y"/>|' \
   "$good" >"$scratch/y.xml"
 "$renderer" "$scratch/y.xml" --quiet --spp 2 -D width=32 -D height=16 -o "$scratch/file"
@@ -138,7 +138,7 @@ mkdir "$scratch/folder"
 "$renderer" "$good" --quiet --size 8x8 --spp 1 -o "$scratch/folder/"
 [ -s "$scratch/folder/cornell_phong.png" ] || complain 'a folder as output'
 
-# A disk that takes no more (here: files of at most 1 KiB) is noticed, and what was there stays.
+# A full disk (here: files of at most 1 KiB) is noticed, and the previous file stays.
 cp -r "$scratch/folder" "$scratch/before"
 code=0
 (trap '' XFSZ && ulimit -f 1 &&

@@ -1,5 +1,5 @@
-// Directions drawn from an image around the scene: the density integrates to 1 and is the one with
-// which directions come, at the poles, in black images with a sun of one texel, and turned.
+// Directions drawn from an image around the scene: the density integrates to 1 and matches the
+// directions, at the poles, in black images with a sun of one texel, and in rotated images.
 
 #include "renderer/envmap_table.h"
 
@@ -19,7 +19,7 @@ using carlo::Envmap;
 using carlo::Image;
 using renderer::EnvmapTable;
 
-/// A turn about an axis that is none of the image's.
+/// A rotation about an axis that is none of the image's.
 glm::dmat3 some_turn() {
   const glm::dvec3 x = glm::normalize(glm::dvec3(2, 1, -3)),
                    y = glm::normalize(glm::cross(x, glm::dvec3(1, 5, 2)));
@@ -33,7 +33,8 @@ Envmap image_of(int width, int height, carlo::Rgb colour = carlo::Rgb(0)) {
   return map;
 }
 
-/// Of all sorts: black texels and a black row, rows and texels that are a thousand times as bright.
+/// A varied image: black texels and a black row, rows and texels that are a thousand times as
+/// bright.
 Envmap assorted_image(int width, int height) {
   Envmap map = image_of(width, height);
   carlo::Rng rng(11);
@@ -53,7 +54,8 @@ double solid_angle(const Envmap& map, int y) {
   return 2 * closed_forms::pi / map.image.width * (std::cos(step * y) - std::cos(step * (y + 1)));
 }
 
-/// Where in its texel a direction is, in halves of its azimuth and of its cosine: 0 to 3.
+/// The quarter of its texel that a direction lies in, in halves of its azimuth and of its cosine: 0
+/// to 3.
 std::size_t quarter(const Envmap& map, carlo::Vec3 d) {
   const glm::dvec3 v = glm::transpose(map.rotation) * glm::dvec3(d);
   const double around = std::atan2(v.x, -v.z) / (2 * closed_forms::pi) + 1;
@@ -84,7 +86,7 @@ TEST_CASE("An image's directions stand where Mitsuba's convention has them") {
   CHECK(texel({.01f, 1, -.001f}) == map.image.index(1, 0));
   CHECK(texel({0, 1, 0}) < 8);
   CHECK(texel({0, -1, 0}) >= 24);
-  // What is turned about the vertical by a quarter has its left edge elsewhere.
+  // An image rotated about the vertical by a quarter has its left edge elsewhere.
   map.rotation = glm::dmat3(0, 0, -1, 0, 1, 0, 1, 0, 0);
   CHECK(texel({-1, .1f, -a}) == map.image.index(0, 1));
 }
@@ -109,9 +111,9 @@ TEST_CASE("The density of an image's directions integrates to 1") {
 }
 
 // Chi-square over the quarters of all texels, one alpha of 1e-4 for each of two images: another
-// seed would fail with probability 2e-4. Power: with 2e6 points a texel's quarter of average chance
-// has 5000; a wrong third of one row (a forgotten sin(theta) moves more) adds over 1000 to a
-// statistic of standard deviation 30.
+// seed would fail with probability 2e-4. Power: with 2e6 points a texel's quarter of average
+// probability has 5000; a third of one row that is wrong (a forgotten sin(theta) moves more) adds
+// over 1000 to a statistic of standard deviation 30.
 TEST_CASE("Directions come with the density that is told") {
   for (const auto& [width, height] : {std::pair{12, 7}, {16, 8}}) {
     const Envmap map = assorted_image(width, height);
@@ -126,7 +128,7 @@ TEST_CASE("Directions come with the density that is told") {
       const EnvmapTable::Texel seen = table.at(s.wi);
       if (!(s.pdf > 0) || s.radiance == carlo::Rgb(0)) FAIL("drawn from a black texel");
       if (std::abs(glm::length(s.wi) - 1) > 1e-6f) FAIL("no direction");
-      // At a texel's edge rounding may carry a direction into the next.
+      // At a texel's edge rounding may move a direction into the next texel.
       elsewhere += seen.pdf != s.pdf || seen.radiance != s.radiance ? 1 : 0;
       ++counts[4 * texel_at(map, s.wi) + quarter(map, s.wi)];
     }
@@ -136,7 +138,7 @@ TEST_CASE("Directions come with the density that is told") {
       const auto y = static_cast<int>(i / 4) / width;
       const double chance = static_cast<double>(table.texels[i / 4][3]) * solid_angle(map, y) / 4;
       if (chance == 0) {
-        CHECK(counts[i] <= 5);  // over the edge
+        CHECK(counts[i] <= 5);  // across the edge
         continue;
       }
       found.push_back(counts[i]);
@@ -168,7 +170,7 @@ TEST_CASE("A uniform image has the density 1 / (4 pi) everywhere, at the poles t
       if (i % 2 == 0) u.y = i % 4 == 0 ? 1e-7f * u.y : 1 - 1e-7f * u.y;
       u.y = std::min(u.y, 0x1.fffffep-1f);
       const EnvmapTable::Sample s = table.sample(u);
-      // Half a step of 2^-24 of a row's chance, which is pi^2 / (4 h^2) at the poles, and of a
+      // Half a step of 2^-24 of a row's probability, which is pi^2 / (4 h^2) at the poles, and of a
       // texel's in its row, which is 1 / (2 h).
       const double allowed = 1e-6 + 0x1p-24 * (.25 * height * height + 2 * height);
       CHECK(std::abs(static_cast<double>(s.pdf) * 4 * closed_forms::pi - 1) <= allowed);

@@ -1,17 +1,18 @@
-// Standard errors against what they stand for: over many independent renders, the mean of a pixel's
-// squared standard error E[se^2] and the variance of its value. The README calls standard errors
-// unbiased for independent samples, upper bounds for stratified ones, and for Sobol' points from 32
-// samples on: from fewer, products of two digits, one of each coordinate, that an edge across the
-// pixel consists of have twice the variance of independent points, and no block shows it.
+// Tests standard errors: over many independent renders, compares the mean of a pixel's squared
+// standard error, E[se^2], with the variance of its value. The README calls standard errors
+// unbiased for independent samples, and upper bounds for stratified ones, and for Sobol' points
+// from 32 samples on. With fewer, products of two digits, one of each coordinate, which make up an
+// edge across the pixel, have twice the variance of independent points, and no block shows it.
 //
-// What is judged is the share of channels of pixels whose quotient E[se^2]/Var is below .8. With
-// 1000 renders the quotient's own error is some 5 % where values are normal; it takes the share
-// over its limit of 1 % by chance only where the true quotients are near .8 for many pixels.
-// Pixels that differ in a few rare samples tell nothing of their variance (quotients of noise), and
-// are left out: those whose fourth moment says that the variance is known to no better than 15 %.
+// The test judges the fraction of pixel channels whose quotient E[se^2]/Var is below .8. With 1000
+// renders the quotient's own error is about 5 % where values are normal; it pushes the fraction
+// over its limit of 1 % by chance only where the true quotients of many pixels are near .8. Pixels
+// that differ in a few rare samples say nothing about their variance (their quotients are noise),
+// and are left out: those whose fourth moment shows that the variance is known to no better than 15
+// %.
 //
-// CARLO_ERROR_BARS_RENDERS: how many instead. CARLO_ERROR_BARS_ONLY: what has this in its name,
-// which is scene/sampler/spp.
+// CARLO_ERROR_BARS_RENDERS: another number of renders. CARLO_ERROR_BARS_ONLY: only tests with this
+// in their name, which is scene/sampler/spp.
 
 #include "image/film.h"
 #include "lab_scenes.h"
@@ -41,7 +42,8 @@ constexpr int size = 16;
 constexpr std::size_t channels = 3;
 constexpr double low = 0.8, share_allowed = 0.01;
 
-/// README: from how many samples on standard errors are unbiased, or upper bounds.
+/// According to the README: the number of samples from which standard errors are unbiased, or upper
+/// bounds.
 std::uint32_t bound_spp(SamplerKind kind) {
   switch (kind) {
     case SamplerKind::sobol:
@@ -53,17 +55,17 @@ std::uint32_t bound_spp(SamplerKind kind) {
   return 0;
 }
 
-/// Sums over renders, of one channel of a pixel.
+/// Sums over renders, for one channel of a pixel.
 struct Sums {
   double mean = 0, m2 = 0, m4 = 0, se2 = 0;
 };
 
-/// Whether a block of samples is missing, of a merge that lacks some shards.
+/// True if a block of samples is missing, in a merge that lacks some shards.
 constexpr bool is_missing(std::uint32_t block) {
   return block % 8 == 1 || block % 8 == 2 || block % 8 == 5;
 }
 
-/// All renders of one scene, sampler, kernel and number of samples; in parts only, if asked for.
+/// All renders of one scene, sampler, kernel and number of samples; only in parts if requested.
 class Renders {
  public:
   Renders(const Scene& scene, std::uint32_t spp, renderer::Kernel kernel, bool partial)
@@ -124,7 +126,7 @@ class Renders {
     }
   }
 
-  /// 0 where the variance is 0 or not known.
+  /// 0 where the variance is 0 or unknown.
   static double quotient(const std::vector<std::array<double, 2>>& values, std::size_t i,
                          std::uint32_t renders) {
     double mean = 0, se2 = 0, m2 = 0, m4 = 0;

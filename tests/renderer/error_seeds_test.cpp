@@ -1,18 +1,18 @@
-// Reported standard errors against the spread between seeds, of whole renders as a user makes them:
-// paths from the camera, and paths from lamps beside them, where one path reaches many pixels; with
-// as many samples everywhere, and with --target-error.
+// Reported standard errors against the spread between seeds, for whole renders as users make them:
+// with paths from the camera, and with additional paths from lamps, where one path reaches many
+// pixels; with equal numbers of samples, and with --target-error.
 //
-// Of a scene two quotients are judged: of pixels, sqrt(E[se^2] / Var) with both relative to the
-// pixel's luminance and averaged over pixels; and of the image's mean. Independent samples: within
-// 10 % of 1. Sobol' points: not below .9, since their standard errors are upper bounds.
-// The quotient's own error comes from the seeds, left out one at a time; a scene fails where the
-// quotient is outside by three of them (one chance in 700 for one that is exactly at the limit, and
-// next to none for one that is right; a quotient of .8 with an error of .02 is always seen). What
-// is not known to 5 % is printed and not judged: the variance of the few pixels with a rare, bright
-// path.
+// Two quotients are judged for each scene: for pixels, sqrt(E[se^2] / Var) with both relative to
+// the pixel's luminance and averaged over pixels; and for the image's mean. Independent samples:
+// within 10 % of 1. Sobol' points: not below .9, since their standard errors are upper bounds. The
+// quotient's own error comes from leaving out one seed at a time; a scene fails if the quotient is
+// outside by three of these errors (probability 1 in 700 for one exactly at the limit, and almost
+// none for one that is right; a quotient of .8 with an error of .02 is always detected). Quotients
+// that are not known to 5 % are printed but not judged: the variance of a few pixels with a rare,
+// bright path.
 //
-// CARLO_ERROR_SEEDS: how many seeds, instead of 100. CARLO_ERROR_SEEDS_ONLY: scenes with this in
-// their name.
+// CARLO_ERROR_SEEDS: the number of seeds, instead of 100. CARLO_ERROR_SEEDS_ONLY: only scenes with
+// this in their name.
 
 #include "lab_scenes.h"
 #include "render/report.h"
@@ -40,8 +40,8 @@ using renderer::Technique;
 constexpr int side = 32;
 constexpr std::size_t pixels = std::size_t{side} * side, whole_image = pixels;
 
-/// Value and squared standard error of each pixel, and of the image's mean behind them: of
-/// luminance for pixels, whose channels' errors go together.
+/// Value and squared standard error of each pixel, followed by those of the image's mean: in
+/// luminance for pixels, since the errors of their channels are correlated.
 using Render = std::vector<std::array<double, 2>>;
 
 struct Way {
@@ -69,11 +69,11 @@ Render one_render(const Scene& scene, const Way& way, std::uint64_t seed, std::u
   return all;
 }
 
-/// Sums over seeds of what a quotient is made of.
+/// Sums over seeds for the quotients.
 struct Moments {
   double count = 0, value = 0, square = 0, reported = 0;
 
-  void add(const std::array<double, 2>& one, double weight) {  // -1 takes one out again
+  void add(const std::array<double, 2>& one, double weight) {  // -1 removes one again
     count += weight, value += weight * one[0];
     square += weight * one[0] * one[0], reported += weight * one[1];
   }
@@ -84,8 +84,8 @@ struct Moments {
 
 using AllMoments = std::array<Moments, whole_image + 1>;
 
-/// sqrt(E[se^2] / Var) of the pixels first ... end - 1, without the render `without` if there is
-/// one.
+/// sqrt(E[se^2] / Var) of the pixels first ... end - 1, without the render `without` if it is
+/// given.
 double quotient(const AllMoments& moments, const std::vector<double>& weights, std::size_t first,
                 std::size_t end, const Render* without = nullptr) {
   double said = 0, spread = 0;
@@ -120,7 +120,7 @@ Quotient jackknife(const std::vector<Render>& renders, const std::vector<double>
   return {quotient(moments, weights, first, end), std::sqrt(squares * (count - 1) / count)};
 }
 
-/// One over the squared mean of each pixel, those far darker than the image apart.
+/// One over the squared mean of each pixel; leaves out those far darker than the image.
 std::vector<double> relative(const std::vector<Render>& renders) {
   std::vector<double> weights;
   for (std::size_t i = 0; i <= whole_image; ++i) {
@@ -189,8 +189,8 @@ TEST_CASE("Standard errors are the spread between seeds", "[error_seeds]") {
   measure_all("cornell_phong", number_of_seeds());
 }
 
-// What comes through the slit lights several pixels on its way: counted as independent, they would
-// take a sixth off the error of the mean.
+// Light through the slit reaches several pixels on its way: counting these as independent would
+// make the error of the mean a sixth too small.
 TEST_CASE("The mean's standard error knows of paths that reach several pixels", "[error_seeds]") {
   const Scene scene = small("rare_paths", SamplerKind::independent);
   show_titles();

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What tests of a program's messages share. To be sourced; `finish` comes last.
+# Shared by tests of a program's messages. To be sourced; call `finish` last.
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 failures=0
@@ -9,8 +9,8 @@ complain() {
   failures=$((failures + 1))
 }
 
-# [lines=N] expect_error PATTERN PROGRAM ARGUMENTS...: N lines on stderr (1), each of PATTERN, exit code 1,
-# and no file.
+# [lines=N] expect_error PATTERN PROGRAM ARGUMENTS...: expects N lines on stderr (1), each matching
+# PATTERN, exit code 1, and no file.
 expect_error() {
   local pattern=$1 program=$2 code=0 out=$scratch/out
   shift 2
@@ -23,7 +23,7 @@ expect_error() {
   [ -z "$(find "$out" -type f)" ] || complain "files were left by: $*"
 }
 
-# Fails when anything was complained of.
+# Fails if there was any complaint.
 finish() {
   printf '%d failures\n' "$failures"
   [ "$failures" = 0 ]

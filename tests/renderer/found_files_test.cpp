@@ -1,7 +1,7 @@
-// Files as other programs write them, and scenes as people put them together: each has the radiance
-// that its closed form says, by both kernels, within 3 standard errors and what the closed form was
-// rounded to and the small field of view changes (5e-5). At fixed seeds nothing is left to chance;
-// another seed would fail with probability 2.7e-3 a render. What files mean is tested in
+// Files as other programs write them, and scenes as people assemble them: each has the radiance of
+// its closed form, with both kernels, within 3 standard errors plus the rounding of the closed form
+// and the effect of the small field of view (5e-5). Seeds are fixed, so nothing is left to chance;
+// another seed would fail with probability 2.7e-3 per render. The meaning of the files is tested in
 // tests/common.
 
 #include "common/exr_bytes.h"

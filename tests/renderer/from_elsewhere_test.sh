@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# from_elsewhere_test.sh PROGRAM SCENE: carlo_render without an instruction set that this machine has says
-# what to do, in one line, writes nothing, and renders by the scalar kernel.
+# from_elsewhere_test.sh PROGRAM SCENE: carlo_render without an instruction set of this machine says
+# in one line what to do, writes nothing, and renders by the scalar kernel.
 set -euo pipefail
 program=$1 scene=$2
 folder=$(mktemp -d)

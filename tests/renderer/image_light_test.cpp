@@ -1,6 +1,6 @@
 // Images around the scene as lamps, in whole renders against closed forms (4 standard errors, as in
-// closed_form_scenes_test.cpp), by both kernels and with paths from lamps; and what importance
-// sampling is worth under a small sun.
+// closed_form_scenes_test.cpp), by both kernels and with paths from lamps; and the gain from
+// importance sampling under a small sun.
 
 #include "closed_forms.h"
 #include "image/exr.h"
@@ -62,15 +62,15 @@ void check_means(const Scene& scene, double exact, std::uint32_t spp) {
   }
 }
 
-/// Columns of the scene's directions that the image's x, y and z are.
+/// The scene's directions of the image's x, y and z, as columns.
 glm::dmat3 turned() {
   const glm::dvec3 x = glm::normalize(glm::dvec3(1, -2, 2)),
                    y = glm::normalize(glm::cross(x, glm::dvec3(3, 1, 1)));
   return {x, y, glm::cross(x, y)};
 }
 
-/// A diffuse floor with normal n, seen in one small spot at the origin, under an image of one
-/// radiance; the camera stands close to it, above.
+/// A diffuse floor with normal n, seen in one small spot at the origin, under an image of constant
+/// radiance; the camera is close to it, above.
 Scene floor_under_image(Vec3 n, int height, Rgb radiance) {
   Scene scene;
   scene.width = scene.height = 8;
@@ -169,7 +169,7 @@ TEST_CASE("Rays that meet nothing show the image") {
   for (std::size_t i = 0; i < map.image.pixels.size(); ++i)
     map.image.pixels[i] = Rgb(static_cast<float>(i));
   scene.lights.envmap = map;
-  // With nothing else there, and beside a shape.
+  // Without anything else, and beside a shape.
   for (const bool beside : {false, true}) {
     for (int texel = 1; texel < 32; texel += 5) {
       const int column = texel % 8, row = texel / 8;
@@ -188,11 +188,11 @@ TEST_CASE("Rays that meet nothing show the image") {
 }
 
 struct Spread {
-  double mean, relative_mse;  ///< of one estimate of two directions
+  double mean, relative_mse;  ///< per estimate of two directions
 };
 
-/// Light that level ground reflects, by two directions: one drawn as the ground reflects and one
-/// by the image, weighed by the power heuristic, or both as the ground reflects.
+/// Light reflected by level ground, by two directions: either one drawn as the ground reflects and
+/// one from the image, weighted by the power heuristic, or both as the ground reflects.
 Spread reflected(const Scene& scene, bool by_image) {
   const renderer::Lights lights(scene);
   const renderer::Receiver here{{}, {0, 1, 0}};
@@ -228,15 +228,14 @@ Spread reflected(const Scene& scene, bool by_image) {
   return {mean, (squares / n - mean * mean) / (mean * mean)};
 }
 
-// At equal numbers of directions. The sun is met by one cosine-weighted direction in a few
-// thousand.
+// At equal numbers of directions. One cosine-weighted direction in a few thousand meets the sun.
 TEST_CASE("Under a small sun importance sampling has a 20th of the error of cosine sampling") {
   Scene scene = floor_under_image({0, 1, 0}, 2, Rgb(1));
   scene.lights.envmap = Envmap{sky::image()};
   const Spread cosine = reflected(scene, false), image = reflected(scene, true);
   fmt::print("relMSE of two directions: cosine {:.3g}, image {:.3g}: {:.0f} times\n",
              cosine.relative_mse, image.relative_mse, cosine.relative_mse / image.relative_mse);
-  // The few that meet the sun make the first known to 3 %.
+  // The few that meet the sun determine the first to 3 %.
   CHECK(std::abs(cosine.mean / image.mean - 1) <= .1);
   CHECK(cosine.relative_mse / image.relative_mse >= 20);
 }

@@ -8,7 +8,7 @@
 
 namespace instruction_sets {
 
-/// With each of the kernel's that this machine has in use.
+/// Runs the check with each of the kernel's instruction sets on this machine.
 template <class Check>
 void on_all(const Check& check) {
   for (const std::string& name : renderer::lane_instruction_sets()) {

@@ -1,5 +1,5 @@
-// What `./carlo render --mine` draws with, lab 08's solution as an integrator, beside the reference
-// renderer, and what it refuses.
+// Tests lab 08's solution as an integrator, as used by `./carlo render --mine`, against the
+// reference renderer, and what it refuses.
 
 #include "scene_renderer/lab_integrator.h"
 
@@ -32,9 +32,9 @@ RenderResult render_lab(const Scene& scene, Method method, std::uint64_t seed, i
                 {.spp = spp, .threads = threads, .progress = false});
 }
 
-/// |z| <= 4 for the image's mean in each channel: a false alarm in 6.3e-5 of the seeds a channel,
-/// 1e-3 for the whole file. With standard errors of 1 % at most, a bias of 7 % is seen with
-/// probability .999; agreement_test.cpp looks more closely.
+/// |z| <= 4 for the image's mean in each channel: a false alarm for 6.3e-5 of the seeds per
+/// channel, 1e-3 for the whole file. With standard errors of at most 1 %, a bias of 7 % is detected
+/// with probability .999; agreement_test.cpp tests more closely.
 void check_means(const RenderResult& a, const RenderResult& b) {
   const MeanRadiance x = mean_radiance(a.film), y = mean_radiance(b.film);
   CHECK(a.counts.bad == 0);

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# lab_render_test.sh SOLUTION STUB SOURCE: `./carlo render` by lab 08: the solution's renders each
-# kind of scene, the stub's and what lab 08 does not know give one line, exit code 1, and no file.
+# lab_render_test.sh SOLUTION STUB SOURCE: `./carlo render` with lab 08: the solution's program
+# renders each kind of scene; the stub's program, and scenes that lab 08 does not support, give one
+# line, exit code 1, and no file.
 set -euo pipefail
 solution=$1 stub=$2 scenes=$3/common/scenes
 . "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/expect_error.sh"
@@ -17,7 +18,7 @@ expect_image() {
   done
   grep -q "kernel .*$kernel" "$scratch/stdout" || complain "not by $kernel: $*"
   grep -q '"bad_samples": 0' "$scratch/image/a.json" || complain "bad samples for: $*"
-  # Lab 08 does not count its rays: none is not what a report should say.
+  # Lab 08 does not count its rays, so a report must not claim that there were none.
   grep -q '"rays": null' "$scratch/image/a.json" || complain "rays for: $*"
 }
 

@@ -1,11 +1,11 @@
-// Paths from lamps, weighed against those from the camera, and the scalar path tracer agree: on
-// every tile and in the mean of every scene that the vector kernel takes. Of 16 seeds the spread
-// between them is the error, so that a path which reaches several pixels counts as it should. A
-// tile's channel is outside of 7 of these standard errors with probability 4e-6 (Student's t, 15
-// degrees of freedom; less where the oracle's error, of 1024 samples, is most of it), the image's
-// outside of 4 with 1e-3; there are about 900 and 60 of them, so another seed would fail with
-// probability .07 at most, and the seeds are fixed. Power: 10 and 7 standard errors are seen with
-// probability .99.
+// Paths from lamps, weighted against those from the camera, agree with the scalar path tracer: on
+// every tile and in the mean of every scene that the vector kernel supports. The error comes from
+// the spread between 16 seeds, so that a path that reaches several pixels counts correctly. A
+// tile's channel is outside 7 of these standard errors with probability 4e-6 (Student's t, 15
+// degrees of freedom; less where the oracle's error, from 1024 samples, dominates), the image's
+// outside 4 with 1e-3; there are about 900 and 60 of them, so another seed would fail with
+// probability at most .07, and the seeds are fixed. Power: 10 and 7 standard errors are detected
+// with probability .99.
 
 #include "lab_scenes.h"
 #include "lane_scenes.h"
@@ -48,7 +48,7 @@ RenderResult render_both(const Scene& scene, std::uint64_t seed, int threads,
       {.spp = target ? 2048u : 64u, .threads = threads, .progress = false, .target_error = target});
 }
 
-/// Means over seeds and their standard errors, tile by tile, and of the whole image behind them.
+/// Means over seeds and their standard errors, tile by tile, followed by those of the whole image.
 struct Spread {
   std::vector<std::array<double, 3>> mean, variance;
 };
@@ -119,7 +119,7 @@ TEST_CASE("Paths from lamps agree with the scalar integrator", "[.scalar]") {
   REQUIRE(scenes.size() >= 21);
   for (const auto& [name, whole_scene] : scenes) {
     Scene full = whole_scene;
-    // What points send by mirrors and glass the oracle does not find: see below.
+    // The oracle does not find what points send by mirrors and glass: see below.
     const bool pointless =
         (needs(full).mirror || needs(full).dielectric) && !full.lights.points.empty();
     if (pointless) full.lights.points.clear();
@@ -138,7 +138,7 @@ TEST_CASE("Paths from lamps agree with the scalar integrator", "[.scalar]") {
   }
 }
 
-// Rounds with few pixels left trace few of them, weighed as that asks for.
+// Rounds with few pixels left trace few paths from lamps, weighted accordingly.
 TEST_CASE("Paths from lamps agree in adaptive renders, and are about as many as from the camera") {
   for (const char* name : {"caustics", "cornell_phong"}) {
     const Scene full = lab_scenes::load(name);
@@ -154,8 +154,8 @@ TEST_CASE("Paths from lamps agree in adaptive renders, and are about as many as 
   }
 }
 
-// No ray from elsewhere meets a point, so a path from the camera that is sent on by a mirror never
-// sees it. The floor is lit by the point and by its image behind the mirror.
+// No ray meets a point light, so a path from the camera that a mirror reflects never sees it. The
+// floor is lit by the point and by its image behind the mirror.
 TEST_CASE("Paths from lamps find what a mirror sends on from a point") {
   Scene scene;
   scene.materials = {{Diffuse{Rgb(0.5f)}, true}, {Mirror{Rgb(0.9f)}, true}};
@@ -180,8 +180,8 @@ TEST_CASE("Paths from lamps find what a mirror sends on from a point") {
   CHECK(std::abs(both.mean.back()[0] - whole) < 4 * error + 1e-3 * whole);
 }
 
-// A point has no normal to start from: where the first surface was no plane, all of its paths lay
-// in one.
+// A point light has no normal to start from: if its first surface were no plane, a wrong frame
+// would put all of its paths into one plane.
 TEST_CASE("Paths from a point go everywhere, whatever is around") {
   for (const bool ball : {false, true}) {
     Scene scene;
@@ -222,9 +222,9 @@ TEST_CASE("Paths from lamps are refused where only the scalar kernel renders") {
   CHECK_THROWS_AS(render_both(scene, 1, 1), Error);
 }
 
-// Of what is lit through a slit a path from the camera sees next to nothing: a pilot that did not
-// choose paths from lamps there, or chose them where light sampling finds all light, would be of no
-// use. Each seed's answer may be another; of ten most must be right.
+// A path from the camera finds almost nothing of what is lit through a slit: a pilot that did not
+// choose paths from lamps there, or chose them where light sampling finds all light, would be
+// useless. Answers may differ between seeds; most of ten must be right.
 TEST_CASE("A pilot chooses paths from lamps where they pay") {
   const auto chosen = [](const char* name) {
     int count = 0;

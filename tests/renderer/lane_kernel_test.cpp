@@ -1,10 +1,10 @@
 // The vector kernel and the scalar integrator agree: on every tile and in the mean of every scene
-// that the kernel takes, with Sobol' and with independent points. A tile's channel is outside of 5
-// standard errors with probability 5.7e-7, the image outside of 3 with 2.7e-3: of the 42 images'
-// three channels, which go together in most, another seed would fail somewhere with probability .1
-// to .25, so the seed is fixed. Standard errors of Sobol' points are upper bounds. Power: as in
-// agreement_test.cpp, whose deviations of 8 (tiles) and 6 (images) standard errors are seen with
-// probability .999; both sides get 1024 samples a pixel.
+// that the kernel supports, with Sobol' and with independent points. A tile's channel is outside 5
+// standard errors with probability 5.7e-7, the image outside 3 with 2.7e-3: for 42 images with
+// three channels each, which are correlated in most, another seed would fail somewhere with
+// probability .1 to .25, so the seed is fixed. Standard errors of Sobol' points are upper bounds.
+// Power: as in agreement_test.cpp, where deviations of 8 (tiles) and 6 (images) standard errors are
+// detected with probability .999; both sides get 1024 samples per pixel.
 
 #include "lab_scenes.h"
 #include "lane_scenes.h"
@@ -76,7 +76,7 @@ TEST_CASE("The vector kernel finds boxes") {
   REQUIRE(found.enclosure);
   CHECK(found.enclosure->box.faces == 0x3F);
   CHECK(found.camera_inside);
-  CHECK(found.others.size() == 6);  // what shines
+  CHECK(found.others.size() == 6);  // the emitters
 
   const renderer::LaneBoxes cornell = renderer::find_boxes(lab_scenes::load("cornell_phong"));
   CHECK(cornell.solids.size() == 2);
@@ -85,8 +85,8 @@ TEST_CASE("The vector kernel finds boxes") {
   CHECK_FALSE(cornell.camera_inside);
   CHECK(cornell.others.size() == 1);
 
-  // From outside, the walls are no enclosure; from inside of a block, it is not solid, and its
-  // floor covers a part of the other's.
+  // Seen from outside, the walls are no enclosure; a block with the camera inside is not solid, and
+  // its floor covers a part of the other's.
   Scene scene = boxes();
   scene.camera.origin = {0, -2.1f, 1};
   CHECK_FALSE(renderer::find_boxes(scene).enclosure);
@@ -95,8 +95,8 @@ TEST_CASE("The vector kernel finds boxes") {
   CHECK(renderer::find_boxes(assorted()).others.size() == assorted().shapes.size());
 }
 
-// A point is no surface, and its column of surfaces holds the number 0: here that of a mesh on
-// which no point can be drawn.
+// A point light is no surface, and its entry in the column of surfaces is 0: here the number of a
+// mesh on which no point can be drawn.
 TEST_CASE("The vector kernel takes a point for no mesh") {
   Scene scene;
   scene.materials = {{Diffuse{Rgb(0.7f)}, true}};

@@ -2,10 +2,10 @@
 
 #include <vector>
 
-// What lane_math_test.cpp has computed on each instruction set.
+// Results for lane_math_test.cpp, computed on each instruction set.
 namespace lane_math {
 
-// All columns are as long, a multiple of all numbers of lanes.
+// All columns have the same length, a multiple of every number of lanes.
 
 template <class T>
 struct Fused {

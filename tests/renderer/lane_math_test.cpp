@@ -1,6 +1,6 @@
-// The vector kernel's arithmetic on all instruction sets of this machine: products and sums are
-// rounded once, as the standard library's fma is; and elementary functions are as exact as they
-// say, beside the standard library's of double.
+// The vector kernel's arithmetic on all instruction sets of this machine: fused operations are
+// rounded once, like the standard library's fma; and elementary functions are as accurate as
+// claimed, compared with the standard library's double versions.
 
 #include "lane_math.h"
 
@@ -21,7 +21,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-// After the two above, which compile it anew.
+// These follow the two headers above, which compile them anew.
 #include "renderer/lanes/elementary-inl.h"
 #include "renderer/lanes/sdf-inl.h"
 
@@ -75,8 +75,8 @@ using lane_math::Fused;
 
 constexpr std::size_t count = 1 << 14;
 
-/// Of all signs, with few digits or all of them, and of sizes for which sums cancel or terms vanish
-/// beside others.
+/// Numbers of both signs, with few digits or all of them, and of sizes for which sums cancel or
+/// terms vanish beside others.
 template <class T>
 T number(carlo::Rng& rng) {
   const auto few = static_cast<int>(rng.next_u32() % 6);
@@ -94,18 +94,18 @@ Fused<T> hard_cases() {
     T a = number<T>(rng), b = number<T>(rng), c = number<T>(rng);
     constexpr T ulp = std::numeric_limits<T>::epsilon();
     switch (i % 4) {
-      case 0:  // all but cancels
+      case 0:  // almost cancels
         c = -a * b * (1 + static_cast<T>(rng.next_u32() % 5) * ulp);
         break;
-      case 1:  // right between two numbers, or next to it
+      case 1:  // halfway between two numbers, or next to it
         c = a * b;
         a = c * ulp / 2, b = 1 + static_cast<T>(rng.next_u32() % 3) * ulp;
         break;
-      case 2:  // below a half of the last digit
+      case 2:  // below half of the last digit
         c = a * b / (ulp * ulp);
         break;
       default:
-        // Signs of zeros.
+        // Tests signs of zeros.
         if (i % 16 == 3) a *= 0;
         if (i % 32 == 3) c *= 0;
         break;

@@ -12,8 +12,8 @@ namespace lane_scenes {
 
 using namespace scene_tools;
 
-/// What no scene of ours has: lights of different power, one of them on a one-sided wall that is
-/// seen from behind as well, a sky, slanted and polished plates, a limit to the depth.
+/// Features that no scene of the tree has: lights of different power, one of them on a one-sided
+/// wall that is seen from behind as well, a sky, slanted and polished plates, a limit to the depth.
 Scene assorted() {
   Scene scene;
   scene.materials = {{Diffuse{Rgb(0.7f, 0.6f, 0.5f)}, true},
@@ -45,8 +45,8 @@ void add_box(Scene& scene, Vec3 origin, Vec3 u, Vec3 v, Vec3 w, std::uint32_t ma
   add(origin, u, w), add(origin + v, w, u);
 }
 
-/// Boxes of all kinds: a closed one around the camera, a slanted one, one that shines, one that
-/// sinks into the floor; and spheres, one of which is black from outside.
+/// Boxes of all kinds: a closed one around the camera, a slanted one, an emitting one, one that
+/// extends into the floor; and spheres, one of which is black from outside.
 Scene boxes() {
   Scene scene;
   scene.materials = {{Diffuse{Rgb(0.6f, 0.5f, 0.4f)}, true},
@@ -62,9 +62,9 @@ Scene boxes() {
   return scene;
 }
 
-/// Mirrors, glass and round lamps: a closed room with a mirror for a block, a block of glass, a
-/// pane before a wall, balls of both; lamps of different power that shine outwards, one of them
-/// behind glass, and one that shines inwards, with something in it.
+/// Mirrors, glass and round lamps: a closed room with a mirrored block, a block of glass, a pane
+/// before a wall, balls of both; lamps of different power that shine outwards, one of them behind
+/// glass, and one that shines inwards, with something inside.
 Scene polished() {
   Scene scene;
   scene.materials = {{Diffuse{Rgb(0.6f, 0.5f, 0.4f)}, true},
@@ -94,8 +94,8 @@ Scene polished() {
   return scene;
 }
 
-/// Signed distance functions of all forms and operations, one that stands on the floor, of all
-/// materials, under lamps that are a disk and a point.
+/// Signed distance functions of all forms and operations, one standing on the floor, of all
+/// materials, under a disk lamp and a point lamp.
 Scene modelled() {
   namespace sdf = carlo::sdf;
   Scene scene;
@@ -129,8 +129,8 @@ Scene modelled() {
 }
 
 /// Meshes of all materials in a room, some on its floor and in its walls' planes: a block of glass
-/// with a ball in it, one of mirrors, and a polished one; lamps of triangles, one closed, one a
-/// trough that lights itself, under a ball that shines and a point.
+/// with a ball inside, one of mirrors, and a polished one; lamps made of triangles, one closed, one
+/// a trough that lights itself, under an emitting ball and a point.
 Scene triangulated() {
   Scene scene = polished();
   scene.shapes.clear();
@@ -175,9 +175,9 @@ Scene triangulated() {
   return scene;
 }
 
-/// A turned image, black below, with one texel that is bright, around a room that has one wall and
-/// the ceiling less than a box; in it surfaces of all kinds and materials, one of meshes first, and
-/// all kinds of lamps.
+/// A rotated image, black below, with one bright texel, around a room that lacks one wall and the
+/// ceiling of a box; in it surfaces of all kinds and materials, with a mesh first, and all kinds of
+/// lamps.
 Scene skylit() {
   Scene scene = modelled();
   carlo::Envmap map{carlo::Image(12, 6)};

@@ -7,7 +7,7 @@
 
 namespace lane_scenes {
 
-/// Made for what no scene of the tree has.
+/// Made for features that no scene of the tree has.
 carlo::Scene assorted();
 carlo::Scene boxes();
 carlo::Scene polished();
@@ -20,7 +20,7 @@ struct Named {
   carlo::Scene scene;
 };
 
-/// The scenes of the tree that the kernel takes, and the six above.
+/// The scenes of the tree that the kernel supports, and the six above.
 std::vector<Named> all();
 
 }  // namespace lane_scenes

@@ -1,9 +1,10 @@
-// Scenes in which a lamp was once not asked at all, with a standard error of 0: a lamp of small
-// power beside a strong one, and a lamp in a scene that a stray vertex makes large. With relatives:
-// of each ratio, in each order, moved and scaled, by each kernel, sampler and technique.
+// Scenes in which choosing lights by power alone would never choose a lamp, with a standard error
+// of 0: a lamp of small power beside a strong one, and a lamp in a scene that a stray vertex makes
+// large. Varied by ratio and order, moved and scaled, with each kernel, sampler and technique.
 //
-// Error rates: 5 standard errors, 6e-7 each if values are normal, in some 400 renders. Power: no
-// standard error may be above 2 % of what is expected, and the lamp is half of it or more.
+// Error rates: 5 standard errors, 6e-7 each if values are normal, in about 400 renders. Power: no
+// standard error may be above 2 % of the expected value, and the lamp contributes half of it or
+// more.
 
 #include "closed_forms.h"
 #include "scene_tools.h"
@@ -37,7 +38,8 @@ std::string name_of(const Way& way) {
                      carlo::name_of(way.sampler));
 }
 
-/// The vector kernel knows no stratified samples; the scalar one no paths from lamps.
+/// The vector kernel does not support stratified samples; the scalar one does not support paths
+/// from lamps.
 std::vector<Way> all_ways() {
   std::vector<Way> ways;
   for (const SamplerKind sampler : sampler_kinds) {
@@ -135,7 +137,7 @@ TEST_CASE("Many lamps are seen beside a sun") {
     double sum = 3;
     for (int i = 0; i < lamps; ++i)
       sum += static_cast<double>(each) / std::pow(1 + .001 * i, 2);
-    // Paths from lamps know no more than 128 of them.
+    // Paths from lamps support at most 128 lamps.
     if (lamps > 128) {
       const auto integrator = renderer::make_path_integrator(scene, {.seed = 5, .spp = 1024});
       const MeanRadiance mean = mean_radiance(
@@ -161,7 +163,7 @@ Scene stray_scene(float stray, bool two_vertices) {
   return scene;
 }
 
-/// rho / pi (pi + I): the image's radiance is 1, the lamp's height too.
+/// rho / pi (pi + I): the image's radiance is 1, and so is the lamp's height.
 void check_strays(const std::vector<float>& strays, std::uint32_t spp) {
   for (const float stray : strays) {
     for (const float intensity : {10.0f, .1f}) {
@@ -182,7 +184,7 @@ TEST_CASE("A stray vertex does not put a lamp out") {
 
 /// A film over the square [-1, 1]^2 of a floor, below a pane that bends nothing (both indices 1),
 /// below a lamp of intensity 3 at height 3: no path from the camera finds the lamp. Above a black
-/// ceiling a lamp `ratio` times as strong, which lights nothing. Exact: albedo I omega / (4 pi),
+/// ceiling is a lamp `ratio` times as strong, which lights nothing. Exact: albedo I omega / (4 pi),
 /// omega the square's solid angle from the lamp.
 Scene pane_scene(double ratio, bool swapped) {
   const auto level = [](float half, float y) {
@@ -223,19 +225,19 @@ TEST_CASE("Paths from a weak lamp pass a pane, whatever lamp is stronger") {
     check_pane(ratio);
 }
 
-// Splats are whole multiples of a unit that goes by the brightest lamp: those of a weak one may be
-// less than one.
+// Splats are whole multiples of a unit that depends on the brightest lamp: those of a weak one may
+// be less than one.
 TEST_CASE("Splats of a weak lamp are not lost beside 1e13 times as strong a lamp") {
   for (const double ratio : {1e12, 1e13})
     check_pane(ratio);
 }
 
-// Twice the scene's diameter, squared, is no float.
+// The square of twice the scene's diameter does not fit into a float.
 TEST_CASE("A stray vertex 1e19 away does not dim the image around") {
   check_strays({1e18f, 1e19f, 1e30f}, 1 << 16);
 }
 
-// From outside a ball that shines inwards is black: its near half is in the way of the far one.
+// From outside a ball that emits inwards is black: its near half hides the far one.
 TEST_CASE("A ball that shines inwards keeps its light in") {
   for (const float radiance : {1.0f, 1e4f, 1e8f}) {
     Scene scene = floor_scene();
@@ -264,7 +266,8 @@ Mesh tiled_square(std::uint32_t count, float height) {
   return mesh;
 }
 
-// Of the sixteenth that is for all lights alike a mesh has the part of one, however many triangles.
+// Of the sixteenth of choices shared equally by all lights, a mesh gets the part of one, however
+// many triangles it has.
 TEST_CASE("A lamp is seen beside a hidden mesh of many triangles that shines") {
   for (const std::uint32_t count : {1U, 4U, 32U, 256U}) {
     Scene scene = floor_scene();

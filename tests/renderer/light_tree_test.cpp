@@ -1,10 +1,11 @@
-// The choice of a light: that sample() does what chance() says, that no light is left out, and that
-// what a light is taken to bring is about what it brings.
+// The choice of a light: sample() agrees with chance(), no light is left out, and estimates are
+// close to the lights' actual contributions.
 //
 // Error rates. Frequencies are tested by chi-square at alpha = 1e-4 with 2e5 numbers for each of 24
 // sets of lights; seeds are fixed, another would fail somewhere with probability 2.4e-3. Power: a
-// chance of .05 that is off by a tenth is seen with probability above .999. Chances too small for
-// that are the lengths of the intervals of u, found by bisection to 1e-15: no statistics.
+// probability of .05 that is off by a tenth is detected with probability above .999. Probabilities
+// too small for that are compared with the lengths of the intervals of u, found by bisection to
+// 1e-15, without statistics.
 
 #include "renderer/light_tree.h"
 
@@ -46,7 +47,7 @@ dvec3 in_cube(Rng& rng) {
   return 2.0 * dvec3(x, y, rng.uniform()) - 1.0;
 }
 
-/// A point, a flat light, or one whose normals fill a cone: in a cube of half side `scale`, of
+/// A point, a flat light, or one whose normals fill a cone: in a cube of half side `scale`, with
 /// strengths over six orders of magnitude.
 LightBounds random_light(Rng& rng, double scale) {
   const dvec3 at = scale * in_cube(rng);
@@ -86,7 +87,7 @@ Here random_place(Rng& rng, const SomeLights& some) {
   return {p, direction(rng)};
 }
 
-/// The chances of all lights; the rest to 1 is where sample() gives nothing.
+/// The probabilities of all lights; the rest up to 1 is where sample() gives nothing.
 std::vector<double> chances_at(const LightTree& tree, std::size_t count, const Here& here) {
   std::vector<double> chances;
   for (std::uint32_t i = 0; i < count; ++i)
@@ -128,18 +129,18 @@ TEST_CASE("Lights are chosen as often as their chances say, and what is left of 
   }
 }
 
-/// The u's of a tree at a place in order: where the choice changes.
+/// The intervals of u for a tree at a place, in order: found where the choice changes.
 struct Intervals {
   const LightTree& tree;
   const Here& here;
-  std::vector<double> length;  ///< of each light; the last: of no light
+  std::vector<double> length;  ///< for each light; the last: for no light
 
   std::size_t at(double u) const {
     const auto choice = tree.sample(here.p, here.n, u);
     return choice ? choice->light : length.size() - 1;
   }
-  /// Of [a, b], at whose ends the choices are `left` and `right`; no light's interval is shorter
-  /// than `step` there without a neighbour's end in it.
+  /// Splits [a, b], at whose ends the choices are `left` and `right`; there no light has an
+  /// interval shorter than `step` without a neighbour's end in it.
   void walk(double a, std::size_t left, double b, std::size_t right) {
     if (left == right) {
       length[left] += b - a;
@@ -164,8 +165,8 @@ TEST_CASE("Chances of a millionth are lengths of intervals of u") {
     const LightTree tree(some.lights, some.around);
     const Here here = random_place(rng, some);
     Intervals intervals{tree, here, std::vector<double>(some.count() + 1)};
-    // A grid finer than all but the shortest intervals: what lies between two of its points is
-    // halved where they differ.
+    // A grid finer than all but the shortest intervals: the range between two of its points is
+    // bisected where they differ.
     constexpr int grid = 1 << 18;
     std::size_t left = intervals.at(0);
     for (int i = 0; i < grid; ++i) {
@@ -180,7 +181,7 @@ TEST_CASE("Chances of a millionth are lengths of intervals of u") {
       const double base =
           some.count() == 1 ? 0 : LightTree::floor / static_cast<double>(some.count());
       small += chance > base && chance - base < 1e-4 ? 1 : 0;
-      // An interval that is shorter than the grid's step may be missed: by no more than that.
+      // An interval shorter than the grid's step may be missed: by no more than that.
       const double missed = chance - base < 1.0 / grid ? 1.0 / grid : 1e-9;
       INFO("set " << set << ", light " << i << ": " << intervals.length[i] << " for " << chance);
       CHECK(std::abs(intervals.length[i] - chance) <= missed);
@@ -203,7 +204,7 @@ TEST_CASE("Chances sum to 1 or less, by what sample() fails, and none is below i
       const double sum = std::accumulate(chances.begin(), chances.end(), 0.0);
       CHECK(sum <= 1 + 1e-9);
       CHECK(*std::min_element(chances.begin(), chances.end()) >= std::min(floor, 1.0));
-      // Where nothing fails in 1000 draws at most 1 % does, but for a probability of 4e-5.
+      // If nothing fails in 1000 draws, at most 1 % does, except with probability 4e-5.
       int failed = 0;
       for (int i = 0; i < 1000; ++i)
         failed += tree.sample(here.p, here.n, rng.uniform()) ? 0 : 1;
@@ -238,7 +239,7 @@ TEST_CASE("Lights in one place, one light, and lights where the point is, are ch
   }
 }
 
-/// What there may be of a light: a point of its box and a normal of its cone.
+/// A possible part of a light: a point of its box and a normal of its cone.
 Here random_part(Rng& rng, const LightBounds& light) {
   const double x = rng.uniform(), y = rng.uniform();
   const dvec3 p = light.lower + dvec3(x, y, rng.uniform()) * (light.upper - light.lower);
@@ -269,8 +270,8 @@ TEST_CASE("No light is taken to bring nothing of which a part faces the point fr
   CHECK(facing > 50000);
 }
 
-/// Whether the middle of a light is above the horizon and sends light there. (The sphere around a
-/// light that is below may reach above it, and that around its group need not.)
+/// True if the middle of a light is above the horizon and sends light there. (The sphere around a
+/// light below the horizon may reach above it, while the one around its group need not.)
 bool middle_faces(const LightBounds& light, const Here& here) {
   const dvec3 d = .5 * (light.lower + light.upper) - here.p;
   const double least = 1e-5 * glm::length(d);
@@ -279,8 +280,8 @@ bool middle_faces(const LightBounds& light, const Here& here) {
 }
 
 TEST_CASE("What groups of a tree are taken to bring is 0 only where that of all members is") {
-  // A tree that descends by estimates loses a light where a group's estimate is 0: then its chance
-  // is no more than the floor.
+  // A tree that descends by estimates loses a light where a group's estimate is 0: then its
+  // probability is no more than the floor.
   Rng rng(75);
   int bright = 0;
   for (int set = 0; set < 60; ++set) {
@@ -304,9 +305,9 @@ TEST_CASE("What groups of a tree are taken to bring is 0 only where that of all 
 }
 
 TEST_CASE("The estimate is near the irradiance of lights that are small and far") {
-  // Of extent a hundredth of the distance, 85 degrees at most to either normal. What is added for
-  // their extent is at most 2 x .01 / cos 85 = .23 of the value. Estimates are floats: of a cosine
-  // of .09 some 1e-6 is rounding.
+  // With an extent of a hundredth of the distance and at most 85 degrees to either normal. The
+  // extent adds at most 2 x .01 / cos 85 = .23 of the value. Estimates are floats: for a cosine of
+  // .09 rounding is about 1e-6.
   Rng rng(76);
   for (int i = 0; i < 20000; ++i) {
     const double scale = magnitude(rng, -4, 6), radiance = 3, side = .01 * scale;

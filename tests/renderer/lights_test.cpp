@@ -116,7 +116,7 @@ TEST_CASE("Irradiance from disks, rectangles, skewed parallelograms and meshes")
 }
 
 TEST_CASE("A rectangle that touches the floor has small variance next to its edge") {
-  // Hard case 9: with area sampling at a distance of .001 the sd is 216 times the mean.
+  // Hard case 9: area sampling at a distance of .001 has an sd of 216 times the mean.
   const Parallelogram wall{{-.5f, .001f, 0}, {1, 0, 0}, {0, 0, 1}};
   const Scene scene = lit_by({wall});
   // The floor point lies on the wall's middle line: two halves of width .5.
@@ -163,7 +163,7 @@ TEST_CASE("pdf() is the density with which sample() gives the point that a ray h
     if (!s) continue;
     Hit hit;
     if (!geometry.intersect({Vec3(0), glm::normalize(s->p)}, hit)) continue;
-    if (glm::length(hit.p - s->p) > 1e-3f * glm::length(s->p)) continue;  // something stands before
+    if (glm::length(hit.p - s->p) > 1e-3f * glm::length(s->p)) continue;  // something is in front
     ++seen[hit.shape];
     CHECK(std::abs(lights.pdf(here, hit) / s->pdf - 1) <= 2e-3f);
   }
@@ -197,7 +197,8 @@ TEST_CASE("beyond() is the density with which sample() gives a direction to the 
   }
   CHECK(seen > count / 4);
   CHECK(elsewhere <= 4);  // at the texels' edges
-  // Of the half with z > 0, columns 2 to 5, sum of L times the integral of cosine over the texel.
+  // For the half with z > 0, columns 2 to 5: the sum of L times the integral of the cosine over the
+  // texel.
   double exact = 0;
   for (int y = 0; y < 4; ++y) {
     const double a = y * closed_forms::pi / 4, b = a + closed_forms::pi / 4;
@@ -208,7 +209,7 @@ TEST_CASE("beyond() is the density with which sample() gives a direction to the 
       exact += static_cast<double>(map.image.at(k, y).r) * of_row * of_column;
     }
   }
-  // A direction's share has a standard deviation of about twice the mean.
+  // The contribution of a direction has a standard deviation of about twice the mean.
   CHECK(std::abs(irradiance / count / exact - 1) <= 5 * 2 / std::sqrt(count));
 }
 

@@ -1,5 +1,5 @@
-// carlo_references (tests/references/make.sh): renders the reference images of common/scenes, looks
-// at them from another side, and prints the table of tests/references/README.md.
+// carlo_references (tests/references/make.sh): renders the reference images of common/scenes,
+// checks them by other means, and prints the table of tests/references/README.md.
 
 #include "course/cli/arguments.h"
 #include "course/cli/main_guard.h"
@@ -36,7 +36,7 @@ struct Arguments {
   int side = reference_image::size;  ///< in pixels
 };
 
-/// An image and what it cost.
+/// An image and its cost.
 struct Rendered {
   Image image, error;
   MeanRadiance mean;
@@ -63,7 +63,8 @@ Rendered render_reference(const Scene& scene, std::uint64_t seed, std::uint32_t 
                      spp);
 }
 
-/// As many samples as the target asks for, by a short render with another seed; whole blocks of 64.
+/// The number of samples for the target, estimated by a short render with another seed; whole
+/// blocks of 64.
 std::uint32_t samples_for(const Scene& scene, const Arguments& a) {
   const Rendered pilot = render_reference(scene, a.seed + 1, 64);
   const double error = reference_image::mean_relative_error(pilot.image, pilot.error);
@@ -72,7 +73,7 @@ std::uint32_t samples_for(const Scene& scene, const Arguments& a) {
   return 512 * std::max(1u, static_cast<std::uint32_t>(blocks));
 }
 
-/// What is known about a scene's image from elsewhere.
+/// An independent check of a scene's image.
 struct Other {
   std::string name;
   double image_z, tile_z;  ///< the largest, over channels; tiles of 16 x 16
@@ -124,7 +125,7 @@ Scene prepared(Scene scene, int side) {
   return scene;
 }
 
-/// By lab 08's path tracer, with other random numbers.
+/// Uses lab 08's path tracer, with other random numbers.
 Other lab_view(const Scene& scene, const Rendered& r, const Arguments& a) {
   const std::uint32_t spp = std::max(512u, r.spp / 8 / 512 * 512);
   const auto integrator =
@@ -133,7 +134,7 @@ Other lab_view(const Scene& scene, const Rendered& r, const Arguments& a) {
   return compared(fmt::format("lab 08, {} samples", spp), r, lab.image, lab.error);
 }
 
-/// By the scalar path tracer, of scenes that lab 08 does not know.
+/// Uses the scalar path tracer, for scenes that lab 08 does not support.
 Other scalar_view(const Scene& scene, const Rendered& r, const Arguments& a) {
   const std::uint32_t spp = std::max(512u, r.spp / 4 / 512 * 512);
   const auto integrator = renderer::make_path_integrator(
@@ -161,9 +162,8 @@ void make(const std::string& name, const Arguments& a) {
   print_row(name, r, closed_form_text(name, r), other_view(scene, r, a));
 }
 
-/// The independent renderer's scenes and images; the latter come without standard errors. At equal
-/// samples its relMSE is 2.3 times ours, and it has 8192 samples in each of four pixels for our
-/// one.
+/// The independent renderer's scenes and images; the latter lack standard errors. At equal samples
+/// its relMSE is 2.3 times ours, and it has 8192 samples in each of four pixels for one of ours.
 void look_at_peer(const std::string& name, const Arguments& a) {
   const fs::path folder(a.folder);
   const Scene scene = prepared(load_scene(folder / (name + ".xml")), reference_image::size);

@@ -1,5 +1,4 @@
-// Traces very many paths through every scene; each must bring a finite radiance that is not
-// negative.
+// Traces very many paths through every scene; each must give a finite, nonnegative radiance.
 
 #include "course/cli/arguments.h"
 #include "course/cli/main_guard.h"
@@ -39,15 +38,15 @@ struct Row {
   double seconds = 0;
 };
 
-/// A film's side, its logarithm uniform: 32 to 512 pixels, fewer where few paths are wanted.
+/// A film's side with a uniform logarithm: 32 to 512 pixels, fewer if few paths are wanted.
 int random_side(double paths, carlo::Rng& rng) {
   const double most = std::min(512.0, std::sqrt(paths)), least = std::min(32.0, most);
   return static_cast<int>(least * std::pow(most / least, rng.uniform()));
 }
 
-/// One render of about `paths` paths, 2^20 at most: a film of random sides, a random seed
-/// and sampler, every other time with paths from lamps. Film positions are those of the pixels'
-/// samples, so they are new in every render.
+/// One render of about `paths` paths, at most 2^20: a film with random sides, a random seed and
+/// sampler, every other time with paths from lamps. Film positions depend on the pixels' samples,
+/// so they are new in every render.
 void add_render(carlo::Scene& scene, double paths, carlo::Rng& rng, int threads, Row& row) {
   const int width = random_side(paths, rng);
   const int height = random_side(paths, rng);

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# many_paths_test.sh PROGRAM SOURCE: has a row for every scene, and Ctrl-C prints what was done.
+# many_paths_test.sh PROGRAM SOURCE: the program prints a row for every scene, and on Ctrl-C what
+# was done so far.
 set -euo pipefail
 program=$1 scenes=$2/common/scenes
 scratch=$(mktemp -d)
@@ -18,7 +19,7 @@ done
 
 awk '$1 == "all" && $3 > 0 { found = 1 } END { exit !found }' "$scratch/table" || fail "no path from a lamp: $(cat "$scratch/table")"
 
-# On a busy machine two seconds may bring no path.
+# On a busy machine two seconds may not be enough for a path.
 for seconds in 2 8 32; do
   code=0
   timeout --signal=INT "$seconds" "$program" --folder "$scenes" --paths 1e12 >"$scratch/table" || code=$?

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# merge_test.sh RENDERER MERGE SOURCE: shards of a render, merged by `./carlo merge`, have the bits of one
-# machine that rendered everything; all of it at length: shards_in_full.sh.
+# merge_test.sh RENDERER MERGE SOURCE: shards of a render, merged by `./carlo merge`, have the same
+# bits as a render on one machine; shards_in_full.sh tests all of it at length.
 set -euo pipefail
 renderer=$1 merge=$2 source=$3
 . "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/expect_error.sh"
@@ -26,7 +26,7 @@ for scene in cornell_phong.xml caustics.xml procedural.xml mesh; do
 done
 grep -q '"parts": 5' merged.json || complain 'the report does not tell the number of parts'
 
-# What is merged is a render like another: it goes on.
+# A merged render can be resumed like any other.
 "$renderer" --quiet --resume merged.exr --spp 48
 "$renderer" --quiet --resume whole.exr --spp 48
 cmp whole.exr merged.exr || complain 'a merged render goes on to other bits'

@@ -1,8 +1,8 @@
-// Points on a mesh that emits: the density that sample() tells is the one that density() tells, and
-// the one with which points come.
+// Points on an emitting mesh: the densities from sample() and density() agree, and match the
+// points.
 //
 // Error rates: chi-square at alpha = 1e-4, 1e5 points for each of 8 places; another seed would fail
-// with probability 8e-4. Power: a triangle's share of .05 that is off by a tenth is seen with
+// with probability 8e-4. Power: a triangle's share of .05 that is off by a tenth is detected with
 // probability above .999.
 
 #include "renderer/mesh_light.h"
@@ -21,7 +21,7 @@ namespace {
 using namespace carlo;
 using renderer::MeshLight;
 
-/// A bowl of triangles of many sizes, open to +z, which shines inwards.
+/// A bowl of triangles of many sizes, open to +z, which emits inwards.
 Mesh bowl() {
   constexpr std::uint32_t rings = 6, sectors = 12;
   Mesh mesh;
@@ -35,7 +35,7 @@ Mesh bowl() {
   for (std::uint32_t ring = 0; ring < rings; ++ring) {
     for (std::uint32_t k = 0; k < sectors; ++k) {
       const std::uint32_t next = (k + 1) % sectors, a = ring * sectors, b = a + sectors;
-      // The innermost ring is a point: one triangle of the two would have no area.
+      // The innermost ring is a point: one of the two triangles would have no area.
       if (ring > 0) mesh.triangles.push_back({a + k, b + next, a + next});
       mesh.triangles.push_back({a + k, b + k, b + next});
     }

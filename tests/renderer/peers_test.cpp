@@ -17,14 +17,14 @@ namespace {
 
 using namespace scene_tools;
 
-/// Samples a pixel: what CI can afford, or CARLO_PEER_SPP for a sharper look.
+/// Samples per pixel: as many as CI can afford, or CARLO_PEER_SPP for a sharper test.
 std::uint32_t peer_spp() {
   const char* text = std::getenv("CARLO_PEER_SPP");
   return text == nullptr ? 128 : static_cast<std::uint32_t>(std::strtoul(text, nullptr, 10));
 }
 
-/// The independent images come without error estimates. At equal samples their relMSE is at most
-/// this many times ours (64 samples a pixel), and they have at least 8192 samples a pixel.
+/// The independent images lack error estimates. At equal samples their relMSE is at most this many
+/// times ours (64 samples per pixel), and they have at least 8192 samples per pixel.
 constexpr double peer_variance_ratio = 2.3, peer_samples = 8192;
 
 void check_against_peer(const std::string& name) {

@@ -1,5 +1,5 @@
-// The sharpest Phong lobe that scenes have, by both kernels: in a uniform environment a lobe of
-// exponent n shows (n + 2)/(n + 1) cos theta, to 1/n where it is all above the horizon.
+// The sharpest Phong lobe allowed in scenes, by both kernels: in a uniform environment a lobe of
+// exponent n has radiance (n + 2)/(n + 1) cos theta, to 1/n, if it is entirely above the horizon.
 
 #include "scene/materials.h"
 #include "scene_tools.h"
@@ -12,8 +12,8 @@ namespace {
 
 using namespace scene_tools;
 
-/// A large square whose normal makes `theta` with the line of sight, turned by `turn` about it:
-/// along no axis of the coordinates.
+/// A large square whose normal makes the angle `theta` with the line of sight, rotated by `turn`
+/// about it: not along any coordinate axis.
 Scene tilted_square(double theta, double turn, float exponent) {
   Scene scene;
   scene.width = scene.height = 8;
@@ -37,8 +37,8 @@ double mean(const Scene& scene, renderer::Kernel kernel) {
 }
 
 TEST_CASE("The sharpest Phong lobe shows a mirror's cosine in both kernels") {
-  // Ten times as sharp as well: what is taken as the sharpest keeps its distance from the first
-  // that goes wrong.
+  // Ten times as sharp as well: the sharpest exponent must keep its distance from the first that
+  // goes wrong.
   for (const float exponent : {sharpest_exponent, 10 * sharpest_exponent}) {
     for (const double degrees : {0., 5., 20., 40., 60., 75.}) {
       for (const double turn : {.1, 1., 2.3, 4.}) {

@@ -11,8 +11,8 @@ namespace reference_image {
 
 using carlo::Image;
 
-/// Reference images are square, of so many pixels a side, and made from independent samples: their
-/// standard errors are unbiased then, not bounds.
+/// Reference images are square, with this many pixels per side, and made from independent samples,
+/// so that their standard errors are unbiased, not bounds.
 constexpr int size = 128;
 
 /// `x` in multiples of the power of two at or below `step`; step > 0.
@@ -21,9 +21,9 @@ inline float rounded(float x, float step) {
   return std::round(x / unit) * unit;
 }
 
-/// The image without the digits that its standard errors make noise, which would not compress:
-/// values in steps of at most 1/8 of their standard error (it grows by less than 0.1 %), standard
-/// errors in steps of at most 1/128.
+/// Removes the digits that are only noise, and would not compress, according to the standard
+/// errors: values in steps of at most 1/8 of their standard error (it grows by less than 0.1 %),
+/// standard errors in steps of at most 1/128.
 inline void drop_noise_digits(carlo::ExrFile& file) {
   for (std::size_t i = 0; i < file.image.pixels.size(); ++i) {
     for (int c = 0; c < 3; ++c) {
@@ -36,8 +36,7 @@ inline void drop_noise_digits(carlo::ExrFile& file) {
   }
 }
 
-/// The mean over the pixels that are not black of standard error / value, both summed over
-/// channels.
+/// The mean over the non-black pixels of standard error / value, both summed over channels.
 inline double mean_relative_error(const Image& image, const Image& error) {
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {

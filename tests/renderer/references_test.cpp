@@ -1,11 +1,11 @@
 // Every scene of common/scenes still looks like its reference image (tests/references/README.md),
-// by a fresh render with another seed.
+// in a fresh render with another seed.
 //
-// Error rates, for normal means: the image's mean is outside of 4 standard errors with probability
-// 6.3e-5 a channel, a tile's outside of 4.5 with 6.8e-6; of 15 scenes with 64 tiles another seed
-// would fail somewhere with probability .02 at most. Scenes whose light comes by few paths get the
-// samples that make their tiles normal (agreement_test.cpp counts them). Power: a deviation of 7.1
-// standard errors of an image's mean, which are printed, is seen with probability .999.
+// Error rates, for normal means: the image's mean is outside 4 standard errors with probability
+// 6.3e-5 per channel, a tile's outside 4.5 with 6.8e-6; for 15 scenes with 64 tiles another seed
+// would fail somewhere with probability at most .02. Scenes whose light comes by few paths get
+// enough samples for normal tiles (agreement_test.cpp counts them). Power: a deviation of 7.1
+// standard errors of an image's mean, which are printed, is detected with probability .999.
 
 #include "course/cli/source_folder.h"
 #include "image/metrics.h"
@@ -81,7 +81,7 @@ TEST_CASE("Dropping the digits that are noise moves a reference by less than its
       CHECK(std::abs(file.standard_error->pixels[0].r - error) <= error / 256);
     }
   }
-  // What has no error is left alone.
+  // Pixels without an error stay unchanged.
   file.image.pixels[0] = Rgb(0.1f);
   file.standard_error->pixels[0] = Rgb(0);
   reference_image::drop_noise_digits(file);

@@ -1,6 +1,6 @@
 // The scenes of common/scenes: all of them load and render without a bad sample; those with a
-// closed form show it (4 standard errors, as in closed_form_scenes_test.cpp); one of them looks the
-// same at every scale.
+// closed form agree with it (4 standard errors, as in closed_form_scenes_test.cpp); one of them
+// looks the same at every scale.
 
 #include "lab_scenes.h"
 #include "scene_tools.h"
@@ -70,7 +70,7 @@ TEST_CASE("Scenes with a closed form show it") {
 }
 
 TEST_CASE("A scene looks the same at every scale from 1e-4 to 1e6") {
-  // Independent seeds: means differ by their standard errors alone.
+  // Independent seeds: means differ only by their standard errors.
   for (const char* name : {"soft_shadows", "caustics", "procedural"}) {
     const MeanRadiance one = mean_radiance(render_scene(small(name, 48), 64, 1).film);
     std::uint64_t seed = 2;

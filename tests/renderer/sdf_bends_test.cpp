@@ -80,7 +80,7 @@ TEST_CASE("Bounds of second derivatives hold along lines, on creases too") {
     const double least = -renderer::bend_below(shape, reach),
                  most = renderer::bend_above(shape, reach);
     for (int i = 0; i < 500; ++i) {
-      // A second difference is a mean of F'' over a line's part of length 2 h.
+      // A second difference is a mean of F'' over a segment of length 2 h.
       const double h = std::exp2(-2 - 10 * rng.uniform());
       const dvec3 p = 1.2 * rng.uniform() * random_direction(rng), step = h * random_direction(rng);
       const double f = distance(shape, p);
@@ -136,7 +136,7 @@ TEST_CASE("Bounds of second derivatives scale with the sdf") {
     for (const double scale : {1e-4, 1e6}) {
       const Sdf scaled = sdf_cases::grown(shape, scale);
       const double size = SphereTracer(shape).size();
-      if (!std::isfinite(size)) continue;  // nothing, or a gyroid that nothing cuts
+      if (!std::isfinite(size)) continue;  // empty, or an uncut gyroid
       ++compared;
       for (const auto near : {renderer::bend_below_near, renderer::bend_above_near}) {
         const renderer::Bend one = near(shape, size), other = near(scaled, scale * size);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Signed distance functions and rays that are hard on those who look for where they meet.
+// Signed distance functions and rays that are hard for root finders.
 
 #include "numeric/robust.h"
 #include "random/rng.h"
@@ -34,7 +34,7 @@ inline double of_any_size(Rng& rng, double low, double high) {
 struct Case {
   std::string name;
   Sdf sdf;
-  /// Balls that hold what rays are to be aimed at, and some of its outside.
+  /// Balls around the parts that rays should aim at, and some of the outside.
   struct Aim {
     Vec3d center;
     double radius;
@@ -42,7 +42,7 @@ struct Case {
   std::vector<Aim> aims{{Vec3d(0), 1.2}};
 };
 
-/// The same solid in coordinates in which it is so many times as large: its place takes it back.
+/// The same solid in coordinates in which it is `factor` times as large; its placement undoes that.
 inline Sdf grown(Sdf shape, double factor) {
   for (Step& step : shape.steps) {
     if (auto* solid = std::get_if<Solid>(&step)) {
@@ -133,7 +133,7 @@ inline Vec3d surface_point(const Case& c, Rng& rng) {
   };
   Vec3d a = somewhere(), b = somewhere();
   double f_a = distance(c.sdf, a);
-  // Solids may be so thin that no point of them is met by chance: then down F's slope.
+  // Solids may be so thin that chance finds no point of them: then descend along F's slope.
   for (int i = 0; i < 200 && f_a * distance(c.sdf, b) > 0; ++i) {
     b = somewhere();
     for (int k = 0; k < 8 && f_a * distance(c.sdf, b) > 0; ++k) {
@@ -155,7 +155,7 @@ inline Vec3d normal(const Sdf& sdf, Vec3d p) {
   return length > 0 ? g / length : Vec3d(1, 0, 0);
 }
 
-/// A point near to where the surface has a crease, if it has one near.
+/// A point near a crease of the surface, if there is one nearby.
 inline Vec3d crease_point(const Case& c, Rng& rng) {
   const auto to_surface = [&](Vec3d p) {
     for (int i = 0; i < 4; ++i)
@@ -170,7 +170,7 @@ inline Vec3d crease_point(const Case& c, Rng& rng) {
   return a;
 }
 
-/// At right angles to n; now and then along an axis, if one is.
+/// At right angles to n; now and then along an axis, if one is perpendicular.
 inline Vec3d tangent(Vec3d n, Rng& rng) {
   const int axis = static_cast<int>(rng.next_u32() % 3);
   Vec3d along(0);
@@ -182,8 +182,8 @@ inline Vec3d tangent(Vec3d n, Rng& rng) {
 enum class Kind {
   outside,
   inside,
-  leaving,  ///< from the surface, to within rounding to float, to either side
-  grazing,  ///< so, at small slopes
+  leaving,  ///< from the surface, up to rounding to float, to either side
+  grazing,  ///< the same, at small slopes
   beside,   ///< from near the surface
   ending,   ///< near the surface
   along,    ///< from near the surface along it
@@ -200,7 +200,7 @@ inline sdf_lanes::Ray to_world(const Similarity& place, Vec3d o, Vec3d d,
           static_cast<float>(far * place.scale)};
 }
 
-/// Of a case whose sdf is about 1 large.
+/// A ray for a case whose sdf has a size of about 1.
 inline sdf_lanes::Ray ray(const Case& c, const Similarity& place, Kind kind, Rng& rng) {
   const Vec3d p = kind == Kind::crease ? crease_point(c, rng) : surface_point(c, rng);
   const Vec3d n = normal(c.sdf, p), along = tangent(n, rng), anywhere = random_direction(rng);
@@ -240,7 +240,7 @@ inline sdf_lanes::Ray ray(const Case& c, const Similarity& place, Kind kind, Rng
   return {};
 }
 
-/// A sdf of random forms, about 1 large, that may be empty.
+/// An sdf of random forms with a size of about 1; may be empty.
 inline Case random_forms(Rng& rng) {
   const auto place = [&] {
     return turned(6 * rng.uniform(), 0.6 * rng.uniform() * random_direction(rng),
@@ -279,7 +279,7 @@ inline Case random_forms(Rng& rng) {
   return c;
 }
 
-/// One that is not.
+/// A case that is not empty.
 inline Case random_case(Rng& rng) {
   for (;;) {
     Case c = random_forms(rng);

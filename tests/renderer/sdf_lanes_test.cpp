@@ -1,5 +1,5 @@
 // Where rays meet signed distance functions in lanes, on all instruction sets of this machine:
-// judged by F alone and beside the SphereTracer.
+// judged by F alone and compared with the SphereTracer.
 
 #include "sdf_lanes.h"
 
@@ -28,14 +28,14 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-// After the two above, which compile it anew.
+// These follow the two headers above, which compile them anew.
 #include "renderer/lanes/sphere_tracing-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// A register of rays from `first` on, of which lanes stay empty.
+/// A register of rays from `first` on; some of its lanes stay empty.
 HWY_ATTR std::size_t add_register(const sdf_lanes::Rays& all, std::size_t first, std::size_t w,
                                   std::vector<std::size_t>& ray_of, SdfRays& rays) {
   alignas(64) std::array<std::array<float, lanes>, 7> columns{};
@@ -85,7 +85,7 @@ using sdf_cases::Case, sdf_cases::Kind, sdf_cases::kinds;
 using sdf_cases::Solid, sdf_cases::Ball, sdf_cases::RoundedBox;
 using Vec3d = glm::dvec3;
 
-/// On the instruction set in use.
+/// Traces on the instruction set in use.
 std::vector<double> traced(const renderer::LaneSdf& sdf, std::vector<sdf_lanes::Ray> rays,
                            std::size_t gap = 0) {
   sdf_lanes::Rays all{std::move(rays), {}, gap};
@@ -93,13 +93,13 @@ std::vector<double> traced(const renderer::LaneSdf& sdf, std::vector<sdf_lanes::
   return all.s;
 }
 
-/// What F says of many rays' results.
+/// The verdicts of F on many rays' results.
 struct Tally {
   int rays = 0, hits = 0;
-  int no_root = 0, no_crossing = 0, late = 0;  // of the lanes
-  int scalar_no_root = 0, scalar_late = 0;     // of the SphereTracer, where it differs
+  int no_root = 0, no_crossing = 0, late = 0;  // for the lanes
+  int scalar_no_root = 0, scalar_late = 0;     // for the SphereTracer, where it differs
   int differ = 0, looked_less_closely = 0, open = 0;
-  int cut = 0;  // searched in part
+  int cut = 0;  // searched only partly
   std::string first_fault;
 };
 
@@ -108,7 +108,7 @@ std::string told(const std::string& what, const sdf_lanes::Ray& r, double s, dou
                      r.o.y, r.o.z, r.d.x, r.d.y, r.d.z, r.far, s, scalar);
 }
 
-/// Searches take no more values of F than this: rays along flat faces would take millions.
+/// Searches evaluate F at most this often: rays along flat faces would take millions of values.
 constexpr int most_values = 8000;
 
 class Judge {
@@ -178,7 +178,7 @@ void shuffle(Items& items, Rng& rng) {
     std::swap(items[i - 1], items[rng.next_u32() % i]);
 }
 
-/// So many of each kind, in no order.
+/// This many rays of each kind, in random order.
 std::vector<sdf_lanes::Ray> rays_of(const Case& c, const Similarity& place, int of_each, Rng& rng) {
   std::vector<sdf_lanes::Ray> rays;
   for (std::size_t kind = 0; kind < kinds; ++kind) {
@@ -189,14 +189,14 @@ std::vector<sdf_lanes::Ray> rays_of(const Case& c, const Similarity& place, int 
   return rays;
 }
 
-/// Where p comes to lie on a point of floats.
+/// Moves the placement so that p lies on a point of floats.
 Similarity onto_floats(Similarity place, Vec3d p) {
   const Vec3d world = place(p);
   place.origin += Vec3d(carlo::Vec3(world)) - world;
   return place;
 }
 
-/// From there, out and in, half of them at slopes down to 1e-6.
+/// Rays from there, out and in, half of them at slopes down to 1e-6.
 std::vector<sdf_lanes::Ray> rays_from(const Case& c, const Similarity& place, Vec3d p, Rng& rng) {
   std::vector<sdf_lanes::Ray> rays;
   const Vec3d n = sdf_cases::normal(c.sdf, p);
@@ -208,7 +208,8 @@ std::vector<sdf_lanes::Ray> rays_from(const Case& c, const Similarity& place, Ve
   return rays;
 }
 
-/// Where a ray, endless to both sides, is inside of a convex solid; begin > end if nowhere.
+/// The part of a ray, extended to both sides, that is inside a convex solid; begin > end if there
+/// is none.
 using sdf_search::Span;
 
 Span through_ball(const sdf_search::Ray& ray, double radius) {
@@ -232,7 +233,8 @@ Span through_box(const sdf_search::Ray& ray, Vec3d half) {
   return span;
 }
 
-/// From outside through an edge of a box, cutting off up to so much of each of the faces.
+/// A ray from outside through an edge of a box that cuts off at most this much of each of the
+/// faces.
 sdf_lanes::Ray ray_through_edge(Vec3d half, double most, Rng& rng) {
   const int axis = static_cast<int>(rng.next_u32() % 3);
   Vec3d in = half, out = half;
@@ -244,7 +246,7 @@ sdf_lanes::Ray ray_through_edge(Vec3d half, double most, Rng& rng) {
   return sdf_cases::to_world({}, in - (0.1 + 2 * rng.uniform()) * d, d);
 }
 
-/// Results beside such spans; `near` are those where spans are too short or too near to the
+/// Results compared with such spans; `near` counts spans that are too short or too near the
 /// surface.
 struct Matches {
   int hits = 0, missed = 0, wrong = 0, invented = 0, near = 0;
@@ -255,19 +257,19 @@ struct Matches {
     const bool meets = inside.begin < inside.end && first > 0 && first < ray.end;
     hits += s >= 0 ? 1 : 0;
     if (meets && s >= 0) {
-      // Along the ray as exact as its slope there allows.
+      // As exact along the ray as its slope there allows.
       const bool same = std::abs(ray.at(s)) <= 2 * ray.fine && std::abs(s - first) <= ray.least;
       wrong += same ? 0 : 1;
     } else if (meets != (s >= 0)) {
       const double from = std::max(inside.begin, 0.0), to = std::min(inside.end, ray.end);
-      // In the plane of a face F is 0 to within rounding.
+      // In the plane of a face F is 0 up to rounding.
       const bool clear = to - from > ray.least && ray.at(0.5 * (from + to)) < -2 * ray.fine;
       ++(!clear ? near : meets ? missed : invented);
     }
   }
 };
 
-/// `open`: of so large a share of the rays it may not be clear what they meet.
+/// `open`: the fraction of the rays whose hit may be ambiguous.
 void check(const Tally& tally, double open) {
   INFO(tally.first_fault);
   CHECK(tally.no_root == 0);
@@ -275,7 +277,7 @@ void check(const Tally& tally, double open) {
   CHECK(tally.late == 0);
   CHECK(tally.scalar_no_root == 0);
   CHECK(tally.scalar_late == 0);
-  // What both may miss, a span shorter than the least step, only few rays meet.
+  // Both may miss a span shorter than the least step, but only few rays meet one.
   CHECK(tally.differ <= tally.rays / 1000);
   CHECK(tally.looked_less_closely <= tally.rays / 1000);
   CHECK(tally.open <= open * tally.rays);
@@ -318,7 +320,7 @@ TEST_CASE("Rays in lanes that start on an sdf, to double's precision, do not mee
   check(tally, 0.06);
 }
 
-// The side on which floats put a ray's start is the closed form's, too.
+// The side on which rounding puts a ray's start is also used in the closed form.
 TEST_CASE("Lanes meet a ball and a box where closed forms say") {
   Rng rng(5);
   for (const Similarity& place : places()) {
@@ -345,7 +347,7 @@ TEST_CASE("Lanes meet a ball and a box where closed forms say") {
   }
 }
 
-// Rounding to floats changes how much they cut off; through_box() knows.
+// Rounding to floats changes how much they cut off; through_box() takes account of it.
 TEST_CASE("Lanes meet edges of which rays cut off a few least steps") {
   Rng rng(6);
   const Vec3d half(0.5, 0.75, 0.375);

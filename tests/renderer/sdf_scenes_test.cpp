@@ -1,5 +1,5 @@
 // Whole renders of signed distance functions against closed forms and against the same shape
-// without one. Tolerances as in closed_form_scenes_test.cpp.
+// without an sdf. Tolerances as in closed_form_scenes_test.cpp.
 
 #include "scene_tools.h"
 
@@ -26,7 +26,7 @@ Sdf one_of(sdf::Solid solid) {
   return {{solid}, {}, false};
 }
 
-/// A gyroid's wall within a ball of radius 1.
+/// The wall of a gyroid inside a ball of radius 1.
 Sdf cut_gyroid() {
   return {{sdf::Solid{sdf::Ball{1}, {}}, sdf::Solid{sdf::Gyroid{0.9, 0.1}, {}},
            sdf::Combine{sdf::Operation::intersect, 0.02}},
@@ -35,7 +35,7 @@ Sdf cut_gyroid() {
 }
 
 TEST_CASE("A convex diffuse sdf in a uniform environment shows its reflectance") {
-  // The camera's narrow view is filled by the shape.
+  // The shape fills the camera's narrow view.
   for (const Sdf& shape : {ball(Vec3(0), 1), one_of({sdf::RoundedBox{{1, 1, 1}, 0.3}, {}}),
                            one_of({sdf::Capsule{{-1, 0, 0}, {1, 0, 0}, 1}, {}})}) {
     Scene scene = empty_scene(16);
@@ -49,7 +49,7 @@ TEST_CASE("A convex diffuse sdf in a uniform environment shows its reflectance")
 }
 
 TEST_CASE("An sdf ball in a closed furnace is not seen: all reads Le / (1 - rho)") {
-  // Walls emit 1/2 and reflect 1/2; the ball within reflects 1, so that the light it sends on is
+  // Walls emit 1/2 and reflect 1/2; the ball inside reflects 1, so that its reflected radiance is
   // the furnace's 1. A ray that met its own start or leaked would be dark.
   Scene scene = empty_scene(16);
   scene.camera = look_at({0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40);
@@ -97,7 +97,7 @@ Scene glass_scene(decltype(Shape::geometry) sphere) {
 }
 
 TEST_CASE("A glass ball by sphere tracing looks like a glass sphere") {
-  // Independent seeds: the means differ by their standard errors alone.
+  // Independent seeds: the means differ only by their standard errors.
   const Vec3 center(.2f, .6f, .1f);
   const RenderResult a = render_scene(glass_scene(Sphere{center, 1}), 1024, 1);
   const RenderResult b = render_scene(glass_scene(ball(center, 1)), 1024, 2);
@@ -108,7 +108,7 @@ TEST_CASE("A glass ball by sphere tracing looks like a glass sphere") {
   CHECK(std::abs(first.value[0] - second.value[0]) <= 4 * error);
   CHECK(error <= .01 * first.value[0]);
   CHECK(b.counts.bad == 0);
-  // Same seed: the paths are the same but for rounding, and so is the noise.
+  // Same seed: the paths are the same up to rounding, and so is the noise.
   const MeanRadiance same = mean_radiance(render_scene(glass_scene(ball(center, 1)), 1024, 1).film);
   CHECK(std::abs(first.value[0] - same.value[0]) <= .2 * first.standard_error[0]);
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-// Where rays meet sdfs, by F alone: slow, and with nothing of how tracers go along rays but what
-// SphereTracer's comment promises.
+// Finds where rays meet sdfs from F alone: slow, and based on nothing about the tracers but the
+// promises in SphereTracer's comment.
 
 #include "geometry/sphere_tracer.h"
 #include "scene/sdf.h"
@@ -21,8 +21,8 @@ struct Ray {
   const carlo::Sdf* sdf;
   Vec3d o, d;
   double t_per_s, end;
-  double fine;   ///< so near to 0 F's sign is not known
-  double least;  ///< spans that are not longer may be missed
+  double fine;   ///< this near 0 the sign of F is unknown
+  double least;  ///< spans up to this length may be missed
 
   double at(double s) const { return carlo::sdf::distance(*sdf, o + s * d); }
   double slope(double s) const { return glm::dot(carlo::sdf::gradient(*sdf, o + s * d), d); }
@@ -33,7 +33,7 @@ inline Ray local(const carlo::Sdf& sdf, const carlo::SphereTracer& tracer,
   const Vec3d turned = glm::transpose(sdf.place.rotation) * Vec3d(ray.d);
   const double length = glm::length(turned);
   const Vec3d o = sdf.place.inverse(Vec3d(ray.o));
-  // Behind this there is no surface, nor where F is above 0 and the box is left.
+  // Beyond this there is no surface, nor where F is above 0 and the ray has left the box.
   const Vec3d middle = 0.5 * (tracer.box().lower + tracer.box().upper);
   const double last = glm::length(o - middle) + 1.01 * tracer.size();
   const double t_per_s = sdf.place.scale / length;
@@ -47,12 +47,12 @@ inline Ray local(const carlo::Sdf& sdf, const carlo::SphereTracer& tracer,
           std::max(carlo::SphereTracer::least_step * tracer.size(), 4 * fine)};
 }
 
-/// Part of a ray where F is clearly of the other sign.
+/// Part of a ray where F clearly has the other sign.
 struct Span {
   double begin, end;
 };
 
-/// The span about s, as far as it goes; its ends are found by small steps, the first one exactly.
+/// The whole span around s; its ends are found by small steps, the first one exactly.
 inline Span span_about(const Ray& ray, double side, double s) {
   const auto other = [&](double x) { return side * ray.at(x) < -ray.fine; };
   const auto step = [&](double x) {
@@ -76,11 +76,11 @@ inline Span span_about(const Ray& ray, double side, double s) {
 
 struct Search {
   std::optional<Span> span;
-  double searched;  ///< up to here; less than `last` if it was given up
+  double searched;  ///< up to here; less than `last` if the search was abandoned
 };
 
-/// The first span before `last` longer than ray.least, by halving: about the middle of a part as
-/// long as F is large there nothing is on the other side, since F has the Lipschitz bound 1.
+/// The first span before `last` longer than ray.least, by bisection: around the middle of a part,
+/// nothing within a distance of |F| is on the other side, since F has the Lipschitz bound 1.
 inline Search first_span(const Ray& ray, double side, double last, int most_values) {
   struct Part {
     double a, b;
@@ -106,7 +106,7 @@ inline Search first_span(const Ray& ray, double side, double last, int most_valu
   return {{}, last};
 }
 
-/// The sides on which a ray may be said to start: both, where rounding decides.
+/// The possible sides on which a ray starts: both, where rounding decides.
 inline std::vector<double> sides(const Ray& ray) {
   const double f = ray.at(0);
   if (std::abs(f) > 2 * ray.fine) return {f > 0 ? 1.0 : -1.0};
@@ -117,7 +117,7 @@ inline std::vector<double> sides(const Ray& ray) {
   return {after > 0 ? 1.0 : -1.0};
 }
 
-/// The least step after so many steps as a ray takes up to s, if each is as long as is promised.
+/// The least step once a ray has reached s, if each step is as long as promised.
 inline double least_step_at(const Ray& ray, double s) {
   double least = ray.least;
   int steps = 0;
@@ -128,13 +128,13 @@ inline double least_step_at(const Ray& ray, double s) {
   return least;
 }
 
-/// A ray's result, as F judges it.
+/// The verdict of F on a ray's result.
 struct Verdict {
-  bool root = true;      ///< a hit is one, to within F's resolution
+  bool root = true;      ///< a hit is a root, within F's resolution
   bool crosses = true;   ///< F goes from this side to the other there
-  bool first = true;     ///< no span before it was missed that is longer than the least step
-  bool excused = false;  ///< one was, after so many steps that the least had grown
-  bool whole = true;     ///< all was searched
+  bool first = true;     ///< no earlier span longer than the least step was missed
+  bool excused = false;  ///< one was missed, after so many steps that the least step had grown
+  bool whole = true;     ///< everything was searched
   /// Rounding decides on which side the ray starts, or it starts on the surface and is back on the
   /// other side within the least step: then it may meet any point of that span, or nothing.
   bool open = false;
@@ -165,7 +165,7 @@ inline Verdict judge(const Ray& ray, double side, double s, int most_values) {
   return verdict;
 }
 
-/// On the side where it does best, if there are two.
+/// Judges by the more favourable side, if there are two.
 inline Verdict judge(const Ray& ray, double s, int most_values) {
   const std::vector<double> possible = sides(ray);
   const bool starts_on_it = std::abs(ray.at(0)) <= 2 * ray.fine;
@@ -180,7 +180,7 @@ inline Verdict judge(const Ray& ray, double s, int most_values) {
   return verdict;
 }
 
-/// Two results are one and the same root: F is not clearly off 0 between them.
+/// True if two results are the same root: F is not clearly nonzero between them.
 inline bool same_root(const Ray& ray, double s1, double s2) {
   if (s1 < 0 || s2 < 0) return s1 < 0 && s2 < 0;
   if (std::abs(s1 - s2) <= 4 * ray.fine) return true;

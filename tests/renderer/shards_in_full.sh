@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# shards_in_full.sh BIN SOURCE [bits|cost|thousand ...]: what shards promise, at length (nightly; minutes).
+# shards_in_full.sh BIN SOURCE [bits|cost|thousand ...]: thorough tests of shards (nightly; minutes).
 #
 #   bits      three scenes in 1, 2, 7 and 64 shards, on one thread and on two, a third of them killed and
-#             gone on with; merged in 20 random orders and groupings each: one SHA-256 of the sums
-#   cost      eight shards, two at once, against one process: processor time, 1.1 times at most. Each
-#             starts (a fifth of a second, mostly the libraries) and tries techniques (1/256 of it all)
-#   thousand  1000 parts of 512 x 512: 60 s of one core and three images of memory at most
+#             resumed; merged in 20 random orders and groupings each: one SHA-256 of the sums
+#   cost      eight shards, two at once, against one process: processor time, at most 1.1 times. Each
+#             has to start (a fifth of a second, mostly libraries) and run the pilot (1/256 of the total)
+#   thousand  1000 parts of 512 x 512: at most 60 s of one core and three images of memory
 set -euo pipefail
 bin=$(readlink -f "$1") source=$(readlink -f "$2")
 shift 2
@@ -28,14 +28,14 @@ scene_file() {
   fi
 }
 
-# The sums alone, as one part of all has them: its header tells of seconds and threads.
+# Only the sums, from a single part: its header contains seconds and threads.
 sums_of() {
   local skip
   skip=$((13 + 16 + $(od -An -tu8 -j13 -N8 "$1")))
   tail -c +$((skip + 1)) "$1" | sha256sum | cut -d' ' -f1
 }
 
-# shard_killed ARGUMENTS...: a shard that is killed in the middle, and its command again.
+# shard_killed ARGUMENTS...: a shard that is killed in the middle, then its command again.
 shard_killed() {
   "$bin/carlo_render" --checkpoint 0 "$@" &
   local pid=$!
@@ -45,7 +45,7 @@ shard_killed() {
   "$bin/carlo_render" "$@"
 }
 
-# merge_at_random PARTS...: in a random order and grouping, to all.part.
+# merge_at_random PARTS...: merges in a random order and grouping, to all.part.
 merge_at_random() {
   local parts=("$@") round=0 taken
   rm -f all.part
@@ -95,7 +95,7 @@ bits() {
   done
 }
 
-# processor_seconds COMMAND...: of it and what it starts.
+# processor_seconds COMMAND...: of the command and its children.
 processor_seconds() {
   local TIMEFORMAT='%U %S'
   { time "$@" >/dev/null 2>stderr; } 2>&1 | awk '{print $1 + $2}'
@@ -119,7 +119,7 @@ cost() {
   done
 }
 
-# Resident at most, in KB.
+# Peak resident memory, in KB.
 most_memory() { /usr/bin/time -f %M -o memory "$@" && cat memory; }
 
 # Each part has one sample of every pixel.

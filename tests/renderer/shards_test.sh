@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# shards_test.sh RENDERER MERGE SOURCE: `./carlo render --shard` and `./carlo merge` as programs: killed
-# shards, what is refused, and that nothing is left behind then. The bits: merge_test.sh. Which settings
-# and spoilt bytes are refused, and how: tests/common/part_test.cpp.
+# shards_test.sh RENDERER MERGE SOURCE: `./carlo render --shard` and `./carlo merge` as programs:
+# killed shards, refusals, and that these leave nothing behind. The bits: merge_test.sh. Refused
+# settings and damaged bytes: tests/common/part_test.cpp.
 set -euo pipefail
 renderer=$1 merge=$2 source=$3
 . "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/expect_error.sh"
@@ -10,16 +10,16 @@ box=$source/common/scenes/cornell_phong.xml
 
 "$renderer" "$box" --quiet --size 24x40 --spp 24 -o whole
 
-# shard I/N [ARGUMENTS...]: of a small render.
+# shard I/N [ARGUMENTS...]: a shard of a small render.
 shard() { "$renderer" "$box" --quiet --size 32x32 --spp 64 --shard "$@"; }
 shard 1/2 -o one && shard 2/2 -o two
 
-# By default the name tells which shard it is; so it does in a folder.
+# By default the name contains the shard, also in a folder.
 mkdir folder
 shard 1/2 -o folder && [ -s folder/cornell_phong.1-of-2.part ] || complain 'a folder as output'
 (shard 1/2 && [ -s out/cornell_phong.1-of-2.part ]) || complain 'no output given'
 
-# A killed shard goes on by the same command; a finished one has nothing to do.
+# The same command resumes a killed shard; a finished one has nothing to do.
 long() { "$renderer" "$box" --quiet --size 64x64 --spp 4096 --threads 1 --shard 2/3 "$@"; }
 long -o undisturbed
 for signal in KILL INT; do
@@ -45,7 +45,7 @@ cp killedINT.part before.part
 long -o killedINT
 cmp killedINT.part before.part || complain 'a finished shard was written again'
 
-# Parts of other renders, and names that are taken.
+# Parts of other renders, and existing names.
 shard_refused() {
   local pattern=$1
   shift
@@ -105,13 +105,13 @@ merge_refused 'short.part: it is cut short' "$one" "$scratch/short.part"
 cp "$two" spoilt.part && printf 'x' | dd of=spoilt.part bs=1 seek=5000 conv=notrunc status=none
 merge_refused 'spoilt.part: it is spoilt' "$one" "$scratch/spoilt.part"
 
-# What is there, on request: no part of it passes for the whole.
+# Merges an incomplete set on request; no part of it passes for the whole.
 "$merge" "$one" --partial -o half >stdout
 grep -q '50 % of the samples are there' stdout || complain 'the report does not say that half is missing'
 grep -q '"share": 0.5' half.json || complain 'the JSON report has no share'
 expect_error 'not the sums' "$renderer" --resume "$scratch/half.exr" --spp 128
 
-# A disk that takes no more (here: files of at most 1 KiB) is noticed, and what was there stays.
+# A full disk (here: files of at most 1 KiB) is noticed, and the previous file stays.
 cp two.part before.part
 full_disk() {
   local code=0

@@ -9,12 +9,12 @@
 namespace sky {
 
 constexpr int width = 256, height = 128;
-/// The sun's texel, 46 degrees above the horizon, and what shines from it: three times what the
-/// rest of the sky sends to level ground.
+/// The sun's texel, 46 degrees above the horizon, and its radiance: it sends level ground three
+/// times as much as the rest of the sky.
 constexpr int sun_column = 96, sun_row = 31;
 constexpr float sun = 13000;
 
-/// Values of 10 digits, which EXR packs well.
+/// Rounds values to 10 bits, which EXR packs well.
 inline float rounded(double value) {
   const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
   return std::bit_cast<float>((bits + 0x1000) & ~0x1FFFu);

@@ -1,5 +1,6 @@
-// The vector kernel's sample points on all instruction sets of this machine: what they are made of
-// is that of sampling/sobol.h, bit for bit, and how they are spread, beside the scalar sampler's.
+// The vector kernel's sample points on all instruction sets of this machine: their construction
+// agrees with sampling/sobol.h bit for bit, and their distribution is compared with the scalar
+// sampler's.
 
 #include "instruction_sets.h"
 #include "random/hash.h"
@@ -22,14 +23,15 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-// After the two above, which compile it anew.
+// These follow the two headers above, which compile them anew.
 #include "renderer/lanes/points-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// A function of each word, or pair of words, of arrays whose size all numbers of lanes divide.
+/// Applies a function to each word, or pair of words, of arrays whose size is a multiple of every
+/// number of lanes.
 HWY_ATTR void second_coordinates(const std::vector<std::uint32_t>& words,
                                  std::vector<std::uint32_t>& result) {
   for (std::size_t i = 0; i < words.size(); i += lanes)
@@ -70,7 +72,7 @@ std::uint32_t second_word(std::uint32_t k) {
   return (k ^ k >> 15) * 0x2C1B3C6D;
 }
 
-/// Numbers without pattern.
+/// Numbers without a pattern.
 std::vector<std::uint32_t> words(std::uint64_t seed, std::size_t count) {
   std::vector<std::uint32_t> result;
   for (std::uint64_t i = 0; i < count; ++i)
@@ -78,7 +80,7 @@ std::vector<std::uint32_t> words(std::uint64_t seed, std::size_t count) {
   return result;
 }
 
-/// The kernel's points 0 to n - 1 of one pair, n a multiple of 64.
+/// The kernel's points 0 to n - 1 of one pair; n is a multiple of 64.
 std::vector<carlo::Vec2> lane_points(std::uint32_t n, std::uint32_t word) {
   std::vector<std::uint32_t> indices(n);
   for (std::uint32_t i = 0; i < n; ++i)
@@ -99,7 +101,7 @@ std::array<std::uint32_t, 2> words_of(std::uint64_t draw, bool one_vertex) {
   return {k, one_vertex ? second_word(k) : low_bias(key + 0x9E3779B1)};
 }
 
-/// The error of the mean of exp(x + y) over n points, root mean square over many words.
+/// The root mean square error, over many words, of the mean of exp(x + y) over n points.
 double smooth_error(std::uint32_t n) {
   constexpr std::uint32_t draws = 400;
   const double exact = (std::exp(1.0) - 1) * (std::exp(1.0) - 1);
@@ -171,7 +173,7 @@ TEST_CASE("Aligned runs of 2^m points in lanes are nets") {
 
 // A gain g of n points, each draw's being at most n, is estimated with a standard error below
 // sqrt(g n / draws) = .25 for g = 4, n = 64; the limits are 6 of them above 4 and above 2.2. Pairs
-// that were one net but for a shift would have gains of n: 16 and 64.
+// that were the same net up to a shift would have gains of n: 16 and 64.
 TEST_CASE(
     "No Walsh function of two dimension pairs has much more variance than with independent "
     "points") {
@@ -200,7 +202,8 @@ TEST_CASE(
   }
 }
 
-// Full Owen scrambling is steeper, for twice the instructions and with no less noise in paths.
+// Full Owen scrambling is steeper, but takes twice the instructions and does not reduce noise in
+// paths.
 TEST_CASE("The error of Sobol' points in lanes on a smooth integrand falls as 1 / n") {
   const double slope = std::log2(smooth_error(4096) / smooth_error(64)) / 6;
   INFO(slope);

@@ -27,10 +27,10 @@ namespace fs = std::filesystem;
 using bench::median;
 using carlo::Scene;
 
-/// Pixels a side of the tiles whose worst is compared.
+/// Pixels per side of the tiles, the worst of which are compared.
 constexpr int tile = 8;
 
-/// 95 %, less what a few seeds and the noise of the mean that stands for the truth may take.
+/// 95 %, with an allowance for few seeds and for the noise of the mean that stands for the truth.
 constexpr double promised = 0.93;
 
 struct Arguments {
@@ -81,7 +81,7 @@ Run render(const Scene& scene, std::uint64_t seed, std::uint32_t spp,
           result.adaptive.value_or(carlo::AdaptiveSummary{})};
 }
 
-/// Errors of luminance relative to the truth, or to 1 % of its mean where that is more.
+/// Errors of luminance relative to the truth, or to 1 % of its mean if that is more.
 struct Errors {
   double within = 0;      ///< fraction of the pixels within the target
   double worst_tile = 0;  ///< the largest root mean square over a tile
@@ -109,7 +109,7 @@ Errors errors(const Grey& image, const Grey& truth, int size, double target) {
   return result;
 }
 
-/// What the adaptive renders of a scene came to.
+/// The results of the adaptive renders of a scene.
 struct Adaptive {
   std::vector<double> within, expected, worst_tile, seconds;
   carlo::AdaptiveSummary example;
@@ -128,7 +128,7 @@ Adaptive measure(const Scene& scene, const Arguments& a) {
       sum[i] += run.image[i];
   }
   for (const Run& run : runs) {
-    Grey others = sum;  // a render is no judge of itself
+    Grey others = sum;  // excludes the render itself, which cannot judge itself
     for (std::size_t i = 0; i < sum.size(); ++i)
       others[i] = (sum[i] - run.image[i]) / (a.seeds - 1);
     const Errors e = errors(run.image, others, a.size, a.target);
@@ -147,8 +147,8 @@ struct Uniform {
   double spp = 0, seconds = 0;
 };
 
-/// How many samples in every pixel, and how long, it takes for the same worst tile: between two
-/// powers of two, on a straight line of logarithms.
+/// The samples per pixel and the time that a uniform render needs for the same worst tile:
+/// interpolated between two powers of two, on a straight line of logarithms.
 Uniform same_worst_tile(const Scene& scene, const Adaptive& adaptive, const Arguments& a) {
   const double goal = median(adaptive.worst_tile);
   double last_spp = 0, last_seconds = 0, last_worst = 0;

@@ -9,7 +9,7 @@
 namespace tiles {
 namespace {
 
-/// The mean of one pixel's blocks and its moments, added to the tile's sums.
+/// Adds the mean of one pixel's blocks, and its moments, to the tile's sums.
 void add_pixel(const std::vector<double>& blocks, Channel& sum) {
   const auto n = static_cast<double>(blocks.size());
   double mean = 0, squares = 0, cubes = 0;

@@ -8,9 +8,9 @@
 
 namespace tiles {
 
-/// The mean of a tile's pixels in one channel as estimated, with the estimate's second and third
-/// central moments. They come from the spread of block means within each pixel, so that the pixels'
-/// differences do not count.
+/// The estimated mean of a tile's pixels in one channel, with the estimate's second and third
+/// central moments. They come from the spread of block means within each pixel, so that differences
+/// between pixels do not count.
 struct Channel {
   double mean = 0, variance = 0, third = 0;
 };
@@ -22,7 +22,7 @@ struct Estimate {
   carlo::Counts counts;
 };
 
-/// How many samples of each pixel: `blocks` >= 3 blocks of `block` independent samples.
+/// The samples of each pixel: `blocks` >= 3 blocks of `block` independent samples.
 struct Samples {
   std::uint32_t blocks = 32, block = 8;
   std::uint32_t per_pixel() const { return blocks * block; }
@@ -38,10 +38,10 @@ double z(const Channel& a, const Channel& b);
 /// The skewness of the difference.
 double skewness(const Channel& a, const Channel& b);
 
-/// The probability of |z| > limit where the difference has a small skewness. Since z is divided by
-/// a standard error from the same samples, its two tails are about exp(+-skewness limit^3 / 3)
-/// times the normal ones. Source: Jing, Shao, Wang, "Self-normalized Cramer-type large deviations
-/// for independent random variables", Annals of Probability 31, 2003.
+/// The probability of |z| > limit if the difference has a small skewness. Since z is divided by a
+/// standard error from the same samples, its two tails are about exp(+-skewness limit^3 / 3) times
+/// the normal ones. Source: Jing, Shao, Wang, "Self-normalized Cramer-type large deviations for
+/// independent random variables", Annals of Probability 31, 2003.
 double tail(double limit, double skewness);
 
 }  // namespace tiles

@@ -6,17 +6,18 @@
 #include <cstdint>
 #include <vector>
 
-/// How well points are spread, by Walsh functions: products of the signs of binary digits.
+/// Measures how well points are distributed, by Walsh functions: products of the signs of binary
+/// digits.
 namespace walsh {
 
-/// The digits of a point that are looked at: the first three of each coordinate.
+/// The digits of a point that are used: the first three of each coordinate.
 constexpr std::uint32_t digits = 6, codes = 1u << digits;
 
 inline std::uint32_t code_of(carlo::Vec2 p) {
   return static_cast<std::uint32_t>(p.x * 8) << 3 | static_cast<std::uint32_t>(p.y * 8);
 }
 
-/// In place: what each Walsh function sums to, given how often each code occurs.
+/// Replaces the number of times each code occurs by the sum of each Walsh function.
 inline void transform(std::vector<double>& values) {
   for (std::size_t half = 1; half < values.size(); half *= 2) {
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -27,11 +28,11 @@ inline void transform(std::vector<double>& values) {
   }
 }
 
-/// The largest gains: n times the variance of the mean of a Walsh function, which is 1 with
+/// The largest gains: n times the variance of the mean of a Walsh function, which is 1 for
 /// independent points.
 struct Gains {
-  double pair = 0;     ///< of functions of one dimension pair
-  double product = 0;  ///< of products of functions of two
+  double pair = 0;     ///< for functions of one dimension pair
+  double product = 0;  ///< for products of functions of two
 };
 
 /// Over `draws` draws of n points in four dimensions: points(draw, pair, i) is the i-th point's

@@ -17,7 +17,8 @@ using carlo::Sphere;
 
 using Vec3d = glm::dvec3;
 
-/// Of edges u and v, in double: squares of their product may be beyond float.
+/// The area spanned by edges u and v, in double: squares of their product may be outside float's
+/// range.
 float area_between(Vec3 u, Vec3 v) {
   return static_cast<float>(glm::length(glm::cross(Vec3d(u), Vec3d(v))));
 }
@@ -81,7 +82,7 @@ LightPoint Light::sample(Vec2 u) const {
       [&](const Sphere& s) { return point_on(s, u); },
       [&](const Disk& s) { return point_on(s, u); },
       [&](const Mesh& s) { return point_on(edges_of(s, triangle_), u); },
-      [](const Sdf&) { return LightPoint{}; });  // there is no such light
+      [](const Sdf&) { return LightPoint{}; });  // no such light exists
   point.radiance = shape_->radiance;
   return point;
 }

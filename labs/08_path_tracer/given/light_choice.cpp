@@ -33,7 +33,8 @@ LightChoice::LightChoice(std::span<const LightWeight> weights) {
     }
     below_.push_back(static_cast<std::uint32_t>(std::lround(std::min(sum, 1.0) * steps)));
   }
-  // Rounding may have left a step over, or not: the last light that is chosen at all has it.
+  // Rounding may have left a few steps over or not: they go to the last light with a nonzero
+  // probability.
   std::fill(below_.begin() + static_cast<std::ptrdiff_t>(last), below_.end(),
             static_cast<std::uint32_t>(steps));
 }

@@ -5,7 +5,7 @@
 
 namespace lab08 {
 
-/// One of the samplers of common/sampling as lab 08's dimensions.
+/// Adapts one of the samplers of common/sampling to lab 08's Dimensions.
 template <class Sampler>
 class Sampled final : public Dimensions {
  public:

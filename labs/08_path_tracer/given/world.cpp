@@ -23,7 +23,7 @@ Material material_of(const carlo::Material& material) {
   return std::visit(Visitor{}, material.model);
 }
 
-/// Whether light goes through, so that the back is not black.
+/// True if light passes through, so that the back is not black.
 bool passes_light(const Material& material) {
   return carlo::match(
       material, [](const carlo::Phong&) { return false; },
@@ -52,7 +52,7 @@ double luminance(Rgb c) {
   return 0.2126 * exact.r + 0.7152 * exact.g + 0.0722 * exact.b;
 }
 
-/// How many lights a shape that emits is.
+/// The number of lights of an emitting shape.
 std::uint32_t pieces_of(const carlo::Shape& shape) {
   const auto* mesh = std::get_if<carlo::Mesh>(&shape.geometry);
   return mesh != nullptr ? static_cast<std::uint32_t>(mesh->triangles.size()) : 1;
@@ -73,7 +73,8 @@ World::World(carlo::Scene scene) : scene_(checked(std::move(scene))), intersecto
 
 void World::find_lights() {
   double emitters = 0;
-  std::vector<double> siblings;  // of each light: how many of its shape's lights have an area
+  std::vector<double> siblings;  // for each light: the number of its shape's lights with nonzero
+                                 // area
   const auto has_area = [](const Light& light) { return light.area() > 0; };
   for (const carlo::Shape& shape : scene_.shapes) {
     const std::size_t first = lights_.size();

@@ -18,18 +18,18 @@ using carlo::Rgb;
 using carlo::Vec2;
 using carlo::Vec3;
 
-/// What a surface does with light: Phong (a diffuse one has ks = 0, a black one kd = 0 too), a
-/// perfect mirror, or glass.
+/// The reflection of a surface: Phong (a diffuse one has ks = 0, a black one kd = 0 too), a perfect
+/// mirror, or glass.
 using Material = std::variant<carlo::Phong, carlo::Mirror, carlo::Dielectric>;
 
-/// A point that a ray met, as the ray saw it.
+/// The point where a ray met a surface, as seen by the ray.
 struct Surface {
   Vec3 p;                    ///< the point
   Vec3 n;                    ///< unit normal on wo's side
   Vec3 wo;                   ///< unit vector towards the ray's origin
   Rgb Le{0};                 ///< radiance emitted towards wo
   const Material* material;  ///< black for the back of a one-sided surface
-  bool front = true;         ///< whether n is the shape's own normal; with glass: seen from outside
+  bool front = true;         ///< true if n is the shape's own normal; with glass: seen from outside
   carlo::Hit hit;            ///< for World's functions
 
   /// The material of a Phong surface; throws carlo::Error for mirrors and glass.
@@ -40,18 +40,18 @@ struct Surface {
 struct LightPoint {
   Vec3 p;
   Vec3 n;        ///< unit normal on the side that emits
-  Rgb radiance;  ///< emitted on that side: in all directions and at all points of a light the same
+  Rgb radiance;  ///< emitted on that side: the same in all directions and at all points of a light
   Vec3 p_error;  ///< bound on the rounding error of each coordinate of p
 };
 
-/// A shape that emits; of a mesh one triangle.
+/// An emitting shape, or one triangle of an emitting mesh.
 class Light {
  public:
   explicit Light(const carlo::Shape& shape, std::uint32_t triangle = 0);
-  /// A point of it, uniform by area: its density is 1 / area().
+  /// A point on it, uniform by area: its density is 1 / area().
   LightPoint sample(Vec2 u) const;
   float area() const { return area_; }
-  /// The probability with which World::choose() takes this light.
+  /// The probability with which World::choose() chooses this light.
   float chance() const { return chance_; }
 
  private:
@@ -61,30 +61,30 @@ class Light {
   float area_ = 0, chance_ = 0;
 };
 
-/// The scene that rays are traced in.
+/// The scene in which rays are traced.
 class World {
  public:
-  /// Throws carlo::Error for what lab 08 does not know: point lights and images as lamps.
+  /// Throws carlo::Error for what lab 08 does not support: point lights and images as lamps.
   explicit World(carlo::Scene scene);
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
   /// The nearest surface along a ray.
   std::optional<Surface> intersect(const Ray& ray) const;
-  /// The radiance that comes along a ray that meets no surface.
+  /// The radiance along a ray that meets no surface.
   Rgb environment() const { return scene_.lights.environment; }
   /// The ray that leaves a surface point in direction wi, to either side of it. It starts off the
-  /// surface by as much as rounding asks for, so that it does not meet the surface again.
+  /// surface by as much as rounding demands, so that it does not meet the surface again.
   Ray leave(const Surface& surface, Vec3 wi) const;
-  /// Whether nothing stands between a surface point and a point of a light.
+  /// True if nothing blocks the segment between a surface point and a point of a light.
   bool sees(const Surface& surface, const LightPoint& light) const;
 
-  /// What emits; may be nothing.
+  /// The emitting surfaces; may be empty.
   std::span<const Light> lights() const { return lights_; }
-  /// One of the lights, if there are any, by a number u of [0, 1): with probability 1/2 by power
-  /// (its luminance), else all n shapes that emit have equal chances, and a mesh's triangles among
-  /// them. So no light has a chance below 1/2n, or 1/2nm as one of m triangles. Divide by its
-  /// chance().
+  /// Chooses one of the lights, if there are any, by a number u of [0, 1): with probability 1/2 by
+  /// power (its luminance), otherwise with equal probability for each of the n emitting shapes, and
+  /// for each triangle of a mesh. So no light has a probability below 1/2n, or 1/2nm as one of m
+  /// triangles. Divide by its chance().
   const Light& choose(double u) const { return lights_[choice_(u)]; }
   /// The light that a surface belongs to, or null.
   const Light* light_of(const Surface& surface) const;

@@ -93,7 +93,7 @@ Result measure(Notebook& notebook, const std::string& name, const Reference& ref
   for (const std::int64_t samples : carlo::ladder(1, most_samples(notebook))) {
     carlo::Image image;
     double seconds = INFINITY, square = 0;
-    // Short renders are repeated: the time is the best of them, the error that of all.
+    // Short renders are repeated: the time is the best one, the error that of all.
     const int rounds = samples <= 4 ? 3 : 1;
     for (int round = 0; round < rounds; ++round) {
       const std::uint64_t seed = notebook.rng().next_u64();

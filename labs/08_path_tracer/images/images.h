@@ -14,17 +14,17 @@ namespace lab08 {
 
 using carlo::Curve, carlo::Measurement, carlo::Notebook;
 
-// Small images, the error of their pixels and what they cost.
+// Small images, the error of their pixels and their cost.
 
 /// The value of pixel (x, y), counted from the top left. Called from several threads at once.
 using Pixel = std::function<Rgb(int x, int y, Rng& rng)>;
-/// An estimate of it from so many samples.
+/// An estimate of that value from this many samples.
 using SampledPixel = std::function<Rgb(int x, int y, int samples, Rng& rng)>;
 
-/// Renders all pixels, on all cores. The same seed gives the same image for any number of them.
+/// Renders all pixels, on all cores. The same seed gives the same image for any number of cores.
 carlo::Image render(int width, int height, std::uint64_t seed, const Pixel& pixel);
 
-/// The ray through the middle of a pixel: without jitter the light's error is all there is.
+/// The ray through the middle of a pixel: without jitter the light's error is the only one.
 Ray middle_ray(const carlo::Camera& camera, int width, int height, int x, int y);
 
 /// The mean of `samples` calls.
@@ -33,21 +33,21 @@ Rgb mean_of(int samples, const std::function<Rgb()>& estimate);
 /// The mean over pixels and channels.
 double mean_value(const carlo::Image& image);
 
-/// What images are compared with.
+/// A reference for images.
 struct Reference {
   carlo::Image image;
   double variance = 0;  ///< the mean square error of its own pixels; 0 for closed forms
 };
 
-/// Two independent images of so many samples a pixel make one with a known error.
+/// Combines two independent images of this many samples per pixel into one with a known error.
 Reference converged(Notebook& notebook, int width, int height, int samples,
                     const SampledPixel& pixel);
 
-/// Root mean square over pixels and channels, relative to the reference's mean, less the
+/// Root mean square over pixels and channels, relative to the reference's mean, without the
 /// reference's own error.
 double relative_error(const carlo::Image& image, const Reference& reference);
 
-/// What one method made of an image.
+/// The results of one method for an image.
 struct Result {
   Curve curve;         ///< error: relative_error()
   carlo::Image shown;  ///< the image with at most `shown_samples`
@@ -56,13 +56,13 @@ struct Result {
   double seconds_a_sample() const;
 };
 
-/// The largest number of samples a pixel in this run.
+/// The largest number of samples per pixel in this run.
 int most_samples(const Notebook& notebook);
 
 /// The sides of a small image: `full` pixels, fewer in a quick run.
 int image_size(const Notebook& notebook, int full);
 
-/// Renders with 1, 4, 16 ... samples a pixel. Seconds are those of all processors together.
+/// Renders with 1, 4, 16 ... samples per pixel. Seconds are those of all processors together.
 Result measure(Notebook& notebook, const std::string& name, const Reference& reference,
                int shown_samples, const SampledPixel& pixel);
 

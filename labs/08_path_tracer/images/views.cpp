@@ -69,8 +69,8 @@ carlo::Scene plates() {
   for (int i = 0; i < 4; ++i) {
     const float n = 20 * std::pow(6.0f, static_cast<float>(i));
     const auto polished = add_material(scene, {carlo::Phong{Rgb(0.05f), Rgb(0.6f), n}, false});
-    // Each plate stands so that it mirrors the row of lamps to the eye; they go down like stairs,
-    // away from the eye, so that none sees another's front.
+    // Each plate is tilted so that it mirrors the row of lamps to the eye; they descend like
+    // stairs, away from the eye, so that none sees another's front.
     const float y = -0.6f + 0.75f * static_cast<float>(i);
     const Vec3 middle(0, y, -0.3f * static_cast<float>(i));
     const Vec3 normal =
@@ -83,7 +83,7 @@ carlo::Scene plates() {
   const float radii[] = {0.08f, 0.16f, 0.32f, 0.6f};
   const Rgb colours[] = {{1, 0.6f, 0.5f}, {1, 1, 0.6f}, {0.6f, 1, 0.7f}, {0.6f, 0.7f, 1}};
   for (int i = 0; i < 4; ++i) {
-    // The same power each.
+    // All have the same power.
     const Rgb radiance = colours[i] * (0.8f / carlo::sqr(radii[i]));
     scene.shapes.push_back(
         {carlo::Sphere{lamps + Vec3(-1.9f + 1.15f * static_cast<float>(i), 0, 0), radii[i]}, black,

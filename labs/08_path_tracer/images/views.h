@@ -5,7 +5,7 @@
 
 namespace lab08 {
 
-/// A world and the image of it that steps f to h make.
+/// A world and its image in steps f to h.
 struct View {
   explicit View(carlo::Scene scene, int size);
   Ray ray(int x, int y) const { return middle_ray(world.scene().camera, size, size, x, y); }
@@ -18,7 +18,8 @@ struct View {
 carlo::Scene cornell_box();
 /// A room with a ball of mirror and a ball of glass under a square lamp.
 carlo::Scene room_with_balls();
-/// Four plates, each more polished than the last, that mirror four balls of light of falling size.
+/// Four plates, each more polished than the last, that mirror four balls of light of decreasing
+/// size.
 carlo::Scene plates();
 
 using Trace = std::function<Rgb(const Ray& ray, Rng& rng)>;
@@ -26,7 +27,7 @@ using Trace = std::function<Rgb(const Ray& ray, Rng& rng)>;
 /// Pixels by independent calls of a tracer.
 SampledPixel traced(const View& view, const Trace& trace);
 
-/// Pixels by path_radiance() with the points of a sampler; each call has a seed of its own.
+/// Pixels by path_radiance() with the points of a sampler; each call has its own seed.
 template <class Sampler>
 SampledPixel tracer(const View& view) {
   return [&view](int x, int y, int samples, Rng& rng) {

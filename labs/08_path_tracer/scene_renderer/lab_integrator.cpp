@@ -23,7 +23,7 @@ bool specular(const carlo::Material& material) {
       [](const carlo::Dielectric&) { return true; });
 }
 
-/// Refuses what the method would get wrong.
+/// Refuses scenes that the method would render wrongly.
 const Scene& checked(const Scene& scene, Method method) {
   if (method == Method::iterative) return scene;
   if (scene.max_depth != 0) {

@@ -8,7 +8,7 @@
 
 namespace lab08 {
 
-/// Which of lab 08's tracers makes the image.
+/// The one of lab 08's tracers that makes the image.
 enum class Method {
   iterative,  ///< path_radiance(), 8.8
   recursive,  ///< trace_path(), 8.4: worlds of Phong surfaces
@@ -18,15 +18,15 @@ enum class Method {
 struct LabIntegratorOptions {
   Method method = Method::iterative;
   std::uint64_t seed = 1;
-  std::uint32_t spp = 64;  ///< planned samples a pixel, for the stratified sampler
+  std::uint32_t spp = 64;  ///< planned samples per pixel, for the stratified sampler
 };
 
-/// Lab 08 as what common/render drives. A sample's random numbers depend only on seed, pixel,
-/// sample and dimension: the iterative tracer reads the scene's sampler, the recursive ones a
-/// stream of their own for each sample (the film position is the sampler's with all three). Neither
-/// the rays nor the paths that longest_path cuts are counted. Copies the scene. Throws Error for
-/// what World refuses, and where a recursive tracer is asked for paths of limited length, which it
-/// does not know, or trace_path() for mirrors or glass.
+/// Lab 08's tracers as an Integrator for common/render. A sample's random numbers depend only on
+/// seed, pixel, sample and dimension: the iterative tracer reads the scene's sampler, the recursive
+/// ones a separate stream for each sample (the film position comes from the sampler with all
+/// three). Counts neither rays nor paths cut by longest_path. Copies the scene. Throws Error for
+/// what World refuses, and if a recursive tracer is given a limited path length, which it does not
+/// support, or trace_path() mirrors or glass.
 std::unique_ptr<carlo::Integrator> make_lab_integrator(const carlo::Scene& scene,
                                                        const LabIntegratorOptions& options);
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-// Lab 08, step h: the path tracer, in a loop, with all that makes its error small. path_tracer.h
-// says what each function takes and returns.
+// Lab 08, step h: the path tracer, in a loop, with all the techniques that reduce its error.
+// path_tracer.h says what each function takes and returns.
 
 namespace lab08 {
 

@@ -10,13 +10,13 @@ namespace lab09 {
 using carlo::Rgb;
 using carlo::Vec3;
 
-/// A pixel of a noisy image and what the camera sees there.
+/// A pixel of a noisy image and the features that the camera sees there.
 struct FeaturePixel {
   Rgb color{0};     ///< the mean of its samples
   Rgb variance{0};  ///< of that mean: its standard error squared
   Rgb albedo{0};
   Vec3 normal{0};
-  float depth = 0;  ///< distance from the camera; 0 where nothing is met
+  float depth = 0;  ///< distance from the camera; 0 where nothing is hit
 };
 
 class FeatureImage {

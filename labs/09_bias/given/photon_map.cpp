@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t longest_leaf = 8;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// A place on its way into the tree, and which photon's it is.
+/// A place on its way into the tree, and the photon that it belongs to.
 struct Loose {
   PhotonMap::Place place;
   std::uint32_t photon;
@@ -52,8 +52,8 @@ void check(Vec3 p) {
                                  static_cast<double>(p.z)));
 }
 
-/// Goes through a tree and calls found(index, distance2) for each place nearer to p than the limit;
-/// what that returns is the limit's square from then on.
+/// Searches a tree and calls found(index, distance2) for each place nearer to p than the limit;
+/// found() returns the square of the new limit.
 template <class Found>
 class Search {
  public:
@@ -77,7 +77,7 @@ class Search {
         visit(middle + 1, last);
         last = middle;
       }
-      // Rounding is monotonic: nothing over there has a rounded distance below this.
+      // Rounding is monotonic: nothing on the other side has a rounded distance below this.
       if (!(away * away < limit2_)) return;
       look_at(middle);
     }
@@ -97,7 +97,8 @@ class Search {
   Found found_;
 };
 
-/// The nearest so far. Twice as many as wanted are gathered before the far ones go, all at once.
+/// The nearest so far. Collects twice as many as wanted before the far ones are dropped, all at
+/// once.
 class Nearest {
  public:
   explicit Nearest(std::size_t wanted) : wanted_(wanted) { found_.reserve(2 * wanted); }

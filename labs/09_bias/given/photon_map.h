@@ -15,33 +15,34 @@ using carlo::Vec3;
 /// Light that arrived at a surface.
 struct Photon {
   Vec3 p;
-  Vec3 wi;                      ///< unit vector towards where it came from
+  Vec3 wi;                      ///< unit vector towards its origin
   Rgb flux{0};                  ///< the power that it carries
-  int phong = 0, specular = 0;  ///< how many Phong surfaces, and mirrors and glass, it met before
+  int phong = 0, specular = 0;  ///< the numbers of Phong surfaces, and of mirrors and glass, that
+                                ///< it met before
 
-  /// Whether mirrors or glass alone, at least one, lie between the lamp and here.
+  /// True if only mirrors or glass, and at least one, lie between the lamp and here.
   bool caustic() const { return phong == 0 && specular > 0; }
 };
 
-/// Photons by their places: a balanced k-d tree that lies in an array. The middle of a range is a
-/// node, and what lies before and behind it are the node's subtrees; short ranges are leaves.
-/// Distances and their squares are floats: right for lengths from 1e-15 to 1e15.
+/// Photons by position: a balanced k-d tree in an array. The middle of a range is a node, and the
+/// parts before and after it are the node's subtrees; short ranges are leaves. Distances and their
+/// squares are floats: right for lengths from 1e-15 to 1e15.
 class PhotonMap {
  public:
   PhotonMap() = default;
-  /// Every flux is multiplied by `scale`: 1/n if n photons were emitted. Throws carlo::Error where
-  /// a photon's place is not finite.
+  /// Multiplies every flux by `scale`: 1/n if n photons were emitted. Throws carlo::Error if a
+  /// photon's position is not finite.
   PhotonMap(std::vector<Photon> photons, float scale);
 
   std::size_t size() const { return photons_.size(); }
-  /// Calls `use` for each photon nearer to p than `radius`, in any order, with its distance's
-  /// square: for none if the radius is not above 0, for all if it is infinite.
+  /// Calls `use` with the squared distance for each photon nearer to p than `radius`, in any order:
+  /// for none if the radius is not above 0, for all if it is infinite.
   void within(Vec3 p, float radius,
               const std::function<void(const Photon&, float distance2)>& use) const;
-  /// The k nearest photons, or all where there are fewer, nearest first.
+  /// The k nearest photons, or all if there are fewer, nearest first.
   std::vector<const Photon*> nearest(Vec3 p, int k) const;
 
-  /// A photon's place and, if it is a node, the axis across which it parts its range.
+  /// A photon's position and, if it is a node, the axis across which it splits its range.
   struct Place {
     Vec3 p;
     std::uint32_t axis;

@@ -7,14 +7,14 @@
 namespace lab09 {
 namespace {
 
-/// Whoever works out distances in float must find nearby all that seems to reach, and a little
-/// more.
+/// Code that computes distances in float must find everything nearby that seems to reach, so
+/// reaches are slightly enlarged.
 constexpr double room = 1 + 1e-5;
-/// Reaches within which places are told apart: below the smallest one cells would be finer than
-/// floats are, above the largest they would hold everything.
+/// The range of reaches for which positions are distinguished: below the smallest one cells would
+/// be finer than floats, above the largest they would hold everything.
 constexpr double least_reach = 0x1p-100, most_reach = 0x1p100;
 
-/// How many doublings make a cell as wide as the reach to both sides.
+/// The number of doublings that make a cell as wide as the reach to both sides.
 int level_of(double reach) {
   int exponent = 0;
   std::frexp(2 * room * std::max(reach, least_reach), &exponent);
@@ -93,7 +93,7 @@ std::vector<Record> Cache::near(Vec3 p) const {
                                   cell_at(static_cast<double>(p.z), level)});
     if (found != grid.end()) add_serving(found->second, p, serving);
   }
-  // Which grid a record lies in must not change the order in which values are added up.
+  // The order in which values are added up must not depend on the grid that a record lies in.
   std::sort(serving.begin(), serving.end());
   std::vector<Record> records;
   for (const Index i : serving)

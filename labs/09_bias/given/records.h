@@ -14,24 +14,24 @@ namespace lab09 {
 using carlo::Rgb;
 using carlo::Vec3;
 
-/// Irradiance that was computed once.
+/// A stored irradiance.
 struct Record {
   Vec3 p, n;
   Rgb E{0};
-  double distance = 0;  ///< harmonic mean of the distances of what is seen from p
+  double distance = 0;  ///< harmonic mean of the distances of everything seen from p
 };
 
-/// Records by their places: grids of cells, each twice as large as those of the one before. A
-/// record lies in all cells of one grid that its reach meets, eight at most, so that a point has to
-/// look into one cell of each grid.
+/// Records by position: grids of cells, each with cells twice as large as the one before. A record
+/// lies in all cells of one grid that its reach meets, at most eight, so that a point needs to look
+/// into only one cell of each grid.
 class Cache {
  public:
   /// A record reaches as far as `most` times its distance.
   Cache(double most, double nearest, double farthest);
-  /// Puts the record's distance into [nearest, farthest].
+  /// Adds a record, with its distance clamped to [nearest, farthest].
   void add(Record record);
-  /// The records that may serve at p: all whose reach holds p, and perhaps some more, in the order
-  /// in which they were added.
+  /// The records that may serve at p: all whose reach includes p, and perhaps some more, in the
+  /// order in which they were added.
   std::vector<Record> near(Vec3 p) const;
   /// All of them, in the order in which they were added.
   const std::vector<Record>& records() const { return records_; }
@@ -49,7 +49,7 @@ class Cache {
 
   double most_, nearest_, farthest_;
   std::vector<Record> records_;
-  std::map<int, Grid> grids_;      ///< by the logarithm of their cells' size to base 2
+  std::map<int, Grid> grids_;      ///< by the logarithm to base 2 of their cells' size
   std::vector<Index> everywhere_;  ///< records that reach farther than any grid's cells
 };
 

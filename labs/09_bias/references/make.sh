@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# make.sh: makes this folder's images again, which `./carlo lab 9 --step practice` measures against:
-# scenes of common/scenes by the reference renderer, with the standard error of each pixel; caustics at
-# its own size, the others at half of theirs. A students' tree has no reference renderer, so they come
-# with the lab. Some minutes of one processor.
+# make.sh: renders this folder's images again, the references of `./carlo lab 9 --step practice`:
+# scenes of common/scenes by the reference renderer, with the standard error of each pixel; caustics
+# at its own size, the others at half theirs. They come with the lab, since a students' tree has no
+# reference renderer. Takes a few minutes of one processor.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 build=$here/../../../build/release

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-// Lab 09, step a: bias and noise apart. bias.h says what each function takes and returns.
+// Lab 09, step a: separates bias and noise. bias.h says what each function takes and returns.
 
 namespace lab09 {
 

@@ -15,7 +15,7 @@ float largest(Rgb c) {
 }
 
 /// cos^n of the angle between unit vectors, from 1 - cos = |a - b|^2 / 2: where the vectors nearly
-/// agree their dot product may round to more than 1, and n makes that large.
+/// agree, their dot product may round to more than 1, which a large n amplifies.
 float cos_power(Vec3 a, Vec3 b, float n) {
   const Vec3 difference = a - b;
   const float one_minus_cos = 0.5f * glm::dot(difference, difference);

@@ -5,7 +5,7 @@
 namespace lab08 {
 namespace {
 
-/// What sample() draws at a surface, with three numbers of the stream.
+/// Calls sample() for a surface, with three numbers of the stream.
 std::optional<BsdfSample> draw(const Surface& surface, Rng& rng) {
   const float u_lobe = rng.uniform_float();
   const float u = rng.uniform_float();

@@ -3,21 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
-// Lab 08, step h: the path tracer, in a loop, with all that makes its error small. Solved.
+// Lab 08, step h: the path tracer, in a loop, with all the techniques that reduce its error.
+// Solved.
 
 namespace lab08 {
 namespace {
 
-/// Where a path has come to.
+/// The state of a path.
 struct Path {
   Ray ray;
   Rgb beta{1};  ///< what radiance from here is multiplied by
   Rgb radiance{0};
-  float pdf = 0;                ///< of the ray's direction, where the light was sampled as well
-  std::optional<Surface> last;  ///< the surface that the ray left then; none: emission counts whole
+  float pdf = 0;                ///< of the ray's direction, if the light was sampled as well
+  std::optional<Surface> last;  ///< the surface that the ray left in that case; none: emission
+                                ///< counts fully
 };
 
-/// Light from a point of a light, weighed against sample()'s directions.
+/// Light from a sampled point of a light, weighted against sample()'s directions.
 Rgb direct(const World& world, const Surface& surface, Dimensions& dimensions) {
   if (world.lights().empty()) return Rgb(0);
   const Light& light = world.choose(dimensions.next_1d());
@@ -59,8 +61,8 @@ std::optional<BsdfSample> scatter(const World& world, Path& path, const Surface&
   return sample(surface.phong(), surface.n, surface.wo, u_lobe, u);
 }
 
-/// The roulette's chance. A number below 1e-9 is drawn 60 times too often, for u is a multiple of
-/// 2^-24: so no path that brings anything has a chance below 1/64.
+/// The survival probability in roulette. A number below 1e-9 is drawn 60 times too often, since u
+/// is a multiple of 2^-24; so no path that can contribute gets a probability below 1/64.
 float survival_of(Rgb beta) {
   const float most = std::max({beta.r, beta.g, beta.b});
   return most > 0 ? std::max(4 * most, 1 / 64.0f) : 0;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-// Lab 09, step a: bias and noise apart. Solved.
+// Lab 09, step a: separates bias and noise. Solved.
 
 namespace lab09 {
 

@@ -9,7 +9,7 @@
 namespace lab09 {
 namespace {
 
-/// The share of the uncut Gaussian within `radius` of its middle.
+/// The fraction of the untruncated Gaussian within `radius` of its middle.
 double kept(const PixelFilter& filter) {
   return std::erf(filter.radius / (filter.sigma * std::sqrt(2.0)));
 }

@@ -25,7 +25,7 @@ Image mean_of(const std::vector<Image>& images) {
   return mean;
 }
 
-/// Of the mean, by the spread of each pixel.
+/// The standard error of the mean, from the spread of each pixel.
 Image standard_error(const std::vector<Image>& images, const Image& mean) {
   const auto n = static_cast<float>(images.size());
   Image error(mean.width, mean.height);
@@ -40,7 +40,7 @@ Image standard_error(const std::vector<Image>& images, const Image& mean) {
   return error;
 }
 
-/// Infinite where one is not a number, which std::max would pass over.
+/// The larger one; infinite if one is NaN, which std::max would ignore.
 double farther(double a, double b) {
   return std::isnan(b) ? std::numeric_limits<double>::infinity() : std::max(a, std::abs(b));
 }

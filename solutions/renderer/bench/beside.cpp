@@ -76,7 +76,7 @@ Choice choose(const Options& options, Peer peer) {
 Runs measure(Context& context, const Contender& contender, const Compared& c, std::uint32_t samples,
              int count, double from, double to) {
   Runs runs;
-  (void)render_ours(c, 1, samples, runs.ours);  // it also pays for what is done once
+  (void)render_ours(c, 1, samples, runs.ours);  // the first render also pays for one-time work
   nlohmann::json spec = peer_scene(c.scene, contender.peer);
   spec.update(contender.choices);
   for (int i = 0; i < count; ++i) {

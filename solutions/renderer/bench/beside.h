@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-// Another renderer beside ours: seconds at equal error on scenes that are the same in both.
+// Compares another renderer with ours: seconds at equal error on scenes that are the same in both.
 
 namespace bench {
 
@@ -28,17 +28,17 @@ struct Choice {
   std::vector<Compared> scenes;
   std::vector<std::string> left_out;
 };
-/// Throws Error where there is none.
+/// Throws Error if there is none.
 Choice choose(const Options& options, Peer peer);
 
-/// Another renderer's way to render.
+/// One of another renderer's ways to render.
 struct Contender {
   Peer peer = Peer::cycles;
   PeerProgram program;
-  nlohmann::json choices;  ///< what its program is told besides the scene
+  nlohmann::json choices;  ///< options for its program besides the scene
 };
 
-/// Several runs of one scene by other seeds.
+/// Several runs of one scene with different seeds.
 struct Runs {
   std::vector<carlo::Image> theirs;
   std::vector<double> seconds, rel_mse;
@@ -47,13 +47,13 @@ struct Runs {
   std::string version;
 };
 
-/// They and ours take turns, so that what disturbs the machine disturbs both. From and to are
-/// shares of the context's part.
+/// Their runs and ours take turns, so that disturbances of the machine affect both. `from` and `to`
+/// are fractions of the context's part.
 Runs measure(Context& context, const Contender& contender, const Compared& c, std::uint32_t samples,
              int count, double from, double to);
 
-/// A row of: the scene, their time, relMSE, our samples, our time, the ratio, and how well the
-/// images agree (`beside_columns`).
+/// A table row: the scene, their time, relMSE, our samples, our time, the ratio, and the agreement
+/// of the images (`beside_columns`).
 std::vector<carlo::Cell> beside_row(const std::string& scene, const Runs& runs,
                                     const Agreement& agreement);
 

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-// `./carlo bench`: everything measured in one run, on one page.
+// `./carlo bench`: all measurements in one run, on one page.
 
 namespace bench {
 
@@ -24,15 +24,15 @@ struct Options {
   std::uint64_t seed = 1;
   std::filesystem::path scenes, references, scratch;
   std::filesystem::path page;
-  std::string peers;                   ///< the Python that has them; empty: none are measured
-  std::filesystem::path peer_scripts;  ///< what it runs
+  std::string peers;                   ///< the Python that has the peers; empty: none are measured
+  std::filesystem::path peer_scripts;  ///< the scripts that it runs
   std::vector<std::string> only;       ///< parts of the page; empty: all
 };
 
-/// What every part of the benchmark writes to: the page, and the same numbers as JSON.
+/// The output of every part of the benchmark: the page, and the same numbers as JSON.
 class Context {
  public:
-  /// `all_weights`: the sum of what start() will be given.
+  /// `all_weights`: the sum of the weights that start() will be given.
   Context(const Options& options, double all_weights);
 
   const Options& options() const { return options_; }
@@ -41,12 +41,13 @@ class Context {
   /// Starts the next part of the run; `weight` is its share, roughly in seconds.
   void start(double weight);
   void begin(std::string_view title) { page_.section(title); }
-  /// How much of the current part is done, in [0, 1]. Throws Error after Ctrl-C.
+  /// Reports the finished fraction of the current part, in [0, 1]. Throws Error after Ctrl-C.
   void progress(double fraction);
   void table(const std::string& key, const carlo::Table& table, std::string_view caption);
-  /// One line that the reader should not miss, here and on the page.
+  /// Prints a line that the reader should not miss, to the terminal and the page.
   void remark(const std::string& line);
-  /// The same in red: a measurement that is not what it should be. The run goes on, and fails.
+  /// The same in red, for a measurement that is not as it should be. The run continues, and fails
+  /// in the end.
   void fault(const std::string& line);
   bool sound() const { return faults_.empty(); }
 
@@ -62,9 +63,9 @@ class Context {
   double all_weights_, done_ = 0, weight_ = 0;
 };
 
-/// "0.123 [0.12, 0.13]"; the median goes to machines.
+/// "0.123 [0.12, 0.13]"; machine-readable output gets the median.
 carlo::Cell spread_cell(const Spread& spread);
-/// The same of durations.
+/// The same for durations.
 carlo::Cell seconds_spread_cell(const Spread& spread);
 
 /// One render on one thread.
@@ -76,7 +77,7 @@ struct Rendered {
 Rendered render_timed(const carlo::Integrator& integrator, const carlo::Scene& scene,
                       std::uint32_t spp);
 
-/// The parts, in the page's order.
+/// The parts, in the order of the page.
 void bench_scenes(Context& context);
 void bench_equal_time(Context& context);
 void bench_threads(Context& context);
@@ -84,10 +85,10 @@ void bench_triangles(Context& context);
 void bench_lights(Context& context);
 void bench_depth(Context& context);
 void bench_needs(Context& context);
-/// Nothing without a Python that has them.
+/// Does nothing without a Python that has the peers.
 void bench_peers(Context& context);
 
-/// Measures one mesh in a process of its own, and prints what bench_triangles() reads.
+/// Measures one mesh in a process of its own, and prints the results for bench_triangles().
 void print_mesh_costs(const std::filesystem::path& scene);
 
 }  // namespace bench

@@ -1,4 +1,4 @@
-// `./carlo bench`: one run over everything, on one page.
+// `./carlo bench`: all measurements in one run, on one page.
 
 #include "context.h"
 #include "course/cli/arguments.h"
@@ -12,15 +12,15 @@
 
 namespace {
 
-/// A part of the page: what it is called on the command line, about how many seconds of an idle
-/// machine it takes, and what measures it.
+/// A part of the page: its name on the command line, its duration on an idle machine in seconds,
+/// roughly, and the function that measures it.
 struct Part {
   std::string name;
   double seconds;
   void (*run)(bench::Context& context);
 };
 
-/// In the page's order.
+/// In the order of the page.
 const std::vector<Part> parts = {
     {"scenes", 75, bench::bench_scenes},  {"equal-time", 6, bench::bench_equal_time},
     {"threads", 4, bench::bench_threads}, {"triangles", 8, bench::bench_triangles},
@@ -43,7 +43,7 @@ int run(int argc, char** argv) {
   app.option("--seed", options.seed, "another seed gives other noise").show_default();
   app.option("--page", options.page, "where the page goes; beside it, the numbers as JSON")
       .default_value("out/bench.html");
-  // From the script ./carlo.
+  // Set by the script ./carlo.
   app.option("--scenes", options.scenes).default_value("common/scenes").hidden();
   app.option("--references", options.references).default_value("tests/references/scenes").hidden();
   app.option("--scratch", options.scratch).default_value("build/bench").hidden();

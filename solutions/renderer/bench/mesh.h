@@ -4,8 +4,8 @@
 
 namespace bench {
 
-/// Writes a ball with waves on it of about `triangles` triangles as binary PLY, and a scene that
-/// shows it under a lamp; returns the scene's path. The folder must exist. Throws Error.
+/// Writes a wavy ball of about `triangles` triangles as binary PLY, and a scene that shows it under
+/// a lamp; returns the scene's path. The folder must exist. Throws Error.
 std::filesystem::path write_ball_scene(const std::filesystem::path& folder, int triangles);
 
 }  // namespace bench

@@ -61,7 +61,7 @@ std::vector<Way> ways_for(const Scene& given) {
         }
         ways.push_back({method, sampler});
       } catch (const carlo::Error&) {
-        continue;  // what the method does not take is no row of the table
+        continue;  // scenes that the method cannot render get no row
       }
     }
   }

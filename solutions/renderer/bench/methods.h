@@ -16,20 +16,20 @@ enum class Method { recursive, iterative, scalar, best };
 
 std::string name(Method method);
 
-/// One of them with a sampler.
+/// A method with a sampler.
 struct Way {
   Method method;
   carlo::SamplerKind sampler;
   std::string label() const { return name(method) + ", " + carlo::name_of(sampler); }
 };
 
-/// Throws Error where the method does not take the scene. `scene` must outlive the integrator; its
-/// sampler is the way's.
+/// Throws Error where the method cannot render the scene. `scene` must outlive the integrator; its
+/// sampler is ignored for the way's.
 std::unique_ptr<carlo::Integrator> make_integrator(Method method, const carlo::Scene& scene,
                                                    std::uint64_t seed, std::uint32_t spp);
 
-/// The ways that take the scene and differ: no "best" where that is the scalar one. The recursive
-/// tracer draws its own numbers, so it comes once.
+/// The ways that can render the scene and differ: no "best" where that is the scalar one. The
+/// recursive tracer draws its own numbers, so it comes only once.
 std::vector<Way> ways_for(const carlo::Scene& scene);
 
 }  // namespace bench

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a program says until it ends.
+/// The output of a program until it ends.
 struct Said {
   int exit_code;
   std::string text;
@@ -33,8 +33,7 @@ Said run(const std::vector<std::string>& command, const std::function<void()>& w
   return {child.exit_code(), child.output()};
 }
 
-/// The answer of the peer's script among all that is said, and the last line that tells of an
-/// error.
+/// The answer of the peer's script in its output, and the last line that reports an error.
 struct Lines {
   std::optional<nlohmann::json> answer;
   std::string error = "nothing that tells of an error";
@@ -69,7 +68,7 @@ PeerImage render_by(const PeerProgram& peer, nlohmann::json scene,
   fs::create_directories(peer.scratch);
   const fs::path input = peer.scratch / "peer.json";
   const fs::path output = fs::absolute(peer.scratch / "peer.exr");
-  fs::remove(output);  // an earlier run's image is no result
+  fs::remove(output);  // an earlier run's image must not count as a result
   scene["output"] = output.string();
   carlo::write_file(input, scene.dump() + "\n");
   std::vector<std::string> command = peer.command;

@@ -23,7 +23,7 @@ json numbers(const carlo::Vec3& v) {
   return {v.x, v.y, v.z};
 }
 
-/// Cycles stops at this many.
+/// Cycles allows no more.
 constexpr int most_bounces = 1024;
 
 /// Cycles does not count the segment from the camera nor the one to the light: 0 is direct light.
@@ -31,14 +31,14 @@ int bounces(const Scene& scene) {
   return scene.max_depth == 0 ? most_bounces : std::clamp(scene.max_depth - 2, 0, most_bounces);
 }
 
-/// Corners and faces, whatever the shape was.
+/// Corners and faces of any shape.
 struct Polygons {
   std::vector<carlo::Vec3> positions;
   json faces = json::array();
 };
 
-/// An icosahedron whose faces were cut in four six times. Its radius is larger than the sphere's by
-/// as much as leaves it the same area on average: 2e-5.
+/// An icosahedron whose faces were cut in four six times. Its radius exceeds the sphere's by 2e-5,
+/// which keeps the average area the same.
 Polygons polygons(const carlo::Sphere& sphere) {
   constexpr double golden = 1.618033988749895;
   std::vector<glm::dvec3> points;
@@ -95,7 +95,7 @@ Polygons polygons(const carlo::Sphere& sphere) {
   return result;
 }
 
-/// Of a shape that obstacle() let pass.
+/// For shapes that obstacle() accepts.
 Polygons polygons(const carlo::Shape& shape) {
   const auto unknown = [] { return carlo::Error("a peer has no such shape"); };
   return carlo::match(
@@ -116,9 +116,9 @@ Polygons polygons(const carlo::Shape& shape) {
 }
 
 /// The power of two that brings the largest coordinate into [1/2, 1). Radiances do not depend on
-/// the scale, but Cycles' light does: of the Cornell box in millimetres the walls lose 2 % where
-/// the lamp's light grazes them, with a largest coordinate of 6 still 1 %, below 1 nothing that 256
-/// samples a pixel show.
+/// the scale, but Cycles' light does: at grazing angles the walls of the Cornell box lose 2 % in
+/// millimetres, 1 % with a largest coordinate of 6, and below 1 nothing that 256 samples a pixel
+/// show.
 float to_unit_size(const Scene& scene) {
   float largest = 0;
   const auto meet = [&](const carlo::Vec3& p) {
@@ -173,7 +173,7 @@ json camera(const carlo::Camera& c, float scale) {
           {"tan_half_x", c.tan_half_x}};
 }
 
-/// Rows from the top, three numbers a texel; `x`, `y` and `z` are the image's axes in the scene.
+/// Rows from the top, three numbers per texel; `x`, `y` and `z` are the image's axes in the scene.
 json image_around(const carlo::Envmap& map) {
   json radiance = json::array();
   for (const carlo::Rgb& texel : map.image.pixels) {

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <map>
 
-// Mitsuba 3, Cycles and LuxCore beside us: seconds at equal error, on each scene that one of them
+// Mitsuba 3, Cycles and LuxCore beside ours: seconds at equal error, on each scene that one of them
 // can express exactly.
 
 namespace bench {
@@ -23,20 +23,20 @@ using nlohmann::json;
 struct PeerWay {
   std::string name;
   json choices;
-  bool for_caustics = false;  ///< of no use, or without end, where there is no mirror and no glass
+  bool for_caustics = false;  ///< useless, or endless, without mirrors and glass
 };
 
-/// Nobody waits longer for one render.
+/// The time limit for one render.
 constexpr const char* most_seconds = "900";
 
 struct Renderer {
-  std::string name, module;  ///< as people and as Python call it
+  std::string name, module;  ///< for display, and for Python
   Peer peer;
   std::string script;
   std::vector<PeerWay> ways;
 };
 
-/// Points are each renderer's best of those that were tried.
+/// Options are the best of those tried for each renderer.
 const std::vector<Renderer>& renderers() {
   static const std::vector<Renderer> all = {
       {"Mitsuba 3",
@@ -69,7 +69,7 @@ const std::vector<Renderer>& renderers() {
   return all;
 }
 
-/// Ours beside the best of theirs, for one scene.
+/// Ours beside their best, for one scene.
 struct Best {
   std::string peer;
   Spread ratio;
@@ -79,7 +79,7 @@ class Peers {
  public:
   explicit Peers(Context& context) : context_(context) {}
 
-  /// `from` and `to`: the renderer's share of the part.
+  /// `from` and `to`: the renderer's fraction of the part.
   void measure_all(const Renderer& renderer, double from, double to) {
     const Choice choice = choose(context_.options(), renderer.peer);
     if (!choice.left_out.empty()) {
@@ -135,7 +135,7 @@ class Peers {
     }
   }
 
-  /// A time counts if the image is ours.
+  /// A time counts only if the image agrees with ours.
   void add(const std::string& name, const Compared& c, const Runs& runs) {
     const Agreement a = agreement(runs.theirs, c.reference.image, *c.reference.standard_error);
     std::vector<carlo::Cell> row = beside_row(c.name, runs, a);

@@ -4,7 +4,7 @@
 
 namespace bench {
 
-/// This program's file.
+/// The path of this program's file.
 std::filesystem::path this_program();
 
 }  // namespace bench

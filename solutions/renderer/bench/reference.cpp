@@ -21,7 +21,7 @@ Reference read_reference(const std::filesystem::path& path, int size) {
   for (int y = 0; y < file.image.height; ++y) {
     for (int x = 0; x < file.image.width; ++x) {
       result.image.at(x / factor, y / factor) += share * file.image.at(x, y);
-      // The variance of a mean of factor^2 pixels is the mean of theirs over factor^2.
+      // The variance of a mean over factor^2 pixels is the mean of their variances over factor^2.
       for (int c = 0; c < 3; ++c) {
         const double error = file.standard_error->at(x, y)[c];
         result.noise += weight * static_cast<double>(share) * error * error;

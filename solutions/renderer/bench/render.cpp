@@ -1,4 +1,4 @@
-// `./carlo bench render`: error against time of the reference renderer, on one thread.
+// `./carlo bench render`: error against time for the reference renderer, on one thread.
 
 #include "course/cli/arguments.h"
 #include "course/cli/main_guard.h"
@@ -46,7 +46,7 @@ struct Variant {
   std::string kernel = "best";  ///< or "scalar", or an instruction set
   carlo::SamplerKind sampler = carlo::SamplerKind::sobol;
   renderer::LaneChoices choices{};
-  renderer::Technique technique = renderer::Technique::automatic;  ///< as `./carlo render` has it
+  renderer::Technique technique = renderer::Technique::automatic;  ///< as in `./carlo render`
   std::vector<double> seconds{}, rel_mse{}, product{};
 };
 
@@ -74,8 +74,7 @@ std::vector<Variant> variants(const Arguments& a) {
   return result;
 }
 
-/// One render. Seconds are the processor's when there is one thread: what else the machine does
-/// counts less.
+/// Renders once. On one thread, seconds are processor time, which other load affects less.
 void render_once(carlo::Scene scene, const carlo::Image& reference, const Arguments& a,
                  std::uint64_t seed, Variant& variant) {
   scene.sampler = variant.sampler;
@@ -107,7 +106,7 @@ void print(const Peer& peer, const Variant& variant, double paths) {
       target / product.median);
 }
 
-/// All variants take turns, so that what else the machine does meets them alike.
+/// All variants take turns, so that other load affects them alike.
 void measure(const Peer& peer, const Arguments& a) {
   const std::filesystem::path folder(a.references);
   carlo::Scene scene = carlo::load_scene(folder / (std::string(peer.scene) + ".xml"));

@@ -27,7 +27,7 @@ Scene load(const Context& context, const std::string& name, int size) {
   return scene;
 }
 
-/// One way to render and what its runs took.
+/// A way to render and the results of its runs.
 struct Case {
   std::string name;
   Scene scene;
@@ -146,7 +146,7 @@ void bench_lights(Context& context) {
                      {"lights", "kernel", "seconds_a_path", "efficiency"});
   std::string last;
   for (const Case& c : cases) {
-    // Once, where the scalar kernel is the best one for so many.
+    // Printed only once where the best kernel is the scalar one.
     if (std::exchange(last, c.name + c.kernel) == c.name + c.kernel) continue;
     table.add_row({carlo::Cell(c.name, std::stod(c.name)), c.kernel,
                    seconds_spread_cell(spread(c.seconds_a_path)),

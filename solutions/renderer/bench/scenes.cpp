@@ -48,7 +48,7 @@ struct Rung {
   std::uint32_t samples;
   std::vector<double> seconds, mse, rel_mse;
 
-  /// Without what the reference's own noise adds.
+  /// The error without the reference's own contribution.
   double error(double mean_square, double noise) const {
     return std::sqrt(std::max(mean_square - noise, 0.0));
   }
@@ -59,7 +59,7 @@ struct Measured {
   std::vector<Rung> rungs;
 };
 
-/// The runs of all ways take turns, so that what disturbs the machine disturbs all of them.
+/// The runs of all ways take turns, so that disturbances of the machine affect all of them.
 std::vector<Measured> measure(Context& context, Scene scene, const Reference& reference,
                               const Plan& p, double from, double to) {
   std::vector<Measured> all;
@@ -77,7 +77,7 @@ std::vector<Measured> measure(Context& context, Scene scene, const Reference& re
       for (Measured& m : all) {
         scene.sampler = m.way.sampler;
         Rung& rung = m.rungs[r];
-        // Errors that a line is fitted to are those of different points.
+        // A line fit needs errors from independent points, so each rung has its own seed.
         const std::uint64_t seed =
             context.options().seed + 16 * static_cast<std::uint64_t>(run) + r;
         const auto integrator = make_integrator(m.way.method, scene, seed, rung.samples);
@@ -94,7 +94,7 @@ std::vector<Measured> measure(Context& context, Scene scene, const Reference& re
   return all;
 }
 
-/// What a chart and a table say of one way.
+/// The chart and table entries of one way.
 struct Slopes {
   carlo::Series samples, seconds;
 };
@@ -221,7 +221,7 @@ void bench_equal_time(Context& context) {
     const Way& way = ways[i];
     scene.sampler = way.sampler;
     const std::uint64_t seed = context.options().seed;
-    // The second of two pilots: the first one also pays for what is done once.
+    // The second of two pilots: the first one also pays for one-time work.
     const auto pilot = make_integrator(way.method, scene, seed, 2);
     (void)render_timed(*pilot, scene, 2);
     const double each = std::max(render_timed(*pilot, scene, 2).seconds / 2, 1e-6);

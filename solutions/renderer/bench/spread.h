@@ -9,7 +9,7 @@ struct Spread {
   double median = 0, least = 0, greatest = 0;
 };
 
-/// Of one value at least; of an even number the upper median.
+/// Needs at least one value; for an even number takes the upper median.
 Spread spread(std::vector<double> values);
 
 inline double median(const std::vector<double>& values) {

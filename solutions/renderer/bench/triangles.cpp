@@ -19,7 +19,8 @@
 #include <atomic>
 #include <fstream>
 
-// What a mesh costs: memory beside Embree's own, the time to the first pixel, and the time a path.
+// The cost of a mesh: memory compared with Embree's own, the time to the first pixel, and the time
+// per path.
 
 namespace bench {
 namespace {
@@ -46,8 +47,8 @@ bool add_bytes(void* sum, ssize_t bytes, bool /*post*/) {
   return true;
 }
 
-/// What Embree alone holds for the scene's meshes: vertices, indices and its tree, built as ours
-/// is.
+/// The memory that Embree alone needs for the scene's meshes: vertices, indices and its tree, built
+/// as ours is.
 double embree_bytes(const Scene& scene) {
   std::atomic<std::int64_t> sum = 0;
   RTCDevice device = rtcNewDevice(nullptr);
@@ -77,7 +78,7 @@ struct Costs {
   double path;                                ///< processor seconds
 };
 
-/// In a program of its own, so that one mesh's memory does not hide another's.
+/// Measures in a process of its own, so that one mesh's memory does not hide another's.
 Costs measure_apart(const fs::path& scene) {
   const auto c = nlohmann::json::parse(
                      carlo::output_of({this_program().string(), "--mesh-costs", scene.string()}))

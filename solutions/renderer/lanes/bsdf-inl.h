@@ -1,4 +1,4 @@
-// The modified Phong model, a lane a surface point. Included once for each instruction set.
+// The modified Phong model, one surface point per lane. Included once for each instruction set.
 
 #if defined(CARLO_BSDF_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_BSDF_INL
@@ -18,7 +18,7 @@ namespace HWY_NAMESPACE {
 
 constexpr float pi = 3.14159265358979f;
 
-/// A surface point and what it does with light. Normals stand on the side that is seen.
+/// A surface point and its reflection properties. Normals are on the visible side.
 struct Surfaces {
   V3 p, n, mirror;  ///< mirror: the direction of ideal reflection
   V3 kd, ks;        ///< kd / pi, ks (n + 2) / (2 pi)
@@ -34,7 +34,7 @@ template <bool phong>
 HWY_INLINE Bsdfs evaluate(const Surfaces& s, V3 wi, V cosine) {
   const V cosine_pdf = hn::Mul(cosine, set(1 / pi));
   if (!phong) return {each(s.kd), cosine_pdf};
-  // 1 - cos of the angle to the mirror direction, which keeps its digits where the angle is small.
+  // 1 - cos of the angle to the mirror direction, accurate even where the angle is small.
   const V3 apart = wi - s.mirror;
   const V h = hn::Mul(set(0.5f), dot(apart, apart));
   const M front = hn::Lt(h, set(1));
@@ -45,9 +45,9 @@ HWY_INLINE Bsdfs evaluate(const Surfaces& s, V3 wi, V cosine) {
           mul_add(s.diffuse, hn::Sub(cosine_pdf, lobe_pdf), lobe_pdf)};
 }
 
-/// The density with which the direction of arrival, of cosine `arrival`, would be drawn by a path
-/// that came along the one of cosine `cosine`, which is drawn with density `pdf` from there. The
-/// lobe is the same both ways.
+/// The density with which a path that came along the sampled direction (cosine `cosine`, drawn with
+/// density `pdf`) would draw the direction of arrival (cosine `arrival`). The lobe is the same both
+/// ways.
 template <bool phong>
 HWY_INLINE V pdf_back(const Surfaces& s, V arrival, V cosine, V pdf) {
   const V per_pi = set(1 / pi);
@@ -56,7 +56,8 @@ HWY_INLINE V pdf_back(const Surfaces& s, V arrival, V cosine, V pdf) {
   return hn::Max(hn::Add(pdf, more), set(0));
 }
 
-/// A direction by either lobe: u.x chooses it and, stretched again, serves the direction.
+/// Draws a direction from either lobe: u.x chooses the lobe and, rescaled, serves the direction as
+/// well.
 template <bool phong>
 HWY_INLINE V3 sample_direction(const Surfaces& s, V2 u) {
   if (!phong) {
@@ -70,7 +71,7 @@ HWY_INLINE V3 sample_direction(const Surfaces& s, V2 u) {
                               select(is_diffuse, s.diffuse, hn::Sub(set(1), s.diffuse)));
   const V x = hn::Min(stretched, set(0x1.fffffep-1f));
   const SinCos azimuth = turn(u.y);
-  // cos^2 = 1 - x for the cosine's lobe, (1 - x)^(2/(n+1)) for cos^n.
+  // cos^2 = 1 - x for the cosine lobe, (1 - x)^(2/(n+1)) for cos^n.
   const V log_cos2 = hn::Mul(log_one_minus(x), hn::Div(set(2), hn::Add(s.exponent, set(1))));
   const Exponential e = exponential(log_cos2);
   const V sin2 = select(is_diffuse, x, neg_mul_add(e.scale, e.more, hn::Sub(set(1), e.scale)));
@@ -81,17 +82,17 @@ HWY_INLINE V3 sample_direction(const Surfaces& s, V2 u) {
       to_world(frame, hn::Mul(r, azimuth.cos), hn::Mul(r, azimuth.sin), hn::Sqrt(cos2)));
 }
 
-/// What mirrors and glass do with a ray.
+/// What mirrors and glass do to a ray.
 struct Reflections {
   V3 d;
   V3 weight;
-  V eta2;     ///< radiance is compressed by this: it counts in `weight`, but is no absorption
-  M through;  ///< goes on behind the surface
+  V eta2;     ///< radiance compression: part of `weight`, but no absorption
+  M through;  ///< continues behind the surface
 };
 
-/// Rays of direction d; n stands on the side they come from, which is the outer one if `front`.
-/// `ior`: inner index over outer one, 0 for mirrors, which reflect `reflectance`. Where u is below
-/// Fresnel's reflectance (of unpolarised light), glass reflects.
+/// Reflects or refracts rays of direction d; n is on the side that they come from, which is the
+/// outer one if `front`. `ior`: inner index over outer index, 0 for mirrors, which reflect
+/// `reflectance`. Glass reflects where u is below Fresnel's reflectance for unpolarised light.
 HWY_INLINE Reflections reflect(V3 d, V3 n, M front, V3 reflectance, V ior, V u) {
   const M glass = hn::Gt(ior, set(0));
   const V inner = select(glass, ior, set(1));

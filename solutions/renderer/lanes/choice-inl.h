@@ -1,4 +1,5 @@
-// Which light a path asks, a lane a point. Included once for each instruction set.
+// Chooses the light that a path samples, one point per lane. Included once for each instruction
+// set.
 
 #if defined(CARLO_CHOICE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_CHOICE_INL
@@ -25,19 +26,19 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-// A group of lights (LaneLights) is chosen in proportion to the irradiance that it would bring if
-// nothing were in the way, about that: its `weight`. A sixteenth of the choices is for the lights
-// of all groups alike that can bring some at all, so that none is left out where the weights are
-// wrong. (LightTree does the same for many lights, by its own estimates.)
+// A group of lights (LaneLights) is chosen in proportion to its `weight`, an estimate of its
+// unoccluded irradiance. One sixteenth of the choices goes to all groups that can contribute,
+// equally for each light, so that none is missed where the weights are wrong. (LightTree does the
+// same for many lights, with its own estimates.)
 
-/// What is known of groups: a sphere around each, and its LaneLights::strength.
+/// What is known about groups: a sphere around each, and its LaneLights::strength.
 struct Emitters {
   V3 middle;
   V reach, strength;
 };
 
-/// How bright groups are at points p of surfaces with normals n. `height`: how far p lies in front
-/// of one that has a plane; of others it is the distance. Below 0 where they cannot bring anything.
+/// The weights of groups at points p of surfaces with normals n. `height`: how far p lies in front
+/// of the group's plane, or the distance if it has none. Below 0 where the group cannot contribute.
 HWY_INLINE V flat_weight(const Emitters& light, V3 p, V3 n, V height) {
   const V3 d = light.middle - p;
   const V inwards = mul_add(n.x, d.x, mul_add(n.y, d.y, mul_add(n.z, d.z, light.reach)));
@@ -53,7 +54,7 @@ HWY_INLINE V round_weight(const Emitters& light, V3 p, V3 n) {
   return flat_weight(light, p, n, hn::Sqrt(hn::Max(dot(d, d), set(1e-30f))));
 }
 
-/// A light's chance, from its group's weight and its share in it.
+/// A light's probability, from the weight of its group and its share in it.
 struct Chances {
   V per_weight, of_each;
 };
@@ -62,12 +63,12 @@ HWY_INLINE V chance(const Chances& chances, V weight, V share) {
                             mul_add(hn::Mul(weight, chances.per_weight), share, chances.of_each));
 }
 
-/// Of the image around: the same everywhere.
+/// The weight of the image around the scene: the same everywhere.
 HWY_INLINE V sky_weight(const LaneLights& lights) {
   return set(lights.strength[lights.sky]);
 }
 
-/// The weights of all groups, one register each.
+/// The weights of all groups, one register per group.
 using Weights = std::array<float, LaneLights::most_groups * lanes>;
 
 inline HWY_NOINLINE Chances weigh_lights(const LaneLights& lights, const V3& p, const V3& n,
@@ -91,7 +92,7 @@ inline HWY_NOINLINE Chances weigh_lights(const LaneLights& lights, const V3& p, 
   }
   for (std::uint32_t g = lights.first_round; g < lights.groups; ++g)
     add(g, g == lights.sky ? sky_weight(lights) : round_weight(emitters(g), p, n));
-  // A little more than 1 in all, so that rounding leaves the last group its end.
+  // The total is slightly above 1, so that rounding does not shorten the last group.
   constexpr float all = 1 + 0x1p-20f;
   constexpr auto floor = static_cast<float>(LightTree::floor);
   const M some = hn::Gt(sum, set(0));
@@ -101,16 +102,16 @@ inline HWY_NOINLINE Chances weigh_lights(const LaneLights& lights, const V3& p, 
 
 struct Picked {
   U index;   ///< a light
-  V chance;  ///< of it
+  V chance;  ///< its probability
 };
 
-/// u is stretched from [0, width) to [0, 1).
+/// Stretches u from [0, width) to [0, 1).
 HWY_INLINE V stretch(V u, V width) {
   return hn::Min(hn::Div(u, width), set(0x1.fffffep-1f));
 }
 
-/// The members of groups that u in [0, width) leads to: of the first `by_strength` of that by their
-/// strengths, of the rest all alike; u becomes uniform in [0, 1).
+/// The members of groups that u in [0, width) leads to: the first `by_strength` of the width
+/// chooses by strength, the rest uniformly. u becomes uniform in [0, 1).
 HWY_INLINE Picked pick_member(const LaneLights& lights, U group, V width, V by_strength, V& u) {
   const U first = gather_words(lights.first.data(), group);
   const U size = gather_words(lights.size.data(), group), end = hn::Add(first, size);
@@ -137,9 +138,9 @@ HWY_INLINE Picked pick_member(const LaneLights& lights, U group, V width, V by_s
   return {gather_words(lights.member.data(), at), mul_add(by_strength, share, of_each)};
 }
 
-/// The lights that u in [0, 1) leads to; u becomes uniform again. Chances of groups are multiples
-/// of 2^-23, of which u's steps are halves, so that they are those with which groups are drawn.
-/// Where u is between two of its steps, of which a small chance leaves few, `seed` says.
+/// Picks lights by u in [0, 1); u becomes uniform again. The probabilities of groups are multiples
+/// of 2^-23, twice the step of u, so they are exactly those with which groups are drawn. A small
+/// probability leaves few steps of u; `seed` decides between them.
 inline HWY_NOINLINE Picked pick_light(const LaneLights& lights, const Weights& weights,
                                       const Chances& chances, U seed, V& u) {
   V sum = set(0), of_each = set(0), lower = set(0), upper = set(1);
@@ -170,7 +171,7 @@ inline HWY_NOINLINE Picked pick_light(const LaneLights& lights, const Weights& w
   return pick_member(lights, group, width, by_strength, u);
 }
 
-/// With what chance lights are chosen at points p of surfaces with normals n.
+/// The probability with which lights are chosen at points p of surfaces with normals n.
 inline HWY_NOINLINE V chance_of(const LaneLights& lights, const Chances& chances, U light,
                                 const V3& p, const V3& n) {
   const U group = gather_words(lights.group.data(), light);

@@ -1,4 +1,5 @@
-// Which parallelograms and disks rays meet, a lane a ray. Included once for each instruction set.
+// Finds the parallelograms and disks that rays meet, one ray per lane. Included once for each
+// instruction set.
 
 #if defined(CARLO_FLATS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_FLATS_INL
@@ -20,11 +21,11 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// Across an edge that two parallelograms share, both reach a little further: rays that aim at the
-/// edge pass between none.
+/// Two parallelograms that share an edge both reach a little across it, so that no ray aimed at the
+/// edge slips through.
 constexpr float reach = 1 + 4e-7f;
 
-/// Whether a point of its plane lies in parallelogram or disk i.
+/// Tests whether a point of its plane lies in parallelogram or disk i.
 enum class Outline { quad, disk };
 template <Outline outline>
 HWY_INLINE M inside(const LaneScene& s, std::size_t i, V3 p) {
@@ -35,10 +36,10 @@ HWY_INLINE M inside(const LaneScene& s, std::size_t i, V3 p) {
   return hn::Le(outwards, set(reach));
 }
 
-/// Where a ray meets the plane of parallelogram or disk i, and whether that is inside of it.
+/// Where a ray meets the plane of parallelogram or disk i, and whether that is inside it.
 struct PlaneHit {
   V3 n;
-  V below;  ///< how far the origin lies from the plane, against n
+  V below;  ///< how far the origin lies from the plane, in direction -n
   V along;  ///< the direction's component along n
   V t;
   M inside;
@@ -51,8 +52,9 @@ HWY_INLINE PlaneHit meet_plane(const LaneScene& s, std::size_t i, V3 o, V3 d) {
   return {n, below, along, t, inside<outline>(s, i, add_scaled(o, t, d))};
 }
 
-/// Whether rays go through the plane that their origins touch, n its normal. On which side of it an
-/// origin lies its coordinates cannot say, but the path came to it on that side.
+/// True for rays that cross the plane that their origins touch; n is its normal. An origin's
+/// coordinates cannot tell on which side of the plane it lies, but the path came to it on that
+/// side.
 HWY_INLINE M goes_through(V3 n, V along, V3 came) {
   return hn::Gt(hn::Mul(along, dot(n, came)), set(0));
 }
@@ -72,14 +74,14 @@ HWY_INLINE void meet_flat(const LaneScene& s, std::uint32_t i, const Origins& fr
     }
   }
   M nearer = hn::Lt(t, hits.t);
-  // Of surfaces in one plane, whose distances are the same number, the one that faces the ray.
+  // Among surfaces of one plane, whose distances are equal, the one that faces the ray wins.
   if (close && s.coplanar)
     nearer = hn::Or(nearer, hn::And(hn::Eq(t, hits.t), hn::Lt(hit.along, set(0))));
   take(hits, hn::And(hn::And(nearer, ahead), there), t, set_word(i));
 }
 
-/// Parallelogram or disk i lies between if the ends are on different sides of its plane: by the
-/// ends themselves, for how far away a light is would blur what is close to it.
+/// Parallelogram or disk i is in between if the ends are on different sides of its plane. The ends
+/// themselves are compared: a distance to a far light would blur what is close to it.
 template <bool close, Outline outline>
 HWY_INLINE M flat_blocks(const LaneScene& s, std::uint32_t i, const Segments& way, V of_origin) {
   const PlaneHit hit = meet_plane<outline>(s, i, way.from.o, way.d);
@@ -96,20 +98,20 @@ HWY_INLINE M flat_blocks(const LaneScene& s, std::uint32_t i, const Segments& wa
   return hn::And(there, between);
 }
 
-/// Parallelograms of one plane, with numbers in a row, share all but what is inside of each.
+/// Parallelograms of one plane, with consecutive numbers, share everything but their outlines.
 struct Run {
   std::uint32_t first, end;
 };
 HWY_INLINE Run run_from(const LaneScene& s, std::uint32_t i) {
   return {i, s.run_end[i]};
 }
-/// Whether number i faces the side that the run's first faces.
+/// True if number i faces the same side as the run's first.
 HWY_INLINE bool alike(const LaneScene& s, const Run& run, std::uint32_t i) {
   return s.nx[i] == s.nx[run.first] && s.ny[i] == s.ny[run.first] && s.nz[i] == s.nz[run.first];
 }
 
-/// Calls f with the numbers of a run whose place one of the points p, which are `asked` for and lie
-/// in its plane, comes near to.
+/// Calls f with the numbers of a run that come close to one of the points p that are `asked` for;
+/// these lie in its plane.
 template <class F>
 HWY_INLINE void for_places(const LaneScene& s, const Run& run, V3 p, M asked, const F& f) {
   const std::uint32_t i = run.first;
@@ -124,7 +126,7 @@ HWY_INLINE void for_places(const LaneScene& s, const Run& run, V3 p, M asked, co
   }
 }
 
-/// meet_flat() of each of a run: where none of the rays meets the plane, without looking at them.
+/// meet_flat() for each of a run, which is skipped where none of the rays meets the plane.
 HWY_INLINE void meet_run(const LaneScene& s, const Run& run, const Origins& from, V3 d, V of_origin,
                          Hits& hits) {
   const std::uint32_t i = run.first;
@@ -142,7 +144,7 @@ HWY_INLINE void meet_run(const LaneScene& s, const Run& run, const Origins& from
   if (hn::AllFalse(d_, hn::Or(nearer, level))) return;
   const V3 p = add_scaled(from.o, hit.t, d);
   const M faced = hn::Lt(hit.along, set(0)), facing = hn::Gt(hit.along, set(0));
-  // Of those that overlap one that faces the ray.
+  // Among overlapping ones, one that faces the ray.
   M open = nearer;
   for_places(s, run, p, hn::Or(nearer, level), [&](std::uint32_t k) HWY_ATTR {
     const M front = alike(s, run, k) ? faced : facing;
@@ -153,7 +155,7 @@ HWY_INLINE void meet_run(const LaneScene& s, const Run& run, const Origins& from
   });
 }
 
-/// flat_blocks() of any of a run.
+/// flat_blocks() for any of a run.
 HWY_INLINE M run_blocks(const LaneScene& s, const Run& run, const Segments& way, M asked,
                         V of_origin) {
   const std::uint32_t i = run.first;

@@ -1,4 +1,5 @@
-// Products and sums that are rounded once, a lane a number. Included once for each instruction set.
+// Products and sums with a single rounding, one number per lane. Included once for each instruction
+// set.
 
 #if defined(CARLO_FUSED_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_FUSED_INL
@@ -15,9 +16,9 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// a b + c, a b - c, c - a b, -a b - c: floats or doubles. All that this renderer fuses is fused
-/// here; the compiler may not (-ffp-contract=off). Instruction sets without FMA, for which Highway
-/// rounds twice, have no kernel (lane_kernel.cpp).
+/// a b + c, a b - c, c - a b, -a b - c, for floats or doubles. All fused operations of this
+/// renderer are here; the compiler may not fuse (-ffp-contract=off). Instruction sets without FMA,
+/// for which Highway rounds twice, have no kernel (lane_kernel.cpp).
 template <class Vector>
 HWY_INLINE Vector mul_add(Vector a, Vector b, Vector c) {
   return hn::MulAdd(a, b, c);
@@ -33,7 +34,7 @@ HWY_INLINE Vector neg_mul_add(Vector a, Vector b, Vector c) {
 template <class Vector>
 HWY_INLINE Vector neg_mul_sub(Vector a, Vector b, Vector c) {
 #if HWY_ARCH_ARM
-  // There Highway negates the whole, with the other zero where terms cancel.
+  // Highway negates the whole here, which gives the other zero where terms cancel.
   return hn::MulSub(hn::Neg(a), b, c);
 #else
   return hn::NegMulSub(a, b, c);

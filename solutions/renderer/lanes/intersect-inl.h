@@ -1,4 +1,4 @@
-// Which surface rays meet, a lane a ray. Included once for each instruction set.
+// Finds the surfaces that rays meet, one ray per lane. Included once for each instruction set.
 
 #if defined(CARLO_INTERSECT_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_INTERSECT_INL
@@ -21,7 +21,7 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// Where the line of a ray enters and leaves one slab of a box.
+/// Where a ray's line enters and leaves one slab of a box.
 struct SlabHit {
   V enters, leaves;
   V along;  ///< the direction's component along the slab's axis
@@ -30,8 +30,8 @@ HWY_INLINE SlabHit meet_slab(const LaneBox& box, std::size_t k, V3 o, V3 d) {
   const V3 axis = set(box.axis[k][0], box.axis[k][1], box.axis[k][2]);
   const V from =
       mul_add(axis.x, o.x, mul_add(axis.y, o.y, mul_sub(axis.z, o.z, set(box.center[k]))));
-  // A component of 0 becomes 2^-63, so that 0 is never divided by 0; those from there to 2 have
-  // this bit anyway.
+  // Replaces a component of 0 by 2^-63, so that 0 is never divided by 0; components from there to 2
+  // have this bit set anyway.
   const V along = hn::Or(dot(axis, d), set(0x1p-63f));
   const V inverse = hn::Div(set(1), along), reach_of_half = hn::Abs(inverse);
   const V middle = hn::Mul(from, inverse);
@@ -39,9 +39,10 @@ HWY_INLINE SlabHit meet_slab(const LaneBox& box, std::size_t k, V3 o, V3 d) {
           mul_sub(set(box.half[k]), reach_of_half, middle), along};
 }
 
-/// The number, within its box, of the side of slab k that a ray enters (leaves) by.
+/// The number, within its box, of the side of slab k by which a ray enters (leaves).
 HWY_INLINE U entered(std::size_t k, V along) {
-  // It moves towards larger coordinates where `along` is positive, and enters by the lower side.
+  // The ray moves towards larger coordinates where `along` is positive, and enters by the lower
+  // side.
   return hn::Or(hn::ShiftRight<31>(hn::BitCast(du_, along)),
                 set_word(static_cast<std::uint32_t>(2 * k)));
 }
@@ -85,8 +86,8 @@ HWY_INLINE U box_of(U surface) {
   return hn::ShiftRight<3>(surface);
 }
 
-/// From outside, where every path is, a solid lies ahead if the middle of the chord does: that does
-/// not depend on the rounding of an origin that touches it.
+/// Seen from outside, where every path is, a solid lies ahead if the middle of the chord does. This
+/// does not depend on the rounding of an origin that touches the solid.
 HWY_INLINE void meet_solid(const LaneScene& s, std::uint32_t i, V3 o, V3 d, U last_box,
                            Hits& hits) {
   const SlabHit x = meet_slab(s.solids[i], 0, o, d), y = meet_slab(s.solids[i], 1, o, d),
@@ -106,7 +107,7 @@ HWY_INLINE void meet_solid(const LaneScene& s, std::uint32_t i, V3 o, V3 d, U la
   take(hits, nearer, enters, hn::Add(side, set_word(i * LaneScene::sides)));
 }
 
-/// Where a line meets a sphere: t of the middle of the chord, and of its ends.
+/// Where a line meets a sphere: t at the middle of the chord and at its ends.
 struct Chord {
   V middle, enters, leaves;
   M met;
@@ -126,15 +127,15 @@ HWY_INLINE Chord meet_sphere(const LaneScene& s, std::size_t i, V3 o, V3 d) {
   return {middle, hn::Sub(middle, half), hn::Add(middle, half), met};
 }
 
-/// -1 where `came` (Origins) is the opposite.
+/// -1 where `came` (Origins) holds the opposite direction.
 HWY_INLINE V turned(V3 came) {
   return select(hn::Gt(dot(came, came), set(2)), set(-1), set(1));
 }
 
-/// From outside a sphere is met where the ray enters, from inside where it leaves. From the sphere
-/// itself a ray meets it once more if it is inside, as the path was that came there, or the other
-/// way round through glass: always, though rounding may have put a grazing ray's origin outside, so
-/// that the line misses the sphere.
+/// A ray from outside meets a sphere where it enters, one from inside where it leaves. A ray that
+/// starts on the sphere meets it once more if it is inside, which is where the path came from, or
+/// the opposite after passing through glass. It does so even if rounding puts a grazing ray's
+/// origin outside, so that the line misses the sphere.
 template <bool full>
 HWY_INLINE void meet_sphere(const LaneScene& s, std::uint32_t i, const Origins& from, V3 d,
                             V of_origin, Hits& hits) {
@@ -147,7 +148,7 @@ HWY_INLINE void meet_sphere(const LaneScene& s, std::uint32_t i, const Origins& 
   const M outside = hn::AndNot(starts, hn::Gt(chord.enters, set(0)));
   V t = select(outside, chord.enters, hn::Max(chord.leaves, set(0)));
   M ahead = hn::Gt(select(starts, from_inside, t), set(0));
-  // The product is the origin's distance from the sphere times that from its far side.
+  // The product of the origin's distances from the near and the far side of the sphere.
   const M touches =
       hn::AndNot(starts, hn::And(chord.met, within_rounding(hn::Mul(chord.enters, chord.leaves),
                                                             hn::Mul(of_origin, set(s.width[i])),
@@ -161,7 +162,7 @@ HWY_INLINE void meet_sphere(const LaneScene& s, std::uint32_t i, const Origins& 
   take(hits, hn::And(hn::And(met, ahead), hn::Lt(t, hits.t)), t, number);
 }
 
-/// The first surface along rays, but for sdfs and meshes; d has length 1.
+/// The first surface along rays, without sdfs and meshes; d has length 1.
 template <bool close, bool full>
 HWY_INLINE Hits closest(const LaneScene& s, const Origins& from, V3 d) {
   Hits hits{set(longest), set_word(nothing)};
@@ -191,7 +192,7 @@ HWY_INLINE Hits closest(const LaneScene& s, const Origins& from, V3 d) {
   return hits;
 }
 
-/// Both ends lie outside: the middle of the chord, between them, tells whether the solid does.
+/// Both ends lie outside, so the solid is in the way if the middle of the chord lies between them.
 HWY_INLINE M solid_blocks(const LaneBox& box, const Segments& way) {
   const SlabHit x = meet_slab(box, 0, way.from.o, way.d), y = meet_slab(box, 1, way.from.o, way.d),
                 z = meet_slab(box, 2, way.from.o, way.d);
@@ -203,8 +204,8 @@ HWY_INLINE M solid_blocks(const LaneBox& box, const Segments& way) {
                          hn::Lt(twice_middle, hn::Add(way.distance, way.distance))));
 }
 
-/// An end that touches a sphere is rarer than rounding could show. A lamp is in the way of its own
-/// points only if they face inwards and the origin is outside.
+/// Rounding has a larger effect than an end that touches the sphere. A lamp occludes its own points
+/// only if they face inwards and the origin is outside.
 template <bool full>
 HWY_INLINE M sphere_blocks(const LaneScene& s, std::uint32_t i, const Segments& way) {
   const Chord chord = meet_sphere(s, std::size_t{i}, way.from.o, way.d);
@@ -226,8 +227,8 @@ HWY_INLINE M sphere_blocks(const LaneScene& s, std::uint32_t i, const Segments& 
   return hn::And(met, hn::Or(by_near, by_far));
 }
 
-/// Which of `asked` reach their end, a point of a light or the camera, without meeting anything
-/// between, but for sdfs and meshes.
+/// Those of `asked` that reach their end, a point of a light or the camera, without meeting
+/// anything in between; sdfs and meshes are not tested.
 template <bool close, bool full, bool to_camera = false>
 HWY_INLINE M unoccluded(const LaneScene& s, const Segments& way, M asked) {
   M clear = asked;

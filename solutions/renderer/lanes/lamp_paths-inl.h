@@ -31,9 +31,9 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// Of paths from lamps: `rival` is how much denser the techniques from the camera are, `pdf` the
-/// cosine at the lamp, below 0 for points, and `compressed` the largest channel that beta started
-/// with.
+/// Traces paths from lamps: `rival` is how much denser the techniques from the camera are, `pdf`
+/// the cosine at the lamp, below 0 for points, and `compressed` the largest channel that beta
+/// started with.
 template <class Needs>
 class LampWalk : Steps<Needs> {
  public:
@@ -61,7 +61,7 @@ class LampWalk : Steps<Needs> {
   /// The unit of Paths::ties, squared luminances of splats.
   double tie_unit() const { return large_ * large_; }
 
-  // For step_batch():
+  // For step_batch().
 
   HWY_INLINE void shade(Paths& paths, Vertex& vertex) const {
     paths.depth = hn::Add(paths.depth, set_word(1));
@@ -79,7 +79,7 @@ class LampWalk : Steps<Needs> {
     V rival_there = zeros<V>();
     if (Needs::full && s_.any_specular) {
       specular = this->reflect_some(paths, spots, vertex.u_lobe.x, next);
-      // Power is not compressed.
+      // Power, unlike radiance, is not compressed.
       next.weight = hn::Div(set(1), next.eta2) * (paths.beta * next.weight);
       rival_there = this->turn_rival(paths.rival, spots, next);
     }
@@ -119,9 +119,9 @@ class LampWalk : Steps<Needs> {
   using Base = Steps<Needs>;
   using Base::counts_, Base::job_, Base::s_;
 
-  /// By how much denser the techniques from the camera are on which this vertex comes before the
-  /// one that the path came from: `factor` times the density of that way back by the vertex's
-  /// BRDF, and, at the first vertex, that of light sampling.
+  /// How much denser the techniques from the camera are for which this vertex precedes the one that
+  /// the path came from: `factor` times the density of that way back by the vertex's BRDF, plus, at
+  /// the first vertex, the density of light sampling.
   struct Rivals {
     V factor, of_lights, cosine;
   };
@@ -136,8 +136,8 @@ class LampWalk : Steps<Needs> {
     }
     return {hn::Mul(paths.rival, per), of_lights, spots.cosine};
   }
-  /// The density with which light sampling at a path's first vertex draws the way to its start: per
-  /// solid angle, or of a point times distance^2.
+  /// The density with which light sampling at a path's first vertex draws the path's start: per
+  /// solid angle, or for a point light times distance^2.
   HWY_INLINE V by_light_sampling(const Paths& paths, const Spots& spots, V t, M point) const {
     const U lamp = hn::IfThenZeroElse(hn::RebindMask(du_, hn::Or(point, is_nowhere(paths.from))),
                                       paths.from.last);
@@ -170,7 +170,7 @@ class LampWalk : Steps<Needs> {
     return this->together(hn::Mul(rivals.factor, back), rivals.of_lights);
   }
 
-  /// What the path brings to the pixel in which the camera sees its vertex.
+  /// Adds the path's contribution to the pixel in which the camera sees its vertex.
   HWY_INLINE void join_camera(Paths& paths, const Surfaces& surface, Vertex& vertex,
                               const Rivals& rivals) const {
     const V3 way = eye_ - surface.p;
@@ -223,7 +223,7 @@ class LampWalk : Steps<Needs> {
     paths.d = wi;
   }
 
-  /// Counts what the pixels that a path reaches have in common.
+  /// Records the correlation between the pixels that a path reaches.
   HWY_INLINE void tie(Paths& paths, const V3& splat, M clear) const {
     const V luminance = hn::Mul(dot(splat, set(0.2126f, 0.7152f, 0.0722f)), set(small_));
     const V more = hn::IfThenElseZero(hn::And(clear, hn::Lt(luminance, set(0x1p12f))), luminance);
@@ -231,8 +231,9 @@ class LampWalk : Steps<Needs> {
     paths.brought = hn::Add(paths.brought, more);
   }
 
-  /// Whole units, one more as often as the rest asks for (`up` is uniform in [0, 1)): beside a lamp
-  /// 1e12 times as bright what a weak one brings may be less than a unit, and must not be lost.
+  /// Rounds to whole units, up as often as the fraction demands (`up` is uniform in [0, 1)). Next
+  /// to a lamp 1e12 times as bright, the contribution of a weak one may be less than a unit and
+  /// must not be lost.
   std::int64_t units(float value, double up) const {
     const double x = static_cast<double>(value) * scale_;
     constexpr double most = 0x1p62;
@@ -243,25 +244,25 @@ class LampWalk : Steps<Needs> {
 
   carlo::Splats& splats_;
   double scale_;
-  double large_ = splats_.unit() * 0x1p50;  ///< keeps squares of splats within floats
+  double large_ = splats_.unit() * 0x1p50;  ///< keeps the squares of splats within float range
   float small_ = static_cast<float>(1 / large_);
   V3 eye_, forward_, right_, up_;
 };
 
-/// A point and a direction of the lamps for each of these paths, for lanes that have none.
+/// Starts a path at a point of the lamps in each of these lanes, which have none.
 template <class Needs>
 HWY_INLINE void start_at_lamps(const LampJob& job, U index, U key, M starts, Paths& paths) {
   const LaneScene& s = job.whole.scene;
   const U reversed = reverse_bits(index), k = mix(key);
   const V2 u = points(job.whole, reversed, k), v = points(job.whole, reversed, second_word(k));
   const LightPoints lamp = sample_lamp<Needs::full>(s, u);
-  // In a scene without lamps there is but the image around, where none starts.
+  // A scene without lamps has only the image around it, where no path starts.
   if (Needs::full && s.sky) starts = hn::AndNot(lamp.beyond, starts);
   // Cosine-distributed about the normal, or uniform.
   const SinCos azimuth = turn(v.y);
   const V z = select(lamp.point, neg_mul_add(v.x, set(2), set(1)), hn::Sqrt(hn::Sub(set(1), v.x)));
   const V r = hn::Sqrt(select(lamp.point, hn::Max(neg_mul_add(z, z, set(1)), set(0)), v.x));
-  // The normal of a point is that of some surface, or 0 if that is no plane.
+  // A point light has no normal: any axis will do.
   const V3 axis = select(lamp.point, set(0, 0, 1), lamp.n);
   const V3 d = to_world(frame_about(axis), hn::Mul(r, azimuth.cos), hn::Mul(r, azimuth.sin), z);
   const V3 beta = hn::Div(set(1), lamp.emission) * lamp.Le;
@@ -293,16 +294,16 @@ HWY_INLINE void start_at_lamps(const LampJob& job, U index, U key, M starts, Pat
   paths.alive = hn::Or(paths.alive, starts);
 }
 
-/// Paths::ties of a call's paths, summed in the paths' order: that in which they end depends on the
-/// number of lanes.
+/// Sums Paths::ties over a call's paths in the order of the paths, since the order in which they
+/// end depends on the number of lanes.
 class Ties {
  public:
   explicit Ties(std::uint64_t paths) : ties_(paths + 1) {}
 
-  /// Of lanes that have had no path yet.
+  /// Marks lanes that have had no path yet.
   std::uint32_t no_path() const { return static_cast<std::uint32_t>(ties_.size() - 1); }
 
-  /// Keeps those of some lanes' paths, which have ended.
+  /// Stores the ties of the lanes whose paths have ended.
   HWY_INLINE void keep(const Paths& paths, M ended) {
     alignas(64) std::array<float, lanes> ties;
     alignas(64) std::array<std::uint32_t, lanes> number;
@@ -325,7 +326,7 @@ class Ties {
   std::vector<float> ties_;
 };
 
-/// trace_lamps(). Lanes are refilled when a quarter of them is free.
+/// trace_lamps(). Refills lanes when a quarter of them are free.
 template <class Needs>
 HWY_ATTR void run_lamps(const LampJob& job, carlo::Splats& splats, carlo::Counts& counts) {
   const LampWalk<Needs> walk(job, splats, counts);
@@ -346,7 +347,7 @@ HWY_ATTR void run_lamps(const LampJob& job, carlo::Splats& splats, carlo::Counts
         const U place = ranks(~bits(paths[w].alive));
         const M starts =
             hn::AndNot(paths[w].alive, hn::RebindMask(d_, hn::Gt(set_word(taken), place)));
-        // Paths of different 2^32 have keys of their own.
+        // Every block of 2^32 paths has a key of its own.
         const auto key = static_cast<std::uint32_t>(carlo::hash(job.whole.seed, ~(next >> 32)));
         const U index = hn::Add(place, set_word(static_cast<std::uint32_t>(next)));
         ties.keep(paths[w], starts);

@@ -19,13 +19,13 @@ using carlo::Scene;
 using Vec3d = glm::dvec3;
 
 constexpr double tolerance = 1e-6;
-/// An enclosure of fewer sides costs more than its sides one by one.
+/// An enclosure with fewer sides costs more than its sides tested one by one.
 constexpr int least_sides = 4;
 
 struct Parallelepiped {
   Vec3d origin;
   std::array<Vec3d, 3> edge;
-  double size;  ///< its largest coordinate: what rounding is relative to
+  double size;  ///< its largest coordinate, which rounding is relative to
 
   Vec3d corner(unsigned i) const {
     Vec3d p = origin;
@@ -54,7 +54,7 @@ int common_corners(const Parallelogram& a, const Parallelogram& b, double near) 
   return common;
 }
 
-/// The box of which `a` is a side and `b` one that shares an edge with it, if they are such.
+/// The box that has `a` and `b`, which shares an edge with it, among its sides, if there is one.
 std::optional<Parallelepiped> spanned(const Parallelogram& a, const Parallelogram& b) {
   double size = 0;
   for (const Parallelogram* quad : {&a, &b}) {
@@ -65,7 +65,7 @@ std::optional<Parallelepiped> spanned(const Parallelogram& a, const Parallelogra
   if (common_corners(a, b, near) != 2) return std::nullopt;
   const Vec3d u(a.u), v(a.v), n = glm::normalize(glm::cross(u, v));
   const auto low = [&](const Vec3d& p) { return std::abs(glm::dot(n, p - Vec3d(a.origin))); };
-  // Of b's edges, the one that leaves a's plane.
+  // The one of b's edges that leaves a's plane.
   for (const Vec3d& w : {Vec3d(b.u), Vec3d(b.v)}) {
     if (!(std::abs(glm::dot(n, w)) > near)) continue;
     const Vec3d from = low(Vec3d(b.origin)) <= near ? w : -w;
@@ -75,7 +75,7 @@ std::optional<Parallelepiped> spanned(const Parallelogram& a, const Parallelogra
   return std::nullopt;
 }
 
-/// The side of the box (0 to 5, as in LaneBox::faces) that the parallelogram is.
+/// The side of the box (0 to 5, as in LaneBox::faces) that the parallelogram forms.
 std::optional<unsigned> side(const Parallelepiped& box, const Parallelogram& quad) {
   const auto points = corners(quad);
   for (unsigned f = 0; f < 6; ++f) {
@@ -117,8 +117,8 @@ FoundBox gather_sides(const Scene& scene, const Parallelepiped& box,
   return found;
 }
 
-/// How far p is on the inner side of every one of the box's faces (bits as in LaneBox::faces);
-/// below 0: on the outer side of one.
+/// How deep p lies on the inner side of all the given faces of the box (bits as in LaneBox::faces);
+/// below 0 if it is on the outer side of one.
 double depth_inside(const LaneBox& box, const Vec3d& p, std::uint32_t faces = 0x3F) {
   double least = std::numeric_limits<double>::infinity();
   for (unsigned f = 0; f < 6; ++f) {
@@ -131,7 +131,7 @@ double depth_inside(const LaneBox& box, const Vec3d& p, std::uint32_t faces = 0x
   return least;
 }
 
-/// Whether all shapes lie in the box, and the camera does not see the outer side of its sides.
+/// True if all shapes lie in the box and the camera does not see the outer side of its sides.
 bool holds(const LaneBox& box, const Scene& scene) {
   const Vec3d camera(scene.camera.origin);
   if (!(depth_inside(box, camera, box.faces) > tolerance * glm::length(camera))) return false;
@@ -145,7 +145,7 @@ bool holds(const LaneBox& box, const Scene& scene) {
   };
   // A light just outside would be hidden by the wall, which casts no shadow.
   const auto& [lights, environment, envmap] = scene.lights;
-  (void)environment;  // nothing is behind a wall that is not there
+  (void)environment;  // nothing is behind a missing wall
   if (envmap) return false;
   for (const carlo::PointLight& light : lights) {
     const Vec3d p(light.position);
@@ -180,7 +180,7 @@ bool dark(const Scene& scene, const FoundBox& box) {
                       [&](const auto& i) { return i && scene.shapes[*i].emits(); });
 }
 
-/// The part of a line, along an axis, that points or a ball take.
+/// The interval that points or a ball cover along an axis.
 struct Interval {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   void add(double x) { low = std::min(low, x), high = std::max(high, x); }
@@ -208,8 +208,8 @@ Interval along(const Vec3d& axis, const carlo::Shape& shape) {
   return result;
 }
 
-/// Whether a light may reach into the box: no plane along a side parts them. The ends of a shadow
-/// ray must lie outside of solids.
+/// True if a light may reach into the box, that is, no plane along a side separates them. The ends
+/// of shadow rays must lie outside solids.
 bool lit_inside(const Scene& scene, const LaneBox& box) {
   const auto part = [&](const auto& interval_along) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -222,7 +222,7 @@ bool lit_inside(const Scene& scene, const LaneBox& box) {
     return false;
   };
   const auto& [points, environment, envmap] = scene.lights;
-  (void)environment, (void)envmap;  // are around
+  (void)environment, (void)envmap;  // surround the scene
   return std::any_of(scene.shapes.begin(), scene.shapes.end(),
                      [&](const carlo::Shape& shape) {
                        return shape.emits() &&
@@ -236,8 +236,8 @@ bool lit_inside(const Scene& scene, const LaneBox& box) {
          });
 }
 
-/// Whether two parallelograms of one plane have more than edges in common: no line along an edge of
-/// either parts them.
+/// True if two parallelograms of one plane share more than edges: no line along an edge of either
+/// separates them.
 bool overlap(const Parallelogram& a, const Parallelogram& b) {
   const Vec3d n = glm::cross(Vec3d(a.u), Vec3d(a.v));
   const auto p = corners(a), q = corners(b);
@@ -260,8 +260,8 @@ bool overlap(const Parallelogram& a, const Parallelogram& b) {
   return true;
 }
 
-/// Whether a front in the plane of some side looks out of the box: one of another shape that covers
-/// the side, so that it matters which of them is met; or the side itself is black from outside.
+/// True if a front face in the plane of some side looks out of the box: either another shape covers
+/// the side, so that it matters which one is met, or the side itself is black from outside.
 bool covered(const Scene& scene, const FoundBox& box, const std::vector<std::size_t>& quads) {
   const auto looks_out = [](const Parallelogram& quad, const LaneBox& slabs, unsigned f) {
     const auto& axis = slabs.axis[f / 2];
@@ -292,7 +292,7 @@ void remove_sides(std::vector<std::size_t>& quads, const FoundBox& box) {
     if (i) std::erase(quads, *i);
 }
 
-/// The box with the most sides of which the parallelogram `first` is one.
+/// The box with the most sides among those that have the parallelogram `first` as a side.
 FoundBox largest_box(const Scene& scene, std::size_t first, const std::vector<std::size_t>& quads) {
   FoundBox best;
   for (const std::size_t i : quads) {
@@ -312,7 +312,7 @@ LaneBoxes find_boxes(const Scene& scene) {
   std::vector<std::size_t> quads;
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
     if (parallelogram(scene, i) == nullptr) continue;
-    // Paths get behind glass.
+    // Glass lets paths through to the other side.
     (carlo::passes_light(scene.materials[scene.shapes[i].material]) ? result.others : quads)
         .push_back(i);
   }

@@ -13,17 +13,17 @@ namespace renderer {
 /// A parallelepiped among a scene's shapes.
 struct FoundBox {
   LaneBox box;
-  /// The shape that is each side, in the order of LaneBox::faces.
+  /// The shape of each side, in the order of LaneBox::faces.
   std::array<std::optional<std::size_t>, 6> shape;
 };
 
-/// A scene's parallelograms, sorted into boxes as LaneScene wants them. Sides agree with their
-/// shapes to a millionth of the box's size.
+/// A scene's parallelograms, sorted into boxes for LaneScene. Sides match their shapes to a
+/// millionth of the box's size.
 struct LaneBoxes {
   std::vector<FoundBox> solids;
   std::optional<FoundBox> enclosure;
-  bool camera_inside = false;       ///< of the enclosure
-  std::vector<std::size_t> others;  ///< parallelograms in no box
+  bool camera_inside = false;       ///< inside the enclosure
+  std::vector<std::size_t> others;  ///< parallelograms that are in no box
 };
 
 LaneBoxes find_boxes(const carlo::Scene& scene);

@@ -76,7 +76,7 @@ class LaneIntegrator final : public carlo::Integrator {
             choices};
   }
 
-  /// What the scene does not have is not told.
+  /// Adds a count to the text; zero counts are left out.
   static void add(std::string& text, std::size_t count, const char* what) {
     if (count > 0) text += fmt::format(", {}: {}", what, count);
   }

@@ -10,9 +10,10 @@
 
 namespace renderer {
 
-/// The path tracer for scenes that LaneScene suits, with Sobol' or independent points: brute force
-/// over all surfaces, a path in each lane of a vector register. With `pilot_spp`, the samples that
-/// are planned, a pilot decides whether paths from lamps pay (lane_pilot.h), else the choices do.
+/// The path tracer for scenes that suit LaneScene, with Sobol' or independent points: brute force
+/// over all surfaces, one path in each lane of a vector register. If `pilot_spp`, the planned
+/// number of samples, is given, a pilot decides whether paths from lamps pay (lane_pilot.h);
+/// otherwise the choices decide.
 std::unique_ptr<carlo::Integrator> make_lane_integrator(
     const carlo::Scene& scene, std::uint64_t seed, const LaneChoices& choices,
     std::optional<std::uint32_t> pilot_spp = {});

@@ -16,12 +16,12 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-// Highway insists on the oldest set, which has no FMA: nothing renders by it.
+// Highway insists on compiling for the oldest set, which has no FMA; nothing renders with it.
 #undef CARLO_EMPTY_SET
 #if !HWY_NATIVE_FMA
 #define CARLO_EMPTY_SET
 #else
-// After the two above, which compile it anew.
+// These follow the two headers above, which compile them anew.
 #include "renderer/lanes/lamp_paths-inl.h"
 #include "renderer/lanes/tile-inl.h"
 #endif
@@ -41,7 +41,7 @@ void trace_from_lamps(const LampJob&, carlo::Splats&, carlo::Counts&) {
 }
 #else
 
-/// Calls f with the Features of least cost that the job can do with.
+/// Calls f with the cheapest Features that the job can be rendered with.
 template <class F>
 HWY_ATTR void with_needs(const LaneJob& job, const F& f) {
   const LaneScene& s = job.scene;

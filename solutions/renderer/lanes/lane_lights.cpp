@@ -22,7 +22,7 @@ LightBounds bounds(const Light& light) {
   return {light.middle - half, light.middle + half, axis, light.plane ? 1.0 : -1.0, light.strength};
 }
 
-/// The plane that all of them share, if they do.
+/// The plane that all of them share, if there is one.
 std::optional<Light::Plane> plane_of(const std::vector<Light>& lights, const Members& members) {
   const auto& first = lights[members[0]].plane;
   const bool shared = std::all_of(members.begin(), members.end(), [&](std::uint32_t i) {
@@ -32,7 +32,7 @@ std::optional<Light::Plane> plane_of(const std::vector<Light>& lights, const Mem
   return shared ? first : std::nullopt;
 }
 
-/// 0 where all weights are 0.
+/// All 0 if all weights are 0.
 std::vector<double> shares(std::vector<double> weights) {
   double all = 0;
   for (const double w : weights)
@@ -42,7 +42,7 @@ std::vector<double> shares(std::vector<double> weights) {
   return weights;
 }
 
-/// But that a sixteenth is for all alike which have a share.
+/// Reserves one sixteenth, divided equally among those that have a share.
 std::vector<double> none_left_out(std::vector<double> shares) {
   const auto some = std::count_if(shares.begin(), shares.end(), [](double s) { return s > 0; });
   for (double& s : shares) {
@@ -51,7 +51,7 @@ std::vector<double> none_left_out(std::vector<double> shares) {
   return shares;
 }
 
-/// Running sums up to 1, multiples of 2^-24.
+/// Running sums up to 1, in multiples of 2^-24.
 std::vector<double> running(const std::vector<double>& shares) {
   std::vector<double> result;
   double sum = 0;
@@ -66,7 +66,8 @@ std::vector<double> running(const std::vector<double>& shares) {
 
 LaneLights::LaneLights(const std::vector<Light>& lights) {
   if (lights.empty()) return;
-  // In groups by kind: those of one plane together, so that what is in front of it is known.
+  // Groups by kind, with the lights of one plane together, so that it is known what lies in front
+  // of it.
   std::vector<LightBounds> placed;
   Members placed_as;
   std::vector<Members> groups_of;
@@ -119,7 +120,7 @@ void LaneLights::add_group(const std::vector<Light>& lights, const Members& memb
     furthest = std::max(furthest, glm::length(lights[i].middle - middle) + lights[i].reach);
   middle_x[g] = as_float(middle.x), middle_y[g] = as_float(middle.y),
   middle_z[g] = as_float(middle.z);
-  // So that rounding hides nothing of the lights.
+  // Rounding must not push lights out of their sphere.
   reach[g] = as_float(furthest * (1 + 1e-6));
   strength[g] = as_float(all / brightest);
   if (lights[members[0]].everywhere) sky = g;

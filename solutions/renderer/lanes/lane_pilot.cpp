@@ -14,18 +14,18 @@ namespace {
 
 using Means = std::vector<std::array<double, 3>>;
 
-constexpr std::uint32_t blocks = 8, samples = 16;  ///< of a pixel, and of a block
-/// Of a render's paths one in so many is tried by either technique.
+constexpr std::uint32_t blocks = 8, samples = 16;  ///< per pixel, and per block
+/// Each technique tries one in this many of a render's paths.
 constexpr double share = 512;
-/// A ray is dearer by this where some paths start at the lamps (without mirrors, glass and the
-/// like).
+/// The factor by which a ray gets dearer when some paths start at the lamps (without mirrors, glass
+/// and the like).
 constexpr double dearer = 1.3;
-/// By how much they must seem better: chance may play so short a trial a trick. Where there are
-/// mirrors or glass, which gather light, or lobes, which do so a little, they are expected to be.
+/// The factor by which they must seem better, since so short a trial may mislead. With mirrors or
+/// glass, which gather light, or lobes, which do so a little, they are expected to be.
 constexpr double clearly = 3, clearly_with_lobes = 1, clearly_with_mirrors = 0.8;
 
 struct Trial {
-  Means mean, variance;  ///< of the pixels, of a block
+  Means mean, variance;  ///< over the pixels of a block
   double rays = 0;
 };
 
@@ -83,7 +83,7 @@ class Pilot {
   int side_;
 };
 
-/// The mean over pixels of the squared relative error, pixels far darker than the mean apart.
+/// The mean over pixels of the squared relative error; leaves out pixels far darker than the mean.
 double relative_variance(const Trial& trial, const Means& means) {
   double whole = 0, sum = 0;
   for (const auto& mean : means)
@@ -100,14 +100,14 @@ double relative_variance(const Trial& trial, const Means& means) {
 bool try_lamp_paths(const carlo::Scene& scene, const LaneScene& lanes, std::uint64_t seed,
                     std::uint32_t spp) {
   if (!lanes.lamps()) return false;
-  // What points send by mirrors and glass is found by no other path.
+  // No other path finds what points send by mirrors and glass.
   if (lanes.point_lights() && lanes.any_specular) return true;
   const double paths = static_cast<double>(scene.width) * scene.height * spp / share;
   const double side = std::sqrt(paths / (blocks * samples));
   const Pilot pilot(scene, lanes, seed, static_cast<int>(std::clamp(side, 8.0, 64.0)));
   const Trial without = pilot.run(false), with = pilot.run(true);
   const double dear = lanes.full() ? 1 : dearer;
-  // One image for both: the better one, so that light that one has missed does not look dark.
+  // The better image serves both, so that light that one of them missed does not look dark.
   const double before = relative_variance(without, with.mean) * without.rays;
   const double after = relative_variance(with, with.mean) * with.rays * dear;
   const double better = lanes.any_specular ? clearly_with_mirrors

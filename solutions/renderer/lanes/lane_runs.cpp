@@ -20,7 +20,7 @@ Vec3d middle(const carlo::Scene& scene, std::size_t quad) {
   return Vec3d(s.origin) + 0.5 * (Vec3d(s.u) + Vec3d(s.v));
 }
 
-/// Halves across the longest extent, down to patches.
+/// Halves the row across its longest extent, down to patches.
 void sort_by_place(const carlo::Scene& scene, std::span<std::size_t> quads) {
   if (quads.size() <= patch_size) return;
   Vec3d lower = middle(scene, quads[0]), upper = lower;
@@ -61,7 +61,8 @@ std::vector<std::size_t> in_patches(const carlo::Scene& scene, std::vector<std::
 
 namespace {
 
-/// Of some numbers a coordinate's least and largest value, widened by what rounding may hide of it.
+/// The least and largest value of a coordinate of some points, widened by its possible rounding
+/// error.
 struct Range {
   double low = 1e300, high = -1e300, blur = 0;
 

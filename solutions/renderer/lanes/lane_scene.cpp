@@ -28,7 +28,7 @@ struct Reflectances {
   Rgb kd{0}, ks{0};
   float exponent = 0;
   bool specular = false;
-  float ior = 0;  ///< of glass
+  float ior = 0;  ///< for glass
 };
 
 Reflectances reflectances(const carlo::Material& material) {
@@ -45,7 +45,8 @@ Reflectances reflectances(const carlo::Material& material) {
       });
 }
 
-/// Whether the points of a sampler that the kernels know are Sobol's; if not, they are independent.
+/// True if the sampler's points are Sobol', false if they are independent; nothing for samplers
+/// that the kernels do not know.
 std::optional<bool> sobol_points(carlo::SamplerKind kind) {
   switch (kind) {
     case carlo::SamplerKind::independent:
@@ -68,7 +69,7 @@ float f(double x) {
 
 void add_plane(LaneScene& lanes, std::size_t i, const Parallelogram& quad) {
   const Vec3d o(quad.origin), u(quad.u), v(quad.v), n = glm::normalize(glm::cross(u, v));
-  // The dual vectors: a . u = 2, a . v = 0, and the other way round.
+  // The dual vectors: a . u = 2, a . v = 0, and vice versa for b.
   const Vec3d across = glm::cross(v, n), a = 2.0 * across / glm::dot(across, u);
   const Vec3d along = glm::cross(n, u), b = 2.0 * along / glm::dot(along, v);
   lanes.nx[i] = f(n.x), lanes.ny[i] = f(n.y), lanes.nz[i] = f(n.z);
@@ -120,7 +121,7 @@ class Writer {
     const auto& [points, environment, envmap] = scene.lights;
     (void)points, (void)environment;  // environment is left to rays that meet no surface
     if (!envmap) return;
-    lanes.sky_far = f(std::min(2 * carlo::diameter(scene), 1e18));  // its square is a float
+    lanes.sky_far = f(std::min(2 * carlo::diameter(scene), 1e18));  // its square fits into a float
     lanes.sky.emplace(*envmap);
   }
 
@@ -145,7 +146,7 @@ class Writer {
     flat_light(i, shape, area(disk), Vec3d(disk.center), static_cast<double>(disk.radius));
   }
 
-  /// A box that takes so many numbers.
+  /// Adds a box that takes this many numbers.
   void box(const FoundBox& box, std::uint32_t numbers) {
     for (std::size_t face = 0; face < box.shape.size(); ++face)
       if (box.shape[face]) quad(lanes_.surfaces + face, *box.shape[face]);
@@ -163,7 +164,7 @@ class Writer {
     look(i, shape);
     if (!shape.emits()) return;
     lanes_.sphere_lights = true;
-    // As bright as a disk of its radius from wherever it is seen.
+    // From everywhere as bright as a disk of its radius.
     light(i, shape, sphere.flipped ? area(sphere) : 2 * carlo::pi, area(sphere),
           {.middle = Vec3d(sphere.center),
            .reach = static_cast<double>(sphere.radius),
@@ -177,7 +178,7 @@ class Writer {
     look(i, shape);
   }
 
-  /// With the number after the last mesh's.
+  /// Takes the number after the last mesh's.
   void mesh(const carlo::Shape& shape, const carlo::Mesh& mesh) {
     const std::size_t i = lanes_.surfaces++;
     lanes_.plane[i] = static_cast<std::uint32_t>(i);
@@ -187,14 +188,16 @@ class Writer {
     lanes_.any_mesh_light = true;
     const MeshLight& lit = lanes_.mesh_lights.back().emplace(mesh);
     const LightBounds& bounds = lit.bounds();
-    // Between what it brings where all of it faces (area) and what a closed one does (area / 4).
+    // Between the contribution when all of it faces the point (area) and that of a closed mesh
+    // (area / 4).
     light(i, shape, lit.area(), lit.area(),
           {.middle = 0.5 * (bounds.lower + bounds.upper),
            .reach = 0.5 * glm::length(bounds.upper - bounds.lower),
            .strength = lit.area() / 2});
   }
 
-  /// After all that are surfaces. Where there are none, nothing is lit. No path starts there.
+  /// Comes after all lights that are surfaces. A scene without surfaces has nothing to light. No
+  /// path starts there.
   void sky() {
     if (!lanes_.sky || lanes_.surfaces == 0) return;
     lanes_.sky_light = lanes_.lights++;
@@ -202,7 +205,7 @@ class Writer {
     lights_.push_back({.strength = lanes_.sky->brightness / 4, .everywhere = true});
   }
 
-  /// After that.
+  /// Comes after the image.
   void point(const carlo::PointLight& light) {
     if (light.intensity == Rgb(0)) return;
     const std::size_t l = lanes_.lights++;
@@ -216,7 +219,7 @@ class Writer {
     brighten(light.intensity, close * close);
   }
 
-  /// After all lights and planes.
+  /// Called after all lights and planes.
   void choices() {
     for (std::uint32_t l = 0; l < lanes_.lights; ++l) {
       if (!lights_[l].plane) continue;
@@ -234,7 +237,7 @@ class Writer {
     }
   }
 
-  /// Surfaces of one plane get the number and the numbers of the first.
+  /// Gives surfaces of one plane the number and the coordinates of the first.
   void share_planes() {
     const carlo::Planes planes = carlo::find_planes(quads_);
     for (std::size_t k = 0; k < quads_.size(); ++k) {
@@ -251,7 +254,7 @@ class Writer {
   }
 
  private:
-  /// Whether the parallelogram quads_[k] is met or aimed at as such, not as a side of a box.
+  /// True if the parallelogram quads_[k] is met or aimed at on its own, not as a side of a box.
   bool by_itself(std::size_t k) const {
     const std::size_t i = numbers_[k];
     return i >= lanes_.first_quad || lanes_.light_density[i] > 0;
@@ -266,7 +269,7 @@ class Writer {
     look(number, shape);
   }
 
-  /// The light that surface i is; its points or directions are uniform over `measure`.
+  /// Adds the light that surface i is; its points or directions are uniform over `measure`.
   void light(std::size_t i, const carlo::Shape& shape, double measure, double area,
              LaneLights::Light light) {
     lanes_.light_of[i] = lanes_.lights;
@@ -278,7 +281,7 @@ class Writer {
     areas_.push_back(area);
     brighten(shape.radiance, 1);
   }
-  /// The plane is known in the end (share_planes()).
+  /// share_planes() may still change the plane.
   void flat_light(std::size_t i, const carlo::Shape& shape, double area, Vec3d middle,
                   double reach) {
     light(i, shape, area, area,
@@ -304,9 +307,9 @@ class Writer {
   LaneScene& lanes_;
   const carlo::Scene& scene_;
   std::vector<LaneLights::Light> lights_;
-  std::vector<double> areas_;  ///< of those that are surfaces, which come first
+  std::vector<double> areas_;  ///< of the lights that are surfaces, which come first
   std::vector<Parallelogram> quads_;
-  std::vector<std::size_t> numbers_;  ///< theirs
+  std::vector<std::size_t> numbers_;  ///< their numbers
 };
 
 /// How many numbers the scene's surfaces take.
@@ -320,7 +323,7 @@ std::size_t numbers(const carlo::Scene& scene) {
 template <class Kind>
 using Found = std::vector<std::pair<const carlo::Shape*, const Kind*>>;
 
-/// The shapes that are no parallelograms, by kind.
+/// The shapes that are not parallelograms, by kind.
 struct Sorted {
   Found<carlo::Disk> disks;
   Found<carlo::Sphere> spheres;
@@ -389,7 +392,7 @@ LaneScene::LaneScene(const carlo::Scene& scene) {
   const std::vector<std::size_t> others = in_patches(scene, boxes.others);
   for (const std::size_t i : others)
     write.quad(surfaces++, i);
-  // Parallelograms have their numbers already.
+  // Parallelograms already have their numbers.
   const Sorted sorted = sort(scene);
   first_disk = surfaces;
   for (const auto& [shape, disk] : sorted.disks)

@@ -46,7 +46,7 @@ Extent extent_of(const carlo::Shape& shape) {
       });
 }
 
-/// Whether two extents are no further apart than some roundings of their coordinates.
+/// True if two extents are no further apart than a few roundings of their coordinates.
 bool touch(const Extent& a, const Extent& b) {
   const Vec3d blur = 1e-5 * (glm::max(glm::abs(a.lower), glm::abs(a.upper)) +
                              glm::max(glm::abs(b.lower), glm::abs(b.upper)));

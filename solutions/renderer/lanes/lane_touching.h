@@ -7,10 +7,10 @@
 
 namespace renderer {
 
-/// No parallelogram, so in no box.
+/// True for shapes that are no parallelograms, and so in no box.
 bool in_no_box(const carlo::Shape& shape);
 
-/// LaneScene::touching, `quads` the parallelograms outside of boxes.
+/// Computes LaneScene::touching; `quads` are the parallelograms outside boxes.
 bool any_touches(const carlo::Scene& scene, const std::vector<std::size_t>& quads);
 
 }  // namespace renderer

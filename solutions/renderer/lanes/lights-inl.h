@@ -1,4 +1,4 @@
-// Light sampling, a lane a point. Included once for each instruction set.
+// Light sampling, one point per lane. Included once for each instruction set.
 
 #if defined(CARLO_LIGHTS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_LIGHTS_INL
@@ -27,22 +27,23 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// Points of lights, uniform over each one's area, or over the directions to a sphere, or of a
-/// density of directions to the image around.
+/// Sampled points of lights: uniform over a light's area, over the directions to a sphere, or with
+/// a density of directions to the image around the scene.
 struct LightPoints {
   V3 p, n, Le;
-  V area;  ///< one over the density per area; in the end with the light's choice
+  V area;  ///< one over the density per area; finally includes the choice of the light
   U plane;
-  // For Features::full alone:
+  // Only with Features::full:
   M seen =
-      zeros<M>();  ///< nothing is drawn of a sphere where rounding hides which side of it one is on
-  M by_direction = zeros<M>();  ///< the density is one of directions:
-  V solid_angle = zeros<V>();   ///< one over it
-  M point = zeros<M>();         ///< n is none, and Le is intensity
-  M beyond = zeros<M>();        ///< n is none: of the image around, where p is beyond all surfaces
-  V3 error = zeros<V3>();       ///< of p, where the scene has meshes
-  /// LaneScene::emission or point_emission, or 0: no path starts on the image around. For
-  /// Features::lamps alone.
+      zeros<M>();  ///< false for a sphere where rounding hides which side of it the point is on
+  M by_direction = zeros<M>();  ///< the density is per solid angle:
+  V solid_angle = zeros<V>();   ///< one over that density
+  M point = zeros<M>();         ///< there is no n, and Le is intensity
+  M beyond = zeros<M>();        ///< there is no n: on the image around the scene, p beyond all
+                                ///< surfaces
+  V3 error = zeros<V3>();       ///< of p, if the scene has meshes
+  /// LaneScene::emission or point_emission; 0 for the image around the scene, where no path starts.
+  /// Only with Features::lamps.
   V emission = zeros<V>();
   U surface = zeros<U>(), light = zeros<U>(), triangle = zeros<U>();
 };
@@ -65,7 +66,7 @@ HWY_INLINE LightPoints sample_only_light(const LaneScene& s, V2 u) {
 HWY_INLINE M is_from(std::uint32_t first, U number) {
   return hn::Not(hn::RebindMask(d_, hn::Gt(set_word(first), number)));
 }
-/// Whether light `index` is a surface.
+/// True if light `index` is a surface.
 HWY_INLINE M of_surface(const LaneScene& s, U index) {
   M other = is_from(s.first_point, index);
   if (s.sky) other = hn::Or(other, same(index, set_word(s.sky_light)));
@@ -75,14 +76,14 @@ HWY_INLINE M is_sphere(const LaneScene& s, U surface) {
   return hn::AndNot(is_from(s.first_sdf, surface), is_from(s.first_sphere, surface));
 }
 
-/// Uniform in the disk of radius 1 about the origin.
+/// Maps u uniformly to the disk of radius 1 about the origin.
 HWY_INLINE V2 in_disk(V2 u) {
   const V r = hn::Sqrt(u.x);
   const SinCos azimuth = turn(u.y);
   return {hn::Mul(r, azimuth.cos), hn::Mul(r, azimuth.sin)};
 }
 
-/// Spheres that emit, a lane a sphere.
+/// Emitting spheres, one per lane.
 struct Balls {
   V3 center;
   V radius;       ///< below 0: emits inwards
@@ -93,13 +94,13 @@ HWY_INLINE Balls balls(const LaneScene& s, const Numbers& at_surface) {
           at_surface(s.coordinates.data())};
 }
 
-/// What rounding may hide of a distance between a point and such a sphere.
+/// The possible rounding error of a distance between a point and such a sphere.
 HWY_INLINE V blur(const Balls& ball, V3 p) {
   return hn::Mul(set(rounding), hn::Add(coordinates(p), ball.coordinates));
 }
 
-/// The cone of directions in which a sphere is seen: 1 - cos of half its angle, which is below that
-/// of a quarter turn; `seen` where the point p lies outside of the sphere, without a doubt.
+/// The cone of directions that a sphere subtends: 1 - cos of half its angle, which is below a
+/// quarter turn; `seen` where the point p lies outside the sphere despite rounding.
 struct Cones {
   V3 axis;
   V distance, one_minus_cos;
@@ -114,17 +115,17 @@ HWY_INLINE Cones cone_of(const Balls& ball, V3 p) {
           hn::Gt(hn::Sub(distance, ball.radius), blur(ball, p))};
 }
 
-/// The near point in a direction of the cone, or any point of a sphere that emits inwards: where
-/// that is behind the sphere itself, or rounding hides whether it faces p, is seen later.
+/// The near point in a direction of the cone, or any point of a sphere that emits inwards. Whether
+/// that is behind the sphere itself, or whether rounding hides that it faces p, is tested later.
 HWY_INLINE void sample_balls(const Balls& ball, V3 p, V2 u, M chosen, LightPoints& points) {
   const Cones cone = cone_of(ball, p);
   const M outwards = hn::Gt(ball.radius, set(0));
-  // 1 - cos: uniform.
+  // 1 - cos is uniform.
   const V h = hn::Mul(u.x, select(outwards, cone.one_minus_cos, set(2)));
   const SinCos azimuth = turn(u.y);
   const V z = hn::Sub(set(1), h), r = hn::Sqrt(hn::Mul(h, hn::Sub(set(2), h)));
-  // How far away the near end of the chord in that direction is; and the end as seen from the
-  // center, in a way that keeps its digits where the distance is a thousand times the radius.
+  // The distance to the near end of the chord in that direction; and that end relative to the
+  // center, computed so that it stays accurate when the distance is a thousand times the radius.
   const V aside = hn::Mul(cone.distance, r);
   const V half =
       hn::Sqrt(hn::Max(mul_sub(ball.radius, ball.radius, hn::Mul(aside, aside)), set(0)));
@@ -137,14 +138,14 @@ HWY_INLINE void sample_balls(const Balls& ball, V3 p, V2 u, M chosen, LightPoint
   points.n = select(chosen, hn::CopySign(set(1), ball.radius) * n, points.n);
   points.by_direction = hn::And(chosen, outwards);
   const V cosine_by_distance = dot(points.n, p - points.p);
-  // From outside its near half is in the way of all that faces p.
+  // From outside, the near half of such a sphere hides everything that faces p.
   const M inside = hn::Le(hn::Sub(cone.distance, hn::Abs(ball.radius)), blur(ball, p));
   const M faces = hn::And(inside, hn::Gt(cosine_by_distance, blur(ball, p)));
   points.seen = hn::Or(hn::Not(chosen), select_mask(outwards, cone.seen, faces));
   points.solid_angle = hn::Mul(points.area, cone.one_minus_cos);
 }
 
-/// Of lanes that ask for what only scalar code knows.
+/// Values that only scalar code can compute, for some lanes.
 struct LaneColumns {
   template <class T>
   using Column = std::array<T, lanes>;
@@ -162,7 +163,7 @@ struct LaneColumns {
   }
 };
 
-/// Points on lamps that are meshes, of the lanes that chose one; `draw` makes one of a lane.
+/// Samples points on lamps that are meshes, for the lanes that chose one; `draw` samples one lane.
 template <class Draw>
 HWY_INLINE void take_from_meshes(const LaneScene& s, const LaneColumns& lane, M chosen,
                                  LightPoints& light, const Draw& draw) {
@@ -183,7 +184,7 @@ HWY_INLINE void take_from_meshes(const LaneScene& s, const LaneColumns& lane, M 
   light.triangle = hn::Load(du_, triangle.data());
 }
 
-/// For points p of surfaces with normals n.
+/// Samples meshes for points p of surfaces with normals n.
 inline HWY_NOINLINE void sample_meshes(const LaneScene& s, const V3& p, const V3& n, V2 u, M chosen,
                                        LightPoints& light) {
   LaneColumns lane;
@@ -195,7 +196,7 @@ inline HWY_NOINLINE void sample_meshes(const LaneScene& s, const V3& p, const V3
   });
 }
 
-/// Uniform over their area.
+/// Samples meshes uniformly over their area.
 inline HWY_NOINLINE void start_on_meshes(const LaneScene& s, V2 u, M chosen, LightPoints& light) {
   LaneColumns lane;
   hn::Store(u.x, d_, lane.ux.data()), hn::Store(u.y, d_, lane.uy.data());
@@ -223,7 +224,7 @@ inline HWY_NOINLINE V mesh_density(const LaneScene& s, const V3& p, const V3& n,
   return hn::Load(d_, density.data());
 }
 
-/// Directions to the image around, as seen from p.
+/// Samples directions to the image around the scene, as seen from p.
 HWY_INLINE void sample_beyond(const LaneScene& s, V3 p, V2 u, LightPoints& points) {
   const SkyDirections sky = sample_sky(*s.sky, u);
   const M beyond = points.beyond;
@@ -232,8 +233,8 @@ HWY_INLINE void sample_beyond(const LaneScene& s, V3 p, V2 u, LightPoints& point
   points.solid_angle = select(beyond, hn::Div(set(1), sky.texel.pdf), points.solid_angle);
 }
 
-/// Points of the lights `index`; of spheres those that `on_balls` finds, of meshes those that
-/// `on_meshes` does, of the image around those that `on_sky` does.
+/// Points of the lights `index`. `on_balls` samples spheres, `on_meshes` meshes, and `on_sky` the
+/// image around the scene.
 template <bool full, bool lamps, class OnBalls, class OnMeshes, class OnSky>
 HWY_INLINE LightPoints draw_light(const LaneScene& s, U index, V2 u, const OnBalls& on_balls,
                                   const OnMeshes& on_meshes, const OnSky& on_sky) {
@@ -261,7 +262,7 @@ HWY_INLINE LightPoints draw_light(const LaneScene& s, U index, V2 u, const OnBal
   if (full && s.meshes) {
     points.error = rounding_of(points.p);
     if (s.any_mesh_light) {
-      // What is no surface has the number 0.
+      // Lights that are no surfaces have surface number 0.
       const M on_mesh = hn::And(is_from(s.first_mesh, surface), of_surface(s, index));
       on_meshes(u, on_mesh, points);
     }
@@ -290,8 +291,9 @@ HWY_INLINE LightPoints draw_light(const LaneScene& s, U index, V2 u, const OnBal
   return points;
 }
 
-/// Lights chosen for points p of surfaces with normals n, and seen from there; `chances` becomes
-/// what they were chosen by, where there are several. `seed`: a random word of each lane's.
+/// Chooses lights for points p of surfaces with normals n and samples them as seen from there;
+/// `chances` receives the probabilities of the choice if there are several. `seed`: a random word
+/// for each lane.
 template <bool full, bool lamps>
 HWY_INLINE LightPoints sample_light(const LaneScene& s, V3 p, V3 n, V2 u, U seed,
                                     Chances& chances) {
@@ -316,7 +318,7 @@ HWY_INLINE LightPoints sample_light(const LaneScene& s, V3 p, V3 n, V2 u, U seed
   return points;
 }
 
-/// The lamp that u in [0, 1) leads to, by LaneLights::start_upto; u becomes uniform again.
+/// Picks a lamp by u in [0, 1) and LaneLights::start_upto; u becomes uniform again.
 HWY_INLINE U pick_start(const LaneScene& s, V& u) {
   U index = set_word(0);
   V lower = set(0), upper = set(s.choice.start_upto[0]);
@@ -330,7 +332,7 @@ HWY_INLINE U pick_start(const LaneScene& s, V& u) {
   return index;
 }
 
-/// Uniform over each lamp's area; none of the image around.
+/// Samples uniformly over each lamp's area; never the image around the scene.
 template <bool full>
 HWY_INLINE LightPoints sample_lamp(const LaneScene& s, V2 u) {
   const U index = pick_start(s, u.x);
@@ -349,9 +351,9 @@ HWY_INLINE LightPoints sample_lamp(const LaneScene& s, V2 u) {
       [](V2, LightPoints&) HWY_ATTR {});
 }
 
-/// The density with which sample_light() draws, at p, the way to a point that the ray from there
-/// meets at distance t: per solid angle, once it has chosen this light. `density` is the surface's
-/// light_density, of a mesh mesh_density().
+/// The density per solid angle with which sample_light() draws, at p, the point that the ray from
+/// there meets at distance t, once it has chosen this light. `density` is the surface's
+/// light_density, or mesh_density() for a mesh.
 template <bool full>
 HWY_INLINE V light_pdf(const LaneScene& s, const Numbers& at_surface, U surface, V density, V3 p,
                        V t, V cosine) {

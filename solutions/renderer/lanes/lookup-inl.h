@@ -1,4 +1,4 @@
-// Lookups by number in short columns, a lane a number. Included once for each instruction set.
+// Lookups by number in short columns, one number per lane. Included once for each instruction set.
 
 #if defined(CARLO_LOOKUP_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_LOOKUP_INL
@@ -18,7 +18,7 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// Entries of a column that is too long for Numbers, or asked but once.
+/// Entries of a column that is too long for Numbers, or read only once.
 HWY_INLINE V gather(const float* column, U index) {
   return hn::GatherIndex(d_, column, hn::BitCast(di_, index));
 }
@@ -26,9 +26,9 @@ HWY_INLINE U gather_words(const std::uint32_t* column, U index) {
   return hn::BitCast(du_, gather(reinterpret_cast<const float*>(column), index));
 }
 
-/// Numbers below `size`, ready for lookups. A permutation of a register costs a fraction of a
-/// gather, so columns of a few registers are read whole. Columns must be as long as the registers
-/// that cover `size`.
+/// Numbers below `size`, prepared for lookups. Permuting a register costs a fraction of a gather,
+/// so columns of a few registers are read whole. Columns must be as long as the registers that
+/// cover `size`.
 class Numbers {
  public:
   HWY_INLINE Numbers(U numbers, std::uint32_t size)
@@ -52,7 +52,7 @@ class Numbers {
   }
 
  private:
-  /// Several columns at once: how many registers they have is asked but once.
+  /// Reads several columns at once, so that their number of registers is tested only once.
   template <std::size_t n>
   HWY_INLINE std::array<V, n> at(const std::array<const float*, n>& columns) const {
     std::array<V, n> found;

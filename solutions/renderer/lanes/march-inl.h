@@ -1,4 +1,4 @@
-// Steps along rays, up to where a signed distance function changes its sign. Included once for each
+// Marches along rays to where a signed distance function changes its sign. Included once for each
 // instruction set.
 
 #if defined(CARLO_MARCH_INL) == defined(HWY_TARGET_TOGGLE)
@@ -25,8 +25,8 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// As many floats as a register has doubles, for lengths of steps: what they lack in digits is
-/// taken off these.
+/// As many floats as a register has doubles, for step lengths, which are reduced to allow for their
+/// lower precision.
 using DF = hn::Rebind<float, DD>;
 using VF = hn::Vec<DF>;
 using MF = hn::Mask<DF>;
@@ -41,19 +41,19 @@ HWY_INLINE VD many(VF x) {
   return hn::PromoteTo(dd_, x);
 }
 
-/// A register of rays o + s d on their ways. F counts as positive on the side of the surface that a
+/// A register of rays o + s d in progress. F counts as positive on the side of the surface that a
 /// ray is on.
 struct Marching {
   VL ray;           ///< among SdfRays
-  MD going, fresh;  ///< fresh ones have not looked at F yet
+  MD going, fresh;  ///< fresh rays have not evaluated F yet
   V3D o, d;
   VD s, end, f;
   VD side;              ///< 1 outside, -1 inside
   VD fine;              ///< resolution()
-  VD least, steps;      ///< the least step, the steps since it was doubled
-  VF slope;             ///< of F, a mean of the last steps'; -1: not known
+  VD least, steps;      ///< the least step, and the number of steps since it was doubled
+  VF slope;             ///< of F, a mean over the last steps; -1: unknown
   VF low, high;         ///< bounds of F' at s
-  VF bend, reach;       ///< F'' >= -bend where F < reach, this side of the surface and beyond it,
+  VF bend, reach;       ///< F'' >= -bend where F < reach, on this side of the surface and beyond it
   VF back, back_reach;  ///< F'' <= back where F > -back_reach
 
   /// Bounds of second derivatives, by the side that rays are on.
@@ -68,20 +68,20 @@ struct Marching {
     back_reach = of(sdf.above.reach, sdf.below.reach);
   }
 
-  /// No root is nearer than this: before it F >= f + low h - bend h^2 / 2 > 0. Below 0 where no
+  /// No root is nearer than this: up to there, F >= f + low h - bend h^2 / 2 > 0. Below 0 where no
   /// such bound holds.
   HWY_INLINE VF free_way() const {
     const VF f_here = few(f), known = hn::Max(hn::Sub(f_here, few(fine)), few(0));
     const VF root = hn::Sqrt(hn::Add(hn::Mul(low, low), hn::Mul(hn::Add(bend, bend), known)));
-    // Of the two forms of the quadratic's root the one without a difference.
+    // The form of the quadratic's root that avoids a difference.
     const MF rising = hn::Ge(low, few(0));
     const VF way = hn::Div(hn::IfThenElse(rising, hn::Add(low, root), hn::Add(known, known)),
                            hn::IfThenElse(rising, bend, hn::Sub(root, low)));
     return hn::Min(hn::Mul(way, few(1 - 1e-5F)), hn::Sub(reach, f_here));
   }
 
-  /// After this F has changed its sign, once: until then F' <= high + back h < 0. 0 where nothing
-  /// says so.
+  /// Beyond this F has changed its sign, once: until then F' <= high + back h < 0. 0 where that is
+  /// not known.
   HWY_INLINE VF way_across() const {
     const VF at_most = few(hn::Add(f, fine)), square = hn::Mul(high, high);
     const VF rest = hn::Sub(square, hn::Mul(hn::Add(back, back), at_most));
@@ -91,7 +91,7 @@ struct Marching {
     return hn::IfThenElseZero(hn::And(falls, hn::Lt(hn::Sub(way, at_most), back_reach)), way);
   }
 
-  /// What a step from f here to `next` says of F' there.
+  /// Learns about F' at the end of a step from the values of F at both ends.
   HWY_INLINE void learn(VD way, VD next, MD stands) {
     const VF h = few(way), per_h = hn::Div(few(1), h);
     const VF rise = hn::Mul(few(hn::Sub(next, f)), per_h);
@@ -112,14 +112,13 @@ struct Marching {
   }
 };
 
-/// SphereTracer::first_root() in lanes, as far as to values of F of different signs, by steps that
-/// what is known of F's slope and of its changes makes longer. A lane whose ray has come to its end
-/// takes the next.
+/// SphereTracer::first_root() in lanes, up to values of F of different signs; knowledge about F's
+/// slope and its changes lengthens the steps. A lane whose ray has ended takes the next.
 class March {
  public:
   HWY_INLINE March(const LaneSdf& sdf, SdfRays& rays) : sdf_(sdf), rays_(rays) {}
 
-  /// The rays with such values; the number of them.
+  /// Collects the rays that reach such values and returns their number.
   HWY_INLINE std::size_t run(SdfRays::Row<std::int64_t>& found) {
     auto all = zeros<std::array<Marching, ways>>();
     std::size_t count = 0;
@@ -151,10 +150,10 @@ class March {
 
   struct Stride {
     VD to;
-    MD certain;  ///< no root is passed unseen, but for two within a least step
+    MD certain;  ///< no root is missed, except two within a least step
   };
 
-  /// Where to look at F next.
+  /// Where to evaluate F next.
   HWY_INLINE Stride stride(const Marching& m) const {
     const VD across = many(m.way_across()), free = many(m.free_way());
     const VD relaxed = hn::Mul(m.f, many(hn::Div(few(2), hn::Sub(few(1), m.slope))));
@@ -165,18 +164,18 @@ class March {
     return {hn::IfThenElse(m.fresh, m.s, to), hn::Ge(sure, step)};
   }
 
-  /// What F is there; how many rays cross the surface on the way.
+  /// Takes the value of F there; returns how many rays cross the surface on the way.
   HWY_INLINE std::size_t step(Marching& m, const Stride& stride, VD value, std::int64_t* found) {
     const VD x = stride.to, way = hn::Sub(x, m.s), f = hn::Mul(value, m.side);
     const MD walking = hn::AndNot(m.fresh, m.going);
-    // A step of more than is safe stands if the balls around both ends leave no gap.
+    // A step longer than the safe one stands if the balls around both ends leave no gap.
     const MD daring = hn::AndNot(stride.certain, hn::Gt(many(m.slope), number(-1)));
     const MD gap = hn::And(walking, hn::And(daring, hn::Gt(way, hn::Add(m.f, f))));
     const MD stands = hn::AndNot(gap, walking);
     const MD crossed = hn::And(stands, hn::Lt(f, number(0)));
     std::size_t crossings = 0;
     if (!hn::AllFalse(dd_, crossed)) crossings = keep(m, crossed, x, value, found);
-    const MD over = hn::AndNot(hn::Lt(x, m.end), stands);  // NaN ends, too
+    const MD over = hn::AndNot(hn::Lt(x, m.end), stands);  // NaN ends the march, too
     m.going = hn::AndNot(hn::Or(crossed, over), m.going);
     m.learn(way, f, stands);
     m.s = hn::IfThenElse(stands, x, m.s);
@@ -189,7 +188,7 @@ class March {
     return crossings;
   }
 
-  /// Rays for the lanes that have none.
+  /// Gives rays to the lanes that have none.
   HWY_INLINE void refill(Marching& m) {
     std::array<std::uint8_t, 8> bytes;
     hn::StoreMaskBits(dd_, m.going, bytes.data());
@@ -217,8 +216,9 @@ class March {
     m.going = hn::Or(m.going, m.fresh);
   }
 
-  /// The side of the surface on which fresh rays start, from F there: if they start on the surface,
-  /// the one that they go to; before the sdf's box, outside.
+  /// The side of the surface on which fresh rays start, by the value of F there. Rays that start on
+  /// the surface count on the side that they head for; rays that start before the sdf's box are
+  /// outside.
   HWY_INLINE void start(Marching& m, VD value) {
     const VD zero = number(0);
     const MD before = hn::Gt(m.s, zero);
@@ -235,7 +235,7 @@ class March {
     m.side = hn::IfThenElse(m.fresh, side, m.side);
     m.f = hn::IfThenElse(m.fresh, f, m.f);
     m.take_bends(sdf_);
-    // Far from the surface slopes are not worth a gradient.
+    // Far from the surface, slopes are not worth a gradient.
     along = hn::Mul(along, m.side);
     const auto bound = [&](double error, double none, VF known) HWY_ATTR {
       const VD slope = hn::IfThenElse(near, hn::Add(along, number(error)), number(none));

@@ -1,5 +1,5 @@
-// Meshes among a scene's surfaces: which triangles a register of rays meets. Included once for each
-// instruction set.
+// Meshes among a scene's surfaces: finds the triangles that a register of rays meets. Included once
+// for each instruction set.
 
 #if defined(CARLO_MESH_HITS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_MESH_HITS_INL
@@ -41,7 +41,7 @@ HWY_INLINE M mask_of(std::uint32_t bits) {
   return differs(hn::And(of_lane, set_word(bits)), set_word(0));
 }
 
-/// What is nearer than `hits`, of the rays o + t d that are wanted.
+/// Updates `hits` with nearer triangles, for the wanted rays o + t d.
 inline HWY_NOINLINE void meet_meshes(const LaneScene& s, const V3& o, const V3& d, M wanted,
                                      carlo::MeshRays& rays, Hits& hits) {
   store(o, d, hits.t, rays);
@@ -50,7 +50,7 @@ inline HWY_NOINLINE void meet_meshes(const LaneScene& s, const V3& o, const V3& 
        hn::Add(hn::Load(du_, rays.mesh.data()), set_word(s.first_mesh)));
 }
 
-/// A column a coordinate.
+/// One column per coordinate.
 struct PointColumns {
   template <class T>
   using Column = std::array<T, lanes>;
@@ -66,7 +66,7 @@ struct PointColumns {
   }
 };
 
-/// Points, normals and rounding errors of the lanes whose surface is a mesh.
+/// Points, normals and rounding errors for the lanes whose surface is a mesh.
 inline HWY_NOINLINE void place_on_meshes(const LaneScene& s, const carlo::MeshRays& rays, M here,
                                          V3& p, V3& n, V3& error) {
   PointColumns points{};
@@ -80,7 +80,8 @@ inline HWY_NOINLINE void place_on_meshes(const LaneScene& s, const carlo::MeshRa
   error = select(here, points.at(points.ex, points.ey, points.ez), error);
 }
 
-/// Takes those away that a mesh blocks, on so large a share of the ways from o to `to`.
+/// Removes the lanes whose segment from o to `to`, up to the given share of its length, is blocked
+/// by a mesh.
 inline HWY_NOINLINE void block_by_meshes(const LaneScene& s, const V3& o, const V3& to, V share,
                                          M& clear) {
   if (hn::AllFalse(d_, clear)) return;

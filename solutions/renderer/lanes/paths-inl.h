@@ -1,4 +1,4 @@
-// Paths under way, one in each lane. Included once for each instruction set.
+// Paths in progress, one in each lane. Included once for each instruction set.
 
 #if defined(CARLO_PATHS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_PATHS_INL
@@ -47,7 +47,7 @@ class Walk : Steps<Needs> {
   /// The same for one register of paths, or `batch` of them where there are sdfs.
   HWY_NOINLINE void extend_batch(std::span<Paths> paths) const { this->step_batch(*this, paths); }
 
-  // For step_batch():
+  // For step_batch().
 
   HWY_INLINE void shade(Paths& paths, Vertex& vertex) const {
     paths.depth = hn::Add(paths.depth, set_word(1));
@@ -68,7 +68,7 @@ class Walk : Steps<Needs> {
     if (Needs::full && s_.any_specular) {
       specular = this->reflect_some(paths, spots, vertex.u_lobe.x, next);
       next.weight = paths.beta * next.weight;
-      // Of paths from lamps none has its last vertex but one on them.
+      // No path from a lamp has its second to last vertex on these surfaces.
       if constexpr (Needs::lamps)
         rival_there = hn::IfThenZeroElse(rivals.first, this->turn_rival(paths.rival, spots, next));
     }
@@ -94,9 +94,9 @@ class Walk : Steps<Needs> {
   using Base = Steps<Needs>;
   using Base::counts_, Base::job_, Base::s_;
 
-  /// How much denser than this path's technique's that of paths from lamps is, on which it would
-  /// have this vertex as its last but one: `factor` times the density of the way back by the
-  /// vertex's BRDF, or without it at the first vertex (lane_kernel.h, "Paths from lamps").
+  /// How much denser than this path's technique is that of paths from lamps for which this vertex
+  /// is the second to last: `factor` times the density of the way back by the vertex's BRDF, or
+  /// `factor` alone at the first vertex (lane_kernel.h, "Paths from lamps").
   struct Rivals {
     V factor;
     M first;
@@ -119,8 +119,8 @@ class Walk : Steps<Needs> {
     paths.L = select(lost, paths.L + paths.beta * sky, paths.L);
   }
 
-  /// What the rays bring from the image around, weighed against light sampling. No path from a lamp
-  /// starts there.
+  /// The rays' radiance from the image around the scene, weighted against light sampling. No path
+  /// from a lamp starts there.
   HWY_INLINE V3 image_around(const Paths& paths, M lost) const {
     const Texels texels = sky_at(*s_.sky, paths.d, lost);
     const V chosen = s_.lights < 2 ? set(1) : chance(paths.chances, sky_weight(s_.choice), set(1));
@@ -129,7 +129,7 @@ class Walk : Steps<Needs> {
     return select(whole, set(1), this->weigh(by_light)) * texels.radiance;
   }
 
-  /// Emission met by the rays, weighed against light sampling, and against paths from lamps.
+  /// Adds emission at the hits, weighted against light sampling and paths from lamps.
   HWY_INLINE void add_emission(Paths& paths, const Vertex& vertex, const Spots& spots) const {
     if (s_.lights == 0) return;
     M bright = hn::And(spots.front, paths.alive);
@@ -189,7 +189,7 @@ class Walk : Steps<Needs> {
       paths.rival = hn::Mul(rival(rivals, surface, cosine, bsdf.pdf), hn::Div(cosine, bsdf.pdf));
   }
 
-  /// Light that arrives straight from points drawn on the lights.
+  /// Adds light that arrives directly from points drawn on the lights.
   HWY_INLINE void add_direct(Paths& paths, const Surfaces& surface, Vertex& vertex,
                              const Rivals& rivals) const {
     if (s_.lights > 1 || s_.any_mesh_light) paths.n = each(surface.n);
@@ -204,7 +204,7 @@ class Walk : Steps<Needs> {
     if (Needs::full && s_.point_lights()) light_cosine = select(light.point, set(1), light_cosine);
     if (Needs::full && s_.sky) light_cosine = select(light.beyond, set(1), light_cosine);
     M elsewhere = differs(light.plane, paths.from.template starts_on<Needs::close>());
-    // A sphere that emits inwards lights itself, and so does a mesh.
+    // Spheres that emit inwards and meshes can light themselves.
     if (Needs::full && (s_.sphere_lights || s_.any_mesh_light))
       elsewhere = hn::Or(elsewhere, is_from(s_.first_sphere, light.plane));
     if (Needs::full && s_.sphere_lights) elsewhere = hn::And(elsewhere, light.seen);
@@ -215,7 +215,7 @@ class Walk : Steps<Needs> {
     const Segments way{paths.from, wi, light.p, hn::Mul(distance2, inverse), light.plane};
     const M clear = unoccluded<Needs::close, Needs::full>(s_, way, faces);
     const Bsdfs bsdf = this->reflected(surface, wi, cosine);
-    // Solid angle: one over the density of wi by light sampling.
+    // `solid_angle` is one over the density of wi by light sampling.
     V solid_angle = hn::Mul(hn::Mul(light.area, light_cosine), hn::Mul(inverse, inverse));
     if (Needs::full && (s_.sphere_lights || s_.sky))
       solid_angle = select(light.by_direction, light.solid_angle, solid_angle);
@@ -241,7 +241,7 @@ class Walk : Steps<Needs> {
     }
   }
 
-  /// carlo::shadow_ray(): the way ends in front of what the lamp is fixed to.
+  /// As in carlo::shadow_ray(), the segment ends in front of the surface that the lamp is fixed to.
   HWY_INLINE void end_before_meshes(const LightPoints& light, ToLight& way) const {
     const V3 before = off_surface(light.p, light.error, light.n, set(0, 0, 0));
     way.to = s_.point_lights() ? select(light.point, light.p, before) : before;

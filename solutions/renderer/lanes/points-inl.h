@@ -1,4 +1,4 @@
-// Sample points: sampling/sobol.h, a lane a point. Included once for each instruction set.
+// Sample points: sampling/sobol.h, one point per lane. Included once for each instruction set.
 
 #if defined(CARLO_POINTS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_POINTS_INL
@@ -66,8 +66,8 @@ HWY_INLINE V to_unit(U x) {
   return hn::Mul(hn::ConvertTo(d_, hn::BitCast(di_, hn::ShiftRight<8>(x))), set(0x1p-24f));
 }
 
-/// Adds to each binary digit of a fraction the one before it and the one before that, or not, as
-/// the bits of `which` have it.
+/// Adds to each binary digit of a fraction the two before it, each where the bits of `which` say
+/// so.
 HWY_INLINE U add_digits(U fraction, U which) {
   const U one = hn::And(hn::ShiftRight<1>(fraction), which);
   const U two = hn::And(hn::ShiftRight<2>(fraction), hn::ShiftLeft<11>(which));
@@ -75,11 +75,11 @@ HWY_INLINE U add_digits(U fraction, U which) {
 }
 
 /// The points of one dimension pair: Sobol' points in shuffled order, scrambled and shifted by the
-/// random word k. `index` is the sample's within its pixel, its bits reversed. Shuffling keeps 2^m
-/// points together (nested_hash), so that they remain a (0, m, 2)-net, and so does scrambling
-/// digits by those before them (the cheapest part of Matousek's random linear scrambling). Without,
-/// all pairs were one net but for a shift, and what is constant on that net, as the product of the
-/// second digits is on 4 points, had the variance of one point.
+/// random word k. `index` is the sample's number within its pixel, its bits reversed. Shuffling
+/// keeps 2^m points together (nested_hash), so that they remain a (0, m, 2)-net; so does scrambling
+/// digits by those before them (the cheapest part of Matousek's random linear scrambling). Without
+/// it all pairs would be the same net up to a shift, and integrands constant on that net, such as
+/// the product of the second digits on 4 points, would have the variance of one point.
 HWY_INLINE V2 sobol_2d(U index, U k) {
   // The bit-reversed index is the first coordinate.
   const U x = nested_hash(index, k);
@@ -88,7 +88,7 @@ HWY_INLINE V2 sobol_2d(U index, U k) {
   return {to_unit(add_digits(x, shift)), to_unit(hn::Xor(add_digits(y, k), shift))};
 }
 
-/// Independent points instead.
+/// Independent points instead of Sobol'.
 HWY_INLINE V2 random_2d(U reversed_index, U k) {
   const U point = mix(hn::Xor(k, mix(hn::Add(reversed_index, set_word(0x85EBCA6B)))));
   return {to_unit(point), to_unit(mix(hn::Add(point, set_word(0x9E3779B9))))};

@@ -1,5 +1,5 @@
-// Rays, what they meet, and what rounding hides of it, a lane a ray. Included once for each
-// instruction set.
+// Rays, the surfaces that they meet, and bounds on rounding errors, one ray per lane. Included once
+// for each instruction set.
 
 #if defined(CARLO_RAYS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_RAYS_INL
@@ -33,20 +33,20 @@ HWY_INLINE M differs(U a, U b) {
 /// Where rays start: on surfaces, or at the camera.
 struct Origins {
   V3 o;
-  V3 came;    ///< the direction in which the path came there; 0 for the camera
+  V3 came;    ///< the direction in which the path arrived; 0 for the camera
   U last;     ///< the surface; `nothing` for the camera
   U plane;    ///< its plane (LaneScene::plane)
-  M through;  ///< whether the ray goes on behind the surface, through glass
-  V3 clear;   ///< o as sdfs and meshes see it: as carlo::offset_origin() moves it
+  M through;  ///< true if the ray continues behind the surface, through glass
+  V3 clear;   ///< o as moved by carlo::offset_origin(), for sdfs and meshes
 
-  /// The plane, where planes are the surfaces' own unless the scene is `close`.
+  /// The plane that the ray starts on; unless the scene is `close`, planes are the surfaces' own.
   template <bool close>
   HWY_INLINE U starts_on() const {
     return close ? plane : last;
   }
 };
 
-/// A surface's number, and how far away it is.
+/// A surface's number and its distance.
 struct Hits {
   V t;
   U surface;
@@ -56,9 +56,9 @@ HWY_INLINE void take(Hits& hits, M nearer, V t, U surface) {
   hits.surface = hn::IfThenElse(hn::RebindMask(du_, nearer), surface, hits.surface);
 }
 
-/// What rounding may hide of an origin's distance from a surface: `rounding` times this sum of
-/// coordinates, and those of the surface (LaneScene::coordinates). It is local: what lies far away
-/// blurs nothing here.
+/// The possible rounding error of an origin's distance from a surface is `rounding` times this sum
+/// of coordinates and those of the surface (LaneScene::coordinates). It is local: distant surfaces
+/// do not increase it here.
 HWY_INLINE V coordinates(V3 o) {
   return hn::Add(hn::Abs(o.x), hn::Add(hn::Abs(o.y), hn::Abs(o.z)));
 }

@@ -1,4 +1,4 @@
-// Signed distance functions, a lane a point, in double. Included once for each instruction set.
+// Signed distance functions, one point per lane, in double. Included once for each instruction set.
 
 #if defined(CARLO_SDF_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_SDF_INL
@@ -64,14 +64,14 @@ HWY_INLINE V3D turned_back(const glm::dmat3& m, V3D v) {
 HWY_INLINE V3D operator*(V3D a, double s) {
   return number(s) * a;
 }
-/// 0 where v is.
+/// 0 where v is 0.
 HWY_INLINE V3D direction_of(V3D v) {
   const VD l = length(v);
   const VD inverse = hn::IfThenElseZero(hn::Gt(l, number(0)), hn::Div(number(1), l));
   return inverse * v;
 }
 
-/// A distance, and its gradient where `slopes` ask for it.
+/// A distance, and its gradient if `slopes`.
 struct Jet {
   VD value;
   V3D gradient;
@@ -108,7 +108,7 @@ HWY_INLINE Jet rounded_box(const LaneSdf::Step& s, V3D q) {
   const V3D beyond{hn::Max(b.x, zero), hn::Max(b.y, zero), hn::Max(b.z, zero)};
   Jet jet{hn::Sub(hn::Add(length(beyond), hn::Min(most, zero)), number(s.size[0])), {}};
   if constexpr (slopes) {
-    // Inside of the inner box towards the nearest of its faces.
+    // Inside the inner box the gradient points to the nearest of its faces.
     const MD within = hn::Le(most, zero);
     const VD one = number(1);
     const MD by_x = hn::Eq(b.x, most), by_y = hn::AndNot(by_x, hn::Eq(b.y, most));
@@ -132,13 +132,13 @@ HWY_INLINE Jet capsule(const LaneSdf::Step& s, V3D q) {
   return jet;
 }
 
-/// Sine and cosine of u whole turns, |u| below 2^50, to two roundings of 1.
-/// The polynomials are those of fdlibm's kernels (Sun Microsystems, 1993).
+/// Sine and cosine of u whole turns, |u| below 2^50, to two roundings of 1. The polynomials are
+/// those of fdlibm's kernels (Sun Microsystems, 1993).
 struct Wave {
   VD sin, cos;
 };
 HWY_INLINE Wave wave(VD u) {
-  // The nearest quarter turn, and at most an eighth of a turn from there.
+  // The nearest quarter turn; the rest is at most an eighth of a turn.
   const VD quarters = hn::Round(hn::Mul(u, number(4)));
   const VD x = hn::Mul(neg_mul_add(quarters, number(0.25), u), number(6.283185307179586477)),
            x2 = hn::Mul(x, x);
@@ -170,7 +170,7 @@ HWY_INLINE Jet gyroid(const LaneSdf::Step& s, V3D q) {
     const V3D slope{mul_sub(x.cos, y.cos, hn::Mul(z.sin, x.sin)),
                     mul_sub(y.cos, z.cos, hn::Mul(x.sin, y.sin)),
                     mul_sub(z.cos, x.cos, hn::Mul(y.sin, z.sin))};
-    constexpr double per_root_3 = 0.577350269189625765;  // the slope's most is 1 on the surface
+    constexpr double per_root_3 = 0.577350269189625765;  // makes the largest slope on the surface 1
     jet.gradient = hn::CopySign(number(per_root_3), g) * slope;
   }
   return jet;
@@ -216,13 +216,13 @@ HWY_INLINE Jet form(const LaneSdf::Step& s, V3D q) {
     case LaneSdf::Part::unite:
     case LaneSdf::Part::intersect:
     case LaneSdf::Part::subtract:
-      break;  // no forms
+      break;  // these are no forms
   }
   return {number(0), {number(0), number(0), number(0)}};
 }
 
-/// F at points of its own coordinates. Several registers at a time: what one waits for, as for its
-/// square roots, the others fill.
+/// F at points in its own coordinates. Several registers are evaluated at a time, so that one fills
+/// the other's waiting times, as for square roots.
 template <bool slopes, std::size_t ways>
 HWY_NOINLINE void evaluate(const LaneSdf& sdf, const std::array<V3D, ways>& p,
                            std::array<Jet, ways>& jets) {

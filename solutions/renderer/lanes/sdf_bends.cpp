@@ -19,18 +19,18 @@ Side other(Side side) {
   return side == Side::below ? Side::above : Side::below;
 }
 
-/// The curvature of a distance's level sets that are this far from what the distance is to.
+/// The curvature of a distance's level sets at this distance from the shape.
 double per(double distance) {
   return distance > 0 ? 1 / distance : std::numeric_limits<double>::infinity();
 }
 
-/// In the form's own coordinates. Distances to what is convex are convex: their slopes never fall.
+/// In the form's own coordinates. Distances to convex shapes are convex: their slopes never fall.
 double bend_of(const sdf::Solid& solid, Side side, double reach) {
   const bool below = side == Side::below;
   return carlo::match(
       solid.form, [&](const sdf::Ball& f) { return below ? 0 : per(f.radius - reach); },
       [&](const sdf::Torus& f) {
-        // Across the tube, and around the axis inside of the ring.
+        // Across the tube, and around the axis on the inside of the ring.
         return below ? per(f.major - f.minor - reach) : per(f.minor - reach);
       },
       [&](const sdf::RoundedBox& f) { return below ? 0 : per(f.radius - reach); },
@@ -43,12 +43,13 @@ double bend_of(const sdf::Solid& solid, Side side, double reach) {
       });
 }
 
-/// Steps from last to first: what is asked of each of them comes from those that combine it.
+/// Goes through the steps from last to first: the demands on each come from the steps that combine
+/// it.
 double bend(const carlo::Sdf& shape, Side root, double root_reach) {
   struct Asked {
     Side side;
     double reach;
-    double more;  ///< what combining has added
+    double more;  ///< added by combining
   };
   std::vector<Asked> waiting{{root, root_reach, 0}};
   double most = 0;
@@ -61,8 +62,9 @@ double bend(const carlo::Sdf& shape, Side root, double root_reach) {
       continue;
     }
     const auto& combine = std::get<sdf::Combine>(*step);
-    // A minimum's slope falls where one part takes over from the other, over differences of the
-    // smoothing k, by at most 2; there the parts are up to 5/4 k above it. A maximum's rises.
+    // The slope of a minimum falls where one part takes over from the other, over differences of
+    // the smoothing k, by at most 2; there the parts are up to 5/4 k above it. The slope of a
+    // maximum rises.
     const bool minimum = combine.operation == sdf::Operation::unite;
     Asked of_part = asked;
     if (minimum == (asked.side == Side::below)) {
@@ -71,19 +73,19 @@ double bend(const carlo::Sdf& shape, Side root, double root_reach) {
     }
     waiting.push_back(of_part);
     if (combine.operation == sdf::Operation::subtract) of_part.side = other(of_part.side);
-    waiting.push_back(of_part);  // the second part, whose steps stand last
+    waiting.push_back(of_part);  // the second part, whose steps come last
   }
   return most;
 }
 
-/// From the surface, with a slope of 1/2, the next step that is certain is no longer than the reach
+/// Starting at the surface with a slope of 1/2, the next certain step is no longer than the reach
 /// and than 1/bend.
 Bend longest_steps(const carlo::Sdf& shape, Side side, double size) {
-  // Without any bend steps end somewhere, too.
+  // Even without a bend, steps are limited.
   const double least = 0.01 / size;
   Bend best{least, 0};
   double longest = 0;
-  for (int halves = -6; halves < 40; ++halves) {  // reaches from 8 to 1e-6 sizes
+  for (int halves = -6; halves < 40; ++halves) {  // reaches from 8 down to 1e-6 sizes
     const double reach = size * std::exp2(-0.5 * halves);
     const double most = std::max(bend(shape, side, reach), least);
     const double step = std::min({reach, size, 1 / most});

@@ -1,4 +1,4 @@
-// Sdfs among a scene's surfaces: which of them a batch of rays meets. Included once for each
+// Sdfs among a scene's surfaces: finds those that a batch of rays meets. Included once for each
 // instruction set.
 
 #if defined(CARLO_SDF_HITS_INL) == defined(HWY_TARGET_TOGGLE)
@@ -24,33 +24,33 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// A register's rays o + t d, as sdfs see them.
+/// A register's rays o + t d, for tests against sdfs.
 struct Way {
   V3 o, d;
   M wanted;
 };
 
-/// A register's ways from o to points of lights, of which none lies on an sdf.
+/// A register's segments from o to points of lights, none of which lies on an sdf.
 struct ToLight {
   V3 o, to;
-  V share;  ///< of the way, that a mesh may block: not the end, if the light is one
+  V share;  ///< the share of the segment that a mesh may block: not the end, if the light is a mesh
   M clear;  ///< so far
 };
 
-/// What becomes of a register's paths at their next vertices.
+/// The state of a register's paths at their next vertices.
 struct Vertex {
   V2 u_light, u_lobe;
   Hits hits;
-  // Where there are sdfs or meshes:
+  // For scenes with sdfs or meshes:
   Way way;
-  std::array<double, lanes> t{};  ///< of those that met an sdf
-  carlo::MeshRays of_mesh;        ///< and what those met that met a mesh
+  std::array<double, lanes> t{};  ///< hits on sdfs
+  carlo::MeshRays of_mesh;        ///< hits on meshes
   V3 error;                       ///< of the point's coordinates
-  ToLight to_light;               ///< ways to lights that nothing else blocks,
-  V3 direct;                      ///< and what they bring
+  ToLight to_light;               ///< segments to lights that nothing else blocks,
+  V3 direct;                      ///< and their contributions
 };
 
-/// Sphere tracing, only where it may be nearer than what was met so far.
+/// Sphere tracing, only where an sdf may be nearer than the hits so far.
 inline HWY_NOINLINE void meet_sdfs(const LaneScene& s, std::array<Vertex, batch>& vertices) {
   for (std::size_t k = 0; k < s.sdfs.size(); ++k) {
     SdfRays rays;
@@ -76,7 +76,7 @@ inline HWY_NOINLINE void meet_sdfs(const LaneScene& s, std::array<Vertex, batch>
   }
 }
 
-/// Points and normals, in double until they are rounded once, of the lanes whose surface is an sdf.
+/// Points and normals of the lanes whose surface is an sdf, in double until they are rounded once.
 inline HWY_NOINLINE void place_on_sdfs(const LaneScene& s, const Vertex& vertex, const U& surface,
                                        V3& p, V3& n) {
   SdfPoints points{};
@@ -102,8 +102,8 @@ inline HWY_NOINLINE void place_on_sdfs(const LaneScene& s, const Vertex& vertex,
              n);
 }
 
-/// carlo::offset_origin(): the point p of a surface moved to the side of n, off the surface by what
-/// its rounding asks for; for a path that came along d, |d| = 1, and stays on that side.
+/// carlo::offset_origin(): moves the point p of a surface to the side of n, off the surface by what
+/// its rounding demands; for a path that came along d, |d| = 1, and stays on that side.
 HWY_INLINE V3 off_surface(V3 p, V3 error, V3 n, V3 d) {
   const V3 size{hn::Abs(p.x), hn::Abs(p.y), hn::Abs(p.z)};
   const V3 back = add_scaled(p, hn::Mul(set(-2), hn::Sqrt(dot(error, error))), d);
@@ -115,7 +115,7 @@ HWY_INLINE V3 off_surface(V3 p, V3 error, V3 n, V3 d) {
   return {moved(back.x, off.x, size.x), moved(back.y, off.y, size.y), moved(back.z, off.z, size.z)};
 }
 
-/// Takes those away that an sdf blocks.
+/// Removes the lanes that an sdf blocks.
 inline HWY_NOINLINE void block_by_sdfs(const LaneScene& s, std::array<Vertex, batch>& vertices) {
   const U of_lane = hn::Shl(set_word(1), hn::Iota(du_, 0));
   for (const LaneSdf& sdf : s.sdfs) {

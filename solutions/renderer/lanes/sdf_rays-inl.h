@@ -22,18 +22,18 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// So many registers of paths walk together where there are sdfs: of each register few rays come
-/// near to one, and these take steps of very different numbers.
+/// The number of registers of paths that walk together in scenes with sdfs: few rays of each
+/// register come near an sdf, and these take very different numbers of steps.
 constexpr std::size_t batch = 32;
 
 using DL = hn::RebindToSigned<DD>;
 using VL = hn::Vec<DL>;
 constexpr DL dl_;
 
-/// Some of a batch's rays, one after the other: as they come, and in an sdf's coordinates
-/// o + s d, |d| = 1.
+/// Some of a batch's rays, packed: first as they come, then in an sdf's coordinates as o + s d, |d|
+/// = 1.
 struct SdfRays {
-  /// Whole registers are written, the last one beyond the rays.
+  /// Whole registers are written, the last one past the rays.
   template <class T>
   struct alignas(64) Row : std::array<T, (batch + 1) * lanes> {};
   Row<float> from_x, from_y, from_z, along_x, along_y, along_z, longest;
@@ -41,11 +41,11 @@ struct SdfRays {
   Row<double> ox, oy, oz, dx, dy, dz, t_per_s;
   Row<double> begin, end;      ///< of the part within the sdf's box
   Row<double> fine;            ///< resolution()
-  Row<double> s;               ///< where they meet it; below 0: nowhere
-  Row<double> a, b, f_a, f_b;  ///< first there are values of F between, of different signs
+  Row<double> s;               ///< of the hit; below 0: none
+  Row<double> a, b, f_a, f_b;  ///< bracket of the hit, with values of F of different signs
   std::size_t count = 0;
 
-  /// The `wanted` rays o + t d, t up to `far`, of a register whose first lane this is.
+  /// Adds the `wanted` rays o + t d, t up to `far`, of the register that starts at lane first_lane.
   HWY_INLINE void add(V3 o, V3 d, V far, M wanted, std::size_t first_lane) {
     const ToFront to_front(wanted);
     const auto put = [&](V v, Row<float>& row)
@@ -97,16 +97,16 @@ HWY_INLINE V3D at(const V3D& o, const V3D& d, VD s) {
   return {mul_add(s, d.x, o.x), mul_add(s, d.y, o.y), mul_add(s, d.z, o.z)};
 }
 
-/// How exactly a point of a ray from o can be known to lie on the surface: 64 roundings of the
-/// largest number on the way.
+/// The precision with which a point of a ray from o can be known to lie on the surface: 64
+/// roundings of the largest number involved.
 HWY_INLINE VD resolution(const LaneSdf& sdf, const V3D& o) {
   return hn::Mul(number(0x1p-46), hn::Add(length(o), number(sdf.reach)));
 }
 
-/// The part of [begin, end] in which rays are inside of the sdf's box.
+/// Clips [begin, end] to the part in which rays are inside the sdf's box.
 HWY_INLINE void clip(const LaneSdf& sdf, const V3D& o, const V3D& d, VD& begin, VD& end) {
   const auto slab = [&](VD from, VD along, double lower, double upper) HWY_ATTR {
-    // A component of 0 becomes one so small that no quotient is 0 / 0.
+    // A component of 0 is replaced by one so small that no quotient is 0 / 0.
     const VD inverse =
         hn::Div(number(1), hn::IfThenElse(hn::Eq(along, number(0)), number(0x1p-1000), along));
     const VD a = hn::Mul(hn::Sub(number(lower), from), inverse),

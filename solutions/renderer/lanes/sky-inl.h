@@ -1,4 +1,4 @@
-// The image around the scene, a lane a direction. Included once for each instruction set.
+// The image around the scene, one direction per lane. Included once for each instruction set.
 
 #if defined(CARLO_SKY_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_SKY_INL
@@ -32,13 +32,13 @@ HWY_INLINE V turns_to(V y, V x) {
   return hn::CopySign(turns, y);
 }
 
-/// Of x in [0, 1], in which of `count` equal steps it lies.
+/// The one of `count` equal steps of [0, 1] that x lies in.
 HWY_INLINE U step_in(V x, std::size_t count) {
   const U step = hn::BitCast(du_, hn::ConvertTo(di_, hn::Mul(x, set(static_cast<float>(count)))));
   return hn::Min(step, set_word(static_cast<std::uint32_t>(count - 1)));
 }
 
-/// What a texel brings, and the density with which its directions are drawn, per solid angle.
+/// A texel's radiance, and the density per solid angle with which its directions are drawn.
 struct Texels {
   V3 radiance;
   V pdf;
@@ -49,10 +49,11 @@ HWY_INLINE Texels texels(const EnvmapTable& table, U index) {
   return {{gather(first, at), gather(first + 1, at), gather(first + 2, at)}, gather(first + 3, at)};
 }
 
-/// EnvmapTable::at() of directions that are `asked` for.
+/// EnvmapTable::at() for directions that are `asked` for.
 inline HWY_NOINLINE Texels sky_at(const EnvmapTable& table, const V3& d, M asked) {
   const glm::mat3& m = table.rotation;
-  const V3 there = select(asked, d, set(m[1][0], m[1][1], m[1][2]));  // up, where nobody asks
+  const V3 there = select(asked, d, set(m[1][0], m[1][1], m[1][2]));  // up, in lanes that do not
+                                                                      // ask
   const V x = dot(there, set(m[0][0], m[0][1], m[0][2])),
           y = dot(there, set(m[1][0], m[1][1], m[1][2])),
           z = dot(there, set(m[2][0], m[2][1], m[2][2]));
@@ -64,8 +65,8 @@ inline HWY_NOINLINE Texels sky_at(const EnvmapTable& table, const V3& d, M asked
                 hn::Add(hn::Mul(row, set_word(static_cast<std::uint32_t>(table.width))), column));
 }
 
-/// In which of `count` steps of running sums, each lane's from `first` on, u lies, and where
-/// within.
+/// The one of `count` steps of running sums, from `first` on in each lane, that u lies in, and its
+/// place within.
 struct SumSteps {
   U index;
   V within;

@@ -1,4 +1,4 @@
-// Where rays meet signed distance functions. Included once for each instruction set.
+// Finds where rays meet signed distance functions. Included once for each instruction set.
 
 #if defined(CARLO_SPHERE_TRACING_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_SPHERE_TRACING_INL
@@ -24,7 +24,7 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// The first numbers of a list of `end` from `begin` on, or its last again where it has no more.
+/// The next numbers, from `begin` on, of a list of length `end`; repeats the last one past the end.
 HWY_INLINE VL some_of(const SdfRays::Row<std::int64_t>& list, std::size_t begin, std::size_t end) {
   alignas(64) std::array<std::int64_t, doubles> numbers;
   for (std::size_t k = 0; k < doubles; ++k)
@@ -37,9 +37,10 @@ struct Brackets {
   VD a, b, f_a, f_b;
 };
 
-/// The roots between, to F's resolution (`fine`), by secants: the end that stays counts half from
-/// then on (the "Illinois" rule), so that both ends move; by halves when that takes long. Source:
-/// Dowell, Jarratt, "A modified regula falsi method for computing the root of an equation", 1971.
+/// Finds the roots between, to F's resolution (`fine`), by secants: an end that stays counts half
+/// from then on (the "Illinois" rule), so that both ends move; by bisection when that takes long.
+/// Source: Dowell, Jarratt, "A modified regula falsi method for computing the root of an equation",
+/// 1971.
 HWY_INLINE VD narrowed(const LaneSdf& sdf, const V3D& o, const V3D& d, VD fine, Brackets x) {
   MD wanted = hn::FirstN(dd_, doubles);
   VD best = x.b;
@@ -48,7 +49,7 @@ HWY_INLINE VD narrowed(const LaneSdf& sdf, const V3D& o, const V3D& d, VD fine, 
         hn::Div(neg_mul_add(x.b, x.f_a, hn::Mul(x.a, x.f_b)), hn::Sub(x.f_b, x.f_a));
     const VD low = hn::Min(x.a, x.b), high = hn::Max(x.a, x.b);
     const VD middle = mul_add(hn::Sub(high, low), number(0.5), low);
-    // A division by 0 is a value that no comparison holds for.
+    // A division by 0 gives a value for which no comparison holds.
     const MD inside = hn::And(hn::Ge(by_secant, low), hn::Le(by_secant, high));
     const VD next = i < 30 ? hn::IfThenElse(inside, by_secant, middle) : middle;
     const VD f = evaluate<false>(sdf, at(o, d, next)).value;
@@ -83,7 +84,7 @@ inline HWY_NOINLINE void trace(const LaneSdf& sdf, SdfRays& rays) {
   }
 }
 
-/// Where rays of a register met sdfs: the points, rounded once, and the unit normals.
+/// Points where rays of a register met sdfs, rounded once, and their unit normals.
 struct SdfPoints {
   alignas(64) std::array<float, lanes> px{}, py{}, pz{}, nx{}, ny{}, nz{};
 };
@@ -95,7 +96,7 @@ inline HWY_NOINLINE void points_of(const LaneSdf& sdf, const SdfRays& rays, SdfP
   for (std::size_t i = 0; i < rays.count; i += doubles) {
     const V3D d = rays.directions(i), q = at(rays.origins(i), d, rays.of(rays.s, i));
     const V3D gradient = evaluate<true>(sdf, q).gradient;
-    // Where two surfaces just touch there is no normal: let it face the ray.
+    // Where two surfaces just touch there is no normal: use one that faces the ray.
     const MD known = hn::Gt(dot(gradient, gradient), number(0));
     const V3D out = select(known, direction_of(gradient), number(-1) * d);
     const V3D n = turned(place.rotation, out) * (sdf.flipped ? -1 : 1);
@@ -111,7 +112,7 @@ inline HWY_NOINLINE void points_of(const LaneSdf& sdf, const SdfRays& rays, SdfP
   }
 }
 
-/// Those of the `wanted` rays o + t d, t up to `longest`, that may come near to the sdf.
+/// Those of the `wanted` rays o + t d, t up to `longest`, that may come near the sdf.
 HWY_INLINE M near_sdf(const LaneSdf& sdf, V3 o, V3 d, V longest, M wanted) {
   const auto f = [](double x) HWY_ATTR { return set(static_cast<float>(x)); };
   const glm::dmat3& r = sdf.place.rotation;
@@ -119,7 +120,7 @@ HWY_INLINE M near_sdf(const LaneSdf& sdf, V3 o, V3 d, V longest, M wanted) {
   const V3 from = inverse * (o - set(static_cast<float>(sdf.place.origin.x),
                                      static_cast<float>(sdf.place.origin.y),
                                      static_cast<float>(sdf.place.origin.z)));
-  // What the coordinates' rounding may take, many times over.
+  // Many times the possible rounding error of the coordinates.
   const V margin =
       mul_add(set(1e-5f),
               hn::Add(hn::Mul(inverse, hn::Add(hn::Abs(o.x), hn::Add(hn::Abs(o.y), hn::Abs(o.z)))),
@@ -136,7 +137,7 @@ HWY_INLINE M near_sdf(const LaneSdf& sdf, V3 o, V3 d, V longest, M wanted) {
     begin = hn::Max(begin, hn::Min(a, b));
     end = hn::Min(end, hn::Max(a, b));
   }
-  // Divisions by small numbers have lost a few digits of what is large.
+  // Divisions by small numbers have cost large ones a few digits.
   return hn::And(wanted, hn::Le(hn::Mul(begin, set(1 - 1e-5f)), hn::Mul(end, set(1 + 1e-5f))));
 }
 

@@ -21,7 +21,7 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// Through the film's point (x, y), in pixels; of length 1. Camera::ray() in lanes.
+/// The unit direction through the film's point (x, y), in pixels: Camera::ray() in lanes.
 HWY_INLINE V3 camera_direction(const LaneJob& job, V x, V y) {
   const carlo::Camera& c = job.camera;
   const V fx = mul_sub(x, set(2 / static_cast<float>(job.width)), set(1));
@@ -32,8 +32,8 @@ HWY_INLINE V3 camera_direction(const LaneJob& job, V x, V y) {
       hn::Mul(fy, set(c.tan_half_y)), set(c.up.x, c.up.y, c.up.z)));
 }
 
-/// Of a camera ray in direction d, per solid angle, how much denser its pixel's samples are than
-/// paths from lamps are over the whole image: those rays over the number of these.
+/// For a camera ray in direction d: the density per solid angle of its pixel's samples over that of
+/// paths from lamps over the whole image, as a ratio of their numbers.
 HWY_INLINE V camera_density(const LaneJob& job, V3 d) {
   const carlo::Camera& c = job.camera;
   const V cosine = dot(d, set(c.forward.x, c.forward.y, c.forward.z));
@@ -41,7 +41,7 @@ HWY_INLINE V camera_density(const LaneJob& job, V3 d) {
   return hn::Div(set(per_film), hn::Mul(cosine, hn::Mul(cosine, cosine)));
 }
 
-/// A tile's samples as paths about to start, pixel by pixel. They are made ready for all lanes at
+/// A tile's samples as paths about to start, pixel by pixel. They are prepared for all lanes at
 /// once, and taken as lanes become free.
 class Starts {
  public:
@@ -55,7 +55,7 @@ class Starts {
     pixel_key_ = key_of_pixel();
   }
 
-  /// Lets up to `most` more samples start, once all before have; their number.
+  /// Lets up to `most` more samples start, once all earlier ones have started; returns how many.
   std::uint32_t allow(std::uint32_t most) {
     allowed_ = static_cast<std::uint32_t>(std::min<std::uint64_t>(most, left_));
     left_ -= allowed_;
@@ -63,14 +63,14 @@ class Starts {
     return allowed_;
   }
 
-  /// Gives paths to lanes that have none, as far as there are.
+  /// Gives paths to lanes that have none, as long as there are some.
   template <class Needs>
   HWY_INLINE void refill(Paths& paths, carlo::Counts& counts) {
     const std::uint32_t alive = bits(paths.alive);
     if (alive == static_cast<std::uint32_t>((std::uint64_t{1} << lanes) - 1)) return;
     if (waiting_ < lanes && allowed_ > 0) prepare();
     if (waiting_ == 0) return;
-    // The place in the queue: how many lanes before this one are free.
+    // The place in the queue: the number of free lanes before this one.
     const U place = ranks(~alive);
     const M starts = hn::AndNot(paths.alive, hn::RebindMask(d_, hn::Gt(set_word(waiting_), place)));
     take<Needs>(paths, starts, hn::And(place, set_word(lanes - 1)));
@@ -116,8 +116,8 @@ class Starts {
     paths.alive = hn::Or(paths.alive, starts);
   }
 
-  /// The queue's rest moves to its front, and registers of samples join it: several, as no
-  /// processor foresees when.
+  /// Moves the rest of the queue to its front and appends registers of samples. Appends several at
+  /// a time, since branch prediction cannot foresee when more are needed.
   HWY_INLINE void prepare() {
     move(dx_, d_), move(dy_, d_), move(dz_, d_);
     move(key_, du_), move(index_, du_), move(number_of_, du_);
@@ -126,7 +126,7 @@ class Starts {
       join();
   }
 
-  /// Behind the tile's last sample the register holds nothing that counts as waiting.
+  /// After the tile's last sample the rest of the register does not count as waiting.
   HWY_INLINE void join() {
     const auto made = static_cast<std::uint32_t>(std::min<std::uint32_t>(lanes, allowed_));
     const std::uint32_t samples = job_.tile.samples;
@@ -134,7 +134,7 @@ class Starts {
     const U lane = hn::Iota(du_, 0);
     V x = set(static_cast<float>(x_)), y = set(static_cast<float>(y_));
     U keys = set_word(pixel_key_), sample = hn::Add(lane, set_word(sample_));
-    std::uint32_t first = 0;  // lane of the pixel
+    std::uint32_t first = 0;  // first lane of the pixel
     while (made - first > samples - sample_) {
       first += samples - sample_;
       next_pixel();
@@ -179,7 +179,8 @@ class Starts {
   }
 
   static constexpr std::size_t at_a_time = 4;
-  /// The queue: `waiting_` from `first_` on. Lookups read a register from anywhere in it.
+  /// The queue: `waiting_` samples from `first_` on. Lookups read a register from any position in
+  /// it.
   template <class T>
   using Queue = std::array<T, (at_a_time + 2) * lanes>;
   static constexpr std::size_t alignment = lanes * sizeof(float);
@@ -187,9 +188,9 @@ class Starts {
   alignas(alignment) Queue<std::uint32_t> key_{}, index_{}, number_of_{};
   std::uint32_t first_ = 0, waiting_ = 0;
   std::uint64_t left_;         ///< samples that may not start yet
-  std::uint32_t allowed_ = 0;  ///< those that may, and have not joined the queue
-  std::uint32_t number_ = 0;   ///< of the next one that joins it, among all that may start
-  std::uint32_t sample_ = 0;   ///< the next of its pixel
+  std::uint32_t allowed_ = 0;  ///< samples that may start but are not in the queue yet
+  std::uint32_t number_ = 0;   ///< of the next one to enter the queue, among all that may start
+  std::uint32_t sample_ = 0;   ///< the next one of its pixel
   int x_, y_;
   std::uint32_t pixel_key_ = 0;
   const LaneJob& job_;

@@ -1,5 +1,5 @@
-// Paths under way, one in each lane: what happens to all of them alike. Included once for each
-// instruction set.
+// Paths in progress, one in each lane: what all kinds of paths have in common. Included once for
+// each instruction set.
 
 #if defined(CARLO_STEPS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_STEPS_INL
@@ -37,9 +37,9 @@ constexpr std::uint32_t longest_path = 1 << 16;
 /// has the pixel's key, vertex v the key pixel + v * key_step.
 constexpr std::uint32_t key_step = 0x9E3779B1;
 
-/// What a scene needs, for which the code is compiled: `phong` materials; `close`: spheres, or
+/// The features of a scene that the code is compiled for: `phong` materials; `close`: spheres, or
 /// parallelograms that touch others or share a plane with them; `full`: mirrors, glass, disks,
-/// sdfs, meshes, spheres and points that emit, an image around. `lamps`: some paths start at the
+/// sdfs, meshes, emitting spheres, point lights, an image around. `lamps`: some paths start at the
 /// lamps, and others leave light to them (lamp_paths-inl.h).
 template <bool phong_, bool close_, bool full_ = false, bool lamps_ = false>
 struct Features {
@@ -49,24 +49,25 @@ struct Features {
 struct Paths {
   Origins from;
   V3 d, beta, L;
-  V pdf;             ///< of d; below 0: emission counts whole
-  V compressed;      ///< by how much refractions have compressed radiance; 1 out of the glass
+  V pdf;             ///< of d; below 0: emission counts fully
+  V compressed;      ///< radiance compression by refractions so far; 1 outside glass
   U depth;           ///< segments so far
   U key;             ///< of the next vertex
   U reversed_index;  ///< of the sample
-  U number;          ///< among the tile's samples (Starts::allow), or the lamps' paths of a call
+  U number;          ///< among the tile's samples (Starts::allow), or a call's paths from lamps
   M alive;
-  V3 n;             ///< of the surface that d leaves, on its side, and
-  Chances chances;  ///< with which it asked lights there; where there are several
+  V3 n;             ///< of the surface that d leaves, on its side,
+  Chances chances;  ///< and the probabilities with which lights were chosen there, if there are
+                    ///< several
   V rival;          ///< for Features::lamps (lane_kernel.h, "Paths from lamps")
-  // Of a path from a lamp:
+  // For a path from a lamp:
   U light, triangle;  ///< where it started
-  U pixel;            ///< where the camera sees its vertex
+  U pixel;            ///< the pixel in which the camera sees its vertex
   V brought;          ///< the luminance of its splats
-  V ties;             ///< the sum of the products of each two of them
+  V ties;             ///< the sum of the products of all pairs of splats
 };
 
-/// What the columns hold of a surface and its material.
+/// The column entries of a surface and its material.
 struct Lookups {
   HWY_INLINE Lookups(const LaneScene& s, U surface)
       : at_surface(surface, s.surfaces), material(at_surface(s.material.data()), s.materials) {}
@@ -74,8 +75,8 @@ struct Lookups {
   Numbers at_surface, material;
 };
 
-/// Where paths arrived, on the side that they came from. With the lookups within, whose masks are
-/// an array, all of it would live in memory.
+/// The points where paths arrived, on the side that they came from. The lookups are kept apart:
+/// their masks are an array, which would force all of this into memory.
 struct Spots {
   U number;  ///< of the surface
   const Numbers &at_surface, &material;
@@ -84,12 +85,12 @@ struct Spots {
   M front;   ///< the surface's own side
 };
 
-/// The points of a dimension pair whose random word is k.
+/// The points of the dimension pair with random word k.
 HWY_INLINE V2 points(const LaneJob& job, U reversed_index, U k) {
   return job.sobol ? sobol_2d(reversed_index, k) : random_2d(reversed_index, k);
 }
 
-/// What happens to paths at their vertices, wherever they come from.
+/// What happens to paths at their vertices, wherever they start.
 template <class Needs>
 class Steps {
  public:
@@ -100,9 +101,9 @@ class Steps {
         per_threshold_(1 / job.choices.roulette_threshold) {}
 
  protected:
-  /// Takes one register of paths, or `batch` of them where there are sdfs, to their next vertices,
-  /// as `walk` shades them, and then to what it gathers there once it is known which of the ways
-  /// to_light nothing blocks.
+  /// Takes one register of paths, or `batch` of them if there are sdfs, to their next vertices,
+  /// where `walk` shades them, and then lets it gather the contributions of those segments to_light
+  /// that nothing blocks.
   template <class Walk>
   HWY_INLINE void step_batch(const Walk& walk, std::span<Paths> paths) const {
     const bool sdfs = !s_.sdfs.empty();
@@ -131,31 +132,32 @@ class Steps {
 
   HWY_INLINE void find(const Paths& paths, Vertex& vertex) const {
     counts_.rays += hn::CountTrue(d_, paths.alive);
-    // Ahead of what they serve: the processor works on them while it waits for the intersection.
+    // Computed ahead of use, so that the processor has work while it waits for the intersection.
     const U k = mix(paths.key);
     vertex.u_light = points(job_, paths.reversed_index, k);
     vertex.u_lobe = points(job_, paths.reversed_index, second_word(k));
     vertex.hits = closest<Needs::close, Needs::full>(s_, paths.from, paths.d);
   }
 
-  /// The weight of a sample against another technique whose density is `ratio` times as large.
+  /// The MIS weight of a sample against another technique whose density is `ratio` times as large.
   HWY_INLINE V weigh(V ratio) const {
     const V other_part = job_.choices.power_heuristic ? hn::Mul(ratio, ratio) : ratio;
     return hn::Div(set(1), hn::Add(other_part, set(1)));
   }
-  /// Against two others.
+  /// The MIS weight against two others.
   HWY_INLINE V weigh(V ratio, V other) const { return weigh(together(ratio, other)); }
-  /// The ratio of one technique that weighs as much as two.
+  /// The ratio of a single technique with the same weight as two.
   HWY_INLINE V together(V a, V b) const {
     return job_.choices.power_heuristic ? hn::Sqrt(mul_add(a, a, hn::Mul(b, b))) : hn::Add(a, b);
   }
 
-  /// Paths::rival behind mirrors and glass: the chance of the way taken is that of the way back.
+  /// Paths::rival after mirrors and glass: the probability of the way taken is that of the way
+  /// back.
   HWY_INLINE V turn_rival(V rival, const Spots& spots, const Reflections& next) const {
     return hn::Div(hn::Mul(rival, hn::Abs(dot(spots.n, next.d))), spots.cosine);
   }
 
-  /// What missed looks at surface 0, for nothing.
+  /// Lanes that missed read surface 0 and ignore it.
   HWY_INLINE U surface_met(const Vertex& vertex, M met) const {
     return hn::IfThenElseZero(hn::RebindMask(du_, met), vertex.hits.surface);
   }
@@ -175,7 +177,7 @@ class Steps {
             hn::Lt(along, set(0))};
   }
 
-  /// Ends paths on black sides and at the longest length; whether any goes on.
+  /// Ends paths on black sides and at the maximum length; true if any path continues.
   HWY_INLINE bool goes_on(Paths& paths, const Spots& spots) const {
     if (s_.one_sided) {
       const M two_sided = differs(spots.material(s_.two_sided.data()), set_word(0));
@@ -193,7 +195,7 @@ class Steps {
     paths.alive = hn::AndNot(over, paths.alive);
   }
 
-  /// The point that was met, moved onto the surface (what is lost in o + t d comes back), and the
+  /// The point of the hit, moved onto the surface (which restores what o + t d lost), and the
   /// shape's normal there.
   HWY_INLINE void place(const Paths& paths, V t, U number, const Numbers& at_surface, V3& p,
                         V3& normal) const {
@@ -211,7 +213,7 @@ class Steps {
     }
   }
 
-  /// Of the lanes that met an sdf or a mesh, and of all the rounding error.
+  /// For the lanes that met an sdf or a mesh; and the rounding error for all.
   HWY_INLINE void place_searched(Vertex& vertex, M alive, U number, V3& p, V3& normal) const {
     if (!s_.sdfs.empty()) place_on_sdfs(s_, vertex, number, p, normal);
     vertex.error = rounding_of(p);
@@ -220,7 +222,7 @@ class Steps {
     place_on_meshes(s_, vertex.of_mesh, here, p, normal, vertex.error);
   }
 
-  /// The next rays start here.
+  /// Starts the next rays here.
   HWY_INLINE void arrive(Paths& paths, const Spots& spots, const Vertex& vertex) const {
     paths.from.o = each(spots.p);
     paths.from.last = spots.number;
@@ -235,7 +237,7 @@ class Steps {
     paths.key = hn::Add(paths.key, set_word(key_step));
   }
 
-  /// Splits off those on mirrors and glass, and where they go.
+  /// Splits off the paths on mirrors and glass, and computes where they go.
   HWY_INLINE M reflect_some(Paths& paths, const Spots& spots, V u, Reflections& next) const {
     const Numbers& material = spots.material;
     const M specular = hn::And(paths.alive, differs(material(s_.specular.data()), set_word(0)));
@@ -245,8 +247,8 @@ class Steps {
     return specular;
   }
 
-  /// Whether there are lobes. Where the code is compiled for everything, it asks the scene: a scene
-  /// without has the same bits by code that knows of none.
+  /// True if there are lobes. Code compiled for everything asks the scene, so that a scene without
+  /// lobes gives the same bits as with code that knows none.
   HWY_INLINE bool lobes() const { return Needs::phong && (!Needs::full || s_.phong); }
   HWY_INLINE Bsdfs reflected(const Surfaces& surface, V3 wi, V cosine) const {
     return lobes() ? evaluate<Needs::phong>(surface, wi, cosine)
@@ -276,7 +278,7 @@ class Steps {
     return surface;
   }
 
-  /// From mirrors and glass.
+  /// Continues the paths on mirrors and glass.
   HWY_INLINE void go_on(Paths& paths, M specular, const Reflections& next, const Spots& spots,
                         V3 error) const {
     paths.alive = hn::Or(paths.alive, specular);
@@ -288,7 +290,7 @@ class Steps {
     }
   }
 
-  /// Of a throughput relative to `whole`.
+  /// Roulette by the throughput relative to `whole`.
   HWY_INLINE void roulette(Paths& paths, V whole) const {
     const V q = hn::Div(hn::Mul(max_element(paths.beta), set(per_threshold_)), whole);
     roulette_by(paths, q);

@@ -1,4 +1,4 @@
-// What a tile's paths bring. Included once for each instruction set.
+// Sums up the radiances of a tile's paths. Included once for each instruction set.
 
 #if defined(CARLO_SUMS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_SUMS_INL
@@ -24,8 +24,9 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// The radiances of a tile's pixels, summed in the order of the samples: that in which paths end
-/// depends on the number of lanes. Samples are kept until all up to `most` of them are there.
+/// The radiances of a tile's pixels, summed in the order of the samples, since the order in which
+/// paths end depends on the number of lanes. Samples are kept until all of them, up to `most`, are
+/// there.
 class Sums {
  public:
   static constexpr std::uint32_t most = 1 << 14;
@@ -36,8 +37,8 @@ class Sums {
         kept_(std::make_unique_for_overwrite<float[]>(
             3 * std::min<std::size_t>(most, sums_.size() * samples_))) {}
 
-  /// Keeps those of paths that have ended, by Paths::number. What is no radiance is counted and
-  /// left out, as in carlo::BlockSum.
+  /// Stores the radiances of paths that have ended, by Paths::number. Values that are no radiance
+  /// are counted and left out, as in carlo::BlockSum.
   HWY_INLINE void keep(const Paths& paths, M ended, carlo::Counts& counts) {
     const V3 L = paths.L;
     const M good = hn::And(hn::And(hn::Ge(L.x, set(0)), hn::Ge(L.y, set(0))),
@@ -53,7 +54,7 @@ class Sums {
     if (queued_ > queue_length) put_in_place();
   }
 
-  /// Adds the first `count` samples that were kept to those before.
+  /// Adds the first `count` stored samples to those before.
   void add(std::uint32_t count) {
     put_in_place();
     const float* next = kept_.get();
@@ -84,8 +85,8 @@ class Sums {
     queued_ = 0;
   }
 
-  /// Adds so many samples to a pixel; what follows them. Sums of each fourth sample do not wait for
-  /// each other.
+  /// Adds this many samples to a pixel; returns the next sample. Four interleaved sums do not wait
+  /// for each other.
   const float* add_to_pixel(std::uint32_t count, const float* next) {
     const std::uint32_t end = sample_ + count;
     const auto one = [&] {
@@ -106,7 +107,8 @@ class Sums {
     return next;
   }
 
-  /// Paths that have ended wait here for others: how many end at a time no processor foresees.
+  /// Paths that have ended are collected here, since branch prediction cannot foresee how many end
+  /// at a time.
   static constexpr std::size_t queue_length = 128;
   std::array<float, queue_length + 2 * lanes> r_, g_, b_;
   std::array<std::uint32_t, queue_length + 2 * lanes> number_;
@@ -115,9 +117,9 @@ class Sums {
   std::uint32_t samples_;
   std::vector<std::array<double, 3>> sums_;
   std::unique_ptr<float[]> kept_;
-  std::size_t pixel_ = 0;          ///< the one that add() has come to,
-  std::uint32_t sample_ = 0;       ///< how many of its samples,
-  std::array<double, 12> four_{};  ///< and the sums of each fourth of them
+  std::size_t pixel_ = 0;          ///< the pixel that add() has reached,
+  std::uint32_t sample_ = 0;       ///< the number of its samples so far,
+  std::array<double, 12> four_{};  ///< and the four interleaved sums of them
 };
 
 }  // namespace HWY_NAMESPACE

@@ -1,4 +1,4 @@
-// A tile's paths from first to last. Included once for each instruction set.
+// Traces a tile's paths from first to last. Included once for each instruction set.
 
 #if defined(CARLO_TILE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_TILE_INL
@@ -30,7 +30,7 @@ HWY_ATTR void run(const LaneJob& job, std::span<std::array<double, 3>> means,
   Starts starts(job);
   Sums sums(job.tile);
   const Walk<Needs> walk(job, counts);
-  // One register of paths, where there are sdfs a batch; of one alone, the compiler knows.
+  // One register of paths, or a batch if there may be sdfs; a constant for the compiler.
   constexpr std::size_t most = Needs::full ? batch : 1;
   const std::size_t registers = Needs::full && !job.scene.sdfs.empty() ? most : 1;
   auto paths = zeros<std::array<Paths, most>>();

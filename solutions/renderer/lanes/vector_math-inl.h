@@ -1,5 +1,5 @@
-// Vectors of floats, one lane a path: directions and angles. Included once for each instruction set
-// (Highway's foreach_target).
+// Vectors of floats, one path per lane: directions and angles. Included once for each instruction
+// set (Highway's foreach_target).
 
 #if defined(CARLO_VECTOR_MATH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_VECTOR_MATH_INL
@@ -35,9 +35,9 @@ constexpr DU du_;
 constexpr DI di_;
 constexpr std::size_t lanes = hn::MaxLanes(d_);
 
-/// With all bits 0. T{} is not where Highway's vectors have constructors, as for ARM: these leave
-/// them as they are. Elsewhere it is, and what std::memset() has had the address of stays in
-/// memory: a seventh more instructions of a diffuse Cornell box.
+/// All bits 0. T{} is not zero where Highway's vectors have constructors that leave them
+/// uninitialized, as on ARM. Elsewhere T{} is used, since std::memset() takes an address and so
+/// keeps the value in memory: that costs a diffuse Cornell box a seventh more instructions.
 template <class T>
 HWY_INLINE T zeros() {
   if constexpr (std::is_trivially_default_constructible_v<V>) {
@@ -62,9 +62,9 @@ HWY_INLINE M select_mask(M m, M yes, M no) {
   return hn::Or(hn::And(m, yes), hn::AndNot(m, no));
 }
 
-/// Bit i: lane i's.
+/// Bit i: lane i.
 HWY_INLINE std::uint32_t bits(M mask) {
-  // Read as wide as it is written: a load that takes two stores together waits for both.
+  // Read with the width of the store: a load that spans two stores waits for both.
   static_assert(lanes <= 16);
   using Word = std::conditional_t<(lanes > 8), std::uint16_t, std::uint8_t>;
   std::array<std::uint8_t, 8> bytes;
@@ -74,7 +74,7 @@ HWY_INLINE std::uint32_t bits(M mask) {
   return word;
 }
 
-/// Of each byte, how many of its bits are below each of them, in nibbles.
+/// For each byte: the number of bits set below each of its bits, in nibbles.
 constexpr std::array<std::uint32_t, 256> bits_below = [] {
   std::array<std::uint32_t, 256> below{};
   for (std::uint32_t byte = 0; byte < below.size(); ++byte) {
@@ -84,7 +84,7 @@ constexpr std::array<std::uint32_t, 256> bits_below = [] {
   return below;
 }();
 
-/// How many of the lanes before each one are in the mask of these bits.
+/// For each lane, the number of lanes before it that are in the mask of these bits.
 HWY_INLINE U ranks(std::uint32_t mask) {
   const U lane = hn::Iota(du_, 0);
   U below = set_word(bits_below[mask & 255]), first = set_word(0);
@@ -98,7 +98,7 @@ HWY_INLINE U ranks(std::uint32_t mask) {
   return hn::Add(hn::And(hn::Shr(below, shift), set_word(15)), first);
 }
 
-/// Of each byte, where its bits are, in nibbles.
+/// For each byte: the positions of its set bits, in nibbles.
 constexpr std::array<std::uint32_t, 256> set_bits = [] {
   std::array<std::uint32_t, 256> places{};
   for (std::uint32_t byte = 0; byte < places.size(); ++byte) {
@@ -112,7 +112,7 @@ constexpr std::array<std::uint32_t, 256> set_bits = [] {
   return places;
 }();
 
-/// Takes the lanes of a mask to the front, in their order; what follows them is undefined.
+/// Moves the lanes of a mask to the front, in their order; the lanes after them are undefined.
 class ToFront {
  public:
   HWY_INLINE explicit ToFront(M mask) : mask_(mask) {
@@ -121,7 +121,7 @@ class ToFront {
       from_ = hn::And(hn::Shr(set_word(set_bits[bits(mask)]), shift), set_word(lanes - 1));
     }
   }
-  // Highway's copies its table to the stack each time, where there is no instruction for it.
+  // Without an instruction for it, Highway's version copies its table to the stack each time.
   HWY_INLINE V operator()(V v) const {
     if constexpr (lanes > 8) return hn::Compress(v, mask_);
     return hn::TableLookupLanes(v, hn::IndicesFromVec(d_, from_));
@@ -136,8 +136,8 @@ class ToFront {
 struct V3 {
   V x, y, z;
 };
-/// A copy, number by number. The compiler keeps these in registers where it would copy a struct
-/// within a struct by way of memory: 3 % of all instructions of a diffuse Cornell box.
+/// A copy, number by number. The compiler keeps these in registers, whereas it would copy a struct
+/// within a struct through memory: 3 % of all instructions of a diffuse Cornell box.
 HWY_INLINE V3 each(const V3& v) {
   return {v.x, v.y, v.z};
 }
@@ -163,7 +163,7 @@ HWY_INLINE V dot(V3 a, V3 b) {
 HWY_INLINE V3 normalize(V3 a) {
   return hn::Div(set(1), hn::Sqrt(dot(a, a))) * a;
 }
-/// Of a vector whose length is 1 but for rounding: one step of Newton's method.
+/// Normalizes a vector whose length is 1 up to rounding: one step of Newton's method.
 HWY_INLINE V3 renormalize(V3 a) {
   return neg_mul_add(set(0.5f), dot(a, a), set(1.5f)) * a;
 }
@@ -200,7 +200,7 @@ struct SinCos {
   V sin, cos;
 };
 HWY_INLINE SinCos turn(V u) {
-  // The nearest quarter turn, and at most an eighth of a turn from there.
+  // The nearest quarter turn; the rest is at most an eighth of a turn.
   const V quarters = hn::Round(hn::Mul(u, set(4)));
   const V x = hn::Mul(neg_mul_add(quarters, set(0.25f), u), set(6.283185307f)), x2 = hn::Mul(x, x);
   // Taylor's polynomials to x^9 and x^8: the next terms are below 2e-9 and 3e-8 at pi/4.

@@ -1,5 +1,5 @@
-// ./carlo watch, with a build and a judge that we play: on a terminal of our own (keys, crashes)
-// and without one. Nothing here depends on how long anything takes.
+// ./carlo watch, with a simulated build and judge: on a pseudoterminal (keys, crashes) and without
+// one. Nothing here depends on how long anything takes.
 
 #include "course/watch/child.h"
 #include "course/watch/file_events.h"
@@ -35,7 +35,7 @@ constexpr const char* lab_text = R"({"lab": 1, "name": "demo", "title": "Demo", 
    "points": 3, "lecture": "L", "functions": ["g"],
    "hints": ["the nudge of two", "the plan of two"]}]})";
 
-// Where demo.cpp says "broken" it does not compile; where it says "slow" it takes a second.
+// If demo.cpp contains "broken" it does not compile; if it contains "slow" it takes a second.
 constexpr const char* ninja_text = R"sh(#!/bin/sh
 file=$(dirname "$2")/labs/01_demo/demo.cpp
 ! grep slow "$file" >/dev/null || sleep 1
@@ -45,7 +45,7 @@ echo "    3 |     broken"
 exit 1
 )sh";
 
-// An exercise has passed where "good N" stands in its file; asked for both, it judges both.
+// An exercise passes if its file contains "good N"; if both are requested, both are judged.
 constexpr const char* judge_text = R"sh(#!/bin/sh
 while [ $# -gt 0 ]; do
   case $1 in --lab) lab=$2 ;; --json) json=$2 ;; --exercise) only=$2 ;; esac
@@ -119,7 +119,7 @@ class Tree {
   fs::path root_;
 };
 
-/// A program on a terminal of its own.
+/// A program on its own pseudoterminal.
 class Terminal {
  public:
   explicit Terminal(const std::vector<std::string>& command) {
@@ -144,7 +144,7 @@ class Terminal {
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  /// Whether it comes to say that (after what was found last), within a minute.
+  /// Waits up to a minute for this output (after what was found last); true if it appears.
   bool says(const std::string& text) {
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
     while (true) {
@@ -161,7 +161,8 @@ class Terminal {
   }
   void signal(int number) const { ::kill(pid_, number); }
 
-  /// Its exit code, or 128 + the signal that ended it, after `number` if that is no 0.
+  /// Its exit code, or 128 + the signal that ended it, after sending signal `number` if it is not
+  /// 0.
   int end(int number = 0) {
     if (number != 0) signal(number);
     while (more()) {
@@ -171,7 +172,7 @@ class Terminal {
     pid_ = -1;
     return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
   }
-  /// Whether lines are edited and echoed: as a shell finds it.
+  /// True if line editing and echo are on, as a shell expects.
   bool as_before() const {
     termios now{};
     return ::tcgetattr(fd_, &now) == 0 && (now.c_lflag & ICANON) != 0 && (now.c_lflag & ECHO) != 0;
@@ -199,7 +200,7 @@ class Terminal {
   std::string said_;
 };
 
-/// Lines of a program without a terminal, up to one that holds `text`.
+/// Reads lines of a program without a terminal, up to one that contains `text`.
 bool comes_to_say(Child& child, const std::string& text) {
   while (child.output().find(text) == std::string::npos) {
     pollfd wait{child.fd(), POLLIN, 0};
@@ -237,7 +238,7 @@ TEST_CASE("at a terminal: break, mend, hint, next, list, all and quit", "[watch]
   REQUIRE(terminal.says("✓ 1.2  Second"));
   tree.edit("good 1.1", "bad again");
   REQUIRE(terminal.says("verdict of 1.2: failed"));
-  tree.edit("good 1.1 too", "good 1.2");  // both at once: both are judged
+  tree.edit("good 1.1 too", "good 1.2");  // both changed at once: both are judged
   REQUIRE(terminal.says("✓ Lab 1.1, First: 2 of 2 points"));
   REQUIRE(terminal.says("✓ Lab 1.2, Second"));
   tree.edit("bad once more", "bad once more");
@@ -245,11 +246,11 @@ TEST_CASE("at a terminal: break, mend, hint, next, list, all and quit", "[watch]
   REQUIRE(terminal.says("verdict of 1.2: failed"));
   tree.edit("good 1.1, slow", "bad once more");
   REQUIRE(terminal.says("building for Lab 1.1"));
-  tree.edit("good 1.1, slow", "good 1.2");  // before the first was judged: both are
+  tree.edit("good 1.1, slow", "good 1.2");  // changed before the first was judged: both are judged
   REQUIRE(terminal.says("✓ Lab 1.1, First: 2 of 2 points"));
   REQUIRE(terminal.says("✓ Lab 1.2, Second"));
   tree.edit("broken, slow",
-            "good 1.2");  // what was right is no longer told as if it were this text
+            "good 1.2");  // the last good result is no longer shown as if it belonged to this text
   REQUIRE(terminal.says("First: 2 of 2 points, before this change"));
   REQUIRE(terminal.says("the code does not compile"));
   tree.edit("bad at last", "bad at last");
@@ -259,7 +260,7 @@ TEST_CASE("at a terminal: break, mend, hint, next, list, all and quit", "[watch]
   terminal.resize(60, 20);
   REQUIRE(terminal.says("✗ 1.2  Second, "));
   REQUIRE(terminal.says("…  0 of 3  not right yet"));
-  terminal.press("\x1b[A");  // an arrow is no key of ours
+  terminal.press("\x1b[A");  // an arrow is none of our keys
   terminal.press("q");
   CHECK(terminal.end() == 0);
   CHECK(terminal.as_before());

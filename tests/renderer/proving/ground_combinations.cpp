@@ -1,4 +1,4 @@
-// Receiver x side x light x scale, turned and moved in many ways: a spot on top of a convex solid,
+// Receiver x side x light x scale, rotated and moved in many ways: a spot on top of a convex solid,
 // albedo / pi times the irradiance of the lamp (spots.cpp), which is black; or the albedo under a
 // sky of 1.
 
@@ -47,7 +47,7 @@ const Receiver receivers[] = {
        scene.shapes.push_back(ball({0, -2, 0}, 2));
      }}};
 
-/// A lamp of spots.cpp, or a point, or the sky; returns radiance over albedo.
+/// Adds a lamp of spots.cpp, or a point, or the sky; returns radiance over albedo.
 double add_light(Scene& scene, std::size_t kind) {
   const std::vector<Lamp> all = lamps();
   if (kind < all.size()) {

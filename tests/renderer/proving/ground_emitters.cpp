@@ -1,6 +1,5 @@
-// A convex light alone in the dark: what it reflects came from nowhere, so that it shows what it
-// emits, 1, whatever its albedo. Each sample is exact: a light that lights itself by rounding
-// shows.
+// A convex light alone in the dark has nothing to reflect, so its radiance is its emission, 1,
+// whatever its albedo. Each sample is exact: a light that lights itself because of rounding shows.
 
 #include "proving/ground.h"
 #include "proving/parts.h"
@@ -43,7 +42,7 @@ void rectangles(std::vector<Proof>& proofs) {
   }
 }
 
-/// A ball at its place in sizes of its own: radius .37 at (3, 2.7, -5) and the like.
+/// A ball at positions relative to its size: radius .37 at (3, 2.7, -5) and the like.
 void spheres_alone(std::vector<Proof>& proofs) {
   Random random(32);
   for (const double radius : {1e-4, 1e-2, .37, 1.0, 1e3, 1e5}) {

@@ -1,5 +1,5 @@
-// A closed room in which every surface seen emits E and reflects rho: each ray brings the same L,
-// so L = E + rho L = E / (1 - rho). Paths of at most K segments bring E (1 + rho + ... +
+// A closed room in which every visible surface emits E and reflects rho: each ray has the same
+// radiance L = E + rho L = E / (1 - rho). Paths of at most K segments give E (1 + rho + ... +
 // rho^(K-1)).
 
 #include "proving/ground.h"
@@ -96,7 +96,7 @@ void far_away(std::vector<Proof>& proofs) {
   }
 }
 
-/// From inside, off centre as in the file that a user brought.
+/// From inside, off centre, as in a file from a user.
 void spheres(std::vector<Proof>& proofs) {
   for (const float rho : {.125f, .5f, .875f}) {
     for (const double radius : {.37, 1.0, 1e3}) {
@@ -124,7 +124,7 @@ void disks(Scene& scene) {
   }
 }
 
-/// The inside of an octahedron: its triangles the other way around.
+/// The inside of an octahedron: its triangles with the opposite orientation.
 void triangles(Scene& scene) {
   carlo::Shape shape = octahedron({0, 0, 0}, 2, {0, furnace_emission});
   for (glm::uvec3& triangle : std::get<carlo::Mesh>(shape.geometry).triangles)

@@ -1,6 +1,6 @@
-// A closed furnace (ground_furnaces.cpp) with things inside. What emits E and reflects rho as the
-// walls do, reflects all, or lets all through leaves L = E / (1 - rho) in every direction: glass
-// multiplies radiance by eta^2 on the way in and divides by it on the way out.
+// A closed furnace (ground_furnaces.cpp) with objects inside. Objects that emit E and reflect rho
+// like the walls, reflect everything, or transmit everything leave L = E / (1 - rho) in every
+// direction: glass multiplies radiance by eta^2 on the way in and divides by it on the way out.
 
 #include "proving/ground.h"
 #include "proving/parts.h"
@@ -33,8 +33,8 @@ const char* const content_names[] = {"box",        "slab",        "ball",       
                                      "shell",      "mirror_ball", "mirror_card", "glass_ball",
                                      "glass_slab", "bubble"};
 
-/// Around (.2, .1, -.1), no larger than .5; material 0 with its emission are the walls', 1 is a
-/// mirror, 2 glass, 3 air inside of glass.
+/// Adds an object around (.2, .1, -.1), no larger than .5; material 0 with its emission is that of
+/// the walls, 1 is a mirror, 2 glass, 3 air inside glass.
 void add_content(Scene& scene, Content content, const Finish& wall) {
   const dvec3 c(.2, .1, -.1);
   switch (content) {
@@ -51,7 +51,8 @@ void add_content(Scene& scene, Content content, const Finish& wall) {
       }
       return;
     case nested_shell:
-      return scene.shapes.push_back(ball({.1, 0, 0}, 1.3, wall));  // its room holds no box
+      return scene.shapes.push_back(ball({.1, 0, 0}, 1.3, wall));  // its room has no space for a
+                                                                   // box
     case mirror_ball:
       return scene.shapes.push_back(ball(c, .4, {1}));
     case mirror_card:
@@ -89,7 +90,7 @@ void unlimited(std::vector<Proof>& proofs) {
   for (int content = box_inside; content <= bubble; ++content) {
     for (const float rho : {.25f, .5f, .875f}) {
       for (const int turn : {0, 9}) {
-        // A one-sided ball or box is black inside, where nothing may come.
+        // A one-sided ball or box is black inside, where no path may get.
         const bool two_sided = turn == 0 && content < nested_shell;
         Scene scene = furnished(static_cast<Content>(content), rho, two_sided, 0);
         const double scale = turn == 0 ? 1 : 1e3;
@@ -102,7 +103,7 @@ void unlimited(std::vector<Proof>& proofs) {
   }
 }
 
-/// Exact: 1 + rho + ... + rho^(K-1), for things that emit and reflect as the walls do.
+/// Exact: 1 + rho + ... + rho^(K-1), for objects that emit and reflect like the walls.
 void limited_depth(std::vector<Proof>& proofs) {
   for (int content = box_inside; content <= nested_shell; ++content) {
     for (const int depth : {2, 4}) {

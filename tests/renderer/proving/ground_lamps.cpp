@@ -1,5 +1,5 @@
 // A spot of a floor: small lamps .3 above it with other shapes around, lamps far away, many lamps,
-// covered lamps. Paths of two segments (max_depth 2) see direct light only, so that what stands
+// covered lamps. Paths of two segments (max_depth 2) see only direct light, so that the shapes
 // around may be white.
 
 #include "closed_forms.h"
@@ -31,8 +31,8 @@ Scene lamp_scene(double half, bool two_sided) {
   return scene;
 }
 
-/// Neither between the spot and the lamp nor between the spot and the camera, whose azimuth is that
-/// of (.6, .3).
+/// Shapes that are neither between the spot and the lamp nor between the spot and the camera, whose
+/// azimuth is that of (.6, .3).
 void surround(Scene& scene) {
   for (int i = 0; i < 4; ++i) {
     const double azimuth = 1.5 + i;
@@ -91,7 +91,7 @@ void distant_lamps(std::vector<Proof>& proofs) {
   }
 }
 
-/// Exact: the sum over lamps on a ring; they face the spot or so and do not hide each other.
+/// Exact: the sum over lamps on a ring; they face the spot, roughly, and do not hide each other.
 void rings(std::vector<Proof>& proofs) {
   for (const int count : {2, 5, 16}) {
     for (const double scale : {1e-3, 1.0, 1e5}) {
@@ -134,7 +134,7 @@ void covered_lamps(std::vector<Proof>& proofs) {
               fmt::format("lamps/covered {}/gap={:g}/scale={:g}/{}", point ? "point" : "rectangle",
                           gap, scale, turned ? "turned" : "straight"),
               placed(std::move(scene), {rotation(turned ? 15 : 0), scale}), exact_of(0), 64, 0};
-          proof.limit = gap < 1e-4;  // coordinates of 10 are known to 5e-7, turned ones to 2e-6
+          proof.limit = gap < 1e-4;  // coordinates of 10 are accurate to 5e-7, rotated ones to 2e-6
           proofs.push_back(std::move(proof));
         }
       }

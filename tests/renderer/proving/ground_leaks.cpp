@@ -1,6 +1,5 @@
-// Nothing emits inside of a closed room: it is black, whatever shines outside. A path of 50
-// segments has 50 chances to see through a wall. In a lit room beside a dark one, E / (1 - rho) as
-// in any.
+// A closed room without emission is black, whatever shines outside. A path of 50 segments has 50
+// chances to see through a wall. A lit room beside a dark one has radiance E / (1 - rho) as always.
 
 #include "proving/ground.h"
 #include "proving/parts.h"
@@ -31,9 +30,9 @@ Proof leak_proof(std::string name, Scene scene, const Placement& placement) {
   return {"leak/" + std::move(name), placed(std::move(scene), placement), exact_of(0), 128, 0};
 }
 
-/// A share of bounces: those so near to an edge that rounding their point, by up to 2^-24 of its
-/// coordinates, may take it past the other wall. The 12 edges of length 2 have 24 x 2 that of the
-/// area 24 on both sides.
+/// The fraction of bounces so near an edge that rounding the point, by up to 2^-24 of its
+/// coordinates, may move it past the other wall. The 12 edges of length 2 have 24 x 2 times that as
+/// area, of 24, on both sides.
 double lost_at_edges(double shift) {
   return 2 * 0x1p-24 * std::max(1.0, shift);
 }
@@ -47,15 +46,15 @@ void boxes_under_sky(std::vector<Proof>& proofs, double shift, int turn, float a
                                           albedo, margin == 0 ? "edge to edge" : "crossing"),
                               std::move(scene),
                               {rotation(turn), 1, shift * dvec3(1, turn == 0 ? 0 : -.6, .5)}));
-  // Paths have 50 segments; those of albedo .5 two or so.
+  // Paths have 50 segments, or about two for albedo .5.
   proofs.back().rounding = (albedo == 1 ? 50 : 2) * lost_at_edges(shift);
-  // At 1e5 a coordinate is rounded by 4e-3. Turned and moved, corners that were one are rounded
-  // apart: the walls have gaps.
+  // At 1e5 a coordinate is rounded by 4e-3. After rotation and translation, corners that coincided
+  // are rounded apart: the walls have gaps.
   proofs.back().limit = shift >= 1e5 || (margin == 0 && turn != 0 && shift > 0);
 }
 
-/// Exact: 0, but for what falls on edges. Walls that cross are closed when rounded; walls that meet
-/// edge to edge are if they lie along the axes, and nearly (1e-8 of a wall) when turned about the
+/// Exact: 0, except for hits on edges. Walls that cross stay closed when rounded; walls that meet
+/// edge to edge do if they are axis-aligned, and nearly (1e-8 of a wall) when rotated about the
 /// origin.
 void sealed_boxes(std::vector<Proof>& proofs) {
   for (const double shift : {0.0, 100.0, 1e3, 1e4, 1e5}) {
@@ -80,7 +79,8 @@ void sealed_spheres(std::vector<Proof>& proofs) {
       proofs.push_back(leak_proof(
           fmt::format("sphere/shift={:g}/{}", shift, two_sided ? "two-sided" : "one-sided"),
           std::move(scene), {rotation(0), 1, shift * dvec3(1, .9, -1.7)}));
-      // In the lanes, whose positions are floats. From a file it would be moved to the origin.
+      // In the lanes, whose positions are floats. Loaded from a file, the scene would be moved to
+      // the origin.
       proofs.back().limit = shift >= 1e4;
     }
   }
@@ -96,9 +96,10 @@ Scene two_rooms(bool two_sided, double gap, bool in_the_light) {
   return scene;
 }
 
-/// Exact: 0 in the dark room, even where the two walls between the rooms are one plane: whichever
-/// is hit, the dark room sees a wall that does not shine on this side. 1 / (1 - .5) in the lit
-/// room: of two walls in one plane a ray meets one that faces it (common/scene/README.md, limits).
+/// Exact: 0 in the dark room, even where the two walls between the rooms are in one plane:
+/// whichever is hit, the dark room sees a wall that does not emit on this side. 1 / (1 - .5) in the
+/// lit room: of two walls in one plane a ray meets one that faces it (common/scene/README.md,
+/// limits).
 void neighbours(std::vector<Proof>& proofs) {
   for (const double gap : {0.0, 1e-4, 1e-3, 1e-1}) {
     for (const bool two_sided : {false, true}) {

@@ -1,5 +1,5 @@
-// Where the brightest light is not the one to ask: lamps by the camera under images of a sky, in
-// scenes that a stray shape makes large; lamps in a Phong lobe beside stronger ones outside of it.
+// Where the brightest light is not the one to sample: lamps near the camera under images of a sky,
+// in scenes that a stray shape makes large; lamps in a Phong lobe beside stronger ones outside it.
 
 #include "closed_forms.h"
 #include "proving/ground.h"
@@ -24,15 +24,15 @@ constexpr double floor_albedo = .5;
 
 enum class Sky { whole, half, upper };
 
-/// Radiance 1; of one half of the azimuths alone; of all directions above the horizon alone.
+/// Radiance 1 everywhere; only in one half of the azimuths; or only above the horizon.
 carlo::Envmap sky_of(Sky sky) {
   if (sky == Sky::half) return image_of([](int column, int) { return Rgb(column < 4 ? 1 : 0); });
   if (sky == Sky::upper) return image_of([](int, int row) { return Rgb(row < 2 ? 1 : 0); });
   return image_of([](int, int) { return Rgb(1); });
 }
 
-/// Exact: albedo / pi (E + I / h^2), E = pi or pi / 2, the lamp right above. A black stray panel
-/// `far` away covers 1e-6 of the hemisphere at most.
+/// Exact: albedo / pi (E + I / h^2), E = pi or pi / 2, with the lamp directly above. A black stray
+/// panel at distance `far` covers at most 1e-6 of the hemisphere.
 void lamps_under_skies(std::vector<Proof>& proofs) {
   int number = 0;
   for (const double half : {1.0, 1e2, 1e4}) {
@@ -48,7 +48,7 @@ void lamps_under_skies(std::vector<Proof>& proofs) {
           const double of_lamp = 10;
           scene.lights.points = {{{0, static_cast<float>(height), 0},
                                   Rgb(static_cast<float>(of_lamp * height * height))}};
-          // Out of sight of all but the sky: below the floor.
+          // Below the floor, where only the sky sees it.
           if (far > 0)
             scene.shapes.push_back(panel({far, -.5 * far, far}, {.1, 0, 0}, {0, 0, .1}, {1}));
           const double of_sky = sky == Sky::half ? pi / 2 : pi;
@@ -71,8 +71,8 @@ void lamps_under_skies(std::vector<Proof>& proofs) {
 /// The lamp in the lobe.
 enum class InLobe { disk, ball, point };
 
-/// Exact: in the lobe a cone light about its axis, 1 - cos^(n+2) of the half-angle; or a point
-/// light, (n+2) / (2 pi) I / d^2. Out of it, at 60 degrees, a point light that brings `ratio` times
+/// Exact: in the lobe, for a cone light about its axis, 1 - cos^(n+2) of the half-angle; or for a
+/// point light, (n+2) / (2 pi) I / d^2. Outside it, at 60 degrees, a point light with `ratio` times
 /// the irradiance: (n+2) / (2 pi) cos^n 60 E.
 void lamps_in_lobes(std::vector<Proof>& proofs) {
   int number = 0;
@@ -111,7 +111,8 @@ void lamps_in_lobes(std::vector<Proof>& proofs) {
                                 n, ratio),
                     placed(std::move(scene), {rotation(++number % 2), 1}), exact_of(exact),
                     in == InLobe::point ? 2304U : 1024U};
-        // Over the film, 9e-5 to either side, cos^n changes by n 5e-9; disks lose what n asks for.
+        // Over the film, 9e-5 to either side, cos^n changes by n 5e-9; disks lose an amount
+        // proportional to n.
         proof.rounding = 2e-5 + 2e-8 * n;
         proofs.push_back(std::move(proof));
       }

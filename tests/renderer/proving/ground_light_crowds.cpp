@@ -1,9 +1,9 @@
-// One to 1e5 lamps over a spot of a floor, of which few matter. Numbers are those at which the
-// renderer changes its ways (128 lamps in the vector kernel) and about them.
+// One to 1e5 lamps over a spot of a floor, few of which matter. The numbers include those at which
+// the renderer changes its method (128 lamps in the vector kernel) and their neighbours.
 //
-// Lamps stand in directions that are spread evenly over the sphere, each its own: none hides
-// another. Exact: albedo / pi times the sum over those above the horizon of what each brings: for
-// points I cos / d^2, for balls L pi sin^2 cos, for squares and triangles Lambert's formula.
+// Each lamp has a direction of its own, spread evenly over the sphere, so none hides another.
+// Exact: albedo / pi times the sum of the contributions of those above the horizon: I cos / d^2 for
+// points, L pi sin^2 cos for balls, Lambert's formula for squares and triangles.
 
 #include "closed_forms.h"
 #include "proving/ground.h"
@@ -50,10 +50,10 @@ const char* name_of(CrowdKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-/// Three matter: they are near, and bring 1, 1/4 and 1/16 (times the cosine). The others are a
-/// hundred units away: if they are `around`, over the horizon, too, and each brings a little. If
-/// they are below it they are of up to 1e4 times the power; but not triangles, which get by with
-/// one radiance and would have to be that large.
+/// Three lamps matter: they are near, and contribute 1, 1/4 and 1/16 (times the cosine). The others
+/// are a hundred units away: if they are `around`, also above the horizon, and each contributes a
+/// little. If they are below it, they have up to 1e4 times the power; not so triangles, which share
+/// one radiance and would have to be that much larger.
 std::vector<CrowdLamp> crowd(CrowdKind kind, int count, bool around) {
   Random random(static_cast<std::uint64_t>(count));
   std::vector<CrowdLamp> lamps;
@@ -69,7 +69,7 @@ std::vector<CrowdLamp> crowd(CrowdKind kind, int count, bool around) {
       continue;
     }
     if (!around && w.y > 0) w = -w;
-    // None is cut by the horizon: closed forms hold for what is above it or below it.
+    // The horizon cuts none: closed forms hold for lamps entirely above or below it.
     if (std::abs(w.y) < 3 * size) w = glm::normalize(dvec3(w.x, -1, w.z));
     lamps.push_back({w, 100, size, brings});
   }
@@ -144,7 +144,7 @@ void add_crowd(std::vector<Proof>& proofs, CrowdKind kind, int count, bool aroun
   Proof proof{fmt::format("crowds/{}/{}/{}", name_of(kind), count, around ? "around" : "below"),
               std::move(scene), exact_of(crowd_albedo * builder.sum / pi),
               count < 100 ? 1024U : 8192U};
-  // Small triangles that are far away lose digits: corners of 100 are known to 4e-6.
+  // Small distant triangles lose digits: corners of 100 are accurate to 4e-6.
   proof.rounding = kind == CrowdKind::points || kind == CrowdKind::balls ? 1e-5 : 5e-5;
   proof.for_lab = count <= 10;
   proofs.push_back(std::move(proof));
@@ -156,7 +156,7 @@ std::vector<Proof> light_crowd_proofs() {
   std::vector<Proof> proofs;
   for (const CrowdKind kind : crowd_kinds) {
     for (const int count : {1, 2, 10, 100, 127, 128, 129, 1000, 10000, 100000}) {
-      // Each ball or square has a place of its own in the intersector: 1e5 take long to build.
+      // Each ball or square is a separate primitive of the intersector: 1e5 take long to build.
       const bool many = count == 100000;
       if (many && (kind == CrowdKind::balls || kind == CrowdKind::squares)) continue;
       add_crowd(proofs, kind, count, false);

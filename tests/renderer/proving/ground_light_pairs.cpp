@@ -1,9 +1,9 @@
-// A strong light and a weak one, of every two kinds, over one spot of a floor. Which of them is
-// asked must not decide what is seen: the strong one may be as far away as it is strong (a sun and
-// a lamp), or hidden, or below the floor, so that the weak one is all the light there is.
+// A strong light and a weak one, for every two kinds, over one spot of a floor. The choice of the
+// light must not affect the result: the strong one may be as far away as it is strong (a sun and a
+// lamp), or hidden, or below the floor, so that the weak one is the only light.
 //
-// Exact: albedo / pi times the sum of irradiances (lights_of_all_kinds.h). What is all around loses
-// what stands before it covers.
+// Exact: albedo / pi times the sum of irradiances (lights_of_all_kinds.h). A light that surrounds
+// the scene loses what other shapes cover.
 
 #include "closed_forms.h"
 #include "proving/ground.h"
@@ -26,10 +26,10 @@ using glm::dvec3;
 
 constexpr double pair_albedo = .5;
 
-/// Both out of the line of sight and of each other's way: 50 degrees apart, each 11 wide.
+/// Both are out of the line of sight and of each other's way: 50 degrees apart, each 11 wide.
 const dvec3 toward_weak(-.6, .8, 0), toward_strong(0, .8, -.6);
 
-/// Material 1 is black. Two segments: what the floor reflects onto cards is not asked for.
+/// Material 1 is black. Two segments exclude light that the floor reflects onto cards.
 Scene pair_scene(bool two_sided) {
   Scene scene = empty();
   scene.materials = {diffuse(Rgb(pair_albedo), two_sided), diffuse(Rgb(0), true)};
@@ -39,12 +39,12 @@ Scene pair_scene(bool two_sided) {
   return scene;
 }
 
-/// Where the strong light is one that is hardly ever right to ask, a light's share may be 1/48 of
-/// the samples, with 7 times the mean as standard deviation: 1.9e5 samples are 1.6 %.
+/// Where the strong light hardly contributes, the other may get only 1/48 of the samples, with 7
+/// times the mean as standard deviation: 1.9e5 samples give 1.6 %.
 constexpr std::uint32_t few = 512, many = 3072;
 
 Proof pair_proof(std::string name, Scene scene, double irradiance, std::uint32_t spp, int number) {
-  // Half of the scenes list their shapes the other way round; places and turns vary, too.
+  // Half of the scenes list their shapes in reverse order; positions and rotations vary, too.
   if (number % 2 == 1) std::reverse(scene.shapes.begin(), scene.shapes.end());
   const bool turned = number % 3 == 2;
   Proof proof{"pairs/" + std::move(name),
@@ -58,13 +58,13 @@ std::string pair_name(const char* how, LightKind strong, LightKind weak, double 
   return fmt::format("{}/{} and {}/ratio={:g}", how, name_of(strong), name_of(weak), ratio);
 }
 
-/// Two of one kind that is infinitely far away cannot be told apart; behind a room nothing is seen.
+/// Two infinitely distant lights of one kind are indistinguishable; nothing is seen behind a room.
 bool makes_a_pair(LightKind strong, LightKind weak) {
   return weak != LightKind::room && !(surrounds(strong) && surrounds(weak));
 }
 
-/// The strong light shines `ratio` times as much from sqrt(ratio) times as far away: both bring the
-/// origin the same. Of what is all around only a room grows.
+/// The strong light shines `ratio` times as much from sqrt(ratio) times as far away: both
+/// contribute equally at the origin. Of the surrounding lights only a room grows.
 void sun_and_lamp(std::vector<Proof>& proofs, LightKind strong, LightKind weak, double ratio,
                   int number) {
   if (!makes_a_pair(strong, weak)) return;
@@ -78,7 +78,7 @@ void sun_and_lamp(std::vector<Proof>& proofs, LightKind strong, LightKind weak, 
       pair_proof(pair_name("both", strong, weak, ratio), std::move(scene), sum, few, number));
 }
 
-/// The strong light is hidden: by a card, or what is all around by a black box about the scene.
+/// The strong light is hidden: by a card, or, if it surrounds the scene, by a black box around it.
 void hidden(std::vector<Proof>& proofs, LightKind strong, LightKind weak, double ratio,
             int number) {
   if (!makes_a_pair(strong, weak)) return;
@@ -97,8 +97,8 @@ void hidden(std::vector<Proof>& proofs, LightKind strong, LightKind weak, double
       pair_proof(pair_name("hidden", strong, weak, ratio), std::move(scene), sum, many, number));
 }
 
-/// The strong light is behind the floor; an image is bright 45 degrees below the horizon
-/// and deeper.
+/// The strong light is behind the floor; an image is bright only from 45 degrees below the horizon
+/// on.
 void below(std::vector<Proof>& proofs, LightKind strong, LightKind weak, double ratio, int number) {
   if (!makes_a_pair(strong, weak)) return;
   if (strong == LightKind::room || strong == LightKind::sky) return;

@@ -1,8 +1,8 @@
-// Under a sky of radiance 1, solids whose surfaces reflect rho and emit 1 - rho: every ray that
-// arrives anywhere carries 1, so each surface sends out (1 - rho) + rho = 1, and the film shows 1,
-// however the solids stand, overlap or shade each other, and however that is rounded. What leaks
-// into a solid is lost on the black backs of its surfaces, and what is lit twice shows more than 1.
-// With rho = 1 nothing shines but the sky ("white").
+// Under a sky of radiance 1, solids whose surfaces reflect rho and emit 1 - rho: every ray has
+// radiance 1, so each surface sends out (1 - rho) + rho = 1, and the film is 1, however the solids
+// stand, overlap or shade each other, and however that is rounded. Rays that leak into a solid are
+// lost on the black backs of its surfaces, and surfaces that are lit twice exceed 1. With rho = 1
+// only the sky emits ("white").
 
 #include "proving/ground.h"
 #include "proving/parts.h"
@@ -19,7 +19,7 @@ namespace {
 using carlo::Rgb, carlo::Scene;
 using glm::dvec3;
 
-/// Finish i has albedo i of these, and shines with the rest to 1.
+/// Finish i has albedo i of these, and emits the rest up to 1.
 const Rgb open_albedos[] = {Rgb(.5f), Rgb(.25f, .5f, .75f), Rgb(.75f, .125f, .5f)};
 
 Finish open_finish(std::uint32_t i) {
@@ -54,13 +54,13 @@ void add_slab(std::vector<Proof>& proofs, double half, double gap, int turn, boo
   Proof proof = open_proof(fmt::format("slab/half={:g}/gap={:g}/turn={}/{}", half, gap, turn,
                                        between ? "between" : "above"),
                            placed(std::move(scene), {rotation(turn)}), 256);
-  // Turned, the floor's own plane is known to half x 2^-24: the camera may be below it.
+  // After rotation, the floor's own plane is accurate to half x 2^-24: the camera may be below it.
   proof.limit = between && turn != 0 && gap < half * 1e-6;
   proofs.push_back(std::move(proof));
 }
 
-/// The floor is seen from above only. Its half side is at least 100: from below its edge nothing is
-/// seen that stands on it.
+/// The floor is seen only from above. Its half side is at least 100: from below its edge nothing
+/// that stands on it is visible.
 void slabs_over_floors(std::vector<Proof>& proofs) {
   for (const double half : {1e2, 1e3, 1e4, 1e5}) {
     for (const double gap : {0.0, 1e-4, 1e-3, 1e-2, 1e-1}) {
@@ -92,9 +92,9 @@ void balls_on_floors(std::vector<Proof>& proofs) {
   }
 }
 
-/// Boxes, and balls or not, of sizes from .01 to 1 around the camera, which is in none
-/// of them and looks at the first, a large one. A film that sees little but the sky would have a
-/// skewed mean.
+/// Boxes, and optionally balls, of sizes from .01 to 1 around the camera, which is in none of them
+/// and looks at the first, a large one. A film that sees little but the sky would have a skewed
+/// mean.
 Scene crowd(std::uint64_t seed, int count, bool balls) {
   Random random(seed);
   Scene scene = open_scene();

@@ -1,4 +1,4 @@
-// Mirrors, glass and Phong's lobe where what they show is known.
+// Mirrors, glass and Phong's lobe where their radiance is known.
 
 #include "closed_forms.h"
 #include "proving/ground.h"
@@ -17,7 +17,7 @@ using carlo::Rgb, carlo::Scene;
 using glm::dvec3;
 
 /// Exact: kd + ks a(n, theta), the lobe's albedo (closed_forms.h), for a card under a sky of 1; the
-/// film sees 1e-4 of it, so that theta is one angle.
+/// film sees 1e-4 of it, so that theta is constant.
 void phong_cards(std::vector<Proof>& proofs) {
   constexpr double kd = .25, ks = .625;
   int number = 0;
@@ -36,15 +36,15 @@ void phong_cards(std::vector<Proof>& proofs) {
                          two_sided ? "two-sided" : "one-sided"),
              placed(std::move(scene), {rotation(++number), scale}),
              exact_of(kd + ks * closed_forms::phong_albedo(n, theta)), 256,
-             // The camera's direction is rounded: at 85 degrees, 1e-7 of angle is 1e-6 of cosine.
+             // The camera's direction is rounded: at 85 degrees, 1e-7 in angle is 1e-6 in cosine.
              2e-5});
       }
     }
   }
 }
 
-/// Exact: 1 through glass, r in a convex mirror, under a sky of 1; 1 again if the mirror shines
-/// with 1 - r.
+/// Exact: 1 through glass, r in a convex mirror, under a sky of 1; 1 again if the mirror emits 1 -
+/// r.
 void vanishing(std::vector<Proof>& proofs) {
   struct Kind {
     const char* name;
@@ -60,7 +60,7 @@ void vanishing(std::vector<Proof>& proofs) {
                         {"mirror .25", {carlo::Mirror{Rgb(.25f)}, false}, 0, .25},
                         {"shining mirror", {carlo::Mirror{Rgb(.25f)}, false}, .75f, 1}};
   for (const Kind& kind : kinds) {
-    // The last one's top lies in the plane y = 0: there a point's height is rounding alone.
+    // The last one's top lies in the plane y = 0: there a point's height is nothing but rounding.
     for (const std::string shape : {"ball", "box", "box below 0"}) {
       for (const double scale : {1e-4, 1.0, 1e5}) {
         Scene scene = empty();
@@ -88,7 +88,7 @@ void vanishing(std::vector<Proof>& proofs) {
 }
 
 /// Exact: the product of the two reflectances; with paths of less than three segments, 0. The
-/// camera looks along -z into a mirror, up into another, along -z again at a light.
+/// camera looks along -z into a mirror, up into another, then along -z again at a light.
 void periscopes(std::vector<Proof>& proofs) {
   const dvec3 x(1, 0, 0), slope(0, 1, -1);
   for (const float r : {1.0f, .5f}) {

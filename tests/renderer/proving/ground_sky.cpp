@@ -1,6 +1,6 @@
-// Under a uniform sky of radiance 1, what sees nothing but the sky shows its albedo: the integral
-// of albedo/pi cos over the hemisphere. Nothing rises above a level floor or above the top of a
-// card, and a convex solid does not see itself.
+// Under a uniform sky of radiance 1, a surface that sees nothing but the sky has its albedo as
+// radiance: the integral of albedo/pi cos over the hemisphere. Nothing rises above a level floor or
+// above the top of a card, and a convex solid does not see itself.
 
 #include "proving/ground.h"
 #include "proving/parts.h"
@@ -58,7 +58,7 @@ void floors(std::vector<Proof>& proofs) {
   }
 }
 
-/// Exact: the albedo, on the card's top; and on the floor 30 away, from where a card of height h
+/// Exact: the albedo, on the card's top; also on the floor 30 away, from where a card of height h
 /// covers 4 (h/30)^2 / (pi 30^2) < 2e-8 of the hemisphere, weighted with the cosine.
 void floating_cards(std::vector<Proof>& proofs) {
   for (const double half : {2.0, 1e2, 1e3, 1e5}) {
@@ -106,14 +106,14 @@ void coplanar_floors(std::vector<Proof>& proofs) {
         auto& second = std::get<carlo::Parallelogram>(scene.shapes[1].geometry);
         if (kind == "shifted") second.origin.x += static_cast<float>(half);
         if (kind == "opposite") std::swap(second.u, second.v);
-        // Across the second one's edge where there is one.
+        // Across the edge of the second floor, if there is one.
         const dvec3 at = kind == "smaller" ? dvec3(.4, 0, .1) : dvec3(.1, 0, .1);
         scene.camera = camera_at({.3, .8, .2}, at, 25);
         proofs.push_back(sky_proof(
             fmt::format("coplanar/{}/half={:g}/{}/turn={}", kind, half, side_name(two_sided), turn),
             placed(std::move(scene), {rotation(turn)})));
-        // Turned, the corners of the large floor are rounded by up to .004, so that it may pass
-        // above one half of the small one: from below it is black.
+        // After rotation, the corners of the large floor are rounded by up to .004, so that it may
+        // pass above one half of the small one, and it is black from below.
         proofs.back().limit = kind == "smaller" && half >= 1e5 && turn != 0;
       }
     }

@@ -1,5 +1,5 @@
 // A spot of a floor under one lamp: albedo / pi times the irradiance, which has a closed form for
-// each of lamps() (spots.cpp). The lamp is black, so that nothing comes back to the floor.
+// each of lamps() (spots.cpp). The lamp is black, so that it reflects nothing back to the floor.
 
 #include "closed_forms.h"
 #include "proving/ground.h"
@@ -61,19 +61,20 @@ void each_lamp(std::vector<Proof>& proofs) {
   }
 }
 
-/// Exact: albedo I / (pi h^2), the lamp being right above. All but the floor is h in size.
+/// Exact: albedo I / (pi h^2), with the lamp directly above. Everything but the floor has size h.
 void point_lamps(std::vector<Proof>& proofs) {
   for (const double h : {1e-4, 1e-2, .3, 1.0, 1e3}) {
     for (const double half : {1.0, 50.0, 1e5}) {
       for (const bool turned : {false, true}) {
         Scene scene = spot_scene(half / h, true);
         scene.lights.points = {{{0, 1, 0}, Rgb(static_cast<float>(1 / (h * h)))}};
-        if (half / h < 2) continue;  // the spot is .8 h from the camera, the floor must be larger
+        if (half / h < 2) continue;  // the spot is .8 h from the camera; the floor must be larger
         Proof proof{fmt::format("spots/point/height={:g}/half={:g}/{}", h, half,
                                 turned ? "turned" : "straight"),
                     placed(std::move(scene), {rotation(turned ? 13 : 0), h}),
                     spot_radiance(1 / (h * h * closed_forms::pi)), 64};
-        // Turned, a floor of half side 1e4 h is known to 1e-3 h or so; straight, to h 2^-24.
+        // After rotation, a floor of half side 1e4 h is accurate to about 1e-3 h; otherwise to h
+        // 2^-24.
         proof.limit = half / h > (turned ? 1e2 : 1e6);
         proofs.push_back(std::move(proof));
       }
@@ -81,7 +82,7 @@ void point_lamps(std::vector<Proof>& proofs) {
   }
 }
 
-/// Exact: albedo I cos / (pi d^2), at 3-4-5 over and over.
+/// Exact: albedo I cos / (pi d^2), in 3-4-5 triangles.
 void slanted_points(std::vector<Proof>& proofs) {
   int number = 0;
   for (const double scale : {1e-4, 1.0, 1e4}) {
@@ -90,7 +91,7 @@ void slanted_points(std::vector<Proof>& proofs) {
         Scene scene = spot_scene(50, ++number % 2 == 0);
         const dvec3 at = d * dvec3(-.6, .8, 0);
         scene.lights.points = {{carlo::Vec3(at), Rgb(static_cast<float>(d * d))}};
-        // A spot small beside d: what is 7e-5 wide is 7e-4 of .1.
+        // The spot must be small compared with d: 7e-5 is 7e-4 of .1.
         const Placement placement{rotation(number), scale, shift * dvec3(.5, -.7, .5)};
         proofs.push_back(
             {fmt::format("spots/slanted_point/d={:g}/scale={:g}/shift={:g}", d, scale, shift),

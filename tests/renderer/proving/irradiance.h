@@ -6,9 +6,9 @@
 
 namespace proving {
 
-/// The irradiance at the origin, normal +y, from a polygon of radiance 1 that lies wholly above the
-/// plane y = 0, whichever way it is turned. Lambert's formula: half the sum over edges of the angle
-/// that the edge subtends times the cosine between +y and the normal of the edge's plane.
+/// The irradiance at the origin, normal +y, from a polygon of radiance 1 entirely above the plane y
+/// = 0, whichever way it faces. Lambert's formula: half the sum over edges of the angle that the
+/// edge subtends times the cosine between +y and the normal of the edge's plane.
 double polygon_irradiance(const std::vector<glm::dvec3>& corners);
 
 /// The solid angle of the rectangle [-a, a] x [-b, b] seen from the height h above its centre.

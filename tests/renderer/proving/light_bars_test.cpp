@@ -1,13 +1,12 @@
-// Standard errors of scenes in which few samples ask the light that matters, against what they
-// stand for: over many renders, the mean of the film's squared standard error and the variance of
-// its value, E[se^2]/Var. Independent samples: 1 (unbiased). Sobol' points from 32 samples on: 1 or
-// more.
+// Tests standard errors in scenes where few samples choose the light that matters: over many
+// renders, compares the mean of the film's squared standard error with the variance of its value,
+// E[se^2]/Var. Independent samples: 1 (unbiased). Sobol' points from 32 samples on: 1 or more.
 //
-// With 256 renders the quotient is known to 9 % where values are normal, less well where few
-// samples bring much: its own error goes by the fourth moment. Below .8 by 4 such errors, and in
-// more than 1 % of scenes is a failure: by chance in none of some 300.
+// With 256 renders the quotient is accurate to 9 % where values are normal, less so where few
+// samples contribute much: its own error comes from the fourth moment. The test fails if more than
+// 1 % of scenes are below .8 by 4 such errors: by chance in none of about 300.
 //
-// CARLO_PROVING_ONLY: scenes whose name has this in it, of all instead of one in eight.
+// CARLO_PROVING_ONLY: all scenes whose name contains this, instead of one in eight.
 
 #include "image/film.h"
 #include "proving/ground.h"
@@ -38,7 +37,8 @@ struct Quotient {
   double value = 1, error = 0;
 };
 
-/// Of the first channel of the film's mean, in renders of so many samples a pixel.
+/// The quotient for the first channel of the film's mean, in renders with this many samples per
+/// pixel.
 Quotient quotient_of(const carlo::Scene& scene, renderer::Kernel kernel, std::uint32_t spp) {
   std::vector<double> values;
   double mean = 0, se2 = 0;

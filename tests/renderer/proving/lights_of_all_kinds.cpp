@@ -17,8 +17,8 @@ using glm::dvec3;
 
 constexpr double relative_size = .2, room_size = 5;
 
-/// A square of this half side about `centre` that faces the origin: corners, in a circle about the
-/// direction to the origin.
+/// A square of this half side about `centre` that faces the origin: its corners lie on a circle
+/// about the direction to the origin.
 struct Square {
   dvec3 centre, a, b;
 
@@ -31,7 +31,7 @@ struct Square {
   }
 };
 
-/// The square as two triangles: each is a light, and shares of chances are divided by the number.
+/// The square as two triangles: each is a light, which divides probabilities by their number.
 carlo::Shape as_mesh(const Square& square) {
   const dvec3 &c = square.centre, &a = square.a, &b = square.b;
   carlo::Mesh mesh{{Vec3(c - a - b), Vec3(c + a - b), Vec3(c + a + b), Vec3(c - a + b)},
@@ -39,7 +39,8 @@ carlo::Shape as_mesh(const Square& square) {
   return {std::move(mesh)};
 }
 
-/// As add_light(), of shapes that do not surround the origin: of radiance 1, and what it brings.
+/// As in add_light(), for shapes that do not surround the origin: with radiance 1, and the
+/// resulting irradiance.
 std::pair<carlo::Shape, double> small_light(LightKind kind, const Stand& stand) {
   const double size = relative_size * stand.distance, cosine = std::abs(stand.w.y);
   if (kind == LightKind::ball)

@@ -12,7 +12,7 @@ namespace {
 using carlo::Rgb, carlo::Scene, carlo::Shape, carlo::Vec3;
 using glm::dmat3, glm::dvec3;
 
-/// Moves what a shape is made of; an Sdf stays, no scene has one.
+/// Moves the points of a shape; leaves an Sdf alone, since no scene has one.
 class Mover {
  public:
   explicit Mover(const Placement& placement) : p_(placement) {}
@@ -133,7 +133,8 @@ Shape octahedron(dvec3 centre, double radius, Finish finish) {
   }
   for (std::uint32_t octant = 0; octant < 8; ++octant) {
     const std::uint32_t x = octant & 1 ? 3 : 0, y = octant & 2 ? 4 : 1, z = octant & 4 ? 5 : 2;
-    const bool odd = ((octant ^ octant >> 1 ^ octant >> 2) & 1) != 0;  // mirrored an odd number
+    const bool odd = ((octant ^ octant >> 1 ^ octant >> 2) & 1) != 0;  // mirrored an odd number of
+                                                                       // times
     mesh.triangles.push_back(odd ? glm::uvec3(x, z, y) : glm::uvec3(x, y, z));
   }
   return {std::move(mesh), finish.material, finish.radiance};

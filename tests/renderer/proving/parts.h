@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-/// What scenes are put together from. Sizes are of the order of 1 until a scene is placed.
+/// The parts of scenes. Sizes are of the order of 1 until a scene is placed.
 namespace proving {
 
 /// Uniform numbers, the same with every standard library.
@@ -19,7 +19,7 @@ class Random {
   explicit Random(std::uint64_t seed) : engine_(seed) {}
   double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
-  /// 10^x for uniform x: every order of magnitude alike.
+  /// 10^x for uniform x: all orders of magnitude are equally likely.
   double magnitude(double low, double high);
   glm::dvec3 direction();
 
@@ -27,28 +27,29 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-/// Where a scene goes: x -> scale (turn x + shift), so that `shift` counts in the scene's sizes.
+/// The placement of a scene: x -> scale (turn x + shift), so that `shift` is in units of the
+/// scene's size.
 struct Placement {
   glm::dmat3 turn{1};
   double scale = 1;
   glm::dvec3 shift{0};
 };
 
-/// A rotation drawn uniformly; number 0 is none.
+/// A uniformly drawn rotation; number 0 is the identity.
 glm::dmat3 rotation(int number);
 
-/// Each coordinate is rounded once. Radiances stay; intensities go with scale^2, so that what point
-/// lights do stays too.
+/// Each coordinate is rounded once. Radiances stay; intensities are scaled by scale^2, so that the
+/// effect of point lights stays too.
 carlo::Scene placed(carlo::Scene scene, const Placement& placement);
 
-/// Of a film of size x size pixels, with independent samples.
+/// An empty scene with a film of size x size pixels and independent samples.
 carlo::Scene empty(int size = 8);
 
 carlo::Material diffuse(carlo::Rgb albedo, bool two_sided);
-/// The lobe is there and has no weight: reflects like diffuse().
+/// A lobe without weight: reflects like diffuse().
 carlo::Material lobeless_phong(carlo::Rgb albedo, bool two_sided);
 
-/// What a box or a panel is made of.
+/// The material and emission of a box or a panel.
 struct Finish {
   std::uint32_t material = 0;
   carlo::Rgb radiance{0};
@@ -66,12 +67,12 @@ carlo::Shape ball(glm::dvec3 centre, double radius, Finish finish = {},
 struct Box {
   glm::dvec3 centre{0}, half{1};
   glm::dmat3 turn{1};
-  double margin = 0;  ///< by which each face goes on beyond its edges
+  double margin = 0;  ///< by which each face extends beyond its edges
 };
 /// Six panels.
 void add_box(carlo::Scene& scene, const Box& box, Finish finish, Facing facing);
 
-/// A solid of triangles: corners on a sphere of this radius; 8 of them, normals outwards.
+/// A solid of 8 triangles: corners on a sphere of this radius, normals outwards.
 carlo::Shape octahedron(glm::dvec3 centre, double radius, Finish finish = {});
 
 carlo::Camera camera_at(glm::dvec3 from, glm::dvec3 at, double fov_degrees);

@@ -1,5 +1,5 @@
-// The proving ground's own parts: its closed forms, and the files that it writes. No chance but in
-// the last test, whose seeds are fixed; see proving_test.cpp.
+// Tests the proving ground's own parts: its closed forms, and the files that it writes. Random only
+// in the last test, whose seeds are fixed; see proving_test.cpp.
 
 #include "closed_forms.h"
 #include "proving/ground.h"
@@ -28,7 +28,7 @@ float difference(const carlo::Vec3& a, const carlo::Vec3& b) {
   return glm::length(a - b) / std::max({glm::length(a), glm::length(b), 1e-30f});
 }
 
-/// Checks that shapes are the same but for rounding and where the scene lies.
+/// Checks that shapes are the same up to rounding and the scene's position.
 void check_shape(const carlo::Shape& a, const carlo::Shape& b, const carlo::Vec3& moved) {
   REQUIRE(a.geometry.index() == b.geometry.index());
   CHECK(difference(a.radiance, b.radiance) < 1e-5f);
@@ -57,7 +57,7 @@ std::filesystem::path scratch_folder(const char* name) {
 }  // namespace
 
 TEST_CASE("The proving ground's closed forms agree with Lambert's formula") {
-  // Each of them is about a polygon, or nearly; a ball's is that of the disk that hides it.
+  // Each of them is a polygon, or nearly; for a ball that of the disk that hides it.
   constexpr int corners = 2000;
   std::vector<glm::dvec3> circle, tilted;
   for (int i = 0; i < corners; ++i) {
@@ -77,7 +77,7 @@ TEST_CASE("The proving ground's closed forms agree with Lambert's formula") {
              4 * closed_forms::rectangle_irradiance(.5, .5)));
   CHECK(near(polygon_irradiance({{-1, 0, -.5}, {-1, 0, .5}, {-1, 1, .5}, {-1, 1, -.5}}),
              2 * closed_forms::perpendicular_irradiance(2, 2)));
-  // Half a sphere of directions: a square that is wide.
+  // A very wide square covers half a sphere of directions.
   CHECK(near(rectangle_solid_angle(1e9, 1e9, 1), 2 * closed_forms::pi));
   CHECK(near(rectangle_solid_angle(1, 1, 1), 4 * closed_forms::pi / 6));
 }
@@ -96,7 +96,7 @@ TEST_CASE("Scenes that fail are written as they are") {
     CHECK(difference(read.camera.right, scene.camera.right) < 1e-5f);
     CHECK(difference(read.camera.forward, scene.camera.forward) < 1e-5f);
     CHECK(std::abs(read.camera.tan_half_x / scene.camera.tan_half_x - 1) < 1e-5f);
-    // A scene far from the origin is moved there as it is read.
+    // A scene far from the origin is moved there when it is loaded.
     const carlo::Vec3 moved = read.camera.origin - scene.camera.origin;
     for (std::size_t i = 0; i < read.shapes.size(); ++i)
       check_shape(read.shapes[i], scene.shapes[i], moved);
@@ -105,7 +105,8 @@ TEST_CASE("Scenes that fail are written as they are") {
 }
 
 TEST_CASE("Rooms far from the origin are dark when read from a file") {
-  // By "leak/box" and "leak/sphere" of the proving ground, as dark as if they were at the origin.
+  // "leak/box" and "leak/sphere" of the proving ground must be as dark as if they were at the
+  // origin.
   const auto folder = scratch_folder("carlo_proving_far");
   std::vector<Finding> findings;
   int rooms = 0;

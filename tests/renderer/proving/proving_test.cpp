@@ -1,24 +1,25 @@
-// The proving ground: hundreds of scenes of known radiance, and random ones, by every kernel.
+// The proving ground: hundreds of scenes of known radiance, and random ones, rendered by every
+// kernel.
 //
 // Error rates. A film's mean is that of thousands of independent samples (16 to 64 pixels with 64
-// to 1024 each); outside of 5 standard errors it is with probability 5.7e-7 if it is normal. Some
+// to 1024 each); it is outside 5 standard errors with probability 5.7e-7 if it is normal. About
 // 1700 scenes x up to 3 kernels, each against the exact value and against the others, in channels
 // that are mostly equal or strongly correlated: 7700 comparisons, so that another seed would fail
-// somewhere with probability 4.4e-3, more with what skewness there is: where one path in 1e5 is
-// bright, the one that meets it is 10 standard errors off. What is found is therefore looked at
-// once more, with 16 times the samples and other seeds, and counts if it is found again: a defect
-// of 5 standard errors is one of 20 then. Seeds are fixed: they come from the scene's name. Power:
-// no standard error may be above 2 %; half of those that are not 0 are below .2 %, 90 % below .8 %.
-// Deviations of 8 of them are seen with probability .999. Where every sample has the same value
-// (lights alone, dark rooms) one wrong sample in the thousands is seen: a leak of 1e-3 a path with
+// somewhere with probability 4.4e-3, more with skewness: where one path in 1e5 is bright, the
+// render that meets it is 10 standard errors off. Findings are therefore tested again, with 16
+// times the samples and other seeds, and count if they are found again: a defect of 5 standard
+// errors is then one of 20. Seeds are fixed: they come from the scene's name. Power: no standard
+// error may be above 2 %; half of those that are not 0 are below .2 %, 90 % below .8 %. Deviations
+// of 8 of them are detected with probability .999. Where every sample has the same value (lights
+// alone, dark rooms), one wrong sample in thousands is detected: a leak of 1e-3 per path with
 // probability .87 in the 2048 paths of one dark room, 50 segments long each, and there are 60
 // rooms. Far from the origin rounding excuses some (lost_at_edges()).
 //
-// What a scene's coordinates in float may change is in Proof::rounding. Scenes with Proof::limit
-// are shown and not asserted.
+// Proof::rounding allows for the rounding of the scene's coordinates to float. Scenes with
+// Proof::limit are shown but not asserted.
 //
-// CARLO_PROVING_OUT: a folder for the scenes that fail, as XML. CARLO_PROVING_ONLY: only the scenes
-// whose name has this in it, of all. CARLO_PROVING_FACTOR: times the samples.
+// CARLO_PROVING_OUT: a folder for failing scenes, as XML. CARLO_PROVING_ONLY: all scenes whose name
+// contains this, and no others. CARLO_PROVING_FACTOR: factor of the samples.
 
 #include "proving/ground.h"
 #include "proving/random_scenes.h"
@@ -43,20 +44,21 @@ namespace {
 
 using namespace proving;
 
-/// Whether a scene is in this run: one in eight, unless all are asked for, or those of a name.
+/// True if a scene is in this run: one in eight, unless all are requested, or those with a given
+/// name.
 bool selected(const std::string& name, bool all) {
   if (const char* only = std::getenv("CARLO_PROVING_ONLY"))
     return name.find(only) != std::string::npos;
   return all || (hash_of(name) >> 32) % 8 == 0;
 }
 
-/// Times the samples that are asked for.
+/// The requested factor of the samples.
 std::uint32_t factor() {
   const char* text = std::getenv("CARLO_PROVING_FACTOR");
   return text == nullptr ? 1 : static_cast<std::uint32_t>(std::strtoul(text, nullptr, 10));
 }
 
-/// What is shown of a family of scenes.
+/// What is shown for a family of scenes.
 struct Tally {
   int scenes = 0, limits = 0;
   std::array<int, 3> rendered{};
@@ -105,7 +107,7 @@ void show(const std::map<std::string, Tally>& tallies) {
   line("all", all);
 }
 
-/// Relative standard errors, where there are any.
+/// Relative standard errors, if there are any.
 void add_errors(const Readings& readings, std::vector<double>& errors) {
   for (const auto& reading : readings) {
     if (reading && reading->mean[0] > 0 && reading->error[0] > 1e-6 * reading->mean[0])
@@ -139,11 +141,11 @@ void report(const std::vector<Finding>& findings, const char* title) {
   }
 }
 
-/// What is wrong with a scene's readings.
+/// The findings about a scene's readings.
 std::vector<Finding> judge(const Proof& proof, const Readings& readings) {
   std::vector<Finding> found;
   judge_exact(proof, readings, found);
-  // Who differs from the exact value differs from others too: once is enough.
+  // A kernel that differs from the exact value also differs from others: report it once.
   if (found.empty() && proof.exact[0] > 0)
     judge_agreement(proof.name, proof.scene, proof.rounding, readings, found);
   return found;
@@ -205,7 +207,7 @@ void compare_random(std::uint64_t scenes) {
   show(tallies);
   report(findings, "FAILURES");
   CHECK(findings.empty());
-  // Power: in most of them something is seen, and well enough.
+  // Power: most of them detect something, and precisely enough.
   CHECK(2 * sharp >= rendered);
   fmt::print("standard errors of 3 % or less: {} of {} scenes\n", sharp, rendered);
 }

@@ -18,8 +18,8 @@ Rgb random_colour(Random& random, double low, double high) {
   return {r, g, b};
 }
 
-/// Surfaces that scatter, of both kinds and sides; in half of the scenes a mirror, glass or both
-/// instead of one.
+/// Scattering surfaces, of both kinds and sides; in half of the scenes one is replaced by a mirror,
+/// glass or both.
 void add_materials(Scene& scene, Random& random) {
   for (int i = 0; i < 4; ++i) {
     const Rgb kd = random_colour(random, .1, .5), ks = random_colour(random, .05, .3);
@@ -38,8 +38,8 @@ void add_materials(Scene& scene, Random& random) {
   }
 }
 
-/// Something at a distance of at least its own size from the camera, which is at the origin.
-/// Returns where it is.
+/// Adds an object at a distance of at least its own size from the camera, which is at the origin.
+/// Returns its position.
 dvec3 add_thing(Scene& scene, Random& random, int number, bool balls_shine) {
   const double size = random.magnitude(number < 2 ? .3 : .01, 1);
   const dvec3 centre = (.1 + size * random.uniform(2, 4)) * random.direction();

@@ -20,7 +20,7 @@ using carlo::Integrator, carlo::Scene;
 
 constexpr double sigmas = 5, most_error = .02, darkness = 1e-6;
 
-/// None where the kernel does not take the scene.
+/// Null if the kernel does not support the scene.
 std::unique_ptr<Integrator> make_kernel(const Scene& scene, std::size_t kernel, std::uint64_t seed,
                                         std::uint32_t spp) {
   if (kernel == 2) {
@@ -53,7 +53,7 @@ std::string describe_reading(std::size_t kernel, const Reading& r) {
   return fmt::format("{} {} +- {}", kernel_names[kernel], channels(r.mean), channels(r.error));
 }
 
-/// Why a channel is wrong, or nothing.
+/// Why a channel is wrong, or empty.
 std::string wrong(const Proof& proof, const Reading& r, std::size_t c) {
   const double exact = proof.exact[c], difference = std::abs(r.mean[c] - exact);
   if (exact == 0) {

@@ -24,7 +24,7 @@ std::string point(const char* name, const Vec3& p) {
                      p.z);
 }
 
-/// The transform whose columns these are.
+/// The transform with these columns.
 std::string to_world(const dvec3& x, const dvec3& y, const dvec3& z, const dvec3& origin) {
   std::string rows;
   for (int i = 0; i < 3; ++i)
@@ -53,7 +53,7 @@ struct MaterialText {
   }
 };
 
-/// What stands inside of <bsdf id="..."> has no id of its own, so the id goes into the first tag.
+/// The contents of <bsdf id="..."> have no id of their own, so the id goes into the first tag.
 std::string material_text(const carlo::Material& material, std::size_t number) {
   std::string text = std::visit(MaterialText{}, material.model);
   const bool wrapped =
@@ -62,7 +62,7 @@ std::string material_text(const carlo::Material& material, std::size_t number) {
   return text.insert(5, fmt::format(" id=\"m{}\"", number));
 }
 
-/// The element's type and what makes its geometry.
+/// The element's type and its geometry.
 struct GeometryText {
   std::string mesh_file;
 

@@ -7,12 +7,12 @@
 
 namespace proving {
 
-/// A scene as a file that load_scene() reads (common/scene/README.md), its coordinates rounded
-/// anew. Its meshes, and the image around it, are files beside it.
+/// A scene as a file for load_scene() (common/scene/README.md), its coordinates rounded again. Its
+/// meshes, and the image around it, are files beside it.
 std::string scene_xml(const carlo::Scene& scene, const std::string& comment);
 
-/// Writes it, its meshes and its image, under names that start with `name`, into a folder; returns
-/// its path.
+/// Writes the scene, its meshes and its image, under names that start with `name`, into a folder;
+/// returns the scene's path.
 std::filesystem::path write_scene(const carlo::Scene& scene, const std::filesystem::path& folder,
                                   const std::string& name, const std::string& comment);
 

@@ -6,25 +6,26 @@
 
 namespace proving {
 
-/// A lamp above the origin and the irradiance that it gives a surface there with normal +y.
+/// A lamp above the origin and its irradiance on a surface there with normal +y.
 struct Lamp {
   const char* name;
   carlo::Shape shape;  ///< radiance 1
   double irradiance;
 };
 
-/// A ball, disks, rectangles, triangles; a unit or so from the origin. See spots.cpp for the forms.
+/// A ball, disks, rectangles, triangles; about one unit from the origin. See spots.cpp for the
+/// closed forms.
 std::vector<Lamp> lamps();
 
-/// Sees a spot at the origin of 7e-5 to either side: over it, irradiance is that at the origin but
-/// for 1e-8. The line of sight comes from (.6, .5, .3) and is clear of all lamps().
+/// Sees a spot at the origin, 7e-5 to either side: within it irradiance is constant up to 1e-8. The
+/// line of sight comes from (.6, .5, .3) and is clear of all lamps().
 carlo::Camera spot_camera();
 
-/// What float coordinates may change of the radiance of a spot, relative: moved by `shift` sizes,
-/// they round by up to 2^-24 of that, and irradiance changes by a few times as much.
+/// The possible relative effect of float coordinates on the radiance of a spot: moved by `shift`
+/// sizes, they are rounded by up to 2^-24 of that, and irradiance changes by a few times as much.
 double spot_rounding(double shift);
 
-/// As in the finish, with radiances that differ: by `strength` and colour.
+/// As in the finish, but with a given radiance: different in strength and colour.
 carlo::Shape lit(carlo::Shape lamp, std::uint32_t material, carlo::Rgb radiance);
 
 }  // namespace proving

@@ -13,13 +13,13 @@ import sys
 import time
 
 import bpy
-import addon_utils  # there once bpy is
+import addon_utils  # available once bpy is loaded
 from mathutils import Matrix
 
 
 def add_material(spec):
-    """Lambert's reflection and an emission; what stands in front only is mixed with black by the side
-    that is seen."""
+    """Lambertian reflection plus emission; one-sided materials are mixed with black by the visible
+    side."""
     material = bpy.data.materials.new("material")
     material.use_nodes = True
     nodes, links = material.node_tree.nodes, material.node_tree.links
@@ -74,7 +74,7 @@ def add_camera(spec):
 
 
 def unbiased_path_tracing(scene, spec):
-    """Everything that would change the image's expectation is off; nothing reaches beyond its pixel."""
+    """Switches off whatever changes the image's expectation; samples count only for their own pixel."""
     scene.render.engine = "CYCLES"
     cycles = scene.cycles
     cycles.device = "CPU"
@@ -90,7 +90,7 @@ def unbiased_path_tracing(scene, spec):
     cycles.use_guiding = spec.get("guiding", False)
     if hasattr(cycles, "use_light_tree"):
         cycles.use_light_tree = spec.get("light_tree", True)
-    # Owen-scrambled Sobol' points, as ours; 3.4's default kind leaves the same error.
+    # Owen-scrambled Sobol' points, as ours; the default of 3.4 leaves the same error.
     for name in ["SOBOL", "SOBOL_BURLEY", "TABULATED_SOBOL"]:  # of Blender 3.4, 3.5 and 4.0
         try:
             cycles.sampling_pattern = name
@@ -116,7 +116,7 @@ def linear_exr(scene, spec):
 
 def processor_seconds(scene, samples):
     """Cycles' very first sample goes through the pixel's centre, which at 64 samples makes the lamp of
-    the Cornell box .1 % of the image too dark; a later block of the sequence is as even."""
+    the Cornell box too dark by .1 % of the image; a later block of the sequence is equally even."""
     scene.render.threads_mode, scene.render.threads = "FIXED", 1
     scene.cycles.samples = scene.cycles.sample_offset = samples
     start = time.process_time()
@@ -128,7 +128,7 @@ def main():
     with open(sys.argv[sys.argv.index("--") + 1], encoding="utf-8") as file:
         spec = json.load(file)
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    addon_utils.enable("cycles")  # the Python module begins without it
+    addon_utils.enable("cycles")  # the Python module starts without it
     scene = bpy.context.scene
     scene.world = None  # no light but the scene's
     unbiased_path_tracing(scene, spec)
@@ -137,8 +137,8 @@ def main():
     materials = [add_material(material) for material in spec["materials"]]
     for mesh in spec["meshes"]:
         add_mesh(mesh, materials)
-    # What a render costs whatever its samples (Blender's scene, the tree over the triangles, the
-    # film) is in both times, and not in their difference.
+    # The fixed cost of a render (Blender's scene, the tree over the triangles, the film) is in both
+    # times, and cancels in their difference.
     processor_seconds(scene, 1)
     one = processor_seconds(scene, 1)
     all_samples = processor_seconds(scene, spec["samples"])
@@ -148,7 +148,7 @@ def main():
     print("carlo: " + json.dumps(answer), flush=True)
 
 
-# Blender as a module may wait for its own threads when Python ends, after an error above all.
+# Blender as a module may hang on its own threads when Python ends, especially after an error.
 if __name__ == "__main__":
     code = 3
     try:

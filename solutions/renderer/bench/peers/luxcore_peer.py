@@ -19,7 +19,7 @@ def set_all(properties, prefix, values):
 
 
 def add_material(properties, name, spec):
-    """What stands in front only has black behind. Emission is on the side of the normal."""
+    """One-sided materials are black on the back. Emission is on the side of the normal."""
     prefix = "scene.materials." + name
     if spec["kind"] == "mirror":
         set_all(properties, prefix + "front", {"type": "mirror", "kr": list(spec["reflectance"])})
@@ -51,7 +51,7 @@ def add_camera(properties, spec):
     camera = spec["camera"]
     wide = spec["width"] >= spec["height"]
     tangent = camera["tan_half_x"] * (1 if wide else spec["height"] / spec["width"])
-    # Without a filter each sample is counted a row too low.
+    # Without a filter, LuxCore counts each sample one row too low.
     width, height = spec["width"], spec["height"]
     x, y = max(width / height, 1.0), max(height / width, 1.0)
     row = 2 * y / height
@@ -85,7 +85,7 @@ def scene_of(spec):
 
 
 def settings_of(spec):
-    """Unbiased but for the cache: no clamping, no filter, no colour corrections, one thread."""
+    """Unbiased except for the cache: no clamping, no filter, no colour corrections, one thread."""
     depth = spec["max_depth"] - 1 if spec["max_depth"] else 1024
     properties = pyluxcore.Properties()
     set_all(properties, "film", {

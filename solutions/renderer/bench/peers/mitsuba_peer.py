@@ -28,7 +28,7 @@ def columns(x, y, z, origin):
 
 
 def rectangle(positions):
-    """Mitsuba's is [-1, 1]^2, facing z."""
+    """Mitsuba's rectangle is [-1, 1]^2, facing z."""
     origin, u, _, v = positions
     half_u = [(a - b) / 2 for a, b in zip(u, origin)]
     half_v = [(a - b) / 2 for a, b in zip(v, origin)]
@@ -54,14 +54,14 @@ def mesh(spec, name):
     return {"type": "ply", "filename": path, "face_normals": True}
 
 
-FINER = {"columns": 8, "rows": 32}  # Mitsuba's texels for one of ours
+FINER = {"columns": 8, "rows": 32}  # Mitsuba texels per texel of ours
 
 
 def image_around(spec):
-    """Mitsuba interpolates between texels, and ours are even: each of ours becomes many, and what is
-    interpolated is a narrow rim. Mitsuba's columns stand in the middles of equal parts, as ours; its rows
-    at 0, 1/(n - 1), ..., 1 of the way down, and each is the mean of what it is nearest to. With a quarter
-    of these rows a sky seen directly is off by 1e-4, which shows."""
+    """Mitsuba interpolates between texels, but ours are constant: each of ours becomes many, so that only
+    a narrow rim is interpolated. Mitsuba's columns are at the middles of equal parts, as ours; its rows
+    are at 0, 1/(n - 1), ..., 1 of the way down, and each is the mean of the nearest part. With a quarter
+    of these rows a directly visible sky is off by 1e-4, which shows."""
     height = spec["height"]
     texels = numpy.array(spec["radiance"]).reshape(height, spec["width"], 3)
     rows = FINER["rows"] * height
@@ -129,9 +129,9 @@ def main():
         drjit.sync_thread()
         images.append(image)
 
-    render(spec["seed"] + 1000)  # the LLVM variant compiles its kernel, and keeps it
+    render(spec["seed"] + 1000)  # the LLVM variant compiles its kernel once and keeps it
     seconds = peer.processor_seconds(lambda: render(spec["seed"]))
-    drjit.set_thread_count(2)  # one alone waits for itself when it writes
+    drjit.set_thread_count(2)  # with a single thread, writing waits for itself
     mi.Bitmap(images[-1]).write(spec["output"])
     peer.answer(mi.__version__, seconds)
 

@@ -1,9 +1,9 @@
-"""What the programs beside this one share: each renders one of our scenes with another renderer, for
-`./carlo bench peers`:
+"""Shared by the programs in this folder, each of which renders one of our scenes with another renderer,
+for `./carlo bench peers`:
 
     python3 mitsuba_peer.py SCENE.json
 
-The JSON file is what peer_scene.cpp writes. The image goes to the EXR file it names, and one line
+peer_scene.cpp writes the JSON file. The image goes to the EXR file that it names, and one line
 "carlo: {...}" with the processor seconds and the renderer's version to stdout.
 """
 
@@ -19,13 +19,13 @@ def read_scene():
 
 
 def answer(version, seconds):
-    """The last thing that a program does: some renderers do not survive Python's end."""
+    """Prints the answer and ends the program at once: some renderers do not survive Python's own exit."""
     print("\ncarlo: " + json.dumps({"version": version, "seconds": seconds}), flush=True)
     os._exit(0)
 
 
 def processor_seconds(render):
-    """All of this process's threads."""
+    """The processor seconds of all threads of this process."""
     start = time.process_time()
     render()
     return time.process_time() - start
