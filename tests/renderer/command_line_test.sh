@@ -76,7 +76,7 @@ start_long() {
   complain "$1 ended without a checkpoint"
 }
 
-# What goes on, and what does not (the bits are tests/common/resume_test.cpp's).
+# What goes on, and what does not (the bits are tests/renderer/production/resume_test.cpp's).
 "$renderer" "$good" --quiet --size 32x32 --spp 64 --seed 9 -o "$scratch/whole"
 start_long part --spp 4194304
 kill -INT "$long"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # shards_test.sh RENDERER MERGE SOURCE: `./carlo render --shard` and `./carlo merge` as programs: killed
 # shards, what is refused, and that nothing is left behind then. The bits: merge_test.sh. Which settings
-# and spoilt bytes are refused, and how: tests/common/part_test.cpp.
+# and spoilt bytes are refused, and how: tests/renderer/production/part_test.cpp.
 set -euo pipefail
 renderer=$1 merge=$2 source=$3
 . "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/expect_error.sh"
