@@ -2,14 +2,11 @@
 
 #include "render/interrupt.h"
 #include "render/lamp_pass.h"
-#include "support/error.h"
+#include "render/threads.h"
 #include "support/progress.h"
 #include "support/wall_clock.h"
 
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <bit>
@@ -20,7 +17,6 @@ namespace carlo {
 namespace {
 
 constexpr int tile_size = driver_tile_size;
-constexpr std::size_t max_threads = 1024;
 
 class Job {
  public:
@@ -158,47 +154,6 @@ class Job {
   Progress progress_;
 };
 
-RenderResult run_uniform(tbb::task_arena& arena, const Integrator& integrator, int width,
-                         int height, const RenderOptions& options) {
-  const std::uint32_t block = options.seconds ? 8 : block_size(options.spp);
-  RenderResult result =
-      options.earlier ? *options.earlier : RenderResult{.film = Film(width, height, block)};
-  Job job(integrator, result, options);
-  arena.execute([&] { job.run(); });
-  return result;
-}
-
-RenderResult run_adaptive(tbb::task_arena& arena, const Integrator& integrator, int width,
-                          int height, const RenderOptions& options) {
-  const WallClock clock;
-  const double earlier_seconds = options.earlier ? options.earlier->seconds : 0;
-  const auto as_render = [&](const AdaptiveResult& r) {
-    return RenderResult{.film = r.film,
-                        .counts = r.counts,
-                        .seconds = earlier_seconds + clock.seconds(),
-                        .adaptive = r.summary,
-                        .adaptive_state = r.state};
-  };
-  const AdaptiveGoal goal{*options.target_error, options.spp, options.seconds};
-  Progress progress("rendering", options.progress);
-  AdaptiveOptions adaptive{.progress = [&](double fraction) { progress.update(fraction); },
-                           .checkpoint_seconds = options.checkpoint_seconds,
-                           .share = options.round_share,
-                           .one_round = options.one_round};
-  if (options.earlier) {
-    if (!options.earlier->adaptive_state) {
-      throw Error("a render with a target error goes on from one with a target error only");
-    }
-    adaptive.earlier = options.earlier->adaptive_state.get();
-    adaptive.earlier_counts = options.earlier->counts;
-  }
-  if (options.checkpoint) {
-    adaptive.checkpoint = [&](const AdaptiveResult& r) { options.checkpoint(as_render(r)); };
-  }
-  return as_render(
-      arena.execute([&] { return render_adaptively(integrator, width, height, goal, adaptive); }));
-}
-
 }  // namespace
 
 bool render_interrupted() {
@@ -210,45 +165,15 @@ std::uint32_t block_size(std::uint32_t spp) {
   return std::clamp(std::bit_floor(spp / 8), 1u, std::min(divisor, 64u));
 }
 
-BlockGrid block_grid(const Film& film, std::uint32_t spp) {
-  return {film.width(), film.height(), film.block(), spp / film.block()};
-}
-
-BlockSet blocks_done(const Film& film, const BlockRange& share) {
-  const BlockGrid grid = block_grid(film, 0);
-  const std::uint64_t tiles = grid.tiles();
-  std::vector<std::uint64_t> next;  ///< of each tile, the pass that comes next
-  for (int y = 0; y < film.height(); y += tile_size) {
-    for (int x = 0; x < film.width(); x += tile_size)
-      next.push_back(share.first_pass(next.size(), tiles) + film.blocks(x, y));
-  }
-  const auto [least, most] = std::minmax_element(next.begin(), next.end());
-  if (*most - *least > 2) throw Error("its tiles are not those of one render");
-  const std::uint64_t all = std::min(*least * tiles, share.end);
-  std::vector<BlockRange> ranges{{std::min(share.begin, all), all}};
-  for (std::uint64_t pass = *least; pass < *most; ++pass) {
-    for (std::uint64_t tile = 0; tile < tiles; ++tile) {
-      const std::uint64_t number = pass * tiles + tile;
-      if (pass < next[tile] && share.contains(number)) ranges.push_back({number, number + 1});
-    }
-  }
-  return BlockSet(ranges);
-}
-
 RenderResult render(const Integrator& integrator, int width, int height,
                     const RenderOptions& options) {
-  const int threads =
-      options.threads > 0 ? options.threads : static_cast<int>(tbb::info::default_concurrency());
-  // Lets arenas have more workers than there are cores. One limit for the whole program: TBB does
-  // not take kindly to its being lowered and raised again.
-  static const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, max_threads);
-  tbb::task_arena arena(threads);
   const InterruptGuard guard;
-  RenderResult result = options.target_error
-                            ? run_adaptive(arena, integrator, width, height, options)
-                            : run_uniform(arena, integrator, width, height, options);
+  const std::uint32_t block = options.seconds ? 8 : block_size(options.spp);
+  RenderResult result =
+      options.earlier ? *options.earlier : RenderResult{.film = Film(width, height, block)};
+  Job job(integrator, result, options);
+  result.threads = on_threads(options.threads, [&] { job.run(); });
   if (!options.earlier) result.seconds += integrator.seconds_spent();
-  result.threads = threads;
   result.interrupted = interrupt_noted();
   return result;
 }

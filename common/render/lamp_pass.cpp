@@ -1,7 +1,7 @@
 #include "render/lamp_pass.h"
 
+#include "image/luminance.h"
 #include "numeric/compensated.h"
-#include "render/half_sums.h"
 
 #include <tbb/parallel_for.h>
 

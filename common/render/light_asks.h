@@ -8,7 +8,7 @@ namespace carlo {
 // the light stands behind another that is stronger but hidden, it is asked as seldom as an
 // integrator asks any light (Integrator::least_light_chance), and until it has been the noise looks
 // small. A pixel's noise is looked at together with that of the pixels around it, 12 x 12 in all,
-// as adaptive renders do (adaptive.h).
+// as the reference renderer does that stops at a target error.
 
 /// How often a light is asked that is asked the least, in a pixel and those around it that have as
 /// many samples: the expected number.

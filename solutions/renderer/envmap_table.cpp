@@ -1,7 +1,7 @@
 #include "renderer/envmap_table.h"
 
+#include "image/luminance.h"
 #include "numeric/robust.h"
-#include "render/half_sums.h"
 #include "renderer/warp.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 
 #include "course/cli/arguments.h"
 #include "course/cli/main_guard.h"
-#include "render/render_app.h"
 #include "renderer/path_integrator.h"
+#include "renderer/production/render_command.h"
 
 #include <cstdint>
 #include <optional>
@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
   return carlo::run_main([&] {
     std::string kernel = "best";
     std::string technique = "auto";
-    return carlo::render_app(
+    return carlo::render_command(
         argc, argv,
         [&](const carlo::Scene& scene, std::uint64_t seed, std::uint32_t spp,
             std::optional<bool> lamps) {

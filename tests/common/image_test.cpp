@@ -294,4 +294,13 @@ TEST_CASE("Bias z-scores of unbiased noise are standard normal, and a bias of 5 
   CHECK(tile_z(biased, se, zero, zero, 16).size() == 4 * 3);
 }
 
+TEST_CASE("Sums survive as words, negative ones too") {
+  for (const double x : {0.0, 1.0, -1.0, 1e20, -3e25, 0x1p111, -0x1p111, 5e-324, -1e-45, 1e300}) {
+    ExactSum sum;
+    sum.add(x);
+    CHECK(ExactSum::from_words(sum.words()) == sum);
+    CHECK(sum.value() == x);
+  }
+}
+
 }  // namespace

@@ -1,6 +1,6 @@
 #include "hard_case.h"
 #include "render/driver.h"
-#include "render/render_app.h"
+#include "render/scene_film.h"
 #include "renderer/path_integrator.h"
 
 #include <fmt/core.h>

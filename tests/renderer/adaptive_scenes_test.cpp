@@ -1,6 +1,7 @@
 // Adaptive renders by both kernels are unbiased, and have the same bits for any number of threads.
 
 #include "lab_scenes.h"
+#include "renderer/production/adaptive.h"
 #include "scene/load_scene.h"
 #include "scene/sampler_kind.h"
 #include "scene_tools.h"
@@ -14,12 +15,12 @@ namespace {
 
 using namespace scene_tools;
 
-RenderResult render_adaptive(const Scene& scene, renderer::Kernel kernel, double target,
-                             std::uint64_t seed, int threads) {
+AdaptiveResult render_adaptive(const Scene& scene, renderer::Kernel kernel, double target,
+                               std::uint64_t seed, int threads) {
   const auto integrator = renderer::make_path_integrator(
       scene, {.seed = seed, .spp = adaptive_strata, .kernel = kernel});
-  return render(*integrator, scene.width, scene.height,
-                {.spp = 4096, .threads = threads, .progress = false, .target_error = target});
+  return render_adaptively(*integrator, scene.width, scene.height, {target, 4096, {}},
+                           {.threads = threads, .progress = false});
 }
 
 /// A closed cube that glows all around and reflects half: every pixel is 2, and only the lengths of
@@ -64,8 +65,8 @@ TEST_CASE("An adaptive render has the same bits for 1, 2 and 3 threads, by both 
   for (const char* name : {"partial_occluders", "cornell_phong"}) {
     Scene scene = lab_scenes::load(name);
     resize(scene, 22, 18);
-    const RenderResult one = render_adaptive(scene, renderer::Kernel::best, 0.3, 5, 1);
-    CHECK(one.adaptive->most > one.adaptive->least);
+    const AdaptiveResult one = render_adaptive(scene, renderer::Kernel::best, 0.3, 5, 1);
+    CHECK(one.summary.most > one.summary.least);
     for (const int threads : {2, 3}) {
       const RenderResult many = render_adaptive(scene, renderer::Kernel::best, 0.3, 5, threads);
       CHECK(many.film.mean().pixels == one.film.mean().pixels);

@@ -7,7 +7,7 @@
 #include "grader/grade/sha256.h"
 #include "lane_scenes.h"
 #include "render/driver.h"
-#include "render/render_app.h"
+#include "render/scene_film.h"
 #include "renderer/path_integrator.h"
 #include "support/atomic_file.h"
 #include "support/error.h"

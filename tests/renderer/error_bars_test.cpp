@@ -17,7 +17,7 @@
 #include "image/film.h"
 #include "lab_scenes.h"
 #include "render/driver.h"
-#include "render/render_app.h"
+#include "render/scene_film.h"
 #include "renderer/path_integrator.h"
 #include "scene/load_scene.h"
 #include "scene/sampler_kind.h"

@@ -14,8 +14,9 @@
 // CARLO_ERROR_SEEDS: the number of seeds, instead of 100. CARLO_ERROR_SEEDS_ONLY: only scenes with
 // this in their name.
 
+#include "course/render/report.h"
 #include "lab_scenes.h"
-#include "render/report.h"
+#include "renderer/production/adaptive.h"
 #include "scene/needs.h"
 #include "scene/sampler_kind.h"
 #include "scene_tools.h"
@@ -58,7 +59,9 @@ Render one_render(const Scene& scene, const Way& way, std::uint64_t seed, std::u
   const auto integrator =
       renderer::make_path_integrator(scene, {.seed = seed, .spp = spp, .technique = way.technique});
   const RenderResult result =
-      render(*integrator, side, side, {.spp = spp, .progress = false, .target_error = way.target});
+      way.target
+          ? render_adaptively(*integrator, side, side, {*way.target, spp, {}}, {.progress = false})
+          : render(*integrator, side, side, {.spp = spp, .progress = false});
   Render all;
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x)

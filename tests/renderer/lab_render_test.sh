@@ -34,6 +34,10 @@ expect_error 'Lab 8\.7 is not implemented yet: run ./carlo hint 8.7' "$stub" "$b
 expect_error 'no mirrors and no glass' "$solution" "$scenes/caustics.xml" --method recursive
 expect_error 'end after 4 segments' "$solution" "$box" --max-depth 4 --method direct
 expect_error 'method' "$solution" "$box" --method best
+# How to stop, to go on and to share out is the reference renderer's.
+for option in target-error=.1 resume=a.exr shard=1/2 slurm; do
+  expect_error "there is no option --${option%%=*}" "$solution" "$box" "--$option"
+done
 expect_error 'no_such.xml' "$solution" no_such.xml
 
 cat >"$scratch/point.xml" <<'XML'

@@ -10,6 +10,7 @@
 #include "lab_scenes.h"
 #include "lane_scenes.h"
 #include "oracle.h"
+#include "renderer/production/adaptive.h"
 #include "scene/needs.h"
 #include "scene_tools.h"
 #include "support/error.h"
@@ -43,9 +44,12 @@ RenderResult render_both(const Scene& scene, std::uint64_t seed, int threads,
                          std::optional<double> target = {}) {
   const auto integrator = renderer::make_path_integrator(
       scene, {.seed = seed, .technique = renderer::Technique::bidirectional});
-  return render(
-      *integrator, scene.width, scene.height,
-      {.spp = target ? 2048u : 64u, .threads = threads, .progress = false, .target_error = target});
+  if (target) {
+    return render_adaptively(*integrator, scene.width, scene.height, {*target, 2048, {}},
+                             {.threads = threads, .progress = false});
+  }
+  return render(*integrator, scene.width, scene.height,
+                {.spp = 64, .threads = threads, .progress = false});
 }
 
 /// Means over seeds and their standard errors, tile by tile, followed by those of the whole image.

@@ -5,7 +5,7 @@
 #include "random/rng.h"
 #include "render/driver.h"
 #include "render/interrupt.h"
-#include "render/render_app.h"
+#include "render/scene_film.h"
 #include "renderer/path_integrator.h"
 #include "scene/load_scene.h"
 #include "scene/sampler_kind.h"

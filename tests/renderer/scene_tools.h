@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/driver.h"
-#include "render/render_app.h"
+#include "render/scene_film.h"
 #include "renderer/path_integrator.h"
 #include "scene/scene.h"
 

@@ -4,10 +4,10 @@
 #include "course/cli/main_guard.h"
 #include "course/report/stopwatch.h"
 #include "render/driver.h"
-#include "render/half_sums.h"
-#include "render/render_app.h"
+#include "render/scene_film.h"
 #include "renderer/bench/spread.h"
 #include "renderer/path_integrator.h"
+#include "renderer/production/adaptive.h"
 #include "scene/load_scene.h"
 #include "support/error.h"
 
@@ -74,11 +74,15 @@ Run render(const Scene& scene, std::uint64_t seed, std::uint32_t spp,
   const auto integrator = renderer::make_path_integrator(
       scene, {.seed = seed, .spp = target ? carlo::adaptive_strata : spp});
   const carlo::Stopwatch stopwatch;
-  const carlo::RenderResult result =
-      carlo::render(*integrator, scene.width, scene.height,
-                    {.spp = spp, .threads = 1, .progress = false, .target_error = target});
-  return {grey(result.film), stopwatch.seconds(),
-          result.adaptive.value_or(carlo::AdaptiveSummary{})};
+  if (!target) {
+    const carlo::RenderResult result = carlo::render(*integrator, scene.width, scene.height,
+                                                     {.spp = spp, .threads = 1, .progress = false});
+    return {grey(result.film), stopwatch.seconds(), {}};
+  }
+  const carlo::AdaptiveResult result =
+      carlo::render_adaptively(*integrator, scene.width, scene.height, {*target, spp, {}},
+                               {.threads = 1, .progress = false});
+  return {grey(result.film), stopwatch.seconds(), result.summary};
 }
 
 /// Errors of luminance relative to the truth, or to 1 % of its mean if that is more.

@@ -2,12 +2,11 @@
 
 #include "course/cli/arguments.h"
 #include "course/cli/main_guard.h"
-#include "render/render_app.h"
+#include "course/render/render_app.h"
 #include "scene_renderer/lab_integrator.h"
 
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <string>
 
 namespace {
@@ -23,8 +22,7 @@ int main(int argc, char** argv) {
     std::string method = "iterative";
     return carlo::render_app(
         argc, argv,
-        [&](const carlo::Scene& scene, std::uint64_t seed, std::uint32_t spp,
-            std::optional<bool> /*lamps*/) {
+        [&](const carlo::Scene& scene, std::uint64_t seed, std::uint32_t spp) {
           return lab08::make_lab_integrator(
               scene, {.method = methods.at(method), .seed = seed, .spp = spp});
         },

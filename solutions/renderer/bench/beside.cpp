@@ -1,7 +1,7 @@
 #include "beside.h"
 
 #include "image/metrics.h"
-#include "render/render_app.h"
+#include "render/scene_film.h"
 #include "renderer/path_integrator.h"
 #include "scene/load_scene.h"
 #include "support/error.h"

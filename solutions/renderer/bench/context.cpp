@@ -4,7 +4,7 @@
 #include "course/report/machine.h"
 #include "course/report/stopwatch.h"
 #include "render/interrupt.h"
-#include "render/render_app.h"
+#include "render/scene_film.h"
 #include "support/atomic_file.h"
 #include "support/error.h"
 #include "support/terminal.h"

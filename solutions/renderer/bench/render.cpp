@@ -6,7 +6,7 @@
 #include "image/exr.h"
 #include "image/metrics.h"
 #include "render/driver.h"
-#include "render/render_app.h"
+#include "render/scene_film.h"
 #include "renderer/bench/spread.h"
 #include "renderer/lanes/lane_kernel.h"
 #include "renderer/path_integrator.h"

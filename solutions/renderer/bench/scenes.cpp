@@ -5,7 +5,7 @@
 #include "image/metrics.h"
 #include "methods.h"
 #include "reference.h"
-#include "render/render_app.h"
+#include "render/scene_film.h"
 #include "scene/load_scene.h"
 #include "support/error.h"
 

@@ -1,6 +1,6 @@
 #include "renderer/lanes/lane_pilot.h"
 
-#include "render/half_sums.h"
+#include "image/luminance.h"
 
 #include <algorithm>
 #include <array>

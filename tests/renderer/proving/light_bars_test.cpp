@@ -11,7 +11,7 @@
 #include "image/film.h"
 #include "proving/ground.h"
 #include "render/driver.h"
-#include "render/render_app.h"
+#include "render/scene_film.h"
 #include "renderer/lanes/lane_scene.h"
 #include "renderer/path_integrator.h"
 #include "scene/needs.h"

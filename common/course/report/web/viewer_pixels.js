@@ -48,7 +48,7 @@ const viewerPixels = (() => {
     return sum / 3;
   });
 
-  // The standard error over the mean, as in common/render/pixel_maps.h.
+  // The standard error over the mean, as in common/course/render/pixel_maps.h.
   const noise = (a, size) => map(size, (i) => {
     let variance = 0, mean = 0;
     for (let k = i; k < 3 * size; k += size) {

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "course/render/report.h"
+#include "image/exr.h"
+#include "image/film.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace carlo {
+
+/// A page to look at a render: the image with its noise and, where there is a reference, its
+/// differences from it, the report's numbers, and what made them. Throws Error.
+void write_render_page(const std::filesystem::path& path, const std::string& command,
+                       const RenderReport& report, const Film& film,
+                       const std::optional<ExrFile>& reference);
+
+/// The command line as the reader can give it again: "./carlo render SCENE --spp 16".
+std::string command_text(int argc, char** argv);
+
+}  // namespace carlo

@@ -1,0 +1,290 @@
+#include "course/render/report.h"
+
+#include "course/json/json_fields.h"
+#include "image/luminance.h"
+#include "numeric/compensated.h"
+#include "render/light_asks.h"
+#include "scene/needs.h"
+#include "scene/sampler_kind.h"
+#include "support/progress.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace carlo {
+namespace {
+
+/// The root mean square over pixels and channels of their standard errors, over the mean radiance.
+double relative_error(const Film& film, const MeanRadiance& mean) {
+  CompensatedSum sum;
+  double count = 0;
+  for (int y = 0; y < film.height(); ++y) {
+    for (int x = 0; x < film.width(); ++x) {
+      if (film.blocks(x, y) == 0) continue;
+      for (std::size_t c = 0; c < 3; ++c)
+        sum.add(film.variance(x, y, c));
+      count += 3;
+    }
+  }
+  const double average = (mean.value[0] + mean.value[1] + mean.value[2]) / 3;
+  return average > 0 ? std::sqrt(sum.value() / count) / average : 0;
+}
+
+double finished(const Film& film) {
+  double count = 0;
+  for (int y = 0; y < film.height(); ++y) {
+    for (int x = 0; x < film.width(); ++x)
+      count += film.blocks(x, y) > 0 ? 1 : 0;
+  }
+  return count / (1.0 * film.width() * film.height());
+}
+
+std::string error_text(const RenderReport& r) {
+  if (!std::isfinite(r.relative_error)) {
+    return r.spp < 2 ? "not known: it takes two samples a pixel at least"
+                     : "not known: some pixels have fewer than two blocks of samples";
+  }
+  return fmt::format("R {:.2g}, G {:.2g}, B {:.2g}; of a pixel: {:.2g} % of the mean (rms)",
+                     r.mean.standard_error[0], r.mean.standard_error[1], r.mean.standard_error[2],
+                     100 * r.relative_error);
+}
+
+std::string millions(double per_second) {
+  return fmt::format("{:.2f} M", per_second / 1e6);
+}
+
+std::string time_text(const RenderReport& r) {
+  const auto rate = [&r](std::uint64_t count) {
+    return millions(static_cast<double>(count) / r.seconds);
+  };
+  std::string text =
+      fmt::format("{} {}: {} paths/s", format_seconds(r.seconds), r.where, rate(r.counts.paths));
+  if (r.counts.lamp_paths > 0) {
+    text += fmt::format(", {} from lamps", rate(r.counts.lamp_paths));
+  }
+  if (r.counts.rays > 0) text += fmt::format(", {} rays/s", rate(r.counts.rays));
+  return text;
+}
+
+std::vector<double> list(const std::array<double, 3>& x) {
+  return {x.begin(), x.end()};
+}
+
+/// Of each two pixels with blocks, the mean over all pairs of 1 / (the more of their blocks): how
+/// many passes' means, of all that either has, both have at most.
+double shared_passes(const Film& film) {
+  std::vector<std::uint32_t> blocks;
+  for (int y = 0; y < film.height(); ++y) {
+    for (int x = 0; x < film.width(); ++x)
+      if (film.blocks(x, y) > 0) blocks.push_back(film.blocks(x, y));
+  }
+  std::sort(blocks.begin(), blocks.end());
+  const auto count = static_cast<double>(blocks.size());
+  CompensatedSum sum;
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    sum.add((2 * static_cast<double>(i) + 1) / blocks[i]);
+  return sum.value() / (count * count);
+}
+
+/// The covariances of the image's pixels, over all pairs, that paths from lamps make: each block of
+/// each tile tells those of its pass; where blocks are missing, passes that are there stand for the
+/// others.
+double covariance_of_lamps(const RenderResult& result) {
+  const Film& film = result.film;
+  const double pixels = 1.0 * film.width() * film.height();
+  if (result.lamp_covariance) return *result.lamp_covariance;
+  double blocks = 0;
+  for (int y = 0; y < film.height(); y += driver_tile_size) {
+    for (int x = 0; x < film.width(); x += driver_tile_size)
+      blocks += film.blocks(x, y);
+  }
+  const double of_a_pass = film.block() * pixels;
+  return result.lamp_ties.value() / blocks * shared_passes(film) / (of_a_pass * of_a_pass);
+}
+
+/// What paths from lamps that reach several pixels add to the variance of the image's mean. The
+/// channels are taken to be tied as the luminance is; with Sobol' points, an upper bound.
+std::array<double, 3> ties(const RenderResult& result, const MeanRadiance& mean) {
+  const double all = luminance(mean.value);
+  if (!(all > 0) || result.counts.lamp_ties == 0) return {};
+  const double relative = covariance_of_lamps(result) / (all * all);
+  std::array<double, 3> ties{};
+  for (std::size_t c = 0; c < 3; ++c)
+    ties[c] = std::fmax(relative, 0) * mean.value[c] * mean.value[c];
+  return ties;
+}
+
+}  // namespace
+
+MeanRadiance mean_of(const RenderResult& result) {
+  MeanRadiance mean = mean_radiance(result.film);
+  const std::array<double, 3> more = ties(result, mean);
+  for (std::size_t c = 0; c < 3; ++c)
+    mean.standard_error[c] = std::hypot(mean.standard_error[c], std::sqrt(more[c]));
+  return mean;
+}
+
+RenderReport make_report(const Scene& scene, const std::string& file, const Integrator& integrator,
+                         std::uint64_t seed, const RenderResult& result) {
+  RenderReport report = make_report(result);
+  report.scene = file;
+  report.kernel = integrator.name();
+  report.seed = seed;
+  report.expect_asks(integrator.least_light_chance());
+  report.needs = describe(needs(scene));
+  report.sampler = name_of(scene.sampler);
+  report.max_depth = scene.max_depth;
+  return report;
+}
+
+RenderReport make_report(const RenderResult& result) {
+  RenderReport report;
+  report.width = result.film.width();
+  report.height = result.film.height();
+  report.threads = result.threads;
+  report.where = fmt::format("on {} thread{}", result.threads, result.threads == 1 ? "" : "s");
+  report.samples = result.film.samples();
+  report.spp = static_cast<double>(report.samples) / (1.0 * report.width * report.height);
+  report.seconds = result.seconds;
+  report.interrupted = result.interrupted;
+  report.counts = result.counts;
+  report.mean = mean_of(result);
+  report.relative_error = relative_error(result.film, report.mean);
+  report.finished = finished(result.film);
+  return report;
+}
+
+void RenderReport::expect_asks(double least_light_chance) {
+  light_asks = expected_asks(least_light_chance, spp, width, height);
+}
+
+std::optional<ExrFile> read_reference(const std::string& path, int width, int height) {
+  if (path.empty()) return std::nullopt;
+  ExrFile reference = read_exr(path);
+  compare(reference.image, Image(width, height));
+  return reference;
+}
+
+ReferenceReport compare_with_reference(const RenderResult& result, const std::string& path,
+                                       const ExrFile& reference) {
+  ReferenceReport report;
+  report.path = path;
+  const Image image = result.film.mean();
+  report.error = compare(image, reference.image);
+  const Image exact(image.width, image.height);
+  report.bias_z = bias_z(image, result.film.standard_error(), reference.image,
+                         reference.standard_error ? *reference.standard_error : exact,
+                         ties(result, mean_radiance(result.film)));
+  report.efficiency = 1 / (report.error.mse * result.seconds);
+  report.notes = reference.notes;
+  return report;
+}
+
+ReportLines to_lines(const RenderReport& r) {
+  ReportLines lines;
+  const auto line = [&lines](const char* name, std::string value) {
+    lines.emplace_back(name, std::move(value));
+  };
+  line("scene", r.scene);
+  line("needs", r.needs);
+  line("kernel", fmt::format("{}, {} sampler, seed {}", r.kernel, r.sampler, r.seed));
+  line("image", fmt::format("{} x {}, {:.6g} sample{} a pixel", r.width, r.height, r.spp,
+                            r.spp == 1 ? "" : "s"));
+  if (r.interrupted) {
+    line("INTERRUPTED", fmt::format("{:.0f} % of the pixels have samples, the others are black; "
+                                    "means are over the former",
+                                    100 * r.finished));
+  }
+  lines.insert(lines.end(), r.behind_image.begin(), r.behind_image.end());
+  line("time", time_text(r));
+  line("mean radiance", fmt::format("R {:.6g}, G {:.6g}, B {:.6g}", r.mean.value[0],
+                                    r.mean.value[1], r.mean.value[2]));
+  line("standard error", error_text(r));
+  lines.insert(lines.end(), r.behind_error.begin(), r.behind_error.end());
+  if (r.reference) {
+    line("reference", r.reference->path);
+    line("error",
+         fmt::format("MSE {:.4g}, relMSE {:.4g}, relMSE x seconds {:.4g}", r.reference->error.mse,
+                     r.reference->error.rel_mse, r.reference->error.rel_mse * r.seconds));
+    line("bias z", fmt::format("R {:.2f}, G {:.2f}, B {:.2f}", r.reference->bias_z[0],
+                               r.reference->bias_z[1], r.reference->bias_z[2]));
+    line("efficiency", fmt::format("{:.4g} = 1 / (MSE x s)", r.reference->efficiency));
+    for (const std::string& note : r.reference->notes)
+      line("note", note);
+  }
+  if (r.light_asks && *r.light_asks < enough_asks) {
+    line("lights",
+         fmt::format("some are asked but {:.2g} times around a pixel (expected): one of these that "
+                     "lights it where stronger ones are hidden may be missing, from the error, too",
+                     *r.light_asks));
+  }
+  if (r.counts.cut > 0) {
+    line("WARNING",
+         fmt::format("{} paths were cut for their length: the image is too dark", r.counts.cut));
+  }
+  if (r.counts.bad > 0) {
+    line("WARNING",
+         fmt::format("{} samples were not finite or negative; they count as black", r.counts.bad));
+  }
+  return lines;
+}
+
+std::string to_text(const ReportLines& lines) {
+  std::string text;
+  for (const auto& [name, value] : lines)
+    text += fmt::format("  {:<16} {}\n", name, value);
+  return text;
+}
+
+// Written for others: nothing here reads a report.
+
+static void fields(JsonFields& json, const ReferenceReport& reference) {
+  json.also("path", reference.path);
+  json.also("mse", reference.error.mse);
+  json.also("rel_mse", reference.error.rel_mse);
+  json.also("bias_z", list(reference.bias_z));
+  json.also("efficiency", reference.efficiency);
+}
+
+static void fields(JsonFields& json, RenderReport& r) {
+  json.also("scene", r.scene);
+  json.also("needs", r.needs);
+  json.also("kernel", r.kernel);
+  json.also("sampler", r.sampler);
+  json.as_text("seed", r.seed);
+  json.also("width", r.width);
+  json.also("height", r.height);
+  json.also("max_depth", r.max_depth);
+  json.also("threads", r.threads);
+  json.also("spp", r.spp);
+  json.also("samples", r.samples);
+  json.also("interrupted", r.interrupted);
+  json.also("seconds", r.seconds);
+  json.also("paths", r.counts.paths);
+  if (r.counts.rays > 0) {
+    json.also("rays", r.counts.rays);
+  } else {
+    json.null("rays");
+  }
+  if (r.counts.lamp_paths > 0) json.also("lamp_paths", r.counts.lamp_paths);
+  json.also("bad_samples", r.counts.bad);
+  json.also("cut_paths", r.counts.cut);
+  json.also("finished_pixels", r.finished);
+  json.also("mean", list(r.mean.value));
+  json.also("standard_error", list(r.mean.standard_error));
+  json.also("relative_pixel_error", r.relative_error);
+  if (r.light_asks) json.also("least_light_asks", *r.light_asks);
+  json("reference", r.reference);
+  for (const auto& more : r.fields)
+    more(json);
+}
+
+std::string to_json(const RenderReport& r) {
+  return json_text(r, 2) + "\n";
+}
+
+}  // namespace carlo

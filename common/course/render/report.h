@@ -1,0 +1,79 @@
+#pragma once
+
+#include "image/exr.h"
+#include "image/metrics.h"
+#include "render/driver.h"
+#include "scene/scene.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace carlo {
+
+class JsonFields;
+
+/// A report for people: what each number is, and the number with its unit.
+using ReportLines = std::vector<std::pair<std::string, std::string>>;
+
+/// How a render compares with a reference image.
+struct ReferenceReport {
+  std::string path;
+  ImageError error;
+  std::array<double, 3> bias_z{};  ///< of the whole image's mean, per channel
+  double efficiency = 0;           ///< 1 / (MSE * seconds)
+  std::vector<std::string> notes;  ///< what of the reference is not as it stands in its file
+};
+
+/// All that a render tells about itself: never a time without its error, nor an error without its
+/// time.
+struct RenderReport {
+  std::string scene, needs, kernel, sampler;
+  int width = 0, height = 0, threads = 0, max_depth = 0;
+  std::uint64_t seed = 0, samples = 0;
+  double spp = 0;  ///< mean over the pixels
+  double seconds = 0;
+  std::string where;  ///< the time was spent: "on 2 threads"
+  bool interrupted = false;
+  Counts counts;
+  MeanRadiance mean;
+  double relative_error = 0;  ///< rms standard error of a pixel over the mean radiance
+  /// light_asks.h, where samples are fewest; nothing where it is not known.
+  std::optional<double> light_asks;
+  double finished = 1;  ///< fraction of the pixels that have samples; the means are over these
+  std::optional<ReferenceReport> reference;
+  // What a command has to tell besides.
+  ReportLines behind_image, behind_error;
+  std::vector<std::function<void(JsonFields&)>> fields;
+
+  /// Tells light_asks of the same number of samples in all pixels, by
+  /// Integrator::least_light_chance.
+  void expect_asks(double least_light_chance);
+};
+
+/// The image's mean and its standard error, with what paths that reach several pixels add to it.
+MeanRadiance mean_of(const RenderResult& result);
+
+/// Fills in what follows from the result.
+RenderReport make_report(const RenderResult& result);
+/// And from the scene, its file and who rendered it.
+RenderReport make_report(const Scene& scene, const std::string& file, const Integrator& integrator,
+                         std::uint64_t seed, const RenderResult& result);
+
+/// The image to compare with; nothing where `path` is empty. Throws Error.
+std::optional<ExrFile> read_reference(const std::string& path, int width, int height);
+
+/// Compares with a reference; its standard error is used where the file has one.
+ReferenceReport compare_with_reference(const RenderResult& result, const std::string& path,
+                                       const ExrFile& reference);
+
+ReportLines to_lines(const RenderReport& report);
+
+std::string to_text(const ReportLines& lines);
+std::string to_json(const RenderReport& report);
+
+}  // namespace carlo

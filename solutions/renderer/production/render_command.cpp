@@ -1,0 +1,185 @@
+#include "renderer/production/render_command.h"
+
+#include "course/cli/arguments.h"
+#include "course/render/outputs.h"
+#include "course/render/render_page.h"
+#include "render/interrupt.h"
+#include "renderer/production/arguments.h"
+#include "renderer/production/image_render.h"
+#include "renderer/production/resumed_render.h"
+#include "renderer/production/shard_render.h"
+#include "renderer/production/slurm_job.h"
+#include "renderer/production/slurm_render.h"
+#include "scene/load_scene.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace carlo {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of --slurm.
+constexpr int default_tasks = 16;
+
+struct Command {
+  ProductionArguments a;
+  const ProductionFactory& factory;
+  std::string text;                ///< as the reader can give it again
+  std::vector<std::string> words;  ///< as the program got it
+};
+
+/// `planned` and `lamps` where they were decided before.
+RenderTask task_of(const Command& command, std::optional<std::uint32_t> planned = {},
+                   std::optional<bool> lamps = {}) {
+  const ProductionArguments& a = command.a;
+  RenderTask task{.scene = load_scene(a.scene, parse_definitions(a.definitions))};
+  apply(a, task.scene);
+  task.seed = a.seed.value_or(1);
+  task.spp = static_cast<std::uint32_t>(task.scene.spp);
+  task.reference = read_reference(a.reference, task.scene.width, task.scene.height);
+  if (!planned) planned = a.target_error ? adaptive_strata : task.spp;
+  task.integrator = command.factory(task.scene, task.seed, *planned, lamps);
+  task.settings =
+      render_settings(task.scene, task.integrator->name(), task.seed, *planned, a.definitions);
+  if (a.target_error) {
+    task.settings["target_error"] = fmt::format("{}", *a.target_error);
+    task.settings["spp_limit"] = std::to_string(task.spp);
+  }
+  return task;
+}
+
+int run_plain(const Command& command) {
+  const RenderTask task = task_of(command);
+  const ImageRender image(command.a, task, command.text);
+  const RenderResult* const nothing = nullptr;
+  return image.run(nothing);
+}
+
+int run_to_target(const Command& command) {
+  const RenderTask task = task_of(command);
+  const ImageRender image(command.a, task, command.text);
+  const EarlierAdaptive* const nothing = nullptr;
+  return image.run(nothing);
+}
+
+int run_resumed(Command command) {
+  const EarlierRender earlier(command.a.resume);
+  take_over(command.a, earlier);
+  const RenderTask task =
+      task_of(command, static_cast<std::uint32_t>(earlier.number("planned_spp")));
+  earlier.require_same(task.settings);
+  if (command.a.target_error) {
+    const EarlierAdaptive start = adaptive_start(earlier);
+    return ImageRender(command.a, task, command.text).run(&start);
+  }
+  const RenderResult start = uniform_start(earlier, command.a.spp);
+  return ImageRender(command.a, task, command.text).run(&start);
+}
+
+ShardRender share_of(const Command& command, const RenderTask& task, const Shard& shard) {
+  return {.shard = shard,
+          .scene = command.a.scene,
+          .output = command.a.output,
+          .settings = task.settings,
+          .spp = task.spp,
+          .threads = command.a.threads,
+          .checkpoint_seconds = command.a.checkpoint,
+          .quiet = command.a.quiet};
+}
+
+int run_shard(const Command& command) {
+  const Shard shard = shard_of(*command.a.shard);
+  const RenderTask task = task_of(command);
+  return render_shard(task.scene, *task.integrator, share_of(command, task, shard));
+}
+
+/// Where the image of a render on a cluster goes.
+SlurmFolder folder_of(const ProductionArguments& a) {
+  return SlurmFolder::beside(output_stem(a.output, a.scene));
+}
+
+/// Whether paths from lamps are traced, as was decided when the render was begun.
+std::optional<bool> lamps_of(const SlurmFolder& folder) {
+  const auto plan = folder.plan();
+  return plan ? std::optional(plan->lamps) : std::nullopt;
+}
+
+int run_submission(const Command& command) {
+  const ProductionArguments& a = command.a;
+  SlurmFolder folder = folder_of(a);
+  RenderTask task = task_of(command, {}, lamps_of(folder));
+  task.settings.erase("kernel");
+  SlurmRender render{.plan = {.settings = std::move(task.settings),
+                              .scene = a.scene,
+                              .width = task.scene.width,
+                              .height = task.scene.height,
+                              .spp = task.scene.spp,
+                              .target_error = a.target_error.value_or(0),
+                              .lamps = task.integrator->lamp_paths() > 0,
+                              .shards = a.tasks.value_or(default_tasks),
+                              .words = command.words,
+                              .start = fs::current_path().string(),
+                              .threads = std::max(a.threads, 1),
+                              .time = a.time,
+                              .partition = a.partition},
+                     .tasks_given = a.tasks.has_value(),
+                     .wait = !a.no_wait,
+                     .quiet = a.quiet};
+  return render_on_slurm(folder, std::move(render));
+}
+
+int run_task_of_cluster(const Command& command) {
+  // A job that is told to end has its checkpoint to write, whatever it is at.
+  const InterruptGuard guard;
+  const SlurmFolder folder(command.a.slurm_task);
+  const RenderTask task = task_of(command, {}, lamps_of(folder));
+  return run_slurm_task(folder, task.scene, *task.integrator, share_of(command, task, {}));
+}
+
+int run_merge_of_cluster(const Command& command) {
+  const ProductionArguments& a = command.a;
+  SlurmFolder folder(a.slurm_merge);
+  const MergeOutput output{.output = a.output, .reference = a.reference, .sums = !a.no_sums};
+  if (!a.target_error) return run_slurm_merge(folder, output);
+  const RenderTask task = task_of(command, {}, lamps_of(folder));
+  return run_slurm_round_merge(folder, task.scene, *task.integrator, share_of(command, task, {}),
+                               output);
+}
+
+int run(const Command& command) {
+  const ProductionArguments& a = command.a;
+  check(a);
+  if (!a.slurm_merge.empty()) return run_merge_of_cluster(command);
+  if (!a.slurm_task.empty()) return run_task_of_cluster(command);
+  if (a.slurm) return run_submission(command);
+  if (a.shard) return run_shard(command);
+  if (!a.resume.empty()) return run_resumed(command);
+  return a.target_error ? run_to_target(command) : run_plain(command);
+}
+
+}  // namespace
+
+int render_command(int argc, char** argv, const ProductionFactory& factory,
+                   const std::function<void(CommandLine&)>& add_options) {
+  Command command{.a = {},
+                  .factory = factory,
+                  .text = command_text(argc, argv),
+                  .words = {argv + 1, argv + argc}};
+  CommandLine app("Renders a scene by path tracing: PNG, EXR and a report of error against time.",
+                  "./carlo render");
+  add_production_options(app, command.a);
+  add_options(app);
+  if (const auto code = app.parse(argc, argv)) return *code;
+  tell_page_from_scene(command.a);
+  if (command.a.resume.empty()) settle_scene(command.a);
+  return run(command);
+}
+
+}  // namespace carlo

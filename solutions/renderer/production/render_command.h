@@ -1,0 +1,26 @@
+#pragma once
+
+#include "render/integrator.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace carlo {
+
+class CommandLine;
+
+/// Makes an integrator for a scene; `spp` is the planned number of samples a pixel, `lamps` says
+/// whether it traces paths from lamps, where that was decided before.
+using ProductionFactory = std::function<std::unique_ptr<Integrator>(
+    const Scene& scene, std::uint64_t seed, std::uint32_t spp, std::optional<bool> lamps)>;
+
+/// The command `render` of the reference renderer: as render_app() (course/render), and with a
+/// target error, from an earlier render on, in shares, and on a cluster. Returns the exit code;
+/// throws Error.
+int render_command(int argc, char** argv, const ProductionFactory& factory,
+                   const std::function<void(CommandLine&)>& add_options);
+
+}  // namespace carlo
