@@ -75,7 +75,7 @@ start_long() {
   complain "$1 ended without a checkpoint"
 }
 
-# Which renders can be resumed, and which not (tests/common/resume_test.cpp compares the bits).
+# Which renders can be resumed, and which not (tests/renderer/production/resume_test.cpp compares the bits).
 "$renderer" "$good" --quiet --size 32x32 --spp 64 --seed 9 -o "$scratch/whole"
 start_long part --spp 4194304
 kill -INT "$long"

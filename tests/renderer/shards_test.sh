@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # shards_test.sh RENDERER MERGE SOURCE: `./carlo render --shard` and `./carlo merge` as programs:
 # killed shards, refusals, and that these leave nothing behind. The bits: merge_test.sh. Refused
-# settings and damaged bytes: tests/common/part_test.cpp.
+# settings and damaged bytes: tests/renderer/production/part_test.cpp.
 set -euo pipefail
 renderer=$1 merge=$2 source=$3
 . "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/expect_error.sh"

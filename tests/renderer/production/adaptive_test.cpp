@@ -15,8 +15,8 @@ namespace {
 
 using namespace carlo;
 
-/// Pixels of mean 1 with spikes: a sample is 1/p with probability p, otherwise 0; p is 1/8 on the
-/// left half of the film, 1/2 on the right.
+/// Pixels of mean 1 with spikes: a sample is 1/p with probability p, else 0; on the left half of
+/// the film p is 1/8, on the right 1/2.
 class Spikes final : public common_test::NoiseIntegrator {
  public:
   explicit Spikes(std::uint64_t seed) : seed_(seed) {}
@@ -41,10 +41,10 @@ AdaptiveResult run(const Spikes& spikes, double target, std::uint32_t spp = 1u <
 }
 
 TEST_CASE("Adaptive sampling biases neither the image nor its standard errors") {
-  // 1000 renders with 64 pixels per side. The standard errors of the sums of errors and of (error^2
-  // - variance) come from the renders themselves; each z fails by chance once in 16 000 (4 sigma).
-  // Power: a bias of .3 % of the mean would show. (A single set of samples that decides for itself
-  // is biased by more than 1 % here: the test below.)
+  // 1000 renders of 64 pixels a side. The sums of errors and of (error^2 - variance) have standard
+  // errors found from the renders themselves; each z fails by chance once in 16 000 (4 sigma).
+  // Power: a bias of .3 % of the mean would show. (One set of samples that decides for itself is
+  // biased by more than 1 % here: the test below.)
   constexpr int renders = 1000;
   for (const int left : {1, 0}) {
     double sum = 0, squares = 0, excess = 0, excess_squares = 0;
@@ -71,7 +71,7 @@ TEST_CASE("Adaptive sampling biases neither the image nor its standard errors") 
 }
 
 TEST_CASE("Samples that decide for themselves when to stop would be biased") {
-  // The same pixels, sampled until their own estimate is good enough: this is why there are halves.
+  // The same pixels, sampled until their own estimate is good enough: what halves are for.
   double sum = 0, squares = 0;
   constexpr int pixels = 20000;
   for (int i = 0; i < pixels; ++i) {
@@ -129,7 +129,7 @@ TEST_CASE("The target is met in nine pixels of ten, and noisy pixels get the sam
   CHECK(ratio <= 7 * 1.5);
 }
 
-/// White everywhere, judging by samples that have not chosen some light.
+/// White everywhere, as far as the samples tell that have not asked some light.
 class Unasked final : public common_test::NoiseIntegrator {
  public:
   explicit Unasked(double chance) : chance_(chance) {}
@@ -145,9 +145,8 @@ class Unasked final : public common_test::NoiseIntegrator {
 };
 
 TEST_CASE("No pixel is done before each light has been asked ten times around it") {
-  // 144 pixels with n samples per half, n = 32, 48, 64 ...: a light of probability 1/1600 has been
-  // chosen ten times when n is 128, whatever the noise. One of 1e-9 is too rare to wait for: that
-  // is reported.
+  // 144 pixels of n samples a half, n = 32, 48, 64 ...: a light of chance 1/1600 has been asked ten
+  // times when n is 128, whatever the noise. One of 1e-9 is too rare to wait for: that is told.
   const auto finished = [](double chance) {
     return render_adaptively(Unasked(chance), 16, 16, {.01, 1 << 16, {}},
                              {.threads = 1, .progress = false})

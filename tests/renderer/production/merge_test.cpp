@@ -1,4 +1,4 @@
-// Shards of a render and their merges; tests/renderer/merge_test.sh tests the programs.
+// Shares of a render and what merges of them: tests/renderer/merge_test.sh has the programs.
 
 #include "renderer/production/merge.h"
 
@@ -23,7 +23,7 @@ using namespace carlo;
 using namespace common_test;
 namespace fs = std::filesystem;
 
-/// Parts of all N shards of the noise. Some are interrupted, written, read and resumed.
+/// Parts of all N shards of the noise. Some are interrupted, written, read and gone on with.
 std::vector<fs::path> write_shards(const fs::path& folder, std::uint32_t count, std::uint32_t spp,
                                    bool lamps, Rng& rng) {
   std::vector<fs::path> parts;
@@ -57,7 +57,7 @@ std::vector<fs::path> write_shards(const fs::path& folder, std::uint32_t count, 
   return parts;
 }
 
-/// Merges the parts in a random order, some of them into intermediate parts first.
+/// Merges the parts in a random order, and some of them to parts before.
 Merge merge_at_random(std::vector<fs::path> parts, const fs::path& folder, Rng& rng) {
   const auto below = [&](std::size_t n) {
     return std::min(n - 1, static_cast<std::size_t>(rng.uniform_float() * static_cast<float>(n)));
@@ -195,8 +195,8 @@ TEST_CASE("Pixels that paths from lamps tie together: a render's error bar, shar
     CHECK(tied.standard_error[c] ==
           Catch::Approx(std::hypot(apart.standard_error[c], std::sqrt(relative) * apart.value[c])));
   }
-  // Half of the passes, or half of the tiles of each: twice the variance, or the same, which each
-  // pass estimates on its own.
+  // Half of the passes, or half of the tiles of each: twice the variance, or as much, of which each
+  // pass tells its own.
   const auto added = [](const RenderResult& r) {
     const MeanRadiance one = mean_radiance(r.film), both = mean_of(r);
     return (std::pow(both.standard_error[0], 2) - std::pow(one.standard_error[0], 2)) /

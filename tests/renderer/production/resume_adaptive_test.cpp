@@ -24,10 +24,10 @@ using namespace carlo;
 using common_test::TemporaryFolder;
 namespace fs = std::filesystem;
 
-constexpr int width = 37, height = 21;  // the film's edges cut tiles and units
+constexpr int width = 37, height = 21;  // tiles and units that the film cuts
 
-/// Pixels that differ in brightness and, a hundredfold, in variance; lamps contribute about a tenth
-/// of 1 to each.
+/// Pixels that differ in brightness and, a hundredfold, in variance; a tenth of 1 or so comes to
+/// each of them from lamps.
 class Flicker final : public common_test::NoiseIntegrator {
  public:
   std::uint32_t lamp_paths() const override { return 1; }
@@ -90,8 +90,8 @@ EarlierAdaptive read(const fs::path& path) {
   return {earlier.adaptive_state(), earlier.counts()};
 }
 
-/// The result after writing and reading a file.
-RenderResult written_and_read(const RenderResult& result) {
+/// The result as it comes back from a file.
+EarlierAdaptive written_and_read(const AdaptiveResult& result) {
   const TemporaryFolder folder;
   write_exr(folder.path() / "a.exr", file_of(result));
   return read(folder.path() / "a.exr");
@@ -114,8 +114,7 @@ TEST_CASE("An interrupted adaptive render that is resumed has the bits of an und
   const AdaptiveResult whole = run(undisturbed);
   REQUIRE(whole.summary.least < whole.summary.most);
   const int calls = undisturbed.calls;
-  // In the first round, in the second (12 jobs of 8 calls make a round), in a late one, in the
-  // last.
+  // In the first round, in the second (12 jobs of 8 calls are a round), in a late one, in the last.
   for (const int call : {1, 60, 100, 191, calls / 2, calls - 1}) {
     INFO("call " << call << " of " << calls);
     Flicker flicker;
@@ -128,8 +127,8 @@ TEST_CASE("An interrupted adaptive render that is resumed has the bits of an und
   }
 }
 
-/// Checks that two states are the same to the last bit; returns the number of units for which one
-/// half alone has decided.
+/// Whether two states are the same to the last bit; the number of units for which one half alone
+/// has decided.
 int check_same_state(const AdaptiveState& a, const AdaptiveState& b) {
   CHECK(a.level == b.level);
   CHECK(a.floors == b.floors);
@@ -215,17 +214,13 @@ TEST_CASE("A finished adaptive render has nothing to go on with") {
 TEST_CASE("An adaptive render does not go on from another one") {
   const TemporaryFolder folder;
   const fs::path path = folder.path() / "a.exr";
-  const RenderResult result = run(Flicker(), 256);
-  // The rounds for 32 samples per pixel are different.
-  const RenderResult few = run(Flicker(), 32);
+  const AdaptiveResult result = run(Flicker(), 256);
+  // The rounds of 32 samples a pixel are others.
+  const EarlierAdaptive start{*result.state}, few{*run(Flicker(), 32).state};
   CHECK_THROWS_AS(run(Flicker(), most, &few), Error);
-  CHECK_THROWS_AS(run(Flicker(), 32, &result), Error);
-  CHECK_THROWS_AS(render(Flicker(), width, height + 1, options(most, &result)), Error);
-  // Nor from a uniform render.
-  RenderOptions uniform = options(64);
-  uniform.target_error.reset();
-  const RenderResult other = render(Flicker(), width, height, uniform);
-  CHECK_THROWS_AS(run(Flicker(), most, &other), Error);
+  CHECK_THROWS_AS(run(Flicker(), 32, &start), Error);
+  CHECK_THROWS_AS(
+      render_adaptively(Flicker(), width, height + 1, {target, most, {}}, options(&start)), Error);
 
   ExrFile retouched = file_of(result);
   retouched.image.at(5, 5).r += 1;
@@ -268,12 +263,11 @@ TEST_CASE("An adaptive render does not go on from another one") {
   CHECK_THROWS_AS(EarlierRender(path), Error);
 }
 
-/// A shard of the round that follows `start`; the second is interrupted and resumed.
-RenderResult round_share(const RenderResult& start, const Shard& share) {
-  RenderResult before = start;
-  before.counts = {};
-  RenderOptions how = options(most, &before);
-  how.round_share = share;
+/// A share of the round that comes after `start`; the second is interrupted and gone on with.
+EarlierAdaptive round_share(const EarlierAdaptive& start, const Shard& share) {
+  EarlierAdaptive before{start.state};
+  AdaptiveOptions how = options(&before);
+  how.share = share;
   Flicker flicker;
   if (share.index == 2) flicker.interrupt_at = 5;
   const AdaptiveGoal goal{target, most, {}};
@@ -287,10 +281,9 @@ RenderResult round_share(const RenderResult& start, const Shard& share) {
   return written_and_read(result);
 }
 
-/// A round in shards, and its decisions.
-RenderResult shared_round(const RenderResult& start, std::uint32_t shares) {
-  RenderResult all = start;
-  AdaptiveState state = *start.adaptive_state;
+/// A round in shares, and what it decides.
+AdaptiveResult shared_round(const EarlierAdaptive& start, std::uint32_t shares) {
+  EarlierAdaptive all = start;
   for (std::uint32_t i = 1; i <= shares; ++i) {
     const EarlierAdaptive part = round_share(start, {i, shares});
     add_round_part(all.state, part.state);

@@ -13,7 +13,7 @@
 
 namespace common_test {
 
-/// Noise over five orders of magnitude, from the camera and from lamps, for tests of shards.
+/// Noise over five orders of magnitude, from the camera and from lamps, for what is shared out.
 class ShardNoise final : public NoiseIntegrator {
  public:
   static constexpr int width = 37, height = 21;  // 6 tiles
@@ -58,7 +58,7 @@ inline carlo::BlockGrid noise_grid(std::uint32_t spp) {
   return {ShardNoise::width, ShardNoise::height, block, spp / block};
 }
 
-/// `spp` samples of the noise, or a shard of them.
+/// `spp` samples of the noise, or a share of them.
 inline carlo::RenderResult render_noise(const ShardNoise& noise, std::uint32_t spp, int threads = 2,
                                         std::optional<carlo::BlockRange> share = {},
                                         const carlo::RenderResult* earlier = nullptr) {
@@ -67,7 +67,7 @@ inline carlo::RenderResult render_noise(const ShardNoise& noise, std::uint32_t s
       {.spp = spp, .threads = threads, .progress = false, .earlier = earlier, .share = share});
 }
 
-/// The header of a shard of the noise, for what was rendered of it.
+/// The header of the noise's shard, of what is rendered of it.
 inline carlo::PartHeader noise_header(const ShardNoise& noise, std::uint32_t spp,
                                       const carlo::Shard& shard,
                                       const carlo::RenderResult& result) {
@@ -89,7 +89,7 @@ inline carlo::PartHeader noise_header(const ShardNoise& noise, std::uint32_t spp
   return part;
 }
 
-/// True if two films have the same sums.
+/// Whether two films have the same sums.
 inline bool same_sums(const carlo::Film& a, const carlo::Film& b) {
   for (int y = 0; y < a.height(); ++y) {
     for (int x = 0; x < a.width(); ++x) {
