@@ -50,7 +50,7 @@ trap 'rm -rf "$scratch"' EXIT
 mkdir "$scratch/carlo"
 {
   student_files "$root" "$lab"
-  all_files "$root" | grep '^tests/grader/grade/'
+  all_files "$root" | grep -E '^(tests/grader/grade|common/course/slurm)/'
 } | tar -C "$root" -c --files-from=- | tar -C "$scratch/carlo" -x
 cp "$here/gradescope/setup.sh" "$here/gradescope/run_autograder" "$scratch/"
 printf '%s\n' "$lab" >"$scratch/lab"
