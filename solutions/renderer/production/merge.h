@@ -2,6 +2,7 @@
 
 #include "render/driver.h"
 #include "renderer/production/part.h"
+#include "renderer/production/settings.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -11,18 +12,23 @@
 
 namespace carlo {
 
+class StateFile;
+
 /// Parts of one render, each block of samples in at most one of them. What comes of them has the
 /// same bits in whatever order they are given and however they were merged before; where no block
 /// is missing, those of the render that was never shared out.
 class Merge {
  public:
-  /// Reads the parts' headers. Throws Error, which says which part is wrong and why: no part, cut
-  /// short or spoilt, one of another render, or of samples that another one holds.
+  /// Reads what the parts tell of themselves. Throws Error, which says which part is wrong and why:
+  /// no part, cut short or spoilt, one of another render, or of samples that another one holds.
   explicit Merge(const std::vector<std::filesystem::path>& paths);
 
-  /// Of all parts together.
-  const PartHeader& header() const { return header_; }
-  bool complete() const { return header_.blocks.count() == header_.grid.blocks(); }
+  // Of all parts together.
+  const RenderSettings& settings() const { return settings_; }
+  const BlockGrid& grid() const { return grid_; }
+  const Part& part() const { return part_; }
+  const std::string& scene() const { return scene_; }
+  bool complete() const { return part_.blocks.count() == grid_.blocks(); }
   /// Of all samples, how much is there.
   double share() const;
   /// What is missing: "12.5 % of the samples (shards 3/8)".
@@ -33,17 +39,22 @@ class Merge {
   RenderResult run(const std::function<void(double)>& progress = {}) const;
 
  private:
-  struct Part {
+  struct Place {
     std::filesystem::path path;
     BlockSet blocks;
   };
 
-  void take_in(const PartHeader& part);
+  void take_in(const StateFile& file);
   void take_in_blocks();
-  [[noreturn]] void refuse_overlap(std::size_t a, std::size_t b) const;
+  [[noreturn]] void refuse_overlap(const Place& one, const Place& other) const;
 
-  std::vector<Part> parts_;
-  PartHeader header_;
+  std::vector<Place> places_;
+  RenderSettings settings_;
+  BlockGrid grid_;
+  std::string scene_;
+  Part part_;
+  Counts counts_;
+  ExactSum lamp_ties_;
 };
 
 }  // namespace carlo

@@ -3,9 +3,11 @@
 #include "course/render/report.h"
 #include "image/exr.h"
 #include "renderer/production/adaptive.h"
-#include "renderer/production/resume.h"
+#include "renderer/production/part.h"
+#include "renderer/production/settings.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace carlo {
@@ -15,8 +17,9 @@ namespace carlo {
 class ResumableOutputs {
  public:
   /// Throws Error if any of them cannot be written. Without `sums` the EXR is smaller, and nothing
-  /// to go on from.
-  ResumableOutputs(std::filesystem::path stem, RenderSettings settings, bool sums);
+  /// to go on from; `part` where it is one of a render that is to be merged further.
+  ResumableOutputs(std::filesystem::path stem, RenderSettings settings, bool sums,
+                   std::optional<Part> part = {});
 
   const std::filesystem::path& stem() const { return stem_; }
 
@@ -39,6 +42,7 @@ class ResumableOutputs {
   std::filesystem::path stem_;
   RenderSettings settings_;
   bool sums_;
+  std::optional<Part> part_;
 };
 
 }  // namespace carlo

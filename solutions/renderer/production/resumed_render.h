@@ -3,7 +3,7 @@
 #include "render/driver.h"
 #include "renderer/production/adaptive_state.h"
 #include "renderer/production/arguments.h"
-#include "renderer/production/resume.h"
+#include "renderer/production/state_file.h"
 
 #include <cstdint>
 #include <optional>
@@ -14,13 +14,16 @@ namespace carlo {
 
 /// What the command line leaves open is as in the earlier render. Throws Error for what a render
 /// cannot go on by.
-void take_over(ProductionArguments& a, const EarlierRender& earlier);
+void take_over(ProductionArguments& a, const StateFile& earlier);
+
+/// Throws Error if the bits of a render with these settings are others.
+void require_same(const StateFile& earlier, const RenderSettings& settings);
 
 /// What to go on from, up to `spp` samples a pixel if they are given. Throws Error where these are
 /// no way to go on.
-RenderResult uniform_start(const EarlierRender& earlier, std::optional<std::uint32_t> spp);
+RenderResult uniform_start(const StateFile& earlier, std::optional<std::uint32_t> spp);
 
 /// The same with a target error.
-EarlierAdaptive adaptive_start(const EarlierRender& earlier);
+EarlierAdaptive adaptive_start(const StateFile& earlier);
 
 }  // namespace carlo

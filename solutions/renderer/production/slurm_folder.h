@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/production/block_set.h"
-#include "renderer/production/resume.h"
+#include "renderer/production/settings.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -16,7 +16,7 @@
 //   plan.json     what is rendered, and how it was asked for last
 //   carlo_render  the program as it was then: a later build would have other bits
 //   kernel        what the first task's processor made of the scene: others must do the same
-//   I.part        of shard I, perhaps not all yet
+//   I.exr         of shard I, perhaps not all yet
 //   round, R.exr  with a target error: the number R of the round at work; what all know before it
 //   R.I.exr       of round R, shard I's share; R.I.begun.exr: not all of it yet
 //   submitted     how many blocks of samples there were when jobs were submitted last

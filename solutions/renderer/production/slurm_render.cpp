@@ -113,12 +113,9 @@ void require_same(const SlurmFolder& folder, const SlurmPlan& then, const SlurmR
         "with -o",
         folder.path().string(), name, a, b);
   };
-  for (const auto& [name, value] : now.plan.settings) {
-    const auto at = then.settings.find(name);
-    require(name, at == then.settings.end() ? "" : at->second, value);
-  }
-  require("film", fmt::format("{} x {}", then.width, then.height),
-          fmt::format("{} x {}", now.plan.width, now.plan.height));
+  if (const auto difference = difference_of(then.settings, now.plan.settings))
+    require(difference->name, difference->a, difference->b);
+  require("limit of samples", std::to_string(then.spp), std::to_string(now.plan.spp));
   if (now.tasks_given)
     require("number of tasks", std::to_string(then.shards), std::to_string(now.plan.shards));
 }

@@ -1,9 +1,9 @@
-#include "renderer/production/resume.h"
-
 #include "common/noise_integrator.h"
 #include "common/temporary_folder.h"
 #include "random/rng.h"
 #include "render/driver.h"
+#include "renderer/production/resumed_render.h"
+#include "renderer/production/state_exr.h"
 #include "support/atomic_file.h"
 #include "support/error.h"
 
@@ -51,13 +51,13 @@ RenderSettings settings() {
 
 void write(const fs::path& path, const RenderResult& result) {
   ExrFile file{result.film.mean(), result.film.standard_error()};
-  add_sums(file, settings(), result.film, result.counts);
-  write_exr(path, file);
+  add_state(file, settings(), result.film, result.counts);
+  write_state(path, file);
 }
 
 RenderResult read(const fs::path& path) {
-  const EarlierRender earlier(path);
-  earlier.require_same(settings());
+  const StateFile earlier(path);
+  require_same(earlier, settings());
   RenderResult result{.film = earlier.film(), .counts = earlier.counts()};
   return result;
 }
@@ -98,13 +98,13 @@ TEST_CASE("What -D gave is in the render, also in one from before it was an obje
   const RenderResult result = run(Noise(), 64);
   write(path, result);
   const std::vector<std::string> given{"a=1"};
-  CHECK(EarlierRender(path).definitions() == given);
+  CHECK(StateFile(path).definitions() == given);
   const auto with = [&](const char* text) {
     ExrFile file{result.film.mean(), result.film.standard_error()};
-    add_sums(file, settings(), result.film, result.counts);
+    add_state(file, settings(), result.film, result.counts);
     file.attributes["definitions"] = text;
     write_exr(path, file);
-    return EarlierRender(path).definitions();
+    return StateFile(path).definitions();
   };
   CHECK(with("[\"a=1\"]") == given);
   CHECK(with("[]").empty());
@@ -154,22 +154,22 @@ TEST_CASE("Nobody goes on from another render, nor from what is no render") {
        {"scene_digest", "seed", "sampler", "max_depth", "planned_spp", "kernel"}) {
     RenderSettings other = settings();
     other[name] += "1";
-    CHECK_THROWS_AS(EarlierRender(path).require_same(other), Error);
+    CHECK_THROWS_AS(require_same(StateFile(path), other), Error);
   }
 
   ExrFile retouched{result.film.mean(), result.film.standard_error()};
-  add_sums(retouched, settings(), result.film, result.counts);
+  add_state(retouched, settings(), result.film, result.counts);
   retouched.image.at(5, 5).r += 1;
-  write_exr(path, retouched);
-  CHECK_THROWS_AS(EarlierRender(path).film(), Error);
+  write_exr(path, retouched);  // as renders from before they had a digest
+  CHECK_THROWS_AS(StateFile(path).film(), Error);
 
   write_exr(path, {result.film.mean()});
-  CHECK_THROWS_AS(EarlierRender(path), Error);
+  CHECK_THROWS_AS(StateFile(path), Error);
   write(path, result);
   const std::string bytes = read_file(path);
   for (const std::size_t length : {std::size_t{0}, std::size_t{100}, bytes.size() / 2}) {
     write_file(path, bytes.substr(0, length));
-    CHECK_THROWS_AS(EarlierRender(path), Error);
+    CHECK_THROWS_AS(StateFile(path).film(), Error);
   }
 }
 

@@ -5,11 +5,13 @@
 #include "render/blocks.h"
 #include "render/driver.h"
 #include "render/splats.h"
-#include "renderer/production/part.h"
+#include "renderer/production/state_exr.h"
 
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
+#include <string>
 
 namespace common_test {
 
@@ -67,26 +69,35 @@ inline carlo::RenderResult render_noise(const ShardNoise& noise, std::uint32_t s
       {.spp = spp, .threads = threads, .progress = false, .earlier = earlier, .share = share});
 }
 
-/// The header of the noise's shard, of what is rendered of it.
-inline carlo::PartHeader noise_header(const ShardNoise& noise, std::uint32_t spp,
-                                      const carlo::Shard& shard,
-                                      const carlo::RenderResult& result) {
-  carlo::PartHeader part;
-  for (const std::string& name : carlo::part_setting_names())
-    part.settings[name] = "1";
-  part.settings["planned_spp"] = std::to_string(spp);
-  part.settings["kernel"] = "noise";
-  part.scene = "noise.xml";
+/// What a state of the noise tells.
+inline carlo::RenderSettings noise_settings(std::uint32_t spp) {
+  return {{"seed", "1"},         {"sampler", "1"},      {"max_depth", "1"},
+          {"scene_digest", "1"}, {"kernel", "noise"},   {"planned_spp", std::to_string(spp)},
+          {"version", "1"},      {"definitions", "[]"}, {"film", carlo::film_text(37, 21)}};
+}
+
+/// The noise's shard, as far as it is rendered.
+inline carlo::Part noise_part(const ShardNoise& noise, std::uint32_t spp, const carlo::Shard& shard,
+                              const carlo::RenderResult& result) {
+  carlo::Part part;
   part.needs = "nothing";
-  part.grid = noise_grid(spp);
   part.lamps = noise.lamp_paths() > 0;
   part.shard = shard;
-  part.blocks = carlo::blocks_done(result.film, carlo::share_of(shard, part.grid, part.lamps));
-  part.counts = result.counts;
-  part.lamp_ties = result.lamp_ties;
+  part.blocks =
+      carlo::blocks_done(result.film, carlo::share_of(shard, noise_grid(spp), part.lamps));
   part.microseconds = 1000 + shard.index;
   part.threads = result.threads;
   return part;
+}
+
+/// Such a state in a file.
+inline void write_part(const std::filesystem::path& path, const carlo::RenderSettings& settings,
+                       const carlo::Part& part, const carlo::RenderResult& result) {
+  carlo::ExrFile file{.image = result.film.mean()};
+  file.attributes["scene"] = "noise.xml";
+  carlo::add_state(file, settings, result.film, result.counts, result.lamp_ties);
+  carlo::add_part(file, part);
+  carlo::write_state(path, file);
 }
 
 /// Whether two films have the same sums.
