@@ -27,7 +27,7 @@ struct Located {
   std::string rest;
 };
 
-/// Takes a number and the colon behind it; 0 when there are none.
+/// Takes a number and the colon behind it off the front; returns 0 if they are not there.
 std::size_t take_number(std::string_view& text) {
   std::size_t number = 0;
   const auto [end, ec] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -64,7 +64,7 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
     text.replace(at, from.size(), to);
 }
 
-/// Removes "LEAD...>" with all that the brackets hold: template arguments that nobody wrote.
+/// Removes every "LEAD...>" with all between the brackets: template arguments that nobody wrote.
 void drop_argument(std::string& text, std::string_view lead) {
   for (std::size_t at = 0; (at = text.find(lead, at)) != std::string::npos;) {
     int depth = 1;
@@ -76,7 +76,7 @@ void drop_argument(std::string& text, std::string_view lead) {
   }
 }
 
-/// Without the noise of the library's templates, and no longer than a few lines.
+/// Removes the noise of the library's templates and cuts the text to a few lines.
 std::string calm(std::string text) {
   replace_all(text, "std::__cxx11::", "std::");
   replace_all(text, "std::basic_string<char>", "std::string");
@@ -93,7 +93,7 @@ std::string calm(std::string text) {
   if (text.size() > most) {
     std::size_t end = most;
     while ((text[end] & 0xC0) == 0x80)
-      --end;  // not within a character
+      --end;  // not inside a character
     text = text.substr(0, end) + " ...";
   }
   return text;
@@ -103,23 +103,22 @@ bool has(const std::string& text, std::string_view part) {
   return text.find(part) != std::string::npos;
 }
 
-/// GCC's two phrases and Clang's: what such a function returns is anything, so nothing that is said
-/// of other warnings matters before it.
+/// Recognises GCC's two phrases and Clang's for a missing return. Such a function returns garbage,
+/// so this warning comes before all others.
 bool lacks_return(const std::string& text) {
   return has(text, "no return statement in function") ||
          has(text, "control reaches end of non-void") ||
          has(text, "non-void function does not return");
 }
 
-/// What follows from a function that is not closed: all below it stands inside of it.
+/// Recognises the errors that an unclosed function causes: everything below it counts as inside it.
 bool stands_inside(const std::string& text) {
   return has(text, "function-definition is not allowed here") ||
          has(text, "function definition is not allowed here") ||
          has(text, "qualified-id in declaration before");
 }
 
-/// Leaves of what a missing } leads to, which is a complaint about each function below it, the
-/// first, and says what it means.
+/// A missing } causes an error for each function below it: keeps only the first and explains it.
 void explain_missing_brace(std::vector<CompilerMessage>& messages) {
   const auto first = std::find_if(messages.begin(), messages.end(), [](const CompilerMessage& m) {
     return m.whose == Whose::own && stands_inside(m.text);
@@ -151,8 +150,8 @@ bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// `text` from its first word on. What stands before it are quotes, which the compiler's language
-/// has: one byte or several.
+/// `text` from its first word on: skips the quotes, which depend on the compiler's language and
+/// take one byte or several.
 std::string_view from_word(std::string_view text) {
   return {std::find_if(text.begin(), text.end(), is_word), text.end()};
 }
@@ -161,7 +160,7 @@ std::string_view first_word(std::string_view text) {
   return {text.begin(), std::find_if_not(text.begin(), text.end(), is_word)};
 }
 
-/// The name that is told to be missing in namespace std, else "": ‘NAME’ is not a member of ‘std’
+/// The name that is reported missing from namespace std, else "": ‘NAME’ is not a member of ‘std’
 /// by GCC, no member named 'NAME' in namespace 'std' by Clang.
 std::string_view missing_in_std(std::string_view text) {
   constexpr std::string_view clang = "no member named ";
@@ -177,7 +176,8 @@ std::string_view missing_in_std(std::string_view text) {
   return name;
 }
 
-/// Of mathematics, which everybody needs and no header of a lab brings along.
+/// Turns the complaint about an unknown function of <cmath> into advice to include it: every lab
+/// needs these functions, and no header of a lab includes them.
 std::string with_missing_header(const std::string& text) {
   constexpr std::array<std::string_view, 26> of_cmath = {
       "sqrt",   "cbrt",  "exp",  "expm1", "log",      "log1p",    "pow",   "sin",  "cos",
@@ -220,7 +220,7 @@ class Reader {
  private:
   std::string relative(const std::string& file) const {
     const fs::path path = fs::path(file).lexically_normal();
-    // ccache may have made it relative to the build's folder.
+    // ccache may have made it relative to the build folder.
     if (*path.begin() == "..") {
       fs::path rest;
       for (const fs::path& part : path) {
@@ -236,7 +236,7 @@ class Reader {
   void take_line(const std::string& line) {
     if (line.empty() || linker(line)) return;
     if (is_excerpt(line)) {
-      // Of a note there is none: the place of the complaint itself is what counts.
+      // A note's excerpt is dropped: only the place of the complaint itself counts.
       if (wants_excerpt_ && messages_.back().excerpt.size() < 2)
         messages_.back().excerpt.push_back(line);
       return;
@@ -244,7 +244,7 @@ class Reader {
     wants_excerpt_ = false;
     std::optional<Located> place = located(line);
     if (!place) {
-      // "In file included from FILE:LINE:" and "FILE: In function ...": nothing is found there.
+      // "In file included from FILE:LINE:" and "FILE: In function ..." report no error themselves.
       if (line.rfind("In file included from", 0) == 0) led_here_.clear();
       return;
     }
@@ -253,11 +253,11 @@ class Reader {
     if (error || take(place->rest, "warning: ")) {
       complaint(*place, error);
     } else if (take(place->rest, "note: ")) {
-      // Clang says below the complaint which line led to it.
+      // Clang names the line that led to the complaint below it.
       if (!messages_.empty() && place->rest.find("requested here") != std::string::npos)
         blame(messages_.back(), *place);
     } else {
-      led_here_.push_back(*place);  // GCC says so above it: "required from here"
+      led_here_.push_back(*place);  // GCC names it above: "required from here"
     }
   }
 
@@ -276,7 +276,7 @@ class Reader {
     wants_excerpt_ = !duplicate_;
   }
 
-  /// Moves a complaint about our files or the library's to the student's line that led to it.
+  /// Moves a complaint about our files or the library's to the student's line that caused it.
   static void blame(CompilerMessage& message, const Located& place) {
     if (message.whose != Whose::elsewhere || !is_own_file(place.file)) return;
     message.found_in = fmt::format("{}:{}", message.file, message.line);
@@ -312,7 +312,7 @@ class Reader {
     add(std::move(message));
   }
 
-  /// The same file is compiled for the lab and for the judge: each complaint counts once.
+  /// Each complaint counts once, although the same file is compiled for the lab and for the judge.
   void add(CompilerMessage message) {
     duplicate_ = !said_
                       .insert(fmt::format("{}:{}:{}:{}", message.file, message.line, message.column,

@@ -13,15 +13,15 @@
 namespace carlo {
 namespace {
 
-/// The source line and the mark below it, moved to the left and cut where the terminal is too
-/// narrow for them: going on below they would not stand above one another.
+/// Shifts the source line and the marker line below it to the left and cuts both to the width of
+/// the terminal: wrapped, they would no longer line up.
 std::vector<std::string> narrowed(std::vector<std::string> excerpt) {
   const auto columns = static_cast<std::size_t>(stdout_columns());
   if (columns < 40 || excerpt.empty()) return excerpt;
   const std::size_t bar = excerpt.front().find('|');
   const std::size_t code = bar == std::string::npos ? 0 : bar + 2;
   const std::size_t mark = excerpt.back().find_first_of("^~", code);
-  // A third of what is seen stands behind the mark.
+  // A third of the visible text stands behind the mark.
   std::size_t skip = 0;
   if (mark != std::string::npos && mark + 3 > columns) skip = mark - columns * 2 / 3;
   for (std::string& line : excerpt) {
@@ -56,7 +56,7 @@ bool is_command(const std::string& line) {
 }  // namespace
 
 std::string compiler_text(const std::vector<CompilerMessage>& messages, std::size_t most) {
-  // Beside an error, warnings are about code that was not understood. Errors come first.
+  // With errors, warnings are about code that was not understood. Errors come first.
   const auto errors = static_cast<std::size_t>(std::count_if(
       messages.begin(), messages.end(), [](const CompilerMessage& m) { return m.error; }));
   const std::size_t count = errors > 0 ? errors : messages.size();

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A text that says something.
+/// Reads a text that must not be empty.
 void text(JsonFields& json, const char* key, std::string& value) {
   json(key, value);
   if (value.empty()) json.fail(fmt::format("\"{}\" must be a text that is not empty", key));
@@ -32,7 +32,7 @@ void positive(JsonFields& json, const char* key, int& value) {
   }
 }
 
-/// Of one exercise, its tag, and that what it uses stands before it.
+/// Checks an exercise's tag, and that the exercises it uses come before it.
 void check(const JsonFields& json, const Lab& lab, std::size_t i) {
   const Exercise& exercise = lab.exercises[i];
   const std::string tag = fmt::format("Lab {}.{}", lab.number, i + 1);

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the file holds.
+/// The content of the file.
 struct Seen {
   std::map<std::string, int> hints;  ///< by "1.2"
 };
@@ -28,7 +28,7 @@ std::string numbers(const Lab& lab) {
   return fmt::format("{} to {}", lab.exercises.front().number(), lab.exercises.back().number());
 }
 
-/// The number before the point of "1.2"; 0 when it is no number.
+/// Returns the number before the point of "1.2"; 0 if it is no number.
 int lab_of(const std::string& number) {
   int lab = 0;
   std::from_chars(number.data(), number.data() + number.size(), lab);
@@ -39,7 +39,7 @@ std::string heading(const Exercise& exercise) {
   return fmt::format("{}: {} (lecture: {})\n", exercise.tag, exercise.title, exercise.lecture);
 }
 
-/// The hint without its exercise.
+/// Formats the hint without its exercise.
 std::string body(const Hint& hint, const std::string& remark) {
   return fmt::format("hint {} of {}{}\n\n{}\n", hint.step, hint.count, remark,
                      hint.exercise->hints[static_cast<std::size_t>(hint.step - 1)]);

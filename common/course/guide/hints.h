@@ -10,15 +10,15 @@
 
 namespace carlo {
 
-/// Hints are given one step at a time; which have been seen is kept in a small JSON file
-/// ({"hints": {"1.2": 1}}), made when it is not there.
+/// Gives hints one step at a time and keeps which have been seen in a small JSON file ({"hints":
+/// {"1.2": 1}}), created if it does not exist.
 class HintState {
  public:
-  /// Throws Error when the file is there but not such a file.
+  /// Throws Error if the file exists but is not such a file.
   explicit HintState(std::filesystem::path file);
 
   int seen(const Exercise& exercise) const;
-  /// Notes that `count` hints have been seen and saves. Throws Error when that fails.
+  /// Saves that `count` hints have been seen. Throws Error if that fails.
   void set_seen(const Exercise& exercise, int count);
 
  private:
@@ -26,31 +26,31 @@ class HintState {
   std::map<std::string, int> seen_;  ///< by "1.2"
 };
 
-/// The exercise that a person means by "1.2" or "Lab 1.2". Throws Error that says which there are.
+/// Finds the exercise for "1.2" or "Lab 1.2". Throws Error that lists the available exercises.
 const Exercise& find_exercise(const std::vector<Lab>& labs, const std::string& typed);
 
 /// A hint as it is shown.
 struct Hint {
   const Exercise* exercise = nullptr;
   int step = 1;   ///< from 1
-  int count = 1;  ///< how many the exercise has
-  /// What it says of those behind it.
+  int count = 1;  ///< of the exercise
+  /// What the text says about the hints after this one.
   enum class More { unsaid, another, none_left, was_the_last } more = More::unsaid;
 };
 
-/// The next hint, or the last again when all have been seen. Notes it in `state`. Throws Error when
-/// the exercise has none.
+/// Returns the next hint, or the last again if all have been seen, and saves it in `state`. Throws
+/// Error if the exercise has none.
 Hint next_hint(const Exercise& exercise, HintState& state);
 
-/// Hint `step` (from 1) once more. Throws Error when it has not been seen yet or does not exist.
+/// Returns hint `step` (from 1) again. Throws Error if it has not been seen yet or does not exist.
 Hint seen_hint(const Exercise& exercise, int step, const HintState& state);
 
-/// All hints that have been seen. Throws Error when none has.
+/// Returns all hints that have been seen. Throws Error if none has.
 std::vector<Hint> seen_hints(const Exercise& exercise, const HintState& state);
 
-/// For people: the exercise, the hint's number, how to come to the next, the hint.
+/// Formats for the reader: the exercise, the hint's number, how to get the next one, the hint.
 std::string hint_text(const Hint& hint, Help help = Help::typed);
-/// Of several hints of one exercise, which is named once. There is at least one.
+/// Formats several hints (at least one) of one exercise, which is named once.
 std::string hint_text(const std::vector<Hint>& hints);
 
 }  // namespace carlo

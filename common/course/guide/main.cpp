@@ -1,4 +1,5 @@
-// carlo_course: what a student asks of the course itself, and what the script ./carlo needs for it.
+// carlo_course: status, hints and explained compiler messages, for students and for the script
+// ./carlo.
 
 #include "course/cli/arguments.h"
 #include "course/cli/main_guard.h"
@@ -20,7 +21,7 @@ using namespace carlo;
 
 namespace {
 
-/// What every verb may be told.
+/// The options of all verbs.
 struct Options {
   fs::path root = ".";
   std::string exercise;  ///< hint
@@ -40,7 +41,7 @@ void hint(const Options& options, bool one) {
   std::string text = options.all ? hint_text(seen_hints(exercise, seen))
                      : one       ? hint_text(seen_hint(exercise, options.step, seen))
                                  : hint_text(next_hint(exercise, seen));
-  // A student's tree holds no slides, but their formulas.
+  // A student's tree has the slides' formulas but not the slides.
   if (text.find("(slides ") != std::string::npos && fs::exists(options.labs() / "formulas.md")) {
     text += "\nThe slides' formulas, by these names: labs/formulas.md\n";
   }

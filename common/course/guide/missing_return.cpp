@@ -1,6 +1,6 @@
-// What exercises are compiled to call (-fsanitize=return) where a function that owes a value comes
-// to its end without one: else the program would run on into whatever lies behind. The sanitizers'
-// library does the same, but costs far more to link; this is its name for it.
+// Exercises are compiled (-fsanitize=return) to call this where a function reaches its end without
+// returning its value; otherwise execution would run on into whatever code follows. The sanitizers'
+// library provides the same function but costs far more to link.
 
 #include <cstdint>
 #include <cstdio>
@@ -8,7 +8,7 @@
 
 namespace {
 
-/// As GCC and Clang hand it over.
+/// As GCC and Clang pass it.
 struct Place {
   const char* file;
   std::uint32_t line, column;

@@ -19,7 +19,7 @@ std::string digest_of(const std::string& text) {
   return fmt::format("{:016x}", hash_of(text));
 }
 
-/// "Lab 1.2" of a heading "// Lab 1.2 ----", else nothing.
+/// Returns "Lab 1.2" for a heading "// Lab 1.2 ----", else "".
 std::string heading_of(const std::string& line) {
   constexpr std::string_view start = "// Lab ";
   if (line.rfind(start, 0) != 0) return "";
@@ -46,7 +46,7 @@ int count(const std::string& text, const std::string& part) {
   return found;
 }
 
-/// Without comments that take the rest of a line: a call that is commented out is gone.
+/// Removes // comments, so that a call that is commented out does not count.
 std::string without_comments(const std::string& text) {
   std::string out;
   std::istringstream lines(text);
@@ -55,7 +55,7 @@ std::string without_comments(const std::string& text) {
   return out;
 }
 
-/// What a line means to exercises further down: a library's header changes none of them.
+/// A line that cannot affect exercises further down, such as a library's #include.
 bool means_nothing(const std::string& line) {
   return line.find_first_not_of(" \t\r") == std::string::npos || line.rfind("#include <", 0) == 0;
 }
@@ -68,7 +68,7 @@ std::vector<fs::path> own_files(const fs::path& labs, const Lab& lab) {
   std::error_code ec;
   for (const auto& entry : fs::directory_iterator(folder / "steps", ec)) {
     const fs::path& file = entry.path();
-    // Editors keep copies under names that begin with a point.
+    // Editors keep copies under names that begin with a dot.
     if (file.extension() == ".cpp" && file.filename().string().front() != '.') {
       files.push_back(file);
     }

@@ -49,7 +49,7 @@ std::string mark(const ExerciseStatus& status) {
 Stage stage_of(const ExerciseStatus& status, const KeptVerdict* verdict) {
   const Exercise& exercise = *status.exercise;
   const auto functions = static_cast<int>(exercise.functions.size());
-  // Whatever an older verdict says: the stub is back.
+  // The stub is back, so an older verdict no longer counts.
   if (status.open > 0 && status.open >= functions) return Stage::untouched;
   if (verdict == nullptr) return Stage::begun;
   if (verdict->result.status == Status::not_implemented || (status.changed && status.open > 0)) {
@@ -59,12 +59,12 @@ Stage stage_of(const ExerciseStatus& status, const KeptVerdict* verdict) {
   return status.changed ? Stage::edited : Stage::failed;
 }
 
-/// What the line says behind the points.
+/// Returns the remark behind the points.
 std::string remark(const ExerciseStatus& status) {
   const Exercise& exercise = *status.exercise;
   std::string text;
   const auto add = [&](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
-  // The mark and the points say it of the others; a line should fit into 80 columns.
+  // For the other stages the mark and the points are enough; a line should fit into 80 columns.
   if (status.stage == Stage::begun && status.open > 0) {
     add(fmt::format("{} of {} functions to do", status.open, exercise.functions.size()));
   } else if (status.stage == Stage::begun) {
@@ -84,7 +84,7 @@ std::string points(const ExerciseStatus& status) {
   return fmt::format("  {}{:g} of {}", had, status.points, status.exercise->points);
 }
 
-/// How much of an exercise's line is not its title: the indentation and the mark too.
+/// The width of an exercise's line without its title; includes the indentation and the mark.
 std::size_t beside_title(const ExerciseStatus& status) {
   return 6 + display_width(status.exercise->number()) + display_width(points(status)) +
          display_width(remark(status));

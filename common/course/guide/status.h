@@ -10,22 +10,22 @@
 
 namespace carlo {
 
-/// How far a student is with an exercise, by the files and the last verdict.
+/// A student's progress on an exercise, from the files and the last verdict.
 enum class Stage {
-  untouched,  ///< all its functions say that they are not implemented
-  begun,      ///< some do, or none does but the judge has not seen it
-  edited,     ///< edited since it was judged, when points were missing
+  untouched,  ///< all its functions report "not implemented"
+  begun,      ///< some still do, or none does but it has not been judged
+  edited,     ///< edited after a verdict with points missing
   failed,     ///< judged, and points are missing
-  passed      ///< all points at the last verdict, whatever was edited since
+  passed      ///< full points at the last verdict, even if edited since
 };
 
 struct ExerciseStatus {
   const Exercise* exercise = nullptr;
   Stage stage = Stage::untouched;
-  double points = 0;     ///< of the last verdict; none where a function is open again
-  bool changed = false;  ///< what it is made of was edited since it was judged
+  double points = 0;     ///< from the last verdict; 0 if a function is open again
+  bool changed = false;  ///< what it depends on was edited since the last verdict
   int open = 0;          ///< functions not implemented
-  int hints = 0;         ///< seen
+  int hints = 0;         ///< hints seen
   std::string message;   ///< what was wrong, in one line
 };
 
@@ -35,33 +35,32 @@ struct LabStatus {
 
   double points() const;
   int passed() const;
-  int changed() const;  ///< of those that passed, how many were edited since
-  bool begun() const;   ///< some exercise is no longer untouched
+  int changed() const;  ///< number of passed exercises that were edited since
+  bool begun() const;   ///< whether any exercise is no longer untouched
 };
 
-/// Of one lab, by its files below the folder `labs`.
+/// Returns the status of a lab, from its files below the folder `labs`.
 LabStatus status_of(const Lab& lab, const std::filesystem::path& labs, const VerdictBook& book,
                     const HintState& hints);
 
-/// What to do next, for everything that says so: the first exercise that has not passed; null when
-/// all have.
+/// Returns the exercise to do next, the first that has not passed; null if all have.
 const Exercise* next_exercise(const LabStatus& lab);
 const Exercise* next_exercise(const std::vector<LabStatus>& labs);
 
-/// One line for one exercise, without line end; in colour where stdout shows it. `titles`: how wide
-/// the column of titles is. A longer one is cut.
+/// Formats one exercise as a line without line end; in colour if stdout shows it. `titles` is the
+/// width of the column of titles; longer titles are cut.
 std::string status_line(const ExerciseStatus& status, std::size_t titles);
-/// The lab's name, a bar (on a terminal), its points and how many verdicts are of older text,
+/// Formats the lab's name, a bar (on a terminal), its points and how many verdicts are outdated,
 /// without line end.
 std::string status_heading(const LabStatus& status);
-/// How wide a lab's column of titles is, in characters: as the widest, if the terminal has the
-/// room.
+/// The width of a lab's column of titles, in characters: that of the longest title, if the terminal
+/// has room.
 std::size_t title_width(const LabStatus& lab);
 
-/// For people: every lab, the exercises of those that are begun and of the one that is next
-/// (`all`: of all), totals and what is next.
+/// Formats for the reader: every lab, the exercises of labs that are begun or next (`all`: of all
+/// labs), totals and the next exercise.
 std::string status_text(const std::vector<LabStatus>& labs, bool all);
-/// For programs.
+/// The same as JSON.
 std::string status_json(const std::vector<LabStatus>& labs);
 
 }  // namespace carlo

@@ -17,7 +17,7 @@ static void fields(JsonFields& json, KeptVerdict& verdict) {
 
 namespace {
 
-/// What the file holds.
+/// The content of the file.
 struct Kept {
   std::map<std::string, KeptVerdict> exercises;
 };

@@ -9,24 +9,24 @@
 
 namespace carlo {
 
-/// What the judge said last about one exercise, and about which text.
+/// The judge's last verdict on an exercise, and the code it was about.
 struct KeptVerdict {
   ExerciseResult result;  ///< without figures
-  std::string exercise;   ///< OwnCode::digest() of the exercise
+  std::string exercise;   ///< OwnCode::digest() of the exercise when it was judged
 
   bool passed() const { return result.status == Status::passed; }
 };
 
-/// The last verdicts of all exercises, kept in a small JSON file that is made when it is not there.
+/// The last verdicts of all exercises, kept in a small JSON file, created if it does not exist.
 class VerdictBook {
  public:
-  /// Throws Error when the file is there but not such a file.
+  /// Throws Error if the file exists but is not such a file.
   explicit VerdictBook(std::filesystem::path file);
 
-  /// The last verdict, or null.
+  /// Returns the last verdict, or null.
   const KeptVerdict* find(const Exercise& exercise) const;
 
-  /// Takes the verdicts of one run of the judge about `code`. Throws Error when they are of another
+  /// Takes over the verdicts of one run of the judge on `code`. Throws Error if they are of another
   /// lab.
   void take(const LabResult& judged, const Lab& lab, const OwnCode& code);
 

@@ -14,8 +14,9 @@ constexpr std::array<std::array<float, 3>, 5> anchors = {{{0.005f, 0.005f, 0.04f
                                                           {0.80f, 0.20f, 0.05f},
                                                           {1.00f, 0.85f, 0.30f}}};
 
-/// The colour of a value between 0 and 1, dark blue to yellow; linear RGB. The map rises in
-/// brightness, and so can be read in grey and by colour-blind eyes. Values outside are clamped.
+/// Maps a value between 0 and 1 to a colour from dark blue to yellow, linear RGB. The brightness
+/// rises along the map, so that it can be read in grey and by colour-blind eyes. Values outside are
+/// clamped.
 Rgb scale_colour(double t) {
   const double x = std::clamp(t, 0.0, 1.0) * (anchors.size() - 1);
   const auto i = std::min(static_cast<std::size_t>(x), anchors.size() - 2);
@@ -58,7 +59,7 @@ Image samples_map(const Film& film) {
       most = std::max(most, film.samples(x, y));
     }
   }
-  // An interrupted render has pixels without a sample; they share the darkest colour with those
+  // An interrupted render has pixels without a sample; they share the darkest colour with pixels
   // that have one.
   const auto log_of = [](std::uint64_t n) {
     return std::log2(static_cast<double>(std::max<std::uint64_t>(n, 1)));

@@ -28,19 +28,19 @@ struct RenderArguments {
 
 void add_render_options(CommandLine& app, RenderArguments& a);
 
-/// `--page SCENE.xml` names the scene, not the page. Throws Error.
+/// Treats SCENE.xml in `--page SCENE.xml` as the scene, not the page. Throws Error.
 void tell_page_from_scene(RenderArguments& a);
 
-/// Without a scene it is the default one. Throws Error if there is none.
+/// Sets the default scene if none is given. Throws Error if there is none.
 void settle_scene(RenderArguments& a);
 
-/// From the words behind -D. Throws Error.
+/// Parses the arguments of -D. Throws Error.
 std::map<std::string, std::string> parse_definitions(const std::vector<std::string>& definitions);
 
-/// Changes the scene as the options say. Throws Error.
+/// Changes the scene according to the options. Throws Error.
 void apply(const RenderArguments& a, Scene& scene);
 
-/// Where the page goes, if one is wanted.
+/// Returns the path of the page, if one is wanted.
 std::optional<std::filesystem::path> page_path(const RenderArguments& a,
                                                const std::filesystem::path& stem);
 

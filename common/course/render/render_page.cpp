@@ -12,7 +12,7 @@
 namespace carlo {
 namespace {
 
-/// A word as a shell takes it.
+/// Quotes a word for a shell.
 std::string quoted(std::string_view word) {
   constexpr std::string_view plain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
@@ -25,7 +25,7 @@ std::string quoted(std::string_view word) {
   return result + "'";
 }
 
-/// The most important number of each kind: a time never stands without its error.
+/// The most important numbers of each kind: never a time without its error.
 std::string summary(const RenderReport& r) {
   std::string text = fmt::format("{} x {} pixels, {:.6g} samples each, in {}; ", r.width, r.height,
                                  r.spp, duration_text(r.seconds));
@@ -50,7 +50,7 @@ Viewer make_viewer(const Film& film, const std::optional<ExrFile>& reference) {
   return viewer;
 }
 
-/// The report as a list; its lines are too long for a table on a phone.
+/// The report as an HTML list; its lines are too long for a table on a phone.
 std::string numbers_html(const RenderReport& report, const Film& film,
                          const std::optional<ExrFile>& reference) {
   std::string html = "<dl>\n";
@@ -91,7 +91,7 @@ std::string command_text(int argc, char** argv) {
   std::string command = "./carlo render";
   for (int i = 1; i < argc; ++i) {
     if (std::string_view(argv[i]) == "--default-scene") {
-      ++i;  // from the script ./carlo, not from the reader
+      ++i;  // from the script ./carlo, not typed by the reader
       continue;
     }
     command += ' ' + quoted(argv[i]);

@@ -18,7 +18,8 @@
 namespace carlo {
 namespace {
 
-/// The root mean square over pixels and channels of their standard errors, over the mean radiance.
+/// The root mean square of the standard errors over pixels and channels, relative to the mean
+/// radiance.
 double relative_error(const Film& film, const MeanRadiance& mean) {
   CompensatedSum sum;
   double count = 0;
@@ -74,8 +75,8 @@ std::vector<double> list(const std::array<double, 3>& x) {
   return {x.begin(), x.end()};
 }
 
-/// Of each two pixels with blocks, the mean over all pairs of 1 / (the more of their blocks): how
-/// many passes' means, of all that either has, both have at most.
+/// The mean of 1 / max(blocks of a, blocks of b) over all pairs (a, b) of pixels with blocks: the
+/// part of one pass's covariance that remains, at most, between the means of two pixels.
 double shared_passes(const Film& film) {
   std::vector<std::uint32_t> blocks;
   for (int y = 0; y < film.height(); ++y) {
@@ -90,9 +91,9 @@ double shared_passes(const Film& film) {
   return sum.value() / (count * count);
 }
 
-/// The covariances of the image's pixels, over all pairs, that paths from lamps make: each block of
-/// each tile tells those of its pass; where blocks are missing, passes that are there stand for the
-/// others.
+/// The covariances of the image's pixels caused by paths from lamps, summed over all pairs: each
+/// block of each tile contributes those of its pass; where blocks are missing, the existing passes
+/// stand in for them.
 double covariance_of_lamps(const RenderResult& result) {
   const Film& film = result.film;
   const double pixels = 1.0 * film.width() * film.height();
@@ -106,8 +107,8 @@ double covariance_of_lamps(const RenderResult& result) {
   return result.lamp_ties.value() / blocks * shared_passes(film) / (of_a_pass * of_a_pass);
 }
 
-/// What paths from lamps that reach several pixels add to the variance of the image's mean. The
-/// channels are taken to be tied as the luminance is; with Sobol' points, an upper bound.
+/// The variance that paths from lamps which reach several pixels add to the image's mean. Assumes
+/// that the channels are correlated as the luminance is; an upper bound with Sobol' points.
 std::array<double, 3> ties(const RenderResult& result, const MeanRadiance& mean) {
   const double all = luminance(mean.value);
   if (!(all > 0) || result.counts.lamp_ties == 0) return {};
@@ -240,7 +241,7 @@ std::string to_text(const ReportLines& lines) {
   return text;
 }
 
-// Written for others: nothing here reads a report.
+// Written for other programs: nothing here reads a report.
 
 static void fields(JsonFields& json, const ReferenceReport& reference) {
   json.also("path", reference.path);

@@ -17,19 +17,19 @@ namespace carlo {
 
 class JsonFields;
 
-/// A report for people: what each number is, and the number with its unit.
+/// A report for the reader: labels, and numbers with their units.
 using ReportLines = std::vector<std::pair<std::string, std::string>>;
 
-/// How a render compares with a reference image.
+/// The comparison of a render with a reference image.
 struct ReferenceReport {
   std::string path;
   ImageError error;
   std::array<double, 3> bias_z{};  ///< of the whole image's mean, per channel
   double efficiency = 0;           ///< 1 / (MSE * seconds)
-  std::vector<std::string> notes;  ///< what of the reference is not as it stands in its file
+  std::vector<std::string> notes;  ///< how the reference was changed from what its file holds
 };
 
-/// All that a render tells about itself: never a time without its error, nor an error without its
+/// Everything reported about a render: never a time without its error, nor an error without its
 /// time.
 struct RenderReport {
   std::string scene, needs, kernel, sampler;
@@ -37,37 +37,38 @@ struct RenderReport {
   std::uint64_t seed = 0, samples = 0;
   double spp = 0;  ///< mean over the pixels
   double seconds = 0;
-  std::string where;  ///< the time was spent: "on 2 threads"
+  std::string where;  ///< where the time was spent: "on 2 threads"
   bool interrupted = false;
   Counts counts;
   MeanRadiance mean;
   double relative_error = 0;  ///< rms standard error of a pixel over the mean radiance
-  /// light_asks.h, where samples are fewest; nothing where it is not known.
+  /// expected_asks() (light_asks.h) where samples are fewest; nothing if unknown.
   std::optional<double> light_asks;
   double finished = 1;  ///< fraction of the pixels that have samples; the means are over these
   std::optional<ReferenceReport> reference;
-  // What a command has to tell besides.
+  // Additions by the command.
   ReportLines behind_image, behind_error;
   std::vector<std::function<void(JsonFields&)>> fields;
 
-  /// Tells light_asks of the same number of samples in all pixels, by
-  /// Integrator::least_light_chance.
+  /// Sets light_asks, from Integrator::least_light_chance, for the same number of samples in all
+  /// pixels.
   void expect_asks(double least_light_chance);
 };
 
-/// The image's mean and its standard error, with what paths that reach several pixels add to it.
+/// Returns the image's mean and its standard error, including the covariances of paths that reach
+/// several pixels.
 MeanRadiance mean_of(const RenderResult& result);
 
-/// Fills in what follows from the result.
+/// Makes a report with all that follows from the result.
 RenderReport make_report(const RenderResult& result);
-/// And from the scene, its file and who rendered it.
+/// Adds the scene, its file, the integrator and the seed.
 RenderReport make_report(const Scene& scene, const std::string& file, const Integrator& integrator,
                          std::uint64_t seed, const RenderResult& result);
 
-/// The image to compare with; nothing where `path` is empty. Throws Error.
+/// Reads the image to compare with; nothing if `path` is empty. Throws Error.
 std::optional<ExrFile> read_reference(const std::string& path, int width, int height);
 
-/// Compares with a reference; its standard error is used where the file has one.
+/// Compares with a reference, using its standard error if the file has one.
 ReferenceReport compare_with_reference(const RenderResult& result, const std::string& path,
                                        const ExrFile& reference);
 

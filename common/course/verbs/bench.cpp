@@ -13,10 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the renderers beside ours, the one thing that comes from PyPI.
+/// The Python modules of other renderers, installed from PyPI.
 const char* const peer_modules[]{"mitsuba==3.9.1", "bpy==5.0.1", "pyluxcore==2.11.2"};
 
-/// Builds a program of the suite and hands over to it.
+/// Builds a program of the suite and replaces this process with it.
 [[noreturn]] void become(Course& course, const std::string& program, const Words& before,
                          const Words& words) {
   course.building.build({program});
@@ -24,7 +24,7 @@ const char* const peer_modules[]{"mitsuba==3.9.1", "bpy==5.0.1", "pyluxcore==2.1
   throw HandOver{(command += before) += words};
 }
 
-/// Everything on one page, or the parts that are wished.
+/// Puts all measurements on one page, or those that were asked for.
 [[noreturn]] void bench_page(Course& course, const Words& words) {
   for (const std::string& word : words)
     if (asks_for_help(word)) become(course, "carlo_bench", {}, {"--help"});
@@ -36,7 +36,8 @@ const char* const peer_modules[]{"mitsuba==3.9.1", "bpy==5.0.1", "pyluxcore==2.1
   become(course, "carlo_bench", arguments, words);
 }
 
-/// Other renderers, in a folder of their own: what this Python does not take is not measured.
+/// Installs other renderers in a folder of their own; a renderer that this Python cannot install is
+/// not measured.
 void install_peers(const Tree& tree, const fs::path& folder) {
   tree.need({"build", "peers"});
   if (!fs::exists(folder / "bin/pip") && run({"python3", "-m", "venv", folder}) != 0)
@@ -55,7 +56,7 @@ void install_peers(const Tree& tree, const fs::path& folder) {
   }
 }
 
-/// One of Mitsuba's variants looks for LLVM.
+/// One of Mitsuba's variants needs to find LLVM.
 void point_to_llvm() {
   std::error_code ec;
   for (const auto& folder : fs::directory_iterator("/usr/lib", ec)) {
@@ -80,7 +81,7 @@ void point_to_llvm() {
 }
 
 [[noreturn]] void bench_render(Course& course, const Words& words) {
-  // Other instruction sets than this machine's widest are compiled on request.
+  // Instruction sets other than the widest of this machine are compiled on request.
   for (const std::string& word : words)
     if (starts_with(word, "--kernel")) course.building.every_instruction_set();
   become(course, "carlo_bench_render", {"--references", course.tree.root / "tests/references"},

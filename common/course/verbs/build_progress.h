@@ -4,23 +4,23 @@
 
 namespace carlo::verbs {
 
-/// How far a build is, as it says itself ("@done/total seconds ..."): one line on a terminal,
-/// elsewhere one each half minute.
+/// Shows a build's progress as reported by ninja ("@done/total seconds ..."): in one line on a
+/// terminal, elsewhere as one line every half minute.
 class BuildProgress {
  public:
   BuildProgress();
-  /// False for a line that tells something else.
+  /// Returns false if the line reports no progress.
   bool takes(const std::string& line);
-  /// Removes the terminal's line.
+  /// Clears the terminal's line.
   void clear();
 
  private:
   bool terminal_, shown_ = false;
-  int told_ = 0;  ///< the second of the last line
+  int told_ = 0;  ///< the second at which a line was printed last
 };
 
-/// ", about 3 min left": what is left of a build of which `done` of `total` steps took `seconds`;
-/// nothing while that would be a guess.
+/// Returns ", about 3 min left" for a build of which `done` of `total` steps took `seconds`; ""
+/// while that would be a guess.
 std::string time_left(int done, int total, int seconds);
 
 }  // namespace carlo::verbs

@@ -17,14 +17,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A path as short as it is from here.
+/// Shortens a path relative to the current folder.
 std::string from_here(const fs::path& path) {
   std::error_code ec;
   const std::string here = joined({fs::current_path(ec), "/"}), text = path.string();
   return starts_with(text, here.c_str()) ? text.substr(here.size()) : text;
 }
 
-/// Whether a line of the build's log is a command of ninja's, or ninja's own word.
+/// Whether a line of the build log is a command run by ninja or a message of ninja itself.
 bool is_command(const std::string& line) {
   if (starts_with(line, "ninja: ") || starts_with(line, "FAILED: ")) return true;
   const std::string program = fs::path(line.substr(0, line.find(' '))).filename();
@@ -77,8 +77,8 @@ void Building::every_instruction_set() {
 }
 
 std::size_t Building::steps(const Words& targets) const {
-  // By another name of build.ninja: by its own, ninja would end where it plans to look for new
-  // files, which it always does.
+  // Uses another name for build.ninja: under its own name, ninja would only plan to check for new
+  // files, which it always does first, and stop there.
   std::error_code ec;
   fs::create_symlink("build.ninja", folder_ / ".planned.ninja", ec);
   Words command =
@@ -87,7 +87,7 @@ std::size_t Building::steps(const Words& targets) const {
   const int code = run_listening(command += targets, {}, [&](const std::string& line) {
     if (line.rfind('[', 0) == 0) ++count;
   });
-  // One where it cannot plan: the build says why.
+  // 1 if it cannot plan: the build reports why.
   return code == 0 ? count : 1;
 }
 
@@ -112,7 +112,7 @@ void Building::build(const Words& targets, const Words& keep) {
   });
   progress.clear();
   if (code != 0) failed(code, said);
-  // Ours has no warnings (they are errors); a student's are shown.
+  // Our code has no warnings (they are errors); a student's are shown.
   if (said.find("warning:") != std::string::npos) explain(said);
 }
 

@@ -9,36 +9,37 @@
 
 namespace carlo::verbs {
 
-/// A folder of builds, build/PRESET, and how it is brought up to date: alone in it, with a line
-/// that says how far it is, and with the compiler's words explained when it fails.
+/// A build folder, build/PRESET: brings it up to date, under a lock, shows the progress in one
+/// line, and explains the compiler's messages if the build fails.
 class Building {
  public:
   Building(const Tree& tree, const std::string& preset);
 
   const std::filesystem::path& folder() const { return folder_; }
   std::filesystem::path program(const std::string& name) const { return folder_ / "bin" / name; }
-  /// This process's copy of a program that it built with `keep`: the next build, perhaps another's,
-  /// does not change it.
+  /// The path of this process's copy of a program that it built with `keep`; later builds, perhaps
+  /// by other processes, do not change it.
   std::filesystem::path kept(const std::string& name) { return own().path() / name; }
   const OwnFolder& own();
 
-  /// Builds targets, and keeps copies of these programs. Throws Leave when it was stopped, Error
-  /// when it fails.
+  /// Builds targets and copies the programs in `keep`. Throws Leave if stopped, Error if the build
+  /// fails.
   void build(const Words& targets, const Words& keep = {});
-  /// For what only reads: does not wait for another's build where the program is up to date.
+  /// For verbs that only read: does not wait for another process's build if the program is up to
+  /// date.
   void build_unless_there(const std::string& target);
-  /// Has the vector kernel compiled for all machines; once asked for, the build stays so.
+  /// Compiles the vector kernel for all machines, from now on in every build.
   void every_instruction_set();
-  /// Runs CMake: it looks again for libraries that were installed since.
+  /// Runs CMake, which looks again for newly installed libraries.
   void configure_anew(const Words& options = {});
 
  private:
   void configure();
   Words in_turn() const;
-  /// How many steps the targets' build has.
+  /// The number of steps to build the targets.
   std::size_t steps(const Words& targets) const;
   void must_be_writable() const;
-  /// Throws: says what the compiler said, a student's file first and short.
+  /// Throws, with the compiler's messages: short, and those about a student's file first.
   [[noreturn]] void failed(int code, const std::string& said);
   void explain(const std::string& said);
 

@@ -1,4 +1,4 @@
-// The verb fuzz: bytes at random for all that reads what others wrote.
+// The verb fuzz: random bytes for all code that reads input from outside.
 
 #include "course/verbs/course.h"
 

@@ -1,4 +1,4 @@
-// The verb grade, of submissions, and its --calibrate, of the grader itself.
+// The verb grade, which grades submissions, or with --calibrate checks the grader itself.
 
 #include "course/verbs/course.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The labs that --labs names, or all.
+/// Returns the labs that --labs names, or all.
 std::vector<LabFolder> named_labs(const Tree& tree, const Words& words) {
   std::vector<LabFolder> list;
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {

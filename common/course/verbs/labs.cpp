@@ -1,4 +1,4 @@
-// The verbs with which a student works on a lab: lab, status, hint, watch.
+// The verbs for working on a lab: lab, status, hint, watch.
 
 #include "course/verbs/course.h"
 
@@ -12,9 +12,9 @@ std::string lab_name(const LabFolder& lab) {
   return joined({"lab ", std::to_string(lab.number())});
 }
 
-/// What made a program end so; nothing when it is no crash.
+/// Explains a crash by the exit code; "" if it was no crash.
 std::string crash_of(int code) {
-  // Whoever reads the tables may stop early (| head): 141.
+  // The reader of the output may close the pipe early (| head): 141.
   if (code <= 128 || code == 128 + SIGINT || code == 128 + SIGPIPE) return "";
   switch (code - 128) {
     case SIGSEGV:
@@ -30,7 +30,7 @@ std::string crash_of(int code) {
   }
 }
 
-/// The lab of what is next for the student.
+/// Returns the lab of the student's next exercise.
 LabFolder next_lab(Course& course) {
   course.building.build({"carlo_course"});
   const std::string next = output_of(
@@ -52,7 +52,7 @@ void unknown(const std::string& verb, const std::string& word) {
 int run_students_code(Course& course, const LabFolder& lab, const std::string& verb,
                       const std::string& program, const Words& arguments) {
   course.building.build({program}, {program});
-  // The tree in which predictions are kept; of the solutions nobody predicts anything.
+  // Tells the program where predictions are kept. Solutions ask for none.
   if (program.find("_solution") == std::string::npos)
     ::setenv("CARLO_COURSE", course.tree.root.c_str(), 1);
   Words command = list_of({course.building.kept(program)});
@@ -133,7 +133,7 @@ static int watch(Course& course, const Words& words) {
     }
   }
   const LabFolder folder = lab.empty() ? next_lab(course) : course.tree.lab(lab);
-  // All but the student's own file, which need not compile yet.
+  // Builds all but the student's own file, which may not compile yet.
   course.building.build(
       {"carlo_watch", "carlo_course", folder.program("_judge"), folder.program("_probes")});
   Words command = list_of({course.building.program("carlo_watch"), "--root", course.tree.root,

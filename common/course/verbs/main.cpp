@@ -1,5 +1,5 @@
-// carlo_verbs ROOT PRESET VERB WORD...: what ./carlo does once there is a compiler. It is the first
-// that is built of a tree, and everybody waits for it, so it stands on cli/ alone.
+// carlo_verbs ROOT PRESET VERB WORD...: runs the verbs of ./carlo that need a compiler. It is the
+// first program built in a tree, and everybody waits for it, so it depends on cli/ alone.
 
 #include "course/cli/program.h"
 #include "course/verbs/course.h"
@@ -18,7 +18,7 @@ namespace {
 int run_verb(const Words& words) {
   if (words.size() < 3) fail({"carlo_verbs is started by ./carlo"});
   const Words typed = behind(words, 2);
-  // For those who wait for our build.
+  // Shown to others who wait for our build.
   const std::string turn =
       joined({"./carlo ", joined(typed, " "), " (process ", std::to_string(::getpid()), ")"});
   ::setenv("CARLO_TURN_OF", turn.c_str(), 1);

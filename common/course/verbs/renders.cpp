@@ -16,13 +16,13 @@ static int render(Course& course, const Words& words) {
     if (word != "--mine") arguments.push_back(word);
     elsewhere = elsewhere || starts_with(word, "--slurm") || starts_with(word, "--shard");
   }
-  // By the student's lab 08.
+  // With the student's lab 08.
   if (mine) {
     if (!fs::exists(tree.root / "labs/08_path_tracer"))
       fail({"this tree has no renderer: it is what lab 08 builds"});
     return run_students_code(course, tree.lab("8"), "render --mine", "lab08_render", arguments);
   }
-  // What renders elsewhere as well needs other instruction sets than this machine's widest.
+  // Other machines may need instruction sets other than the widest of this one.
   if (elsewhere) course.building.every_instruction_set();
   course.building.build({"carlo_render"});
   Words command = list_of({course.building.program("carlo_render")});

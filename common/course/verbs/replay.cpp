@@ -1,4 +1,4 @@
-// The verb replay: what the judge asked an exercise, and asking it again.
+// The verb replay: repeats what the judge asked an exercise.
 
 #include "course/verbs/course.h"
 
@@ -45,7 +45,7 @@ ReplayWishes replay_wishes(const Words& words) {
   return wishes;
 }
 
-/// Lets the judge write down what it asks.
+/// Runs the judge so that it writes down its questions.
 void write_questions(const Tree& tree, Building& building, const ExerciseNumber& exercise,
                      const fs::path& file, const Words& seed) {
   const std::string judge = exercise.lab.program("_judge"),
@@ -56,7 +56,7 @@ void write_questions(const Tree& tree, Building& building, const ExerciseNumber&
   fs::remove(file, ec);
   Words command = list_of({building.kept(judge), "--lab", tree.lab_json(exercise.lab), "--exercise",
                            exercise.text, "--worker", building.kept(worker), "--probes", file});
-  // Its exit code says whether the exercise passes; that is not the question here.
+  // The exit code says whether the exercise passes, which does not matter here.
   std::string report;
   run_gathering(command += seed, {}, report);
   if (interrupted()) throw Leave{130};

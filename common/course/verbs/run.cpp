@@ -21,11 +21,11 @@ namespace {
 namespace fs = std::filesystem;
 
 volatile std::sig_atomic_t last_signal = 0;
-volatile std::sig_atomic_t running = 0;  ///< the program that a signal is for as well
+volatile std::sig_atomic_t running = 0;  ///< the program to which signals are passed on
 
 extern "C" void note_signal(int number) {
   last_signal = number;
-  // Ctrl-C has reached it already.
+  // Ctrl-C has reached the program already.
   if (number != SIGINT && running > 0) ::kill(running, number);
 }
 
@@ -37,8 +37,8 @@ int exit_code_of(pid_t child) {
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
-/// Left by a process that was killed: nobody has written there for a day, and none of its number is
-/// here.
+/// Whether a killed process left the folder: not written to for a day, and no process has its
+/// number.
 bool is_forgotten(const fs::path& folder) {
   using namespace std::chrono_literals;
   std::error_code ec;

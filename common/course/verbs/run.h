@@ -11,43 +11,45 @@
 
 namespace carlo::verbs {
 
-/// Thrown where everything has been said: the exit code is left.
+/// Thrown when everything has been said: only the exit code is left.
 struct Leave {
   int code;
 };
 
-/// Thrown by a verb whose last step is another program: that takes this process over, once all that
-/// the verb holds has been cleared away.
+/// Thrown by a verb whose last step is another program: it replaces this process once everything
+/// that the verb holds has been cleaned up.
 struct HandOver {
   Words command;
-  std::filesystem::path folder = {};  ///< where it starts, if not here
+  std::filesystem::path folder = {};  ///< where it starts; empty: the current folder
 };
 
-/// From now on Ctrl-C reaches the programs that we run and leaves us to clear away; so do SIGTERM
-/// and SIGHUP, which end us then. One that the caller has us ignore stays ignored.
+/// From now on Ctrl-C reaches the programs that we run but leaves us alive to clean up; SIGTERM and
+/// SIGHUP are passed on to them and end us afterwards. Signals that the caller ignores stay
+/// ignored.
 void outlive_signals();
 
 /// Whether Ctrl-C was pressed.
 bool interrupted();
 
-/// Runs a program to its end. Returns its exit code, 128 + its number after a signal.
+/// Runs a program to its end. Returns its exit code, or 128 + the signal's number if a signal ended
+/// it.
 int run(const Words& command, const ProgramStart& how = {});
 
-/// The same, with nothing that it says shown.
+/// The same without showing its output.
 int run_silently(const Words& command);
 
-/// The same; what it says, on whichever stream, goes behind `said`.
+/// The same; appends its output, stdout and stderr, to `said`.
 int run_gathering(const Words& command, const ProgramStart& how, std::string& said);
 
-/// The same; `said` gets each line.
+/// The same; calls `said` for each line of output.
 int run_listening(const Words& command, const ProgramStart& how,
                   const std::function<void(const std::string& line)>& said);
 
 /// Whether a program of that name is in PATH.
 bool is_installed(const std::string& program);
 
-/// A folder below BUILD/run for this process, gone at its end: for copies of the programs that it
-/// runs, and for what it writes about them.
+/// A folder below BUILD/run for this process, removed at its end: for copies of the programs that
+/// it runs and for what it writes about them.
 class OwnFolder {
  public:
   explicit OwnFolder(const std::filesystem::path& build);

@@ -21,7 +21,7 @@ struct SlidesWishes {
   bool help = false;
 };
 
-/// Whether it is 4, 04 or 4a.
+/// Whether `word` names a deck: 4, 04 or 4a.
 bool is_deck(const std::string& word) {
   const bool letter = !word.empty() && word.back() >= 'a' && word.back() <= 'z';
   return is_number(letter ? word.substr(0, word.size() - 1) : word, 2);
@@ -53,7 +53,7 @@ std::string text_of(const fs::path& file) {
   return fs::exists(file) ? read_file(file) : "";
 }
 
-/// Into build/slides, as package-lock.json says.
+/// Installs Marp into build/slides, in the versions of package-lock.json.
 void install_marp(const fs::path& root) {
   const fs::path folder = root / "build/slides", lock = root / "slides/package-lock.json",
                  installed = folder / "node_modules/.installed";
@@ -75,7 +75,7 @@ void install_marp(const fs::path& root) {
   write_file(installed, wanted);
 }
 
-/// What the decks' figures are drawn by.
+/// Returns the programs that draw the decks' figures.
 Words programs_of(const Words& tool, const std::string& bin, const SlidesWishes& wishes) {
   Words command = tool;
   std::istringstream names(output_of((command += {"programs", bin, wishes.mode}) += wishes.decks));

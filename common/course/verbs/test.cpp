@@ -13,11 +13,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What was asked for.
+/// What the command line asks for.
 struct TestWishes {
   std::vector<LabFolder> labs;
-  Words exercises;  ///< as they were typed
-  Words options;    ///< the judge's
+  Words exercises;  ///< as typed
+  Words options;    ///< for the judge
   std::string page_option = "--failure-page", page;
 };
 
@@ -25,7 +25,7 @@ std::string count_of(const Words& exercises) {
   return std::to_string(exercises.size());
 }
 
-/// Judges, and has the verdicts noted for ./carlo status, unless the files were edited while they
+/// Judges a lab and saves the verdicts for ./carlo status, unless the files were edited while they
 /// were compiled.
 bool judge(Course& course, const LabFolder& lab, const Words& options) {
   Building& building = course.building;
@@ -42,7 +42,7 @@ bool judge(Course& course, const LabFolder& lab, const Words& options) {
   throw Leave{130};
 }
 
-/// The judge's options for one page of that name.
+/// Returns the judge's options for one page with that name.
 Words with_page(const TestWishes& wishes, const std::string& name) {
   Words options =
       list_of({wishes.page_option,
@@ -82,14 +82,14 @@ bool test_labs(Course& course, const TestWishes& wishes) {
   return all;
 }
 
-/// As many as `nproc` says, where it is.
+/// The number of processors that `nproc` reports, if it is installed.
 std::string processors() {
   if (!is_installed("nproc")) return std::to_string(::sysconf(_SC_NPROCESSORS_ONLN));
   const std::string said = output_of({"nproc"});
   return said.substr(0, said.find('\n'));
 }
 
-/// All tests of the suite, or those about the one lab that was named.
+/// Runs all tests of the suite, or those of the one lab that was named.
 [[noreturn]] void test_suite(Course& course, TestWishes wishes, Words options) {
   if (!wishes.exercises.empty())
     fail({"--solutions is for a lab or for everything, got exercise ", wishes.exercises[0]});
@@ -115,7 +115,7 @@ std::string processors() {
   throw HandOver{{course.building.program("hard_cases")}};
 }
 
-/// The word at words[i], and those that belong to it.
+/// Takes words[i] and its values.
 void take(Course& course, TestWishes& wishes, const Words& words, std::size_t& i) {
   const std::string& word = words[i];
   if (word == "--verbose") {

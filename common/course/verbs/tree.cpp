@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The names in a folder, in order; none where there is no such folder.
+/// Returns the names in a folder, in order; none if the folder does not exist.
 Words names_in(const fs::path& folder) {
   Words names;
   std::error_code ec;
@@ -30,7 +30,7 @@ int count(const std::string& text, const std::string& part) {
   return found;
 }
 
-/// Whether it is 1 or 1.2, with at most two digits each.
+/// Whether `typed` is a lab or an exercise, such as 1 or 1.2, with at most two digits each.
 bool is_exercise_number(const std::string& typed) {
   const std::size_t point = typed.find('.');
   return is_number(typed.substr(0, point), 2) &&

@@ -17,37 +17,39 @@ struct LabFolder {
   std::string program(const char* what = "") const { return joined({"lab", digits(), what}); }
 };
 
-/// An exercise as it is typed: 1.2.
+/// An exercise as typed: 1.2.
 struct ExerciseNumber {
   LabFolder lab;
   std::string text;
 };
 
-/// The tree in which ./carlo stands.
+/// The tree that ./carlo lies in.
 struct Tree {
   std::filesystem::path root;
 
-  /// Holds all solutions, so the whole suite. A student's tree has at most those of earlier labs.
+  /// Whether it holds all solutions, and so is the whole suite. A student's tree has at most those
+  /// of earlier labs.
   bool has_solutions() const;
-  /// Throws Error, which says that this is a student's tree and `without` what, unless it has them.
+  /// Throws Error, which says that a student's tree comes without `without`, unless it has the
+  /// solutions.
   void needs_solutions(const std::string& without) const;
 
-  /// All labs of the course in order: folders NN_name of labs/ with a lab.json.
+  /// Returns all labs of the course in order: folders NN_name of labs/ with a lab.json.
   std::vector<LabFolder> labs() const;
-  /// The lab that is meant by 7, 07, 07_hemisphere or labs/07_hemisphere/hemisphere.cpp. Throws
-  /// Error that says which there are.
+  /// Finds the lab for 7, 07, 07_hemisphere or labs/07_hemisphere/hemisphere.cpp. Throws Error that
+  /// lists the available labs.
   LabFolder lab(const std::string& typed) const;
   std::filesystem::path lab_json(const LabFolder& lab) const;
-  /// The text of all that a student writes in a lab.
+  /// Returns the text of all files that a student writes in a lab.
   std::string own_text(const LabFolder& lab) const;
-  /// The exercise that is meant by 1.2 or "Lab 1.2". Throws Error that says which there are.
+  /// Finds the exercise for 1.2 or "Lab 1.2". Throws Error that lists the available exercises.
   ExerciseNumber exercise(const std::string& typed) const;
 
-  /// The text about a verb in common/course/verbs.txt.
+  /// Returns the help for a verb from common/course/verbs.txt.
   std::string help(const std::string& verb) const;
   void print_help(const std::string& verb) const;
 
-  /// Installs what these groups of packages lack (common/course/setup.sh). Throws Leave.
+  /// Installs the missing packages of these groups (common/course/setup.sh). Throws Leave.
   void need(const Words& groups) const;
 };
 

@@ -6,14 +6,14 @@
 #include <string_view>
 #include <vector>
 
-// Texts and command lines put together from parts. Everybody's first verdict waits until this
-// program is compiled: a call for all parts is compiled in half of the time that their sums take.
+// Texts and command lines built from parts. Everybody's first verdict waits for this program to
+// compile: one call with all parts compiles in half the time of adding strings.
 
 namespace carlo::verbs {
 
 using Words = std::vector<std::string>;
 
-/// A piece of text that lives as long as the call that it is for.
+/// A piece of text, valid for the duration of the call that takes it.
 class Part {
  public:
   Part(const char* text) : text_(text) {}
@@ -26,16 +26,16 @@ class Part {
 };
 using Parts = std::initializer_list<Part>;
 
-/// The parts one behind the other, and as words.
+/// Concatenate the parts to a text, or make each one a word.
 std::string joined(Parts parts);
 Words list_of(Parts parts);
 
 Words& operator+=(Words& words, Parts more);
 Words& operator+=(Words& words, const Words& more);
 std::string joined(const Words& words, const char* between);
-Words behind(const Words& words, std::size_t first);  ///< from words[first] on
+Words behind(const Words& words, std::size_t first);  ///< the words from `first` on
 
-/// Prints to stderr.
+/// Prints the parts to stderr.
 void say(Parts parts);
 /// Throws Error with that message.
 [[noreturn]] void fail(Parts parts);
@@ -44,7 +44,7 @@ bool is_one_of(const std::string& word, Parts words);
 bool is_one_of(const std::string& word, const Words& words);
 bool asks_for_help(const std::string& word);
 bool starts_with(const std::string& word, const char* start);
-/// Whether a word has digits alone, from 1 to `most` of them.
+/// Whether a word consists of 1 to `most` digits.
 bool is_number(const std::string& word, std::size_t most);
 int as_number(const std::string& digits);
 
