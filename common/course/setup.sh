@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# setup.sh [--dry-run] GROUP...: installs what is missing of these groups of packages by apt, as root, else
-# with sudo after asking; with --dry-run prints the commands instead. ./carlo setup calls it, and each verb.
+# setup.sh [--dry-run] GROUP...: installs the missing packages of these groups by apt, as root, or else with
+# sudo after asking; with --dry-run prints the commands instead. Called by ./carlo setup and by each verb.
 set -euo pipefail
 
-# The groups. A package is not missed where its program is there, wherever that comes from. Embree is version
-# 3 in Debian 12 and Ubuntu 22.04, else 4: the build takes both. What other systems call these packages is
-# said in labs/README.md.
+# Packages by group. A package is not needed if its program (third column) is there, from whatever source.
+# Embree is version 3 in Debian 12 and Ubuntu 22.04, otherwise 4: the build accepts both. labs/README.md lists
+# the names of these packages on other systems.
 package_table='
 build     g++
 build     cmake
@@ -65,7 +65,7 @@ as_root() {
   fi
 }
 
-# may_install PACKAGE...: root's yes, or the user's at a terminal.
+# may_install PACKAGE...: succeeds for root, or if the user agrees at a terminal.
 may_install() {
   local answer=n
   if [ "$(id -u)" = 0 ] || [ -n "$dry_run" ]; then return; fi
@@ -78,7 +78,8 @@ may_install() {
   esac
 }
 
-# wanted_packages GROUP...: those of the groups, in lines, without those whose program is there.
+# wanted_packages GROUP...: prints the packages of the groups, one per line, except those whose program is
+# there.
 wanted_packages() {
   local group package program
   while read -r group package program; do
@@ -88,14 +89,14 @@ wanted_packages() {
   done <<<"$package_table"
 }
 
-# The package, and its version, of each of these that is installed. Asked once for all: each question
-# reads the list of everything on the machine.
+# Prints those of these packages that are installed, with their versions. Called once for all packages,
+# because each query reads the list of all packages on the machine.
 installed_versions() {
   dpkg-query -W -f='${db:Status-Status} ${Package} ${Version}\n' "$@" 2>/dev/null | sed -n 's/^installed //p' || true
 }
 
-# is_there PACKAGE VERSION: Catch2 must be version 3: Debian 12 has it in its backports only; on Ubuntu 22.04,
-# which has version 2, it may have been installed from its sources.
+# is_there PACKAGE VERSION: succeeds if the package is installed. Catch2 must be version 3: Debian 12 has it
+# only in its backports; on Ubuntu 22.04, which has version 2, it may have been installed from source.
 is_there() {
   if [ "$1" != libcatch2-dev ]; then
     [ -n "$2" ]
@@ -105,7 +106,7 @@ is_there() {
     { [ -n "$2" ] && dpkg --compare-versions "$2" ge 3; }
 }
 
-# missing_of PACKAGE...: those of them that are not there, in lines.
+# missing_of PACKAGE...: prints those that are not installed, one per line.
 missing_of() {
   local package there
   there=$'\n'$(installed_versions "$@")$'\n'
@@ -116,7 +117,7 @@ missing_of() {
   done
 }
 
-# The mirror that this machine already uses.
+# Prints the mirror that this machine already uses.
 debian_mirror() {
   local mirror
   mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 2>/dev/null |
@@ -140,7 +141,7 @@ add_backports() {
   as_root apt-get -qq update
 }
 
-# install WORD...: by apt, with these words behind its own.
+# install WORD...: runs apt-get with these arguments.
 install() {
   as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -y --no-install-recommends "$@"
 }

@@ -4,12 +4,12 @@
 
 namespace carlo {
 
-/// A render's samples, as they are handed out: in blocks (film.h) of tiles (driver.h). They are
-/// counted pass by pass: number p * tiles + t is the p-th block of each pixel of tile t.
+/// The samples of a render, handed out in blocks (film.h) of tiles (driver.h). Blocks are numbered
+/// pass by pass: number p * tiles + t is the p-th block of each pixel of tile t.
 struct BlockGrid {
   int width = 0, height = 0;
-  std::uint32_t block = 1;   ///< samples of a pixel
-  std::uint32_t passes = 0;  ///< blocks of a pixel
+  std::uint32_t block = 1;   ///< samples per pixel
+  std::uint32_t passes = 0;  ///< blocks per pixel
 
   int columns() const;  ///< of tiles
   std::uint64_t tiles() const;
@@ -23,7 +23,7 @@ struct BlockRange {
 
   std::uint64_t count() const { return end - begin; }
   bool contains(std::uint64_t number) const { return begin <= number && number < end; }
-  /// The first pass of which the tile has a block at `begin` or beyond.
+  /// The first pass whose block of this tile has a number of at least `begin`.
   std::uint64_t first_pass(std::uint64_t tile, std::uint64_t tiles) const {
     return begin <= tile ? 0 : (begin - tile + tiles - 1) / tiles;
   }

@@ -20,7 +20,7 @@ constexpr int tile_size = driver_tile_size;
 
 class Job {
  public:
-  /// Goes on from what `result` holds.
+  /// Continues from what `result` holds.
   Job(const Integrator& integrator, RenderResult& result, const RenderOptions& options)
       : integrator_(integrator),
         result_(result),
@@ -32,7 +32,7 @@ class Job {
         earlier_seconds_(result.seconds),
         progress_("rendering", options.progress) {}
 
-  /// Passes of one block in every pixel until the samples or the time are used up.
+  /// Renders passes of one block in every pixel until the samples or the time are used up.
   void run() {
     const std::size_t pixels =
         static_cast<std::size_t>(film_.width()) * static_cast<std::size_t>(film_.height());
@@ -62,19 +62,19 @@ class Job {
   int corner_x(int tile) const { return tile % columns_ * tile_size; }
   int corner_y(int tile) const { return tile / columns_ * tile_size; }
 
-  /// The pass of a tile that comes next. Tiles may differ by one, after an interruption.
+  /// The next pass of a tile. Tiles may differ by one after an interruption.
   std::uint64_t next_pass(int tile) const {
     return share_.first_pass(static_cast<std::uint64_t>(tile), tiles()) +
            film_.blocks(corner_x(tile), corner_y(tile));
   }
 
-  /// Whether a tile's block is of this share and not an earlier render's.
+  /// Whether a tile's block belongs to this share and no earlier render has it.
   bool lacks(int tile, std::uint64_t pass) const {
     return next_pass(tile) <= pass &&
            share_.contains(pass * tiles() + static_cast<std::uint64_t>(tile));
   }
 
-  /// The first that is not finished; `passes` if all are.
+  /// The first unfinished pass; `passes` if all are finished.
   std::uint32_t first_pass(std::uint32_t passes) {
     std::uint64_t first = passes;
     for (int tile = 0; tile < columns_ * rows_; ++tile) {
@@ -85,20 +85,20 @@ class Job {
     return static_cast<std::uint32_t>(first);
   }
 
-  /// Fills in what follows from the rest.
+  /// Fills in the results that follow from the others.
   void settle() {
     result_.seconds = earlier_seconds_ + clock_.seconds();
     result_.counts.lamp_ties = result_.lamp_ties.value() / static_cast<double>(tiles());
   }
 
-  /// Lets the caller keep what is there, now and then.
+  /// Passes the current result to the checkpoint callback if it is due.
   void save() {
     if (!options_.checkpoint || clock_.seconds() - last_save_ < options_.checkpoint_seconds) return;
     options_.checkpoint(result_);
     last_save_ = clock_.seconds();
   }
 
-  /// With a time limit every pixel still gets two blocks, or there would be no error estimate.
+  /// With a time limit every pixel still gets two blocks; with fewer there is no error estimate.
   bool stopped(std::uint32_t pass) const {
     return interrupt_noted() ||
            (options_.seconds && pass >= 2 && clock_.seconds() >= *options_.seconds);
@@ -126,7 +126,8 @@ class Job {
         film_.add_block(x, y, means[i]);
       }
     }
-    // A pass that is rendered in several goes traces its paths from lamps in each: once they count.
+    // A pass that is rendered in several runs traces its paths from lamps in each; they are counted
+    // once, with tile 0.
     if (number == 0) counts += lamps.counts();
     finish_tile(counts, lamps.counts().lamp_ties);
   }
@@ -142,7 +143,7 @@ class Job {
   }
 
   const Integrator& integrator_;
-  RenderResult& result_;  ///< but for the film, written under the mutex
+  RenderResult& result_;  ///< all but the film is written under the mutex
   Film& film_;
   const RenderOptions& options_;
   int columns_, rows_;

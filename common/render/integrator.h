@@ -11,39 +11,39 @@
 
 namespace carlo {
 
-/// A rectangle of pixels, [x0, x1) x [y0, y1), and which samples of each to take. The streams of a
+/// A rectangle of pixels, [x0, x1) x [y0, y1), and the samples of each to take. The streams of a
 /// pixel are sequences of samples that are independent of each other.
 struct Tile {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   std::uint32_t first_sample = 0;
   std::uint32_t samples = 0;
   std::uint32_t stream = 0;
-  /// Of the paths from lamps that go with the samples (Integrator::lamp_paths) as many are traced.
+  /// The share of the paths from lamps belonging to the samples (Integrator::lamp_paths) that is
+  /// traced.
   double lamp_share = 1;
 };
 
-/// Some of a stream's paths from lamps.
+/// A range of a stream's paths from lamps.
 struct LampPaths {
   std::uint64_t first = 0, count = 0;
   std::uint32_t stream = 0;
-  double share = 1;  ///< Tile::lamp_share of the samples that they go with
+  double share = 1;  ///< Tile::lamp_share of the samples that they belong to
 };
 
-/// The seed of one of the streams of samples that an integrator with this seed has; of stream 0 it
-/// is the seed itself.
+/// The seed of a stream of samples of an integrator with this seed; for stream 0 the seed itself.
 constexpr std::uint64_t stream_seed(std::uint64_t seed, std::uint32_t stream) {
   return stream == 0 ? seed : hash(seed, stream);
 }
 
 struct Counts {
   std::uint64_t paths = 0;
-  std::uint64_t rays = 0;  ///< of all kinds, shadow rays among them; 0 where nobody counts them
-  std::uint64_t lamp_paths = 0;  ///< from lamps, beside those
-  std::uint64_t cut = 0;         ///< paths that were ended for their length alone
-  std::uint64_t bad = 0;  ///< samples that were NaN, infinite or negative; they count as black
-  /// By how much paths from lamps that reach several pixels tie these together: over all such
-  /// paths, the sum of the covariances of the image's pixels over the squared share that was
-  /// traced, in squared luminances of the image's mean.
+  std::uint64_t rays = 0;        ///< of all kinds, including shadow rays; 0 if not counted
+  std::uint64_t lamp_paths = 0;  ///< from lamps, not included in `paths`
+  std::uint64_t cut = 0;         ///< paths ended only because of their length
+  std::uint64_t bad = 0;  ///< samples that were NaN, infinite or negative, and so count as black
+  /// The covariances of the image's pixels caused by paths from lamps that reach several pixels,
+  /// summed over all these paths and divided by the squared share that was traced; in squared
+  /// luminances of the image's mean.
   double lamp_ties = 0;
 
   Counts& operator+=(const Counts& other) {
@@ -59,7 +59,7 @@ struct Counts {
 
 class Splats;
 
-/// Sums samples in order, in double; what is not a radiance is counted and left out.
+/// Sums samples in order, in double; counts and leaves out samples that are no radiance.
 class BlockSum {
  public:
   void add(const Rgb& sample, Counts& counts) {
@@ -81,40 +81,40 @@ class BlockSum {
   std::array<double, 3> sum_{};
 };
 
-/// Whether Ctrl-C asked the running render to end. A path that may be very long looks now and then;
-/// what it returns then is thrown away.
+/// Whether Ctrl-C asked the running render to end. A path that may be very long checks it now and
+/// then; its result is then discarded.
 bool render_interrupted();
 
-/// Estimates the radiance of pixels. What a sample is worth depends on (seed, stream, pixel, sample
+/// Estimates the radiance of pixels. A sample's value depends on (seed, stream, pixel, sample
 /// index) alone, so the driver may ask for tiles in any order and from any thread.
 class Integrator {
  public:
   virtual ~Integrator() = default;
 
-  /// What is printed as the kernel that was chosen.
+  /// The name of the chosen kernel, for the report.
   virtual std::string name() const = 0;
 
-  /// The time that it took to decide how to render; it counts as the render's.
+  /// The seconds it took to decide how to render; they count as rendering time.
   virtual double seconds_spent() const { return 0; }
 
-  /// The least chance with which a path asks a light that can reach its vertex (light_asks.h); 1
-  /// where there is nothing to choose.
+  /// The least probability with which a path asks a light that can reach its vertex (light_asks.h);
+  /// 1 if there is no choice.
   virtual double least_light_chance() const { return 1; }
 
-  /// What an image of `pixels` needs besides its tiles: the number of paths from lamps for each
-  /// sample of a pixel; 0 if light is found from the camera alone.
+  /// The number of paths from lamps that an image needs for each sample of a pixel, besides its
+  /// tiles; 0 if all light is found from the camera.
   virtual std::uint32_t lamp_paths() const { return 0; }
 
-  /// Such paths, by their numbers among the stream's: `lamp_paths() * pixels` for each sample, or
-  /// the first of these. A
-  /// splat is a radiance times how many of them there are. Of lamp_ties it counts the products of
-  /// each two splats of a path, both ways round, in squared luminances of splats.
+  /// Traces paths from lamps, by their numbers in the stream: each sample of an image of `pixels`
+  /// has `lamp_paths() * pixels` of them; if only a share is traced, the first ones. A splat is a
+  /// radiance times the number of traced paths. Adds to lamp_ties the products of every two splats
+  /// of a path, in both orders, in squared luminances of splats.
   virtual void trace_lamps(const LampPaths& /*paths*/, Splats& /*splats*/,
                            Counts& /*counts*/) const {}
-  /// The unit of splats whose sums have room for `paths` of them.
+  /// The unit of splats for which the sums of `paths` paths cannot overflow.
   virtual double splat_unit(std::uint64_t /*paths*/) const { return 1; }
 
-  /// Renders a tile: the mean of the samples of each of its pixels, row by row, into `means`.
+  /// Renders a tile: writes the mean of the samples of each of its pixels into `means`, row by row.
   virtual void render(const Tile& tile, std::span<std::array<double, 3>> means,
                       Counts& counts) const = 0;
 };

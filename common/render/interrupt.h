@@ -2,10 +2,10 @@
 
 namespace carlo {
 
-/// While one is there, Ctrl-C does not end the program but is noted; a second Ctrl-C ends it. So
-/// are SIGTERM and SIGUSR1, by which batch systems say that time is up. They may be nested:
-/// render() has one, and a program that renders several times may have one around them. From one
-/// thread.
+/// While a guard exists, Ctrl-C does not end the program but is noted; a second Ctrl-C ends it.
+/// SIGTERM and SIGUSR1, by which batch systems announce that time is up, are noted as well. Guards
+/// may be nested: render() has one, and a program that renders several times may have one around
+/// them. For use from one thread.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -14,10 +14,10 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 };
 
-/// Whether one of them was noted since the outermost guard came. From any thread.
+/// Whether one of these signals was noted since the outermost guard was made. From any thread.
 bool interrupt_noted();
 
-/// The number of the signal that was noted last; 0 if none was.
+/// The number of the signal noted last; 0 if there was none.
 int interrupt_signal();
 
 }  // namespace carlo

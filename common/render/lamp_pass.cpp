@@ -31,7 +31,7 @@ LampPass::LampPass(const Integrator& integrator, std::size_t pixels, std::uint32
                                *splats_, parts[part]);
       },
       tbb::simple_partitioner{});
-  // In order: one of them is no whole number.
+  // In order, because lamp_ties is not a whole number.
   for (const Counts& part : parts)
     counts_ += part;
   const double per_image = share_ * static_cast<double>(pixels);

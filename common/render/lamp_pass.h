@@ -10,21 +10,21 @@
 
 namespace carlo {
 
-/// What paths from lamps bring to all pixels of an image, beside some samples of each: the share
-/// that Integrator::render() leaves to them. Nothing if there are no such paths.
+/// The contribution of paths from lamps to all pixels of an image, in addition to some samples of
+/// each: the part that Integrator::render() leaves to them. Nothing if there are no such paths.
 class LampPass {
  public:
-  /// Traces the paths that go with these samples of a stream, or about this share of them, above 0
-  /// and at most 1, in the caller's task arena.
+  /// Traces the paths belonging to these samples of a stream, or about the share `share` of them,
+  /// above 0 and at most 1, in the caller's task arena.
   LampPass(const Integrator& integrator, std::size_t pixels, std::uint32_t stream,
            std::uint32_t first_sample, std::uint32_t samples, double share = 1);
 
-  /// For the samples' tiles.
+  /// The share that was traced: Tile::lamp_share of the samples' tiles.
   double share() const { return share_; }
 
   const Counts& counts() const { return counts_; }
 
-  /// Adds it to the mean of a pixel's samples.
+  /// Adds the contribution to the mean of a pixel's samples.
   void add_to(std::array<double, 3>& mean, std::size_t pixel) const {
     if (!splats_) return;
     for (std::size_t c = 0; c < 3; ++c)
@@ -32,7 +32,7 @@ class LampPass {
   }
 
  private:
-  /// Of the luminances of each two pixels.
+  /// The sum of the products of the mean luminances over ordered pairs of different pixels.
   double products_of_means(std::size_t pixels) const;
 
   std::optional<Splats> splats_;

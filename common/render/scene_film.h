@@ -4,7 +4,7 @@
 
 namespace carlo {
 
-/// Changes the film's size as if the scene file had it: the field of view keeps its axis.
+/// Sets the film's size as if the scene file had it: the field of view stays along the same axis.
 void resize(Scene& scene, int width, int height);
 
 }  // namespace carlo

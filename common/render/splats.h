@@ -8,23 +8,23 @@
 
 namespace carlo {
 
-/// What paths from lamps bring to the pixels of an image. Sums of whole numbers: they have the same
-/// bits in whatever order threads add.
+/// The contributions of paths from lamps to the pixels of an image, summed as whole numbers so that
+/// the bits do not depend on the order in which threads add.
 class Splats {
  public:
-  /// Sums of up to 2^63 `unit`.
+  /// Sums hold up to 2^63 `unit`.
   Splats(std::size_t pixels, double unit) : sums_(pixels), unit_(unit) {}
 
   double unit() const { return unit_; }
 
-  /// From any thread. The terms' sum must stay below 2^63.
+  /// Callable from any thread. The sum must stay below 2^63.
   void add(std::size_t pixel, const std::array<std::int64_t, 3>& units) {
     for (std::size_t c = 0; c < 3; ++c) {
       sums_[pixel][c].fetch_add(units[c], std::memory_order_relaxed);
     }
   }
 
-  /// Not while one adds.
+  /// Not while another thread adds.
   double sum(std::size_t pixel, std::size_t channel) const {
     return static_cast<double>(sums_[pixel][channel].load(std::memory_order_relaxed)) * unit_;
   }

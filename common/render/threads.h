@@ -4,8 +4,8 @@
 
 namespace carlo {
 
-/// Does `work` with so many threads (0: one for each core), among which TBB's algorithms share it.
-/// Returns how many there were. Exceptions of the work reach the caller.
+/// Runs `work` in an arena of this many threads (0: one per core), which TBB's algorithms use.
+/// Returns the number of threads. Rethrows exceptions of `work`.
 int on_threads(int threads, const std::function<void()>& work);
 
 }  // namespace carlo

@@ -23,7 +23,7 @@ int hexadecimal_digit(char c) {
   return static_cast<int>(value);
 }
 
-/// The bytes of a line, with its end unless a backslash takes it away.
+/// Returns the bytes of a line, with its newline unless a backslash removes it.
 std::string unescaped(const std::string& line) {
   std::string out;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -110,8 +110,8 @@ class Reader {
 
   std::vector<TableFile> files_;
   std::set<std::string> names_;
-  bool blank_ = false;   ///< The last line was blank, and is the file's if another follows.
-  bool framed_ = false;  ///< The file is a scene that gets its camera here.
+  bool blank_ = false;   ///< The last line was blank: part of the file if another follows.
+  bool framed_ = false;  ///< The file is a scene to which a camera is added.
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // carlo_test_files TABLE... FOLDER: writes the files of tables (file_table.h), or of folders of
-// tables, into a folder, and prints how many mistakes each has that has any.
+// tables, into a folder, and prints the number of mistakes of each file that has any.
 
 #include "file_table.h"
 

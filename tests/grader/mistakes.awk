@@ -1,26 +1,26 @@
 #!/usr/bin/awk -f
-# mistakes.awk list OUTPUT TABLE...      a line for each mistake: its solution, name, table, exercise,
-#                                        diagnosis and "alone", with tabs between them
-# mistakes.awk put OUTPUT TABLE NAME     the solution with one mistake
-# mistakes.awk put_all FOLDER TABLE...   the solutions with each of the mistakes: FOLDER/NAME/FILE
+# mistakes.awk list OUTPUT TABLE...      writes a line for each mistake: its solution, name, table,
+#                                        exercise, diagnosis and "alone", separated by tabs
+# mistakes.awk put OUTPUT TABLE NAME     writes the solution with one mistake
+# mistakes.awk put_all FOLDER TABLE...   writes the solutions with each mistake: FOLDER/NAME/FILE
 #
-# Reads tables of typical mistakes, tests/NN_name/mistakes/*.txt, and of variants that are as right as
-# the solution, tests/NN_name/variants.txt. "-" as OUTPUT is standard output; a file that has the right
-# text already is left alone, so that nothing is built anew. A table:
+# Reads tables of typical mistakes, tests/NN_name/mistakes/*.txt, and of correct variants of the
+# solution, tests/NN_name/variants.txt. "-" as OUTPUT is standard output; a file that already has the
+# right text is not touched, so that nothing is rebuilt. A table:
 #
 #   = solutions/02_pi/pi.cpp
 #
 #   == Lab 2.1 pi_from_float: float-counter, alone
-#   The hits are counted in a float, and no diagnosis may be told beside this one.
+#   The hits are counted in a float, and no diagnosis may be given beside this one.
 #   -  std::int64_t hits = 0;
 #   +  float hits = 0;
 #
 #    double pi(std::int64_t n) {
 #   +  n = std::max(n, 1);
 #
-# "-" stands before an old line, "+" before a new one, a space before one that stays. The old lines of
-# a place, with those that stay, must occur exactly once in the solution; an empty line leads to the
-# next place, further down. A variant has its name alone: "== pi_by_sectors". "#" begins a comment.
+# "-" marks an old line, "+" a new one, a space one that stays. The old lines of a place, with those
+# that stay, must occur exactly once in the solution; an empty line begins the next place, which is
+# further down. A variant has only a name: "== pi_by_sectors". "#" begins a comment.
 
 BEGIN {
   ORS = ""
@@ -41,7 +41,7 @@ function fail(file, line, words) {
   failed = 1
 }
 
-# About a mistake, or one place of it.
+# Reports an error about a mistake, or about one place of it.
 function refuse(i, place, words) {
   fail(table[i], place ? row_of[i, place] : head[i], name[i] ": " words)
 }
@@ -107,7 +107,7 @@ function begin_mistake(line,    expected, words) {
   take_name(count, this_table)
 }
 
-# A name is one mistake's of a lab.
+# A name may be used once per lab.
 function take_name(i, lab) {
   sub(/\/mistakes\/[^\/]*$/, "", lab)
   if ((lab, name[i]) in owner) refuse(i, 0, "the name is taken, " owner[lab, name[i]])
@@ -140,7 +140,7 @@ function end_mistake(    place) {
 
 # Changing ----------------------------------------------------------------------------------------
 
-# The text of a file, each line with the newline before it; "" without one.
+# Returns the text of a file, each line with the newline before it; "" if there is no such file.
 function text_of(file,    line, text) {
   while ((getline line <file) > 0) text = text "\n" line
   close(file)
@@ -152,8 +152,8 @@ function line_at(text, position) {
   return gsub(/\n/, "\n", text)
 }
 
-# Where the old lines of a place begin in the text: at the newline before them. 0 where they do not
-# occur exactly once.
+# Returns where the old lines of a place begin in the text, at the newline before them; 0 if they do
+# not occur exactly once.
 function find_place(i, place, text,    lines, first, second, trouble) {
   lines = "\n" old[i, place]
   first = index(text, lines)
@@ -166,7 +166,7 @@ function find_place(i, place, text,    lines, first, second, trouble) {
   return 0
 }
 
-# The solution with a mistake; "" where it does not fit.
+# Returns the solution with a mistake; "" if the mistake does not fit it.
 function mistaken(i,    text, result, done, place, found) {
   if (!(origin[i] in texts)) texts[origin[i]] = text_of(origin[i]) "\n"
   text = texts[origin[i]]

@@ -22,17 +22,17 @@
 namespace carlo {
 namespace {
 
-/// Decisions are taken for squares of this many pixels a side; work is handed out in squares of up
-/// to `square_size`.
+/// Decisions are taken for squares with sides of this many pixels; work is handed out in squares
+/// with sides of up to `square_size`.
 constexpr int unit_size = adaptive_unit_size, square_size = 16;
-/// A render may be kept (checkpoints) after so many jobs for each thread.
+/// Jobs per thread between possible checkpoints.
 constexpr std::ptrdiff_t jobs_at_once = 64;
-/// Of a half: for lights alone no pixel gets more.
+/// Samples per half; beyond these no pixel waits for unasked lights.
 constexpr double most_for_lights = 1024;
 /// Larger jobs are split, so that all threads have work until the end.
 constexpr std::uint64_t most_paths_a_job = 1u << 20;
 
-/// A square of pixels and a half of theirs, for one round.
+/// The samples of one half in a square of pixels, for one round.
 struct Work {
   int x, y, size;
   std::uint32_t half;
@@ -63,9 +63,9 @@ class AdaptiveJob {
       const std::vector<Work> work = plan();
       if (work.empty()) return;
       for (std::uint32_t half = 0; half < 2; ++half) {
-        if (!render(work, half)) return;  // some pixels may lack the round
+        if (!render(work, half)) return;  // some pixels may miss this round
       }
-      if (options_.share) return;  // others have the rest of it
+      if (options_.share) return;  // the other shares do the rest
       if (state_.level == 0) set_floors(state_);
       decide();
       if (options_.one_round) {
@@ -82,7 +82,8 @@ class AdaptiveJob {
     result.seconds = earlier_seconds_ + clock_.seconds();
     result.threads = tbb::this_task_arena::max_concurrency();
     result.summary = summary_of(result.film);
-    // A round's pixels take about as many paths from lamps as their mean number of samples says.
+    // Each round traces about as many paths from lamps as its mean number of samples per pixel
+    // calls for.
     const double pixels = 1.0 * state_.width * state_.height;
     result.lamp_covariance =
         counts_.lamp_ties / (static_cast<double>(result.film.samples()) * pixels *
@@ -116,7 +117,8 @@ class AdaptiveJob {
     return state_.units[state_.unit_number(x, y)];
   }
 
-  /// Halves that still get samples have those of all rounds before, and with or without this one's.
+  /// Throws Error unless halves that still get samples have those of all earlier rounds, and all or
+  /// none of this round's.
   void check_samples() const {
     const double before = levels_.begin(state_.level), after = levels_.end(state_.level);
     for (int y = 0; y < state_.height; ++y) {
@@ -133,7 +135,7 @@ class AdaptiveJob {
     }
   }
 
-  /// Lets the caller keep what is there, now and then.
+  /// Passes the current result to the checkpoint callback if it is due.
   void save() {
     if (!options_.checkpoint || clock_.seconds() - last_save_ < options_.checkpoint_seconds) return;
     options_.checkpoint(result());
@@ -149,10 +151,10 @@ class AdaptiveJob {
     return !options_.share || number % options_.share->count == options_.share->index - 1;
   }
 
-  /// A half's work of a round; whether it was finished.
+  /// Renders one half's work of a round; returns whether it was finished.
   bool render(const std::vector<Work>& work, std::uint32_t half) {
     std::vector<Work> left;
-    std::uint32_t number = 0;  // of the half's jobs
+    std::uint32_t number = 0;  // among the half's jobs
     for (const Work& w : work) {
       if (w.half == half && ours(number++) && !done(w)) left.push_back(w);
     }
@@ -162,7 +164,8 @@ class AdaptiveJob {
     for (auto begin = left.begin(); begin < left.end();) {
       const auto end = begin + std::min<std::ptrdiff_t>(batch, left.end() - begin);
       tbb::parallel_for_each(begin, end, [&](const Work& w) { render(w, lamps); });
-      // Counted with the last of the half's work: what goes on from a copy traces them again.
+      // Counted with the last of the half's work, because a render that continues from a copy
+      // traces them again.
       if (ours(0) &&
           std::all_of(left.begin(), left.end(), [&](const Work& w) { return done(w); })) {
         for (const LampPass& pass : lamps)
@@ -175,14 +178,14 @@ class AdaptiveJob {
     return true;
   }
 
-  /// Whether it has this round's samples, perhaps from an earlier render.
+  /// Whether the square has this round's samples, perhaps from an earlier render.
   bool done(const Work& work) const {
     const GroupedMean& seen = state_.halves[work.half][state_.pixel(work.x, work.y)].seen();
     return seen.samples() > levels_.begin(state_.level);
   }
 
-  /// What comes to all pixels from the lamps, for each block of a round: as many paths as start at
-  /// the camera, about, or a few pixels' last rounds would cost as much as the whole image's.
+  /// Traces the paths from lamps for each block of a round: about as many as camera paths, or the
+  /// last rounds of a few pixels would cost as much as those of the whole image.
   std::vector<LampPass> trace_lamps(std::uint32_t half) const {
     std::vector<LampPass> passes;
     for (std::uint32_t b = 0; b < HalfPixel::blocks; ++b)
@@ -191,7 +194,7 @@ class AdaptiveJob {
     return passes;
   }
 
-  /// The samples of a block of this round, and the first of block b.
+  /// The number of samples in a block of this round; below, the first sample of block b.
   std::uint32_t block() const {
     const std::uint32_t samples = levels_.end(state_.level) - levels_.begin(state_.level);
     return samples / static_cast<std::uint32_t>(HalfPixel::blocks);
@@ -209,7 +212,7 @@ class AdaptiveJob {
     return work;
   }
 
-  /// Adds the active pixels of a square, in squares as large as can be.
+  /// Adds the active pixels of a square, in squares as large as possible.
   void plan_square(int x, int y, int size, std::vector<Work>& work) const {
     const int x1 = std::min(x + size, state_.width), y1 = std::min(y + size, state_.height);
     if (x >= x1 || y >= y1) return;
@@ -277,7 +280,7 @@ class AdaptiveJob {
     return expected_asks(integrator_.least_light_chance(), samples, state_.width, state_.height);
   }
 
-  /// What the round decides, once the lights have been asked.
+  /// Takes the decisions of the round if the lights have been asked often enough.
   void decide() {
     const double n = levels_.end(state_.level), paths = static_cast<double>(counts_.paths);
     if (n < most_for_lights && asks(n) < enough_asks) {

@@ -11,74 +11,73 @@
 
 namespace carlo {
 
-/// When an adaptive render is done.
+/// When an adaptive render is finished.
 struct AdaptiveGoal {
   double target = 0.01;           ///< relative error of a pixel, at 95 % confidence
-  std::uint32_t spp = 1u << 16;   ///< no pixel gets more samples
-  std::optional<double> seconds;  ///< stop after this time, with 64 samples in every pixel
+  std::uint32_t spp = 1u << 16;   ///< limit of samples per pixel
+  std::optional<double> seconds;  ///< time limit; every pixel still gets 64 samples
 };
 
-/// What an adaptive render tells of itself besides its film.
+/// What an adaptive render reports besides its film.
 struct AdaptiveSummary {
   double target = 0;
-  double floor = 0;   ///< luminance: errors of darker pixels are relative to this
+  double floor = 0;   ///< luminance; errors of darker pixels are relative to it
   double within = 0;  ///< expected fraction of the pixels whose error is within the target
-  double capped = 0;  ///< fraction of the pixels that were ended by spp, seconds or Ctrl-C
-  std::uint64_t least = 0, median = 0, most = 0;  ///< samples of a pixel
-  double asks = 0;                                ///< light_asks.h, where the samples are fewest
-  double decided_only = 0;  ///< fraction of the samples that served decisions, not the image
+  double capped = 0;  ///< fraction of the pixels that were cut off by spp, seconds or Ctrl-C
+  std::uint64_t least = 0, median = 0, most = 0;  ///< samples per pixel
+  double asks = 0;          ///< expected_asks() (light_asks.h) where samples are fewest
+  double decided_only = 0;  ///< fraction of the samples used only for decisions, not for the image
 };
 
 /// The film holds estimates, standard errors and numbers of samples.
 struct AdaptiveResult : RenderResult {
   AdaptiveSummary summary;
-  std::shared_ptr<const AdaptiveState> state;  ///< to go on from
+  std::shared_ptr<const AdaptiveState> state;  ///< to continue from
 };
 
 struct AdaptiveOptions {
-  int threads = 0;  ///< 0: one for each core
+  int threads = 0;  ///< 0: one per core
   bool progress = true;
-  /// What an earlier one with the same integrator and target came to, to go on from: the bits are
-  /// those of one that was never interrupted.
+  /// The result of an earlier render with the same integrator and target, to continue from: the
+  /// bits are those of a render that was never interrupted.
   const EarlierAdaptive* earlier = nullptr;
-  /// Called with what is there when this many seconds have gone by, while nothing else runs.
+  /// Called with the current result every `checkpoint_seconds`, while no other thread works.
   std::function<void(const AdaptiveResult&)> checkpoint = {};
   double checkpoint_seconds = 60;
-  /// Of the next round this share of the jobs alone, and no decision (adaptive_state.h). Paths
-  /// from lamps are traced whole by each share, and counted by the first.
+  /// Does only this share of the next round's jobs, and takes no decision (adaptive_state.h). Every
+  /// share traces all paths from lamps; only the first counts them.
   std::optional<Shard> share = {};
-  /// The next round alone, and what it decides.
+  /// Does only the next round, including its decisions.
   bool one_round = false;
 };
 
 /// Renders so that each pixel's luminance is within `goal.target` of the truth, relatively, with 95
-/// % confidence. For pixels darker than 1 % of the image's mean, that 1 % takes their place in the
-/// quotient.
+/// % confidence. The errors of pixels darker than 1 % of the image's mean are relative to that 1 %.
 ///
-/// Samples that also decide when to stop are biased: a pixel whose bright paths have not come yet
-/// looks dark and finished. So each pixel has two halves of independent streams, and the one
-/// decides for the other: half A's estimate is its mean over the first n samples, where n is a
-/// function of half B's samples alone, and the other way round. Both estimates are exactly
-/// unbiased, their standard errors too, and so is the image, (A + B) / 2. Where the halves disagree
-/// both are sampled until both decisions have fallen, and what the estimates leave out is lost
+/// Samples that also decide when to stop are biased: a pixel whose bright paths have not been found
+/// yet looks dark and finished. So each pixel has two halves with independent streams, each of
+/// which decides for the other: half A's estimate is its mean over the first n samples, where n is
+/// a function of half B's samples alone, and vice versa. Both estimates and their standard errors
+/// are exactly unbiased, and so is the image, (A + B) / 2. Where the halves disagree, both are
+/// sampled until both decisions have been taken, and samples that the estimates leave out are lost
 /// (`decided_only`).
 ///
-/// Decisions are taken for blocks of 4 x 4 pixels, after 32, 48, 64, 96, 128 ... samples a half
-/// (aligned powers of two are what Sobol' points want): 16 pixels tell their variance more surely
-/// than one, and a rare bright path in one keeps all going. A block is done when its pixels' errors
-/// are within the target on average (root mean square), would be with the noise of the blocks
-/// around it, too, and the worst estimate is at most 3 times the target. The neighbours are what
-/// finds most of the bright paths that a block has not met; and none is done before each light has
-/// been asked ten times there (light_asks.h), unless that takes more than 1024 samples a half: then
-/// the summary tells.
+/// Decisions are taken for blocks of 4 x 4 pixels, after 32, 48, 64, 96, 128 ... samples per half
+/// (Sobol' points need aligned powers of two): 16 pixels show their variance more reliably than
+/// one, and a rare bright path in one keeps all of them sampled. A block is finished when the
+/// errors of its pixels are within the target on average (root mean square), would be so with the
+/// noise of the surrounding blocks as well, and the worst estimate is at most 3 times the target.
+/// The neighbours find most of the bright paths that a block has missed. No block is finished
+/// before each light has been asked ten times around it (light_asks.h), unless that takes more than
+/// 1024 samples per half; the summary then shows it.
 ///
-/// The film's bits do not depend on the number of threads. Throws Error
-/// if the target is not a finite number above 0, spp is below 32, or the earlier render does not
-/// fit the film, or its samples the rounds.
+/// The film's bits do not depend on the number of threads. Throws Error if the target is not a
+/// finite number above 0, if spp is below 32, or if the earlier render does not fit the film or its
+/// samples do not fit the rounds.
 AdaptiveResult render_adaptively(const Integrator& integrator, int width, int height,
                                  const AdaptiveGoal& goal, const AdaptiveOptions& options = {});
 
-/// The planned number of samples that suits the stratified sampler in an adaptive render.
+/// The planned number of samples per pixel that suits the stratified sampler in an adaptive render.
 constexpr std::uint32_t adaptive_strata = 32;
 
 }  // namespace carlo

@@ -13,7 +13,7 @@ namespace {
 constexpr int unit_size = adaptive_unit_size;
 /// 95 % of normal errors are within this many standard errors.
 constexpr double confidence = 1.96;
-/// The worst pixel of a unit may be this much above the unit's root mean square error.
+/// The worst pixel's error may be this many times the allowed root mean square error of its unit.
 constexpr double worst_excess = 3;
 constexpr double floor_fraction = 0.01;
 
@@ -28,7 +28,7 @@ void for_each_pixel(const AdaptiveState& state, std::size_t unit, Visit visit) {
   }
 }
 
-/// The squared relative errors that the image would have if both halves were as this one.
+/// The squared relative errors of the image if both halves were like this one.
 struct SquaredErrors {
   double mean = 0, worst = 0;
 };
@@ -48,7 +48,7 @@ SquaredErrors errors(const AdaptiveState& state, std::size_t unit, std::size_t h
   return result;
 }
 
-/// The mean noise of a unit and the eight around it, as one half's samples show it.
+/// The mean noise of a unit and its eight neighbours, from one half's samples.
 double noise_around(const AdaptiveState& state, std::size_t unit, std::size_t half) {
   const int column = static_cast<int>(unit) % state.columns,
             row = static_cast<int>(unit) / state.columns;
@@ -63,7 +63,7 @@ double noise_around(const AdaptiveState& state, std::size_t unit, std::size_t ha
   return sum / count;
 }
 
-/// An estimate of the samples that a unit lacks, for the progress bar.
+/// Estimates how many more samples a unit needs, for the progress bar.
 double still_missing(double n, double most, double excess) {
   return unit_size * unit_size * (std::clamp(n * excess, 1.5 * n, std::fmax(most, 1.5 * n)) - n);
 }

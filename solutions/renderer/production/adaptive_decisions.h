@@ -4,20 +4,22 @@
 
 #include <cstddef>
 
-// What an adaptive render makes of its samples: when is a pixel done? (adaptive.h)
+// How an adaptive render decides when a pixel is finished (adaptive.h).
 
 namespace carlo {
 
-/// The luminance below which errors are relative to it: 1 % of the image's mean, as the halves
-/// [begin, end) see it.
+/// Returns the luminance below which errors are relative to it instead of the pixel: 1 % of the
+/// image's mean, estimated from the halves [begin, end).
 double adaptive_floor(const AdaptiveState& state, std::size_t begin, std::size_t end);
 
-/// From the first round, each half for itself: else the halves would not be independent.
+/// Sets the floors from the first round: each half's from its own samples, or the halves would not
+/// be independent.
 void set_floors(AdaptiveState& state);
 
-/// After a round: each half of each active unit looks whether the other is finished. Only what the
-/// same half of other units saw before their decisions counts besides, so that decisions stay
-/// functions of that half's samples alone. Returns about how many samples are missing still.
+/// Takes the decisions after a round: each half of each active unit decides whether the other is
+/// finished. It may use only what the same half of other units saw before their decisions, so that
+/// decisions remain functions of that half's samples alone. Returns the approximate number of
+/// samples still missing.
 double decide_round(AdaptiveState& state, double target, const Levels& levels);
 
 }  // namespace carlo

@@ -12,8 +12,8 @@
 namespace carlo {
 namespace {
 
-/// What is kept of a pixel's half as doubles: three sums for each channel, the luminance and what
-/// was seen, and the noise of its unit.
+/// The values kept of a pixel's half, as doubles: three sums for each channel, the luminance and
+/// `seen`, and the noise of its unit.
 constexpr std::array<const char*, 5> means = {"R", "G", "B", "Y", "seen"};
 constexpr std::array<const char*, 3> sums = {"sum", "squares", "samples"};
 constexpr std::size_t doubles = means.size() * sums.size() + 1;
@@ -55,7 +55,7 @@ std::array<double, doubles> to_doubles(const HalfPixel& pixel, double noise) {
   return values;
 }
 
-/// A double is exact to so many samples; a film counts them in 64 bits.
+/// A double counts samples exactly up to this; a film counts them in 64 bits.
 constexpr double most_samples = 0x1p53;
 
 HalfPixel from_doubles(const std::array<double, doubles>& values, bool finished) {
@@ -126,7 +126,7 @@ void read_half(const ExrFile& file, std::size_t half, AdaptiveState& state) {
       state.halves[half][pixel] = from_doubles(values, finished[pixel] != 0);
       AdaptiveState::Unit& unit = state.units[state.unit_number(x, y)];
       unit.noise[half] = values.back();
-      unit.fell[1 - half] = finished[pixel] != 0;  // each decides for the other
+      unit.fell[1 - half] = finished[pixel] != 0;  // each half decides for the other
     }
   }
 }

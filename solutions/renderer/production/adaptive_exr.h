@@ -8,13 +8,13 @@
 
 namespace carlo {
 
-/// The channels that hold an adaptive render's state, bit by bit: a double is two of them.
+/// Returns the channels that hold an adaptive render's state bit by bit: two for each double.
 std::vector<std::string> adaptive_channels();
 
-/// Adds those channels, and what does not belong to a pixel as attributes.
+/// Adds these channels, and everything that does not belong to a pixel as attributes.
 void add_adaptive_state(ExrFile& file, const AdaptiveState& state);
 
-/// What add_adaptive_state() added. Throws Error if anything is missing or no number.
+/// Reads back what add_adaptive_state() added. Throws Error if anything is missing or not a number.
 AdaptiveState adaptive_state_of(const ExrFile& file);
 
 }  // namespace carlo

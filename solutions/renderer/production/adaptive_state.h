@@ -14,15 +14,15 @@
 
 namespace carlo {
 
-/// Pixels a side of the squares for which an adaptive render decides (adaptive.h).
+/// Side, in pixels, of the squares for which an adaptive render decides (adaptive.h).
 constexpr int adaptive_unit_size = 4;
 
-/// All that an adaptive render knows, between any two of its jobs: what goes on from a copy ends
-/// with the same bits.
+/// The whole state of an adaptive render between any two of its jobs: a render that continues from
+/// a copy ends with the same bits.
 struct AdaptiveState {
   struct Unit {
-    std::array<bool, 2> fell{};  ///< whether the decision that a half takes has fallen
-    /// Squared relative error times samples, as a half saw it when it last looked.
+    std::array<bool, 2> fell{};  ///< whether the decision of each half has been taken
+    /// Squared relative error times samples, as each half saw it at its last decision.
     std::array<double, 2> noise{};
     bool active() const { return !(fell[0] && fell[1]); }
   };
@@ -33,8 +33,8 @@ struct AdaptiveState {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(x);
   }
-  /// The share of the units, of one at least, whose decision by this half has not fallen: how much
-  /// there is left to sample, as this half alone knows it.
+  /// The fraction of the units, at least one unit, for which this half's decision is still open:
+  /// how much is left to sample, as this half alone knows it.
   double undecided(std::size_t half) const;
 
   std::size_t unit_number(int x, int y) const {
@@ -42,7 +42,7 @@ struct AdaptiveState {
            static_cast<std::size_t>(x / adaptive_unit_size);
   }
 
-  /// The image, its standard errors and numbers of samples.
+  /// Returns the image, its standard errors and numbers of samples.
   Film film() const;
 
   int width, height;
@@ -50,14 +50,14 @@ struct AdaptiveState {
   std::vector<Unit> units;
   std::array<std::vector<HalfPixel>, 2> halves;
   std::array<double, 2>
-      floors{};  ///< the luminance of each half below which errors are relative to it
-  /// The round that comes next. Where it was cut short some of its jobs are done; the number of
-  /// samples that a half has seen tells which.
+      floors{};  ///< per half: the luminance below which errors are relative to it
+  /// The next round. If it was cut short, some of its jobs are done; the number of samples that a
+  /// half has seen shows which.
   int level = 0;
-  double expected_paths = 0;  ///< in the end, for the progress bar
+  double expected_paths = 0;  ///< at the end, for the progress bar
 };
 
-/// Such a state, and what it cost.
+/// Such a state and its cost so far.
 struct EarlierAdaptive {
   AdaptiveState state;
   Counts counts = {};
@@ -68,16 +68,16 @@ struct AdaptiveEstimate {
   double mean, variance;
 };
 
-/// Of a pixel's channel R, G, B or luminance (3): (A + B) / 2, with weights that no sample has a
-/// say in; after an interruption the half that is.
+/// Returns the estimate of a pixel's channel R, G, B or luminance (3): (A + B) / 2, with weights
+/// that do not depend on the samples; after an interruption, the half that exists.
 AdaptiveEstimate adaptive_estimate(const HalfPixel& a, const HalfPixel& b, std::size_t channel);
 
-/// The mean over the pixels of the probability that a normal error is within `target`, relative to
-/// the pixel's luminance, or to `floor` where it is darker.
+/// Returns the mean over the pixels of the probability that a normal error is within `target`,
+/// relative to the pixel's luminance, or to `floor` if that is larger.
 double expected_within(const AdaptiveState& state, double target, double floor);
 
-/// The samples of a half after a number of rounds: n, 3/2 n, 2 n, 3 n, 4 n ... The samples of each
-/// round are aligned runs of a power of two, which Sobol' points fill evenly.
+/// The number of samples in a half after each round: n, 3/2 n, 2 n, 3 n, 4 n ... The samples of
+/// each round are aligned runs of a power of two, which Sobol' points fill evenly.
 class Levels {
  public:
   explicit Levels(std::uint32_t spp) {
@@ -100,19 +100,19 @@ class Levels {
   int count_ = 0;
 };
 
-// A round of an adaptive render that several share. Each goes on from the same state with a share
-// of the round's jobs (AdaptiveOptions::share); what they add is put together, and the decisions
-// behind the round are those of one that did all of it, bit for bit: a pixel's half gets its
-// samples of a round in one job.
+// Rounds of an adaptive render that are shared out. Each share continues from the same state with
+// its part of the round's jobs (AdaptiveOptions::share); the parts are then put together. The
+// decisions after the round are, bit for bit, those of a render that did all jobs itself: each half
+// of a pixel gets its samples of a round in one job.
 
-/// What a state has that `base`, from which it went on, has not; empty pixels elsewhere.
+/// Returns what `state` has beyond `base`, from which it continued; other pixels are empty.
 AdaptiveState round_part(const AdaptiveState& state, const AdaptiveState& base);
 
-/// Puts a round's part into the state that it went on from. Throws Error if it went on from
+/// Adds a round's part to the state that it continued from. Throws Error if it continued from
 /// another.
 void add_round_part(AdaptiveState& base, const AdaptiveState& part);
 
-/// Whether no pixel wants another sample, or none may have one: `spp` is the limit.
+/// Whether no pixel needs another sample, or `spp` allows no more.
 bool all_rounds_done(const AdaptiveState& state, std::uint32_t spp);
 
 }  // namespace carlo

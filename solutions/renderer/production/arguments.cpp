@@ -8,7 +8,7 @@
 
 namespace carlo {
 
-/// Samples a pixel at most with --target-error.
+/// The limit of samples per pixel with --target-error.
 static constexpr int default_cap = 1 << 16;
 
 void add_production_options(CommandLine& app, ProductionArguments& a) {

@@ -7,7 +7,8 @@
 
 namespace carlo {
 
-/// The reference renderer's command line: `render`, and how long, in shares or on a cluster.
+/// The reference renderer's command line: that of `render`, with target errors, resuming, shares
+/// and clusters.
 struct ProductionArguments : RenderArguments {
   std::optional<double> target_error;
   std::string resume;
@@ -17,16 +18,16 @@ struct ProductionArguments : RenderArguments {
   bool slurm = false, no_wait = false;
   std::optional<int> tasks;
   std::string time, partition;
-  std::string slurm_task, slurm_merge;  ///< folders; for jobs alone
+  std::string slurm_task, slurm_merge;  ///< folders; set by jobs only
 };
 
-/// Those of `render` among them.
+/// Adds all options, including those of `render`.
 void add_production_options(CommandLine& app, ProductionArguments& a);
 
-/// Refuses what does not go together. Throws Error.
+/// Rejects options that do not go together. Throws Error.
 void check(const ProductionArguments& a);
 
-/// Changes the scene as the options say. Throws Error.
+/// Changes the scene according to the options. Throws Error.
 void apply(const ProductionArguments& a, Scene& scene);
 
 }  // namespace carlo

@@ -51,7 +51,8 @@ std::uint64_t BlockSet::count_in(const BlockRange& range) const {
 }
 
 std::vector<std::uint32_t> BlockSet::of_tiles(std::uint64_t tiles) const {
-  // By how much a tile has more than the one before: unsigned, so that less is more.
+  // How many blocks a tile has beyond the tile before it: unsigned, so that a negative difference
+  // wraps around.
   std::vector<std::uint32_t> counts(tiles + 1);
   for (const BlockRange& range : ranges_) {
     const std::uint64_t first = range.begin % tiles, end = first + range.count() % tiles;
@@ -113,7 +114,7 @@ BlockRange share_of(const Shard& shard, const BlockGrid& grid, bool lamps) {
 
 BlockSet blocks_done(const Film& film, const BlockRange& share) {
   const std::uint64_t tiles = BlockGrid{film.width(), film.height()}.tiles();
-  std::vector<std::uint64_t> next;  ///< of each tile, the pass that comes next
+  std::vector<std::uint64_t> next;  ///< the next pass of each tile
   for (int y = 0; y < film.height(); y += driver_tile_size) {
     for (int x = 0; x < film.width(); x += driver_tile_size)
       next.push_back(share.first_pass(next.size(), tiles) + film.blocks(x, y));

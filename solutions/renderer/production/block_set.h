@@ -11,26 +11,27 @@
 
 namespace carlo {
 
-/// Any set of blocks.
+/// A set of blocks.
 class BlockSet {
  public:
   BlockSet() = default;
-  /// Disjoint ranges in any order, empty ones among them.
+  /// Disjoint ranges in any order; some may be empty.
   explicit BlockSet(std::vector<BlockRange> ranges);
 
-  /// In order; between each two there is a gap.
+  /// In order, with a gap between each two.
   const std::vector<BlockRange>& ranges() const { return ranges_; }
   std::uint64_t count() const;
-  /// One past the last.
+  /// One past the last block.
   std::uint64_t end() const { return ranges_.empty() ? 0 : ranges_.back().end; }
-  /// What lacks of all blocks below `end`.
+  /// Returns the blocks below `end` that are not in the set.
   BlockSet missing(std::uint64_t end) const;
-  /// How many of them are in a range.
+  /// The number of its blocks in a range.
   std::uint64_t count_in(const BlockRange& range) const;
-  /// How many blocks each tile has.
+  /// The number of its blocks for each tile.
   std::vector<std::uint32_t> of_tiles(std::uint64_t tiles) const;
 
-  /// "0-1024 2048-2050"; nothing if a text is not what text() writes.
+  /// Formats the set as "0-1024 2048-2050"; from_text() returns nothing for any text that text()
+  /// does not write.
   std::string text() const;
   static std::optional<BlockSet> from_text(std::string_view text);
 
@@ -48,19 +49,20 @@ struct Shard {
   friend bool operator==(const Shard&, const Shard&) = default;
 };
 
-/// Shares at most.
+/// The largest number of shares.
 constexpr std::uint32_t most_shards = 1 << 20;
 
-/// From "3/64". Throws Error.
+/// Parses "3/64". Throws Error.
 Shard shard_of(const std::string& text);
 
-/// Its blocks: as many as those of other shards, or one more. Where paths from lamps are traced for
-/// all tiles of a pass at once, a share is of whole passes if there are enough: a pass that several
-/// shards have is traced by each.
+/// Returns the blocks of a shard: equally many for all shards, give or take one. If paths from
+/// lamps are traced for all tiles of a pass at once, shares consist of whole passes as long as
+/// there are enough, because a pass split between shards is traced by each of them.
 BlockRange share_of(const Shard& shard, const BlockGrid& grid, bool lamps);
 
-/// Which of a share's blocks a film holds, of a render of just these. A tile's blocks are rendered
-/// in order; tiles differ by one after an interruption. Throws Error if they differ by more.
+/// Returns the blocks of a share that a film holds, rendered from this share alone. A tile's blocks
+/// are rendered in order; tiles differ by one after an interruption. Throws Error if they differ by
+/// more.
 BlockSet blocks_done(const Film& film, const BlockRange& share);
 
 }  // namespace carlo

@@ -23,7 +23,7 @@ std::string definitions_text(const std::vector<std::string>& definitions) {
 }
 
 std::vector<std::string> definitions_of(const std::string& text, const std::string& place) {
-  // Renders from before this was an object have the list alone.
+  // Older renders have the list alone.
   const bool bare = text.starts_with('[');
   return from_json_text<Definitions>(bare ? fmt::format("{{\"definitions\": {}}}", text) : text,
                                      place)

@@ -5,10 +5,10 @@
 
 namespace carlo {
 
-/// What was given by -D, as one setting.
+/// Formats the arguments of -D as one setting.
 std::string definitions_text(const std::vector<std::string>& definitions);
 
-/// The list again. Throws Error that begins with `place` if the text is none.
+/// Parses that text again. Throws Error that begins with `place` if it is not such a text.
 std::vector<std::string> definitions_of(const std::string& text, const std::string& place);
 
 }  // namespace carlo

@@ -13,9 +13,9 @@
 
 namespace carlo {
 
-/// Tells contents that a disk or a network has spoilt: a change within eight bytes is always found,
-/// others but once in 2^64 times. Nobody is kept from making two that are alike. What is taken in
-/// piece by piece must be so again.
+/// A digest that detects contents spoilt by a disk or a network: a change within one word of eight
+/// bytes always, others except once in 2^64 times. It does not protect against collisions made on
+/// purpose. Depends on how the content is split into calls of add().
 class Digest {
  public:
   void add(std::string_view bytes) { add_bytes(bytes.data(), bytes.size()); }
@@ -43,7 +43,7 @@ class Digest {
     add_word(size);
   }
 
-  /// One to one in the word and in the value, so that what differs once does so to the end.
+  /// Bijective in the word and in the value, so that a difference stays to the end.
   void add_word(std::uint64_t word) { value_ = mix(value_ ^ word); }
 
   std::uint64_t value_ = 0;

@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint32_t magic = 20000630;
 constexpr std::string_view our_prefix = "carlo:";
 
-/// Little-endian, as all of OpenEXR.
+/// Reads a little-endian word, as everywhere in OpenEXR.
 std::uint32_t read_word(std::istream& in) {
   std::uint32_t word = 0;
   for (int shift = 0; shift < 32; shift += 8)
@@ -24,7 +24,7 @@ std::uint32_t read_word(std::istream& in) {
   return word;
 }
 
-/// Left, top, right and bottom, all within.
+/// Reads left, top, right and bottom, all inclusive.
 void read_window(std::istream& in, ExrAttributes& attributes) {
   std::array<std::int64_t, 4> ends{};
   for (std::int64_t& end : ends)

@@ -6,13 +6,13 @@
 
 namespace carlo {
 
-/// What the first bytes of an EXR file of ours tell (image/exr.h).
+/// The header of an EXR file written by us (image/exr.h).
 struct ExrAttributes {
   int width = 0, height = 0;
-  std::map<std::string, std::string> values = {};  ///< of those that begin with "carlo:"
+  std::map<std::string, std::string> values = {};  ///< attributes that begin with "carlo:"
 };
 
-/// Throws Error, which names the file, if it is no EXR or ends within them.
+/// Throws Error, which names the file, if it is no EXR or ends within the header.
 ExrAttributes read_exr_attributes(const std::filesystem::path& path);
 
 }  // namespace carlo

@@ -8,13 +8,13 @@
 
 namespace carlo {
 
-/// The mean of some numbers that come in groups, each group in a few blocks of equal size; the
-/// variance of the mean comes from the spread of the blocks within each group. Groups may differ in
-/// size, so the blocks can grow with the number of samples: scrambled Sobol' points need that,
-/// whose error falls faster than one over the root of the block's size.
+/// The mean of numbers that come in groups, each group in a few blocks of equal size; the variance
+/// of the mean follows from the spread of the blocks within each group. Groups may differ in size,
+/// so that blocks can grow with the number of samples. Scrambled Sobol' points need that: their
+/// error falls faster than one over the square root of the block's size.
 class GroupedMean {
  public:
-  /// All that it holds: the sum of the samples, that of the groups' squared deviations, and the
+  /// The whole state: the sum of the samples, the sum of the groups' squared deviations, and the
   /// number of samples.
   struct Sums {
     double sum = 0, squares = 0, samples = 0;
@@ -25,8 +25,8 @@ class GroupedMean {
       : sum_(sums.sum), variance_(sums.squares), n_(sums.samples) {}
   Sums sums() const { return {sum_, variance_, n_}; }
 
-  /// Adds a group of block means of `samples` samples each; two blocks at least. A group must be
-  /// independent of the ones before, or negatively correlated, which makes variance() an upper
+  /// Adds a group of at least two block means of `samples` samples each. A group must be
+  /// independent of the earlier ones, or negatively correlated, which makes variance() an upper
   /// bound.
   void add(std::span<const double> blocks, double samples) {
     const auto count = static_cast<double>(blocks.size());
@@ -54,15 +54,15 @@ class GroupedMean {
   double sum_ = 0, variance_ = 0, n_ = 0;
 };
 
-/// One half of an adaptively sampled pixel. What its samples show decides when the other half is
-/// finished, never when itself is: so neither the estimate nor its standard error is biased by the
-/// stopping (adaptive.h).
+/// One half of an adaptively sampled pixel. Its samples decide when the other half is finished,
+/// never when it is finished itself, so stopping biases neither the estimate nor its standard error
+/// (adaptive.h).
 class HalfPixel {
  public:
-  static constexpr std::size_t blocks = 8;  ///< in each group
+  static constexpr std::size_t blocks = 8;  ///< per group
 
   HalfPixel() = default;
-  /// As another one that has these, to go on from it.
+  /// Restores a half with this state, to continue from it.
   HalfPixel(const std::array<GroupedMean, 4>& estimate, const GroupedMean& seen, bool finished)
       : estimate_(estimate), seen_(seen), finished_(finished) {}
 
@@ -83,13 +83,13 @@ class HalfPixel {
     }
   }
 
-  /// From now on samples go into seen() only.
+  /// From now on samples are added to seen() only.
   void finish() { finished_ = true; }
   bool finished() const { return finished_; }
 
-  /// Of channel R, G, B, or the luminance (3).
+  /// The estimate of channel R, G, B, or the luminance (3).
   const GroupedMean& estimate(std::size_t channel) const { return estimate_[channel]; }
-  /// The luminance of all samples, those after finish() among them.
+  /// The luminance of all samples, including those after finish().
   const GroupedMean& seen() const { return seen_; }
 
  private:

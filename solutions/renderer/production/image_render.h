@@ -14,7 +14,7 @@
 
 namespace carlo {
 
-/// A scene as a command line wants it, and what is to render it.
+/// A scene as the command line asks for it, and the integrator to render it with.
 struct RenderTask {
   Scene scene;
   std::uint64_t seed = 1;
@@ -24,15 +24,15 @@ struct RenderTask {
   RenderSettings settings = {};
 };
 
-/// Renders a task, or the rest of it, to an image and its report.
+/// Renders a task, or the rest of it, and writes its image and report.
 class ImageRender {
  public:
   /// Throws Error if a file cannot be written.
   ImageRender(const ProductionArguments& arguments, const RenderTask& task,
               const std::string& command);
 
-  /// Up to a number of samples or for some time, from `start` on if there is one. Returns the exit
-  /// code; throws Error.
+  /// Renders up to a number of samples or for some time, continuing from `start` if there is one.
+  /// Returns the exit code; throws Error.
   int run(const RenderResult* start) const;
   /// The same with a target error.
   int run(const EarlierAdaptive* start) const;

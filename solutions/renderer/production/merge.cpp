@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The least of two texts: the same in any order.
+/// Keeps the lesser of two texts, so that the order of the parts does not matter.
 void take_least(std::string& text, const std::string& other) {
   text = std::min(text, other);
 }

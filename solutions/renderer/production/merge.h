@@ -14,28 +14,28 @@ namespace carlo {
 
 class StateFile;
 
-/// Parts of one render, each block of samples in at most one of them. What comes of them has the
-/// same bits in whatever order they are given and however they were merged before; where no block
-/// is missing, those of the render that was never shared out.
+/// Parts of one render, each block of samples in at most one of them. The result has the same bits
+/// in whatever order they are given and however they were merged before; if no block is missing,
+/// those of the render that was never shared out.
 class Merge {
  public:
-  /// Reads what the parts tell of themselves. Throws Error, which says which part is wrong and why:
-  /// no part, cut short or spoilt, one of another render, or of samples that another one holds.
+  /// Reads the headers of the parts. Throws Error that names the wrong part and the reason: not a
+  /// part, cut short or spoilt, of another render, or with samples that another part holds.
   explicit Merge(const std::vector<std::filesystem::path>& paths);
 
-  // Of all parts together.
+  // For all parts together.
   const RenderSettings& settings() const { return settings_; }
   const BlockGrid& grid() const { return grid_; }
   const Part& part() const { return part_; }
   const std::string& scene() const { return scene_; }
   bool complete() const { return part_.blocks.count() == grid_.blocks(); }
-  /// Of all samples, how much is there.
+  /// The fraction of all samples that is present.
   double share() const;
-  /// What is missing: "12.5 % of the samples (shards 3/8)".
+  /// Describes what is missing: "12.5 % of the samples (shards 3/8)".
   std::string missing() const;
 
-  /// Adds the parts' sums, one part after the other. Throws Error if some are spoilt, or another
-  /// file has taken a part's place.
+  /// Adds the parts' sums, one part after the other. Throws Error if some are spoilt, or if another
+  /// file has replaced a part.
   RenderResult run(const std::function<void(double)>& progress = {}) const;
 
  private:

@@ -25,7 +25,8 @@ static RenderReport report_of(const Merge& merge, const RenderResult& result) {
   return report;
 }
 
-/// A render goes on from its first samples only: what lacks some is a part, still.
+/// A render can only be continued if it has all its first samples, so an incomplete merge remains a
+/// part.
 static ResumableOutputs outputs_of(const Merge& merge, const MergeOutput& how) {
   RenderSettings settings = merge.settings();
   std::optional<Part> part;

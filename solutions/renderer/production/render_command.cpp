@@ -25,17 +25,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of --slurm.
+/// The default for --slurm.
 constexpr int default_tasks = 16;
 
 struct Command {
   ProductionArguments a;
   const ProductionFactory& factory;
-  std::string text;                ///< as the reader can give it again
-  std::vector<std::string> words;  ///< as the program got it
+  std::string text;                ///< as the reader can type it again
+  std::vector<std::string> words;  ///< as the program received it
 };
 
-/// `planned` and `lamps` where they were decided before.
+/// `planned` and `lamps` are set if they were decided before.
 RenderTask task_of(const Command& command, std::optional<std::uint32_t> planned = {},
                    std::optional<bool> lamps = {}) {
   const ProductionArguments& a = command.a;
@@ -100,12 +100,12 @@ int run_shard(const Command& command) {
   return render_shard(task.scene, *task.integrator, share_of(command, task, shard));
 }
 
-/// Where the image of a render on a cluster goes.
+/// Returns the folder of a render on a cluster, beside its image.
 SlurmFolder folder_of(const ProductionArguments& a) {
   return SlurmFolder::beside(output_stem(a.output, a.scene));
 }
 
-/// Whether paths from lamps are traced, as was decided when the render was begun.
+/// Whether paths from lamps are traced, as decided when the render was begun.
 std::optional<bool> lamps_of(const SlurmFolder& folder) {
   const auto plan = folder.plan();
   return plan ? std::optional(plan->lamps) : std::nullopt;
@@ -136,7 +136,7 @@ int run_submission(const Command& command) {
 }
 
 int run_task_of_cluster(const Command& command) {
-  // A job that is told to end has its checkpoint to write, whatever it is at.
+  // A job that is told to end must write its checkpoint, whatever it is doing.
   const InterruptGuard guard;
   const SlurmFolder folder(command.a.slurm_task);
   const RenderTask task = task_of(command, {}, lamps_of(folder));

@@ -17,9 +17,8 @@ class CommandLine;
 using ProductionFactory = std::function<std::unique_ptr<Integrator>(
     const Scene& scene, std::uint64_t seed, std::uint32_t spp, std::optional<bool> lamps)>;
 
-/// The command `render` of the reference renderer: as render_app() (course/render), and with a
-/// target error, from an earlier render on, in shares, and on a cluster. Returns the exit code;
-/// throws Error.
+/// The command `render` of the reference renderer: like render_app() (course/render), with target
+/// errors, resuming, shares and clusters. Returns the exit code; throws Error.
 int render_command(int argc, char** argv, const ProductionFactory& factory,
                    const std::function<void(CommandLine&)>& add_options);
 

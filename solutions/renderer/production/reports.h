@@ -5,13 +5,13 @@
 
 #include <cstdint>
 
-// What a report tells besides of renders that stop by themselves, and of merged ones.
+// Additions to the reports of renders with a target error and of merged ones.
 
 namespace carlo {
 
 void tell_target(RenderReport& report, const AdaptiveSummary& summary);
 
-/// `share`: of all samples, how much is there.
+/// `share`: the fraction of all samples that is present.
 void tell_parts(RenderReport& report, std::uint64_t parts, double share);
 
 }  // namespace carlo

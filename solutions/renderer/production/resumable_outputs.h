@@ -12,25 +12,24 @@
 
 namespace carlo {
 
-/// Writes the files of a render, and of a render under way: with the sums in its EXR, to go on
-/// from.
+/// Writes the files of a finished or running render, with the sums in its EXR to continue from.
 class ResumableOutputs {
  public:
-  /// Throws Error if any of them cannot be written. Without `sums` the EXR is smaller, and nothing
-  /// to go on from; `part` where it is one of a render that is to be merged further.
+  /// Throws Error if any of the files cannot be written. Without `sums` the EXR is smaller but
+  /// cannot be continued from. `part` is set if the render is a part that is to be merged further.
   ResumableOutputs(std::filesystem::path stem, RenderSettings settings, bool sums,
                    std::optional<Part> part = {});
 
   const std::filesystem::path& stem() const { return stem_; }
 
-  /// All that goes on needs: the image and how long it took.
+  /// Writes only what is needed to continue: the image and the time spent.
   void checkpoint(const RenderResult& result, const RenderReport& report) const;
   void checkpoint(const AdaptiveResult& result, const RenderReport& report) const;
 
   void write(const RenderResult& result, const RenderReport& report) const;
   void write(const AdaptiveResult& result, const RenderReport& report) const;
 
-  /// What write() writes, for people.
+  /// Lists the files that write() writes, for the reader.
   std::string names(const RenderResult&) const;
   std::string names(const AdaptiveResult&) const;
 

@@ -10,7 +10,7 @@ namespace carlo {
 
 namespace fs = std::filesystem;
 
-/// A render goes on as it began: with its target, or without one.
+/// A render continues as it began: with its target, or without one.
 static void take_over_target(ProductionArguments& a, const StateFile& earlier) {
   const std::optional<double> target = earlier.target_error();
   if (!target) {

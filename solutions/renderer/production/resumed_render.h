@@ -8,19 +8,19 @@
 #include <cstdint>
 #include <optional>
 
-// Going on with an earlier render: `render --resume`.
+// Continuing an earlier render: `render --resume`.
 
 namespace carlo {
 
-/// What the command line leaves open is as in the earlier render. Throws Error for what a render
-/// cannot go on by.
+/// Takes the settings that the command line leaves open from the earlier render. Throws Error for
+/// options that do not allow to continue it.
 void take_over(ProductionArguments& a, const StateFile& earlier);
 
-/// Throws Error if the bits of a render with these settings are others.
+/// Throws Error if a render with these settings would have other bits.
 void require_same(const StateFile& earlier, const RenderSettings& settings);
 
-/// What to go on from, up to `spp` samples a pixel if they are given. Throws Error where these are
-/// no way to go on.
+/// Returns the result to continue from, up to `spp` samples per pixel if given. Throws Error if
+/// that is impossible.
 RenderResult uniform_start(const StateFile& earlier, std::optional<std::uint32_t> spp);
 
 /// The same with a target error.

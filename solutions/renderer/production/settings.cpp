@@ -20,8 +20,8 @@ struct Compared {
   bool told_by_all;
 };
 
-/// The most telling first: what the digest of a scene depends on comes before it, and what depends
-/// on the scene behind.
+/// The most informative first: settings that the scene's digest depends on come before it, and
+/// those that depend on the scene after it.
 constexpr std::array<Compared, 9> compared = {{{"seed", true},
                                                {"sampler", true},
                                                {"max_depth", true},

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What -o names; by default the scene's name and the share.
+/// Returns the path that -o names; by default it is made of the scene's name and the share.
 fs::path part_path(const ShardRender& render) {
   const fs::path given(render.output);
   const bool named = given.has_filename() && !fs::is_directory(given);
@@ -31,7 +31,7 @@ fs::path part_path(const ShardRender& render) {
       named ? std::string(".exr") : fmt::format(".{}-of-{}.exr", shard.index, shard.count));
 }
 
-/// A share of a render, and how far it is.
+/// A share of a render and its files.
 class Share {
  public:
   Share(const Scene& scene, const Integrator& integrator, const ShardRender& render)
@@ -48,10 +48,10 @@ class Share {
 
   const BlockRange& range() const { return range_; }
 
-  /// What to go on from. Throws Error if it is anything else.
+  /// Returns the result to continue from. Throws Error if the file is anything else.
   RenderResult start_from(const StateFile& file) const;
-  /// Writes it, unless more of the same share is there by now, by another process: of a node, say,
-  /// that was taken for dead.
+  /// Writes the part, unless the file already holds more of the same share, by another process: for
+  /// example of a node that was taken for dead.
   void write(const fs::path& path, const RenderResult& result) const;
   void tell(const fs::path& path, const RenderResult& result) const;
 
@@ -63,7 +63,7 @@ class Share {
   const ShardRender& render_;
   RenderSettings settings_;
   BlockGrid grid_;
-  Part part_;  ///< but for what is rendered of it
+  Part part_;  ///< without what has been rendered
   BlockRange range_;
 };
 

@@ -10,11 +10,11 @@
 
 namespace carlo {
 
-/// A share of a render, into a part.
+/// How to render a share of a render into a part.
 struct ShardRender {
   Shard shard;
-  std::string scene;   ///< its file
-  std::string output;  ///< what -o said
+  std::string scene;   ///< path of its file
+  std::string output;  ///< value of -o
   RenderSettings settings;
   std::uint32_t spp = 0;  ///< of the whole render
   int threads = 0;
@@ -22,8 +22,8 @@ struct ShardRender {
   bool quiet = false;
 };
 
-/// Renders it, or the rest of it where its part is there and a killed run's. Returns the exit code;
-/// throws Error, also if there is a part of anything else.
+/// Renders the share, or the rest of it if a killed run left its part. Returns the exit code;
+/// throws Error, also if the file holds a part of anything else.
 int render_shard(const Scene& scene, const Integrator& integrator, const ShardRender& render);
 
 }  // namespace carlo

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What `done` says: which file is the image, and the report.
+/// The content of `done`: the image's file and the report.
 struct Done {
   std::string image, report;
   std::uint64_t bytes = 0;
@@ -31,7 +31,7 @@ void fields(JsonFields& json, Done& done) {
   json("report", done.report);
 }
 
-/// Of a number that is a file's whole text.
+/// Parses a number that is a file's whole text.
 std::optional<std::uint64_t> number_in(const fs::path& path) {
   if (!fs::exists(path)) return {};
   return number_of<std::uint64_t>(read_file(path));
@@ -102,7 +102,7 @@ void SlurmFolder::next_round(const SlurmPlan& plan) const {
 }
 
 void SlurmFolder::remove_round(const SlurmPlan& plan, int round) const {
-  std::error_code ignored;  // a file too many harms nobody
+  std::error_code ignored;  // a leftover file does no harm
   fs::remove(round_state(round), ignored);
   for (int i = 1; i <= plan.shards; ++i) {
     fs::remove(round_part(round, i), ignored);
@@ -126,7 +126,7 @@ void SlurmFolder::begin(const SlurmPlan& plan) {
   AtomicFile copy(program());
   fs::copy_file("/proc/self/exe", copy.path());
   copy.commit();
-  write(plan);  // last: a plan's folder has all that it needs
+  write(plan);  // last, so that a folder with a plan is complete
 }
 
 void SlurmFolder::write(const SlurmPlan& plan) const {
@@ -138,7 +138,7 @@ std::string SlurmFolder::settle_kernel(const std::string& mine) const {
   if (!fs::exists(file)) {
     const AtomicFile temporary(file);
     write_file(temporary.path(), mine);
-    // A link is made by one alone, also on NFS.
+    // Only one process can make the link, on NFS too.
     std::error_code another_was_first;
     fs::create_hard_link(temporary.path(), file, another_was_first);
   }
@@ -169,7 +169,7 @@ SlurmFolder::State SlurmFolder::look(const SlurmPlan& plan) {
         const StateFile file(part(i));
         if (file.part()) there = file.part()->blocks.count();
       } catch (const Error&) {
-        // Its task says what is wrong, and begins again.
+        // Its task reports the error and begins again.
       }
     }
     finished = there == whole;
@@ -192,7 +192,7 @@ void SlurmFolder::finish(const SlurmPlan& plan, const fs::path& image,
   const Done done{fs::absolute(image).string(), report, fs::file_size(image)};
   write_file(path_ / "done", json_text(done, 1) + "\n");
   remove_round(plan, round());
-  std::error_code ignored;  // a part too many harms nobody
+  std::error_code ignored;  // a leftover part does no harm
   for (int i = 1; i <= plan.shards; ++i)
     fs::remove(part(i), ignored);
 }

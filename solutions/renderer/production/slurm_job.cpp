@@ -22,12 +22,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The number of this job's array.
+/// The id of this job's array.
 std::string own_array() {
   return variable("SLURM_ARRAY_JOB_ID");
 }
 
-/// Whether shards are missing; then they are submitted again, or `code` says that this is in vain.
+/// Whether shards are missing; if so, submits them again, or sets `code` to 1 if the last jobs made
+/// no progress.
 bool goes_on(SlurmFolder& folder, const SlurmPlan& plan, int& code) {
   const SlurmFolder::State state = folder.look(plan);
   if (state.missing.empty()) return false;
@@ -42,8 +43,8 @@ SlurmPlan plan_of(const SlurmFolder& folder) {
   return *plan;
 }
 
-/// The blocks that a part has. One that cannot be gone on with is put aside: so far it took an
-/// hour at most, and a task that failed for it would fail each time.
+/// Returns the number of blocks in a part. A part that cannot be continued is set aside: it holds
+/// an hour of work at most, and a task that failed because of it would fail each time.
 std::uint64_t usable_blocks(const fs::path& path) {
   if (!fs::exists(path)) return 0;
   try {
@@ -58,7 +59,7 @@ std::uint64_t usable_blocks(const fs::path& path) {
   }
 }
 
-/// What the plan says and this node does must be the same thing.
+/// Throws Error unless this node renders exactly what the plan says.
 void require_same(const SlurmFolder& folder, const SlurmPlan& plan, const RenderSettings& mine) {
   RenderSettings planned = plan.settings;
   planned["kernel"] = folder.settle_kernel(mine.at("kernel"));
@@ -109,7 +110,7 @@ int run_slurm_round_merge(SlurmFolder& folder, const Scene& scene, const Integra
                           ShardRender render, const MergeOutput& how) {
   if (folder.done()) return 0;
   const SlurmPlan plan = plan_of(folder);
-  // It renders nothing, so that its own processor has no say.
+  // The merge renders nothing, so its own processor does not matter.
   render.settings["kernel"] = folder.settle_kernel(integrator.name());
   if (int code = 0; goes_on(folder, plan, code)) return code;
   const AdaptiveResult result = merge_round(folder, plan, integrator, render);

@@ -24,15 +24,17 @@ namespace fs = std::filesystem;
 using slurm::FolderLock;
 using Seconds = std::chrono::duration<double>;
 
-/// Before a task's limit, to write its part and be queued again; Slurm's resolution is a minute.
+/// Signals a task before its time limit, so that it can write its part and be queued again; Slurm's
+/// resolution is a minute.
 constexpr const char* time_is_up = "USR1@60";
-/// Who waits asks Slurm this often, in the end, and opens at most so many parts a second.
+/// A waiting process asks Slurm with pauses that grow up to this many seconds, and opens at most so
+/// many parts per second.
 constexpr double longest_pause = 10, parts_a_second = 50;
-/// For so long Slurm may not answer.
+/// This many failed questions to Slurm in a row are an error.
 constexpr int unanswered = 30;
 
 FolderLock lock_of(const fs::path& folder) {
-  // Others have it for as long as a submission takes.
+  // Others hold the lock during a submission.
   for (int tries = 0; tries < 600; ++tries) {
     if (auto lock = FolderLock::take(folder, FolderLock::Use::alone)) return std::move(*lock);
     std::this_thread::sleep_for(Seconds(.1));
@@ -51,8 +53,8 @@ std::vector<std::string> command(const SlurmFolder& folder, const SlurmPlan& pla
   return words;
 }
 
-/// The array's number; nothing if another array of this render is there: it was submitted by one
-/// whose lock does not know ours.
+/// Returns the array's id; nothing if another array of this render exists, submitted by a process
+/// on a machine whose locks do not reach ours.
 std::string submit_tasks(const SlurmFolder& folder, const SlurmPlan& plan,
                          const std::vector<int>& shards) {
   std::string id = slurm::submit({.name = plan.jobs,
@@ -81,7 +83,7 @@ void submit_merge(const SlurmFolder& folder, const SlurmPlan& plan, const std::s
                  .start = plan.start});
 }
 
-/// The last line that a job wrote.
+/// Returns the last line that a job wrote.
 std::string last_line(const fs::path& path) {
   std::ifstream in(path);
   std::string line, last;
@@ -104,7 +106,7 @@ std::string last_line(const fs::path& path) {
               log.string(), last_line(log));
 }
 
-/// Throws Error, unless what was begun is this render.
+/// Throws Error unless the render that was begun is this one.
 void require_same(const SlurmFolder& folder, const SlurmPlan& then, const SlurmRender& now) {
   const auto require = [&](const std::string& name, const std::string& a, const std::string& b) {
     if (a == b) return;
@@ -120,7 +122,8 @@ void require_same(const SlurmFolder& folder, const SlurmPlan& then, const SlurmR
     require("number of tasks", std::to_string(then.shards), std::to_string(now.plan.shards));
 }
 
-/// The plan of the render that was begun, as it is asked for now; begins it where there is none.
+/// Returns the plan of the render that was begun, updated with the new request; begins it if there
+/// is none.
 SlurmPlan settle_plan(SlurmFolder& folder, const SlurmRender& render) {
   const FolderLock lock = lock_of(folder.path());
   SlurmPlan plan = render.plan;
@@ -137,13 +140,13 @@ SlurmPlan settle_plan(SlurmFolder& folder, const SlurmRender& render) {
   return plan;
 }
 
-/// Waits for jobs, and submits again what came to nothing, as long as there is progress.
+/// Waits for the jobs, and submits failed work again as long as there is progress.
 class Waiting {
  public:
   Waiting(SlurmFolder& folder, const SlurmPlan& plan, bool quiet)
       : folder_(folder), plan_(plan), progress_("rendering", !quiet) {}
 
-  /// The report; nothing after Ctrl-C.
+  /// Returns the report; nothing after Ctrl-C.
   std::optional<std::string> run() {
     const InterruptGuard guard;
     while (true) {

@@ -27,7 +27,7 @@ EarlierAdaptive read_round(const fs::path& path, const RenderSettings& settings)
   return {file.adaptive_state(), file.counts(), file.real("seconds")};
 }
 
-/// What all know before the round at work.
+/// The common state before the current round.
 EarlierAdaptive before(const SlurmFolder& folder, const SlurmPlan& plan,
                        const RenderSettings& settings) {
   const int round = folder.round();
@@ -51,7 +51,7 @@ int end_early(int code, bool further) {
   if (interrupt_signal() != SIGUSR1) return code;
   if (!further) throw Error("time was up before anything was finished: --time is too short");
   fmt::print("time is up; queued again\n");
-  std::fflush(stdout);  // Slurm ends what it queues again
+  std::fflush(stdout);  // Slurm ends a job that it queues again
   output_of({"scontrol", "requeue", variable("SLURM_JOB_ID")});
   return 0;
 }
@@ -92,7 +92,7 @@ int render_round_share(const SlurmFolder& folder, const SlurmPlan& plan,
       render_adaptively(integrator, plan.width, plan.height, goal_of(plan, render), options);
   write(result.interrupted ? begun : whole, result);
   if (result.interrupted) return end_early(130, result.counts.paths > mine.counts.paths);
-  std::error_code ignored;  // it goes with its round
+  std::error_code ignored;  // if it remains, it is removed with its round
   fs::remove(begun, ignored);
   return 0;
 }

@@ -7,26 +7,27 @@
 #include <filesystem>
 #include <string>
 
-// Rounds of a render with a target error, by the jobs of a cluster.
+// Rounds of a render with a target error, done by the jobs of a cluster.
 
 namespace carlo {
 
-/// A variable of the environment in which Slurm's jobs run. Throws Error.
+/// Returns a variable of the environment of Slurm's jobs. Throws Error if it is not set.
 std::string variable(const char* name);
 
-/// What a task that was interrupted returns: 0 when its time was up (SIGUSR1) and it is queued
-/// again, `code` after another signal. Throws Error if its time was up and it got no further.
+/// Returns the exit code of an interrupted task: 0 if its time was up (SIGUSR1), after queueing it
+/// again, else `code`. Throws Error if its time was up without progress.
 int end_early(int code, bool further);
 
-/// A share of the round at work, or the rest of it. Returns the exit code; throws Error.
+/// Renders a share of the current round, or the rest of it. Returns the exit code; throws Error.
 int render_round_share(const SlurmFolder& folder, const SlurmPlan& plan,
                        const Integrator& integrator, const ShardRender& render, int shard);
 
-/// All shares of the round at work, and what they decide. Throws Error if one cannot be read.
+/// Puts all shares of the current round together and takes its decisions. Throws Error if one
+/// cannot be read.
 AdaptiveResult merge_round(const SlurmFolder& folder, const SlurmPlan& plan,
                            const Integrator& integrator, const ShardRender& render);
 
-/// Writes a state, or what a share has of it, with the counts and the time of `result`.
+/// Writes a state, or a share's part of it, with the counts and the time of `result`.
 void write_round(const std::filesystem::path& path, const RenderSettings& settings,
                  const AdaptiveState& state, const RenderResult& result);
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* blocks_channel = "sums.blocks";
 
-/// The channel of 32 of the bits of a sum, or of a sum of squares.
+/// The channel of 32 bits of a sum, or of a sum of squares.
 std::string channel_name(bool squares, std::size_t colour, std::size_t word) {
   return fmt::format("sums.{}{}{}", squares ? "squares." : "", "RGB"[colour], word);
 }
@@ -24,7 +24,7 @@ std::string channel_name(bool squares, std::size_t colour, std::size_t word) {
 /// The channels of a sum's words.
 using Channels = std::array<const std::uint32_t*, ExactSum::words_count>;
 
-/// Pixels [first, end), row by row: those that are in the file.
+/// A range of pixels [first, end), row by row: those in the file.
 struct Pixels {
   std::size_t first, end;
 };
@@ -33,8 +33,7 @@ Pixels pixels_of(const ExrFile& file) {
   return {file.image.index(0, file.lines->first), file.image.index(0, file.lines->end)};
 }
 
-/// Leaves out what says nothing: channels that are 0 in all pixels, as the high words of sums of
-/// few blocks are.
+/// Drops channels that are 0 in all pixels, such as the high words of sums of few blocks.
 void leave_out_zeros(ExrFile& file) {
   std::erase_if(file.counts, [](const auto& channel) {
     return channel.first != blocks_channel &&
@@ -45,7 +44,7 @@ void leave_out_zeros(ExrFile& file) {
 
 void add_attributes(ExrFile& file, const RenderSettings& settings, const Counts& counts) {
   for (const auto& [name, value] : settings) {
-    if (name != "film") file.attributes[name] = value;  // the image has its size
+    if (name != "film") file.attributes[name] = value;  // already the size of the image
   }
   file.attributes["paths"] = std::to_string(counts.paths);
   file.attributes["rays"] = std::to_string(counts.rays);
@@ -97,8 +96,8 @@ void add_state(ExrFile& file, const RenderSettings& settings, const AdaptiveStat
 
 void add_part(ExrFile& file, const Part& part) {
   file.attributes["part"] = to_text(part);
-  if (file.standard_error) return;  // of lines without samples it is not 0
-  // The lines that have any samples; one, if none has.
+  if (file.standard_error) return;  // not 0 on lines without samples
+  // Keeps the lines that have samples, or one line if none has.
   const std::vector<std::uint32_t>& blocks = file.counts.at(blocks_channel);
   const auto any = [](std::uint32_t count) { return count > 0; };
   const auto width = file.image.width;

@@ -13,10 +13,11 @@
 #include <string_view>
 #include <vector>
 
-// How an EXR holds the state of a render, to go on from, to merge with others, or both: the
+// How an EXR holds the state of a render, to continue from, to merge with others, or both: the
 // settings and counts as attributes, and the film's sums, which are whole numbers of 128 bits, in
-// channels of 32 bits. No bit is lost: the film goes on as if it had never been away. Channels that
-// are 0 in all pixels are left out. An attribute "digest" tells whether anything has changed since.
+// channels of 32 bits. No bit is lost, so the film continues as if it had never been written.
+// Channels that are 0 in all pixels are left out. An attribute "digest" shows whether anything has
+// changed since.
 
 namespace carlo {
 
@@ -24,32 +25,33 @@ namespace carlo {
 void add_state(ExrFile& file, const RenderSettings& settings, const Film& film,
                const Counts& counts, const ExactSum& lamp_ties = {});
 
-/// The same of an adaptive render.
+/// The same for an adaptive render.
 void add_state(ExrFile& file, const RenderSettings& settings, const AdaptiveState& state,
                const Counts& counts);
 
-/// Adds that the state is a part of a render; lines without samples are left out.
+/// Marks the state as a part of a render; lines without samples are left out.
 void add_part(ExrFile& file, const Part& part);
 
-/// Adds the digest, when all else is there.
+/// Adds the digest, after everything else.
 void seal(ExrFile& file);
 
-/// Seals it and writes it in one step. Throws Error.
+/// Seals the file and writes it in one step. Throws Error.
 void write_state(const std::filesystem::path& path, ExrFile file);
 
-/// The channels of such a film; of any state, those of adaptive ones among them.
+/// The channels of a film; below, of any state, including adaptive ones.
 std::vector<std::string> film_channels();
 std::vector<std::string> state_channels();
 
-/// Of all that a file was read to.
+/// Returns the digest of everything that was read from a file.
 std::string digest_of(const ExrFile& file);
 
-/// Adds the sums of a file, as far as it has channels for them, to a film of its size and block.
+/// Adds the sums in a file, as far as it has channels for them, to a film of the same size and
+/// block size.
 void add_film(const ExrFile& file, Film& film);
 
-/// All that a sum holds: its words, in decimal.
+/// Formats all words of a sum in decimal.
 std::string words_of(const ExactSum& sum);
-/// Nothing if the text is none.
+/// Returns nothing if the text is not such a sum.
 std::optional<ExactSum> sum_of_words(std::string_view text);
 
 }  // namespace carlo

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The driver gives all pixels of a tile as many blocks.
+/// Whether all pixels of each tile have the same number of blocks, as in all films of the driver.
 bool even_tiles(const Film& film) {
   for (int y = 0; y < film.height(); ++y) {
     for (int x = 0; x < film.width(); ++x) {
@@ -32,7 +32,7 @@ bool even_tiles(const Film& film) {
   return true;
 }
 
-/// Of an earlier render's report.
+/// The cost in an earlier render's report.
 struct Spent {
   double seconds = 0;
   std::uint64_t samples = 0;
@@ -66,7 +66,7 @@ StateFile::StateFile(fs::path path) : path_(std::move(path)) {
   require_possible();
 }
 
-/// What it claims must be possible: others rely on it.
+/// Rejects impossible claims, because callers rely on them.
 void StateFile::require_possible() const {
   if (width_ < 1 || height_ < 1 || std::int64_t{width_} * height_ > most_pixels)
     fail("its film is {} x {}", width_, height_);
@@ -128,7 +128,7 @@ ExactSum StateFile::lamp_ties() const {
     if (const auto sum = sum_of_words(text)) return *sum;
     fail("its lamp_tie_sum is '{}', expected the words of a sum", text);
   }
-  // Renders from before it was kept have the rounded sum alone.
+  // Older renders have only the rounded sum.
   ExactSum sum;
   sum.add(counts().lamp_ties * static_cast<double>(BlockGrid{width(), height()}.tiles()));
   return sum;
@@ -141,7 +141,7 @@ double StateFile::seconds(const Film& film) const {
     const auto spent = from_json_text<Spent>(read_file(report), report.string());
     return spent.samples == film.samples() ? spent.seconds : 0;
   } catch (const Error&) {
-    return 0;  // another program's file of that name
+    return 0;  // another program's file with that name
   }
 }
 
@@ -161,7 +161,7 @@ ExrFile StateFile::read() const {
   ExrFile file = read_exr(path_, state_channels());
   if (attributes_.contains("digest") && setting("digest") != digest_of(file))
     fail("it is spoilt, or has become another meanwhile: its digest is another");
-  // What is 0 in all pixels has no channel where a digest tells that none is lost.
+  // Where there is a digest, channels that are 0 in all pixels may be missing.
   const bool sealed = attributes_.contains("digest") && !target_error();
   for (const std::string& name : target_error() ? adaptive_channels() : film_channels()) {
     if (!file.counts.contains(name) && !(sealed && name != film_channels().front()))

@@ -19,11 +19,11 @@
 
 namespace carlo {
 
-/// The state of a render in an EXR (state_exr.h). What is wrong with it is an Error that names the
+/// The state of a render in an EXR (state_exr.h). Every fault in it is an Error that names the
 /// file, in one line.
 class StateFile {
  public:
-  /// Reads what it tells of itself; its sums when they are asked for. Throws Error if it has none.
+  /// Reads the attributes; the sums are read on request. Throws Error if it has none.
   explicit StateFile(std::filesystem::path path);
 
   const std::filesystem::path& path() const { return path_; }
@@ -31,31 +31,32 @@ class StateFile {
   int height() const { return height_; }
 
   RenderSettings settings() const { return settings_among(attributes_); }
-  /// One of them, or of the other attributes.
+  /// Returns a setting or another attribute. Throws Error if it is missing.
   const std::string& setting(const std::string& name) const;
-  /// Of one that is a whole number.
+  /// The same for a whole number.
   std::uint64_t number(const std::string& name) const;
-  /// Of one that is a finite number.
+  /// The same for a finite number.
   double real(const std::string& name) const;
   std::vector<std::string> definitions() const;
-  /// Of an adaptive render.
+  /// Only adaptive renders have one.
   std::optional<double> target_error() const;
   Counts counts() const;
-  /// As in RenderResult, of one without a target error.
+  /// As in RenderResult, for renders without a target error.
   ExactSum lamp_ties() const;
-  /// The seconds that the report beside the image tells; 0 if there is none of the same render.
+  /// Returns the seconds from the report beside the image; 0 if there is no report of the same
+  /// render.
   double seconds(const Film& film) const;
 
-  /// Of a part of a render, not of one that goes on from its first samples.
+  /// Set for a part of a render, not for a render that continues from its first samples.
   const std::optional<Part>& part() const { return part_; }
-  /// Of the whole render that it is a part of.
+  /// The grid of the whole render that it is a part of.
   BlockGrid grid() const;
 
-  /// Adds its sums to a film of its size and block. Throws Error if they are spoilt.
+  /// Adds its sums to a film of the same size and block size. Throws Error if they are spoilt.
   void add_to(Film& film) const;
-  /// Throws Error also if the sums do not belong to the image.
+  /// Throws Error, also if the sums do not belong to the image.
   Film film() const;
-  /// The same of an adaptive render.
+  /// The same for an adaptive render.
   AdaptiveState adaptive_state() const;
 
  private:

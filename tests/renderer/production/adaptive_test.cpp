@@ -15,8 +15,8 @@ namespace {
 
 using namespace carlo;
 
-/// Pixels of mean 1 with spikes: a sample is 1/p with probability p, else 0; on the left half of
-/// the film p is 1/8, on the right 1/2.
+/// Pixels of mean 1 with spikes: a sample is 1/p with probability p, else 0; p is 1/8 on the left
+/// half of the film and 1/2 on the right.
 class Spikes final : public common_test::NoiseIntegrator {
  public:
   explicit Spikes(std::uint64_t seed) : seed_(seed) {}
@@ -41,10 +41,10 @@ AdaptiveResult run(const Spikes& spikes, double target, std::uint32_t spp = 1u <
 }
 
 TEST_CASE("Adaptive sampling biases neither the image nor its standard errors") {
-  // 1000 renders of 64 pixels a side. The sums of errors and of (error^2 - variance) have standard
-  // errors found from the renders themselves; each z fails by chance once in 16 000 (4 sigma).
-  // Power: a bias of .3 % of the mean would show. (One set of samples that decides for itself is
-  // biased by more than 1 % here: the test below.)
+  // 1000 renders of 16 x 8 pixels, judged by halves. The sums of errors and of (error^2 - variance)
+  // have standard errors found from the renders themselves; each z fails by chance once in 16 000
+  // (4 sigma). Power: a bias of .3 % of the mean would show. (A single set of samples that decides
+  // for itself is biased by more than 1 % here: the test below.)
   constexpr int renders = 1000;
   for (const int left : {1, 0}) {
     double sum = 0, squares = 0, excess = 0, excess_squares = 0;
@@ -71,7 +71,7 @@ TEST_CASE("Adaptive sampling biases neither the image nor its standard errors") 
 }
 
 TEST_CASE("Samples that decide for themselves when to stop would be biased") {
-  // The same pixels, sampled until their own estimate is good enough: what halves are for.
+  // The same pixels without halves, sampled until their own estimate is good enough.
   double sum = 0, squares = 0;
   constexpr int pixels = 20000;
   for (int i = 0; i < pixels; ++i) {
@@ -123,13 +123,13 @@ TEST_CASE("The target is met in nine pixels of ten, and noisy pixels get the sam
     }
   }
   CHECK(within / (20 * 128) >= 0.93);
-  // Away from the border variances are 7 and 1; samples come in steps of up to 1.5.
+  // Away from the border the variances are 7 and 1; samples grow in steps of up to 1.5.
   const double ratio = static_cast<double>(left) / static_cast<double>(right);
   CHECK(ratio >= 7 / 1.5);
   CHECK(ratio <= 7 * 1.5);
 }
 
-/// White everywhere, as far as the samples tell that have not asked some light.
+/// White everywhere, as samples look that have not asked some light.
 class Unasked final : public common_test::NoiseIntegrator {
  public:
   explicit Unasked(double chance) : chance_(chance) {}
@@ -145,8 +145,9 @@ class Unasked final : public common_test::NoiseIntegrator {
 };
 
 TEST_CASE("No pixel is done before each light has been asked ten times around it") {
-  // 144 pixels of n samples a half, n = 32, 48, 64 ...: a light of chance 1/1600 has been asked ten
-  // times when n is 128, whatever the noise. One of 1e-9 is too rare to wait for: that is told.
+  // 144 pixels of n samples per half, n = 32, 48, 64 ...: a light of chance 1/1600 has been asked
+  // ten times when n is 128, whatever the noise. One of 1e-9 is too rare to wait for, which the
+  // summary shows.
   const auto finished = [](double chance) {
     return render_adaptively(Unasked(chance), 16, 16, {.01, 1 << 16, {}},
                              {.threads = 1, .progress = false})
@@ -175,7 +176,7 @@ TEST_CASE("A time limit leaves every pixel an estimate, and Ctrl-C what is finis
   CHECK(limited.summary.least == 64);
   CHECK(std::isfinite(limited.film.variance(15, 7, 0)));
   Spikes spikes(1);
-  spikes.interrupt_at = 12;  // in the second of the first round's two jobs
+  spikes.interrupt_at = 12;  // in the second job of the two in the first round
   const AdaptiveResult cut = run(spikes, 0.1);
   CHECK(cut.interrupted);
   CHECK(cut.summary.most == 32);

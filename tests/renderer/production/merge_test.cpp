@@ -1,4 +1,4 @@
-// Shares of a render and what merges of them: tests/renderer/merge_test.sh has the programs.
+// Shares of a render and their merges; tests/renderer/merge_test.sh tests the programs.
 
 #include "renderer/production/merge.h"
 
@@ -24,7 +24,8 @@ using namespace carlo;
 using namespace common_test;
 namespace fs = std::filesystem;
 
-/// Parts of all N shards of the noise. Some are interrupted, written, read and gone on with.
+/// Writes the parts of all N shards of the noise. Some are interrupted, written, read and
+/// continued.
 std::vector<fs::path> write_shards(const fs::path& folder, std::uint32_t count, std::uint32_t spp,
                                    bool lamps, Rng& rng) {
   std::vector<fs::path> parts;
@@ -58,7 +59,7 @@ std::vector<fs::path> write_shards(const fs::path& folder, std::uint32_t count, 
   return parts;
 }
 
-/// Merges the parts in a random order, and some of them to parts before.
+/// Merges the parts in a random order, some of them first into intermediate parts.
 Merge merge_at_random(std::vector<fs::path> parts, const fs::path& folder, Rng& rng) {
   const auto below = [&](std::size_t n) {
     return std::min(n - 1, static_cast<std::size_t>(rng.uniform_float() * static_cast<float>(n)));
@@ -129,7 +130,7 @@ TEST_CASE("The shares of any N are all of a render's blocks, and as many each bu
       CHECK(most - least <= (lamps && count <= grid.passes ? grid.tiles() : 1));
     }
   }
-  // The largest render: no sum of these overflows.
+  // The largest render: its sums do not overflow.
   const BlockGrid grid{8192, 4096, 1, 1 << 28};
   CHECK(share_of({most_shards, most_shards}, grid, false).end == grid.blocks());
 }
@@ -196,8 +197,8 @@ TEST_CASE("Pixels that paths from lamps tie together: a render's error bar, shar
     CHECK(tied.standard_error[c] ==
           Catch::Approx(std::hypot(apart.standard_error[c], std::sqrt(relative) * apart.value[c])));
   }
-  // Half of the passes, or half of the tiles of each: twice the variance, or as much, of which each
-  // pass tells its own.
+  // Half of the passes: twice the variance. All passes, but half of the first one's tiles: about
+  // the same, because each block contributes the covariances of its pass.
   const auto added = [](const RenderResult& r) {
     const MeanRadiance one = mean_radiance(r.film), both = mean_of(r);
     return (std::pow(both.standard_error[0], 2) - std::pow(one.standard_error[0], 2)) /

@@ -81,7 +81,7 @@ TEST_CASE("Exact sums are text and back") {
   }
 }
 
-/// Shard 1/2 and 2/2 of the noise in files, and what spoils the second.
+/// Shards 1/2 and 2/2 of the noise in files, with ways to spoil the second.
 struct Pair {
   Pair() : noise(false) {
     for (const std::uint32_t i : {1u, 2u}) {
@@ -91,7 +91,7 @@ struct Pair {
     }
   }
   fs::path path(std::uint32_t i) const { return scratch.path() / fmt::format("{}.exr", i); }
-  /// Writes the second with other settings, or other claims of what it is.
+  /// Writes the second with changed settings or claims.
   void change(const std::function<void(RenderSettings&)>& changed) {
     RenderSettings settings = noise_settings(64);
     changed(settings);
@@ -103,13 +103,13 @@ struct Pair {
     changed(settings, part);
     write_part(path(2), settings, part, results[1]);
   }
-  /// Writes the second with other bytes.
+  /// Writes the second with changed bytes.
   void spoil(const std::function<void(std::string&)>& spoilt) {
     std::string bytes = read_file(path(2));
     spoilt(bytes);
     write_file(path(2), bytes);
   }
-  /// What the merge of both says; nothing if it is content.
+  /// The error of merging both; "" if there is none.
   std::string complaint() const {
     try {
       merged = Merge({path(1), path(2)}).run();
@@ -139,7 +139,7 @@ TEST_CASE("Another render's part is refused by name") {
   };
   Pair pair;
   CHECK(pair.complaint().empty());
-  pair.change([](auto& s) { s["definitions"] = "[\"a=1\"]"; });  // they are in the scene
+  pair.change([](auto& s) { s["definitions"] = "[\"a=1\"]"; });  // -D is part of the scene
   CHECK(pair.complaint().empty());
   for (const auto& [change, expected] : changes) {
     pair.change(change);
@@ -147,7 +147,7 @@ TEST_CASE("Another render's part is refused by name") {
     CHECK(pair.complaint().find(expected) != std::string::npos);
     CHECK(pair.complaint().starts_with(pair.path(2).string()));
   }
-  // The film is what the file's size says.
+  // The film's size is that of the file.
   RenderResult wider{.film = Film(38, 21, 8)};
   write_part(pair.path(2), noise_settings(64), pair.parts[1], wider);
   CHECK(pair.complaint().find("its film is 38 x 21, the other's 37 x 21") != std::string::npos);
@@ -201,7 +201,7 @@ TEST_CASE("A part that is none, cut short or spoilt is refused by name") {
   Pair pair;
   fs::remove(pair.path(2));
   CHECK(pair.complaint().find("no such file") != std::string::npos);
-  // An image without sums, and a render that is no part.
+  // An image without sums, and a render that is not a part.
   write_exr(pair.path(2), {pair.results[1].film.mean()});
   CHECK(pair.complaint().find("not the sums") != std::string::npos);
   ExrFile whole{.image = pair.results[1].film.mean()};
@@ -248,7 +248,7 @@ TEST_CASE("A byte of a part that is another is found, or says nothing") {
     INFO(at << " " << bit);
     const std::string complaint = pair.complaint();
     CHECK(complaint.find('\n') == std::string::npos);
-    // OpenEXR has attributes of no meaning for us, such as a date.
+    // OpenEXR has attributes that we do not use, such as a date.
     if (complaint.empty()) CHECK(same_sums(pair.merged->film, right.film));
     found += complaint.empty() ? 0 : 1;
   }

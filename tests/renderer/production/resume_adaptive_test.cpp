@@ -25,10 +25,10 @@ using namespace carlo;
 using common_test::TemporaryFolder;
 namespace fs = std::filesystem;
 
-constexpr int width = 37, height = 21;  // tiles and units that the film cuts
+constexpr int width = 37, height = 21;  // not multiples of tiles or units
 
-/// Pixels that differ in brightness and, a hundredfold, in variance; a tenth of 1 or so comes to
-/// each of them from lamps.
+/// Pixels that differ in brightness and, a hundredfold, in variance; about .1 reaches each of them
+/// by paths from lamps.
 class Flicker final : public common_test::NoiseIntegrator {
  public:
   std::uint32_t lamp_paths() const override { return 1; }
@@ -91,7 +91,7 @@ EarlierAdaptive read(const fs::path& path) {
   return {earlier.adaptive_state(), earlier.counts()};
 }
 
-/// The result as it comes back from a file.
+/// Returns the result after writing it to a file and reading it back.
 EarlierAdaptive written_and_read(const AdaptiveResult& result) {
   const TemporaryFolder folder;
   write_state(folder.path() / "a.exr", file_of(result));
@@ -115,7 +115,7 @@ TEST_CASE("An interrupted adaptive render that is resumed has the bits of an und
   const AdaptiveResult whole = run(undisturbed);
   REQUIRE(whole.summary.least < whole.summary.most);
   const int calls = undisturbed.calls;
-  // In the first round, in the second (12 jobs of 8 calls are a round), in a late one, in the last.
+  // In the first round, in the second (a round is 12 jobs of 8 calls), in a late one, in the last.
   for (const int call : {1, 60, 100, 191, calls / 2, calls - 1}) {
     INFO("call " << call << " of " << calls);
     Flicker flicker;
@@ -128,8 +128,8 @@ TEST_CASE("An interrupted adaptive render that is resumed has the bits of an und
   }
 }
 
-/// Whether two states are the same to the last bit; the number of units for which one half alone
-/// has decided.
+/// Checks that two states are the same to the last bit; returns the number of units for which only
+/// one half has decided.
 int check_same_state(const AdaptiveState& a, const AdaptiveState& b) {
   CHECK(a.level == b.level);
   CHECK(a.floors == b.floors);
@@ -216,7 +216,7 @@ TEST_CASE("An adaptive render does not go on from another one") {
   const TemporaryFolder folder;
   const fs::path path = folder.path() / "a.exr";
   const AdaptiveResult result = run(Flicker(), 256);
-  // The rounds of 32 samples a pixel are others.
+  // With a limit of 32 samples per pixel the rounds differ.
   const EarlierAdaptive start{*result.state}, few{*run(Flicker(), 32).state};
   CHECK_THROWS_AS(run(Flicker(), most, &few), Error);
   CHECK_THROWS_AS(run(Flicker(), 32, &start), Error);
@@ -263,7 +263,7 @@ TEST_CASE("An adaptive render does not go on from another one") {
   CHECK_THROWS_AS(StateFile(path).adaptive_state(), Error);
 }
 
-/// A share of the round that comes after `start`; the second is interrupted and gone on with.
+/// Renders a share of the round after `start`; the second share is interrupted and continued.
 EarlierAdaptive round_share(const EarlierAdaptive& start, const Shard& share) {
   EarlierAdaptive before{start.state};
   AdaptiveOptions how = options(&before);
@@ -281,7 +281,7 @@ EarlierAdaptive round_share(const EarlierAdaptive& start, const Shard& share) {
   return written_and_read(result);
 }
 
-/// A round in shares, and what it decides.
+/// Renders a round in shares and takes its decisions.
 AdaptiveResult shared_round(const EarlierAdaptive& start, std::uint32_t shares) {
   EarlierAdaptive all = start;
   for (std::uint32_t i = 1; i <= shares; ++i) {

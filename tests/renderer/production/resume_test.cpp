@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr int width = 37, height = 21;  // 6 tiles
 
-/// Samples over five orders of magnitude.
+/// Noise with samples over five orders of magnitude.
 class Noise final : public common_test::NoiseIntegrator {
   void sample(const Tile& tile, int x, int y, BlockSum& sum, Counts& counts) const override {
     for (std::uint32_t s = 0; s < tile.samples; ++s) {
@@ -139,7 +139,7 @@ TEST_CASE("A checkpoint is a render to go on from") {
                                            if (++count == 3) write(scratch.path() / "a.exr", r);
                                          },
                                      .checkpoint_seconds = 0});
-  CHECK(count == 7);  // eight passes; after the last comes the result
+  CHECK(count == 7);  // after each of the eight passes but the last
   const RenderResult start = read(scratch.path() / "a.exr");
   CHECK(start.film.samples() == std::uint64_t{width} * height * 24);
   CHECK(same(run(noise, 64, &start).film, whole.film));
@@ -160,7 +160,7 @@ TEST_CASE("Nobody goes on from another render, nor from what is no render") {
   ExrFile retouched{result.film.mean(), result.film.standard_error()};
   add_state(retouched, settings(), result.film, result.counts);
   retouched.image.at(5, 5).r += 1;
-  write_exr(path, retouched);  // as renders from before they had a digest
+  write_exr(path, retouched);  // like older renders, which have no digest
   CHECK_THROWS_AS(StateFile(path).film(), Error);
 
   write_exr(path, {result.film.mean()});

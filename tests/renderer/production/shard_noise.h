@@ -15,7 +15,7 @@
 
 namespace common_test {
 
-/// Noise over five orders of magnitude, from the camera and from lamps, for what is shared out.
+/// Noise over five orders of magnitude, from the camera and from lamps, for tests of shares.
 class ShardNoise final : public NoiseIntegrator {
  public:
   static constexpr int width = 37, height = 21;  // 6 tiles
@@ -60,7 +60,7 @@ inline carlo::BlockGrid noise_grid(std::uint32_t spp) {
   return {ShardNoise::width, ShardNoise::height, block, spp / block};
 }
 
-/// `spp` samples of the noise, or a share of them.
+/// Renders `spp` samples of the noise, or a share of them.
 inline carlo::RenderResult render_noise(const ShardNoise& noise, std::uint32_t spp, int threads = 2,
                                         std::optional<carlo::BlockRange> share = {},
                                         const carlo::RenderResult* earlier = nullptr) {
@@ -69,14 +69,14 @@ inline carlo::RenderResult render_noise(const ShardNoise& noise, std::uint32_t s
       {.spp = spp, .threads = threads, .progress = false, .earlier = earlier, .share = share});
 }
 
-/// What a state of the noise tells.
+/// The settings in a state of the noise.
 inline carlo::RenderSettings noise_settings(std::uint32_t spp) {
   return {{"seed", "1"},         {"sampler", "1"},      {"max_depth", "1"},
           {"scene_digest", "1"}, {"kernel", "noise"},   {"planned_spp", std::to_string(spp)},
           {"version", "1"},      {"definitions", "[]"}, {"film", carlo::film_text(37, 21)}};
 }
 
-/// The noise's shard, as far as it is rendered.
+/// A shard of the noise, as far as it is rendered.
 inline carlo::Part noise_part(const ShardNoise& noise, std::uint32_t spp, const carlo::Shard& shard,
                               const carlo::RenderResult& result) {
   carlo::Part part;
@@ -90,7 +90,7 @@ inline carlo::Part noise_part(const ShardNoise& noise, std::uint32_t spp, const 
   return part;
 }
 
-/// Such a state in a file.
+/// Writes such a state to a file.
 inline void write_part(const std::filesystem::path& path, const carlo::RenderSettings& settings,
                        const carlo::Part& part, const carlo::RenderResult& result) {
   carlo::ExrFile file{.image = result.film.mean()};
