@@ -101,14 +101,14 @@ class Integrator {
   /// 1 if there is no choice.
   virtual double least_light_chance() const { return 1; }
 
-  /// The number of paths from lamps that an image needs for each sample of a pixel, besides its
-  /// tiles; 0 if all light is found from the camera.
+  /// The number of paths from lamps that an image needs, besides its tiles, per sample of each
+  /// pixel; 0 if all light is found from the camera.
   virtual std::uint32_t lamp_paths() const { return 0; }
 
   /// Traces paths from lamps, by their numbers in the stream: each sample of an image of `pixels`
-  /// has `lamp_paths() * pixels` of them; if only a share is traced, the first ones. A splat is a
-  /// radiance times the number of traced paths. Adds to lamp_ties the products of every two splats
-  /// of a path, in both orders, in squared luminances of splats.
+  /// has `lamp_paths() * pixels` of them; if only a share is traced, the first ones. A pixel's
+  /// radiance is the sum of its splats over the number of traced paths. Adds to lamp_ties the
+  /// products of every two splats of a path, in both orders, in squared luminances of splats.
   virtual void trace_lamps(const LampPaths& /*paths*/, Splats& /*splats*/,
                            Counts& /*counts*/) const {}
   /// The unit of splats for which the sums of `paths` paths cannot overflow.

@@ -22,7 +22,7 @@ constexpr int adaptive_unit_size = 4;
 struct AdaptiveState {
   struct Unit {
     std::array<bool, 2> fell{};  ///< whether the decision of each half has been taken
-    /// Squared relative error times samples, as each half saw it at its last decision.
+    /// Squared relative error times samples, as each half saw it when it last checked.
     std::array<double, 2> noise{};
     bool active() const { return !(fell[0] && fell[1]); }
   };

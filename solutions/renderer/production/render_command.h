@@ -12,8 +12,8 @@ namespace carlo {
 
 class CommandLine;
 
-/// Makes an integrator for a scene; `spp` is the planned number of samples a pixel, `lamps` says
-/// whether it traces paths from lamps, where that was decided before.
+/// Makes an integrator for a scene; `spp` is the planned number of samples per pixel, `lamps`
+/// says whether it traces paths from lamps, if that was decided before.
 using ProductionFactory = std::function<std::unique_ptr<Integrator>(
     const Scene& scene, std::uint64_t seed, std::uint32_t spp, std::optional<bool> lamps)>;
 
