@@ -95,7 +95,8 @@ held() {
   local -A stopped=()
   for ((tries = 0; tries < 6000 && ${#stopped[@]} < $2; ++tries)); do
     for task in $(tasks "$1"); do
-      index=$(tr '\0' '\n' <"/proc/$task/environ" 2>/dev/null | sed -n 's/^SLURM_ARRAY_TASK_ID=//p')
+      # It may have ended meanwhile.
+      index=$(tr '\0' '\n' <"/proc/$task/environ" 2>/dev/null | sed -n 's/^SLURM_ARRAY_TASK_ID=//p') || true
       [ -n "$index" ] && [ -e "$1.slurm/$index.exr" ] && kill -STOP "$task" && stopped[$task]=1
     done
     sleep .01
@@ -107,8 +108,8 @@ go_on() { tasks "$1" | xargs --no-run-if-empty kill -CONT 2>/dev/null || true; }
 # Kills a third of the tasks, and the submitting process, with SIGKILL.
 killed() {
   local pid
-  of 8192 --checkpoint .1
-  whole whole8192
+  of 32768 --checkpoint .1
+  whole whole32768
   "${render[@]}" -o killed --slurm --tasks 6 2>killed.stderr &
   pid=$!
   held killed 6
@@ -118,14 +119,14 @@ killed() {
   go_on killed
   "${render[@]}" -o killed --slurm 2>killed.stderr &
   awaited $! killed
-  same whole8192 killed
+  same whole32768 killed
 }
 
 # Requeues tasks by Slurm, and by themselves when their time is up.
 requeued() {
   local pid id
-  of 8192 --checkpoint .1
-  whole whole8192
+  of 32768 --checkpoint .1
+  whole whole32768
   "${render[@]}" -o again --slurm --tasks 4 2>again.stderr &
   pid=$!
   held again 4
@@ -135,15 +136,15 @@ requeued() {
   sleep .5
   go_on again
   awaited $pid again
-  same whole8192 again
+  same whole32768 again
   grep -q 'time is up; queued again' again.slurm/tasks/*.txt || complain 'no task was queued again'
   [ "$(submitted again '')" = 1 ] || complain "requeued tasks were submitted again: $(tail -n 3 again.slurm/*/*.txt)"
 }
 
 node_down() {
   local pid
-  of 8192 --checkpoint .1
-  whole whole8192
+  of 32768 --checkpoint .1
+  whole whole32768
   "${render[@]}" -o down --slurm --tasks 6 2>down.stderr &
   pid=$!
   held down 6
@@ -153,7 +154,7 @@ node_down() {
   "$CARLO_CLUSTER" up node2
   go_on down
   awaited $pid down
-  same whole8192 down
+  same whole32768 down
 }
 
 # With a target error, in rounds.
