@@ -1,10 +1,12 @@
 #include "course/verbs/build_progress.h"
 
 #include "course/verbs/words.h"
+#include "support/number.h"
 
 #include <unistd.h>
 
-#include <cstdio>
+#include <cstddef>
+#include <string_view>
 
 namespace carlo::verbs {
 
@@ -19,12 +21,18 @@ BuildProgress::BuildProgress() : terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 bool BuildProgress::takes(const std::string& line) {
   if (line.empty() || line[0] != '@') return false;
-  int done = 0, total = 0;
-  double seconds = 0;
-  if (std::sscanf(line.c_str(), "@%d/%d %lf", &done, &total, &seconds) != 3) return false;
-  const int second = static_cast<int>(seconds);
-  const std::string told = joined({"carlo: building ", std::to_string(done), "/",
-                                   std::to_string(total), time_left(done, total, second)});
+  // "@DONE/TOTAL SECONDS what"
+  const std::size_t slash = line.find('/'), blank = line.find(' ');
+  if (slash > blank || blank == std::string::npos) return false;
+  const std::string_view text = line;
+  const auto done = number_of<int>(text.substr(1, slash - 1));
+  const auto total = number_of<int>(text.substr(slash + 1, blank - slash - 1));
+  const std::string_view rest = text.substr(blank + 1);
+  const auto whole_seconds = number_of<int>(rest.substr(0, rest.find_first_not_of("0123456789")));
+  if (!done || !total || !whole_seconds) return false;
+  const int second = *whole_seconds;
+  const std::string told = joined({"carlo: building ", std::to_string(*done), "/",
+                                   std::to_string(*total), time_left(*done, *total, second)});
   if (terminal_) {
     shown_ = true;
     say({"\r\x1b[K", told});

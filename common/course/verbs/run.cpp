@@ -2,6 +2,7 @@
 
 #include "course/cli/descriptor.h"
 #include "support/error.h"
+#include "support/number.h"
 
 #include <fcntl.h>
 #include <sys/wait.h>
@@ -44,8 +45,8 @@ bool is_forgotten(const fs::path& folder) {
   std::error_code ec;
   const auto written = fs::last_write_time(folder, ec);
   if (ec || fs::file_time_type::clock::now() - written < 24h) return false;
-  const int process = std::atoi(folder.filename().c_str());
-  return process <= 0 || (::kill(process, 0) != 0 && errno == ESRCH);
+  const auto process = number_of<int>(folder.filename().string());
+  return !process || *process <= 0 || (::kill(*process, 0) != 0 && errno == ESRCH);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "course/verbs/words.h"
 
 #include "support/error.h"
+#include "support/number.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -82,7 +83,7 @@ bool is_number(const std::string& word, std::size_t most) {
 }
 
 int as_number(const std::string& digits) {
-  return std::atoi(digits.c_str());
+  return number_of<int>(digits).value_or(0);
 }
 
 }  // namespace carlo::verbs
