@@ -43,7 +43,7 @@ std::string to_text(const Part& part) {
 }
 
 Part part_of(const std::string& text, const std::string& place) {
-  const auto part = from_json_text<Part>(text, place);
+  auto part = from_json_text<Part>(text, place);
   if (!(part.least_light_chance >= 0 && part.least_light_chance <= 1))
     throw Error("{}: its chance to ask a light is {}", place, part.least_light_chance);
   if (part.shard && (part.shard->count < 1 || part.shard->count > most_shards ||
