@@ -1,24 +1,24 @@
 #!/usr/bin/env bash
-# nightly.sh [--list] [STEP ...]: what takes too long for every landing (.ci/run). Runs the steps that are
-# named, or all; each says when it began and how long it took, a failure ends none of the others, and
-# the last lines say what passed and what failed. Exit code 0: all passed. --list prints the steps.
+# nightly.sh [--list] [STEP ...]: runs what takes too long for every landing (.ci/run): the named steps, or
+# all. Each prints when it began and how long it took; a failure does not stop the others, and the last
+# lines say what passed and what failed. Exit code 0: all passed. --list prints the steps.
 #
 #   thorough     every test of ctest -C thorough: 40 seeds of each lab's solution, the whole corpus of
 #                attacks at every level of the sandbox, a class of 100, every broken scene by the program,
 #                the whole proving ground, standard errors of all scenes against variances (an hour)
 #   sanitizers   every fast test under clang's address and undefined-behaviour sanitizers
-#   apart        each file compiled by itself: does it include all that it uses?
+#   apart        compiles each file by itself: does it include everything it uses?
 #   tidy         clang-tidy of everything, its analyser included
-#   build        what the first `./carlo render` compiles, and the first `./carlo test 1`: no more than 15 and 8
-#                times tests/profile/yardstick.cpp (60 and 32 processor seconds where that takes 4; nothing else
+#   build        what the first `./carlo render` and the first `./carlo test 1` compile: at most 15 and 8
+#                times tests/profile/yardstick.cpp (60 and 32 processor seconds if that takes 4; nothing else
 #                may run)
-#   calibration  the grader's errors: 200 seeds of the solutions, from another first one each day (a false
-#                alarm of one in a thousand gradings shows within the week), 5 of every mistake
+#   calibration  the grader's errors: 200 seeds of the solutions, starting at another one each day (a false
+#                alarm in a thousand gradings shows within the week), and 5 of every mistake
 #   fuzz         ten minutes for each reader of foreign bytes
 #   paths        1e9 paths through every scene: is one of them not finite, or negative?
-#   target_error does --target-error keep its promise, what does it save? (minutes)
-#   shards       renders in 1 to 64 shards, killed and gone on with, merged in 20 random orders each: one
-#                SHA-256; what eight cost, and what merging 1000 parts of 512 x 512 takes (half an hour)
+#   target_error does --target-error keep its promise, and what does it save? (minutes)
+#   shards       renders in 1 to 64 shards, killed and resumed, merged in 20 random orders each: one SHA-256;
+#                the cost of eight, and of merging 1000 parts of 512 x 512 (half an hour)
 #   classes      a class of 200 on this machine, and ten times on a cluster whose tasks and nodes die: the same
 #                class.csv (hours; as root; needs Slurm)
 #   slurm        renders on a cluster of virtual nodes: tasks killed at random moments, a time limit (as root)

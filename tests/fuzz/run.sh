@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # ./carlo fuzz, or
-# run.sh --build FOLDER [--seconds N] [--runs N] [--keep FOLDER] [--jobs N] [TARGET ...]: bytes at random,
-# close to good ones, for all that reads bytes of others (target.h), or for these targets.
+# run.sh --build FOLDER [--seconds N] [--runs N] [--keep FOLDER] [--jobs N] [TARGET ...]: feeds random
+# mutations of valid inputs to every reader of foreign bytes (target.h), or to these targets.
 #
-#   --build FOLDER  where carlo_fuzz was built; without coverage it fuzzes blindly (./carlo fuzz has it)
-#   --seconds N     for each target (default: 60; 0: as long as --runs lasts)
-#   --runs N        at most so many inputs for each target
-#   --keep FOLDER   inputs that reached new code are kept there, to go on with, and findings
+#   --build FOLDER  the build with carlo_fuzz; without coverage it fuzzes blindly (./carlo fuzz has it)
+#   --seconds N     for each target (default: 60; 0: until --runs is reached)
+#   --runs N        inputs for each target at most
+#   --keep FOLDER   keeps findings, and inputs that reached new code, to start from next time
 #   --jobs N        targets at a time (default: 1)
 #
-# A finding is a crash, what a sanitizer finds, a leak, more than a second of processor time, or 256 MB
-# more than an idle program takes. Exit code 1, and the file that shows it.
+# A finding is a crash, a sanitizer's report, a leak, more than a second of processor time, or 256 MB more
+# than an idle program takes. Exit code 1 then, with the file that shows it.
 set -euo pipefail
 here=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")")
 root=$(readlink -f "$here/../..")

@@ -1,22 +1,22 @@
 #!/usr/bin/env bash
 # chroot.sh [MACHINE ...] [--store FOLDER] [--fresh] [--step STEP ...] [-- ARGUMENT...]
-# The README's commands on other machines than this one, as root, on a clean clone of HEAD. A MACHINE is
+# Runs the README's commands on other machines, as root, on a clean clone of HEAD. A MACHINE is
 #
 #   bookworm, trixie  a bare Debian 12 or 13 (the default: both), or any other release by its name
-#   aarch64           a Debian 13 that compiles for 64-bit ARM, whose programs QEMU runs (needs
+#   aarch64           a Debian 13 that compiles for 64-bit ARM; QEMU runs the programs (needs
 #                     qemu-user-static here): all fast tests
-#   libcxx            a Debian 13 with clang and LLVM's standard library, as macOS has it: all fast tests
+#   libcxx            a Debian 13 with clang and LLVM's standard library, as on macOS: all fast tests
 #
-# made once by debootstrap and kept in FOLDER (build/machines) with the packages that set-up has installed
-# and with what was built: a run that was stopped goes on there, the next one builds what has changed.
+# debootstrap makes each machine once. FOLDER (build/machines) keeps it with the packages that set-up has
+# installed and with the build, so that the next run continues there and builds only what has changed.
 #
-#   --fresh      packages and builds from nothing (the base system is kept)
-#   --step STEP  only these, by default all: setup (./carlo setup, or what stands for it there), render
-#                (./carlo render), test (./carlo test --solutions); or shell: a shell in the tree there
-#   ARGUMENT     for ctest, such as -R common; in place of -L fast
+#   --fresh      starts without packages and builds (keeps the base system)
+#   --step STEP  runs only these steps of setup (./carlo setup, or its counterpart there), render
+#                (./carlo render) and test (./carlo test --solutions); or shell: opens a shell in the tree
+#   ARGUMENT     for ctest, such as -R common, instead of -L fast
 #
-# Each step says when it began, the last lines what passed and how long it took; what a step wrote is in
-# FOLDER/MACHINE.STEP.log. Exit code 0: all passed.
+# Each step prints when it began; the last lines say what passed and how long it took; the output of a step
+# is in FOLDER/MACHINE.STEP.log. Exit code 0: all passed.
 set -euo pipefail
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
 . "$root/tests/machines/inside.sh"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# tests.sh [BUILD]: where the time of the last run of ctest went in a build folder (default:
-# build/release); ./carlo bench tests. Wall seconds, of which a busy machine takes more.
+# tests.sh [BUILD]: shows where the time of the last run of ctest in a build folder went (default:
+# build/release); ./carlo bench tests. Wall-clock seconds: a busy machine takes more.
 set -euo pipefail
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
 case ${1:-} in

@@ -1,23 +1,22 @@
 #!/usr/bin/env bash
-# A real Slurm on one machine, for tests and to try things by hand.
+# Runs a real Slurm on one machine, for tests and for trying things by hand.
 #
-#   cluster.sh run [--nodes N] [--cpus C] COMMAND...   starts it, runs COMMAND, ends everything; exit code
-#                                                      COMMAND's; 77: no Slurm here, with the reason
-#                                                      (where CARLO_SLURM_TESTS is "required": 1)
-# and for COMMAND:
-#   cluster.sh crash NODE           the power fails: every process of that node is gone at once. Slurm
-#                                   notices within half a minute, or when told:
+#   cluster.sh run [--nodes N] [--cpus C] COMMAND...   starts it, runs COMMAND and stops everything; the exit
+#                                                      code is COMMAND's, or 77 with the reason if Slurm is
+#                                                      missing (1 if CARLO_SLURM_TESTS is "required")
+# and inside COMMAND:
+#   cluster.sh crash NODE           cuts the power: kills every process of that node at once. Slurm
+#                                   notices within half a minute, or after
 #                                   scontrol update NodeName=NODE State=DOWN Reason=power
-#   cluster.sh up NODE              it comes back
-#   cluster.sh on NODE COMMAND...   as root on that node, whose mounts are its own
-#   cluster.sh hurry                requeued jobs start now, not in two minutes
-#   cluster.sh settled [SECONDS]    waits until there are no jobs, so long at most (600)
+#   cluster.sh up NODE              starts the node again
+#   cluster.sh on NODE COMMAND...   runs COMMAND as root on that node, which has its own mounts
+#   cluster.sh hurry                starts requeued jobs now instead of in two minutes
+#   cluster.sh settled [SECONDS]    waits until there are no jobs, for 600 seconds at most
 #
-# N nodes (4), node1 to nodeN, say that they have C processors (2) and 16 GB, whatever this machine has.
-# Partitions: main (the default; its jobs are requeued for those of urgent) and urgent. Processes,
-# network and mounts are in namespaces of their own: two clusters do not see each other, ports are
-# always free, and the end of this process or of its parent, even by SIGKILL, is the end of all of it,
-# jobs included.
+# The N nodes (4), node1 to nodeN, claim C processors (2) and 16 GB each, whatever this machine has.
+# Partitions: main (the default; its jobs are requeued for those of urgent) and urgent. Processes, network
+# and mounts are in namespaces of their own: two clusters do not see each other, ports are always free,
+# and when this process or its parent ends, even by SIGKILL, everything ends, jobs included.
 # The cluster's files are in memory, in /run/carlo_slurm. There is no accounting (no sacct).
 set -euo pipefail
 here=$(readlink -f "${BASH_SOURCE[0]}")
