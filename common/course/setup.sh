@@ -11,7 +11,6 @@ build     g++
 build     cmake
 build     ninja-build
 build     ccache
-build     patch
 build     libglm-dev
 build     libfmt-dev
 build     nlohmann-json3-dev
