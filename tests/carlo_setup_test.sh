@@ -48,7 +48,7 @@ installed_nothing --dry-run
 expect 0 ' shellcheck .* munge' setup --developer --dry-run
 FAKE_ID=1000 expect 0 '^sudo env .* install g' setup --dry-run
 FAKE_ID=1000 expect_error "^carlo: these Debian packages are missing: $names libcatch2-dev \(as root: ./carlo setup\)\$" status
-expect 0 'installing 20 Debian packages' setup
+expect 0 'installing 19 Debian packages' setup
 called "^apt-get -qq -y --no-install-recommends install $names\$"
 program "$tools/dpkg-query" 'for word in "$@"; do case $word in -*) ;; *) echo "installed $word 2.13.8-1" ;; esac; done'
 [ -e /usr/local/lib/cmake/Catch2 ] || expect 1 'Catch2 here is version 2.13.8-1, and Carlo needs 3' setup
