@@ -6,6 +6,7 @@
 #include "grader/judge/judge.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -59,6 +60,41 @@ inline bool near_edge(double u, const std::vector<double>& cdf) {
 inline bool at_edge(double u, const std::vector<double>& cdf) {
   const double fraction = place_of(u, cdf).fraction;
   return std::min(fraction, 1 - fraction) <= 1e-6;
+}
+
+inline carlo::grader::Params params_of(Weights kind) {
+  return {.numbers = {{"weights", static_cast<double>(kind)}}};
+}
+
+inline const char* name_of(Weights kind) {
+  constexpr std::array names{"the weights 1 2 3 2",
+                             "the weights 0 0 1 0 2 0 0 1 0",
+                             "a single weight",
+                             "the weights 1e-310 0 3e-310",
+                             "300 rugged weights",
+                             "131072 weights, every second 0",
+                             "six equal weights and two zeros",
+                             "the weights 8e-17 1.168 0.183",
+                             "the weights 3 1e-8 2 1e-5 5"};
+  return names.at(static_cast<std::size_t>(kind));
+}
+
+/// Edges of the CDF are compared only where they are exact in double.
+inline bool exact_edges(Weights kind) {
+  return kind == Weights::eighths || kind == Weights::gaps || kind == Weights::comb ||
+         kind == Weights::one;
+}
+
+/// The weights over their sum.
+inline std::vector<double> probabilities(const std::vector<double>& weights) {
+  long double sum = 0;
+  for (const double weight : weights)
+    sum += weight;
+  std::vector<double> result;
+  result.reserve(weights.size());
+  for (const double weight : weights)
+    result.push_back(static_cast<double>(weight / sum));
+  return result;
 }
 
 /// `named`: whether the diagnosis is that the weights are accepted, and not another mistake.
