@@ -13,7 +13,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <cstring>
+#include <type_traits>
 #include <vector>
 
 namespace carlo {
@@ -47,15 +47,9 @@ std::vector<std::uint32_t> interleave(const ExrFile& file, int first_line, int e
   return data;
 }
 
-/// Of those that are written.
-ExrFile::Lines lines_of(const ExrFile& file) {
-  return file.lines.value_or(ExrFile::Lines{0, file.image.height});
-}
-
 bool write_lines(OIIO::ImageOutput& out, const ExrFile& file) {
-  const ExrFile::Lines lines = lines_of(file);
-  for (int y = lines.first; y < lines.end; y += lines_at_once) {
-    const int end = std::min(y + lines_at_once, lines.end);
+  for (int y = 0; y < file.image.height; y += lines_at_once) {
+    const int end = std::min(y + lines_at_once, file.image.height);
     const std::vector<std::uint32_t> data = interleave(file, y, end);
     if (!out.write_scanlines(y, end, 0, OIIO::TypeDesc::UNKNOWN, data.data())) return false;
   }
@@ -63,10 +57,7 @@ bool write_lines(OIIO::ImageOutput& out, const ExrFile& file) {
 }
 
 OIIO::ImageSpec spec_of(const ExrFile& file) {
-  const ExrFile::Lines lines = lines_of(file);
-  OIIO::ImageSpec spec(file.image.width, lines.end - lines.first, 0, OIIO::TypeDesc::FLOAT);
-  spec.y = lines.first;
-  spec.full_height = file.image.height;
+  OIIO::ImageSpec spec(file.image.width, file.image.height, 0, OIIO::TypeDesc::FLOAT);
   const auto add = [&spec](const std::string& name, const OIIO::TypeDesc& type) {
     spec.channelnames.push_back(name);
     spec.channelformats.push_back(type);
@@ -108,15 +99,16 @@ std::optional<std::array<std::size_t, 3>> find_channels(const std::vector<std::s
   return places;
 }
 
-/// `count` channels from the one at `first` on, interleaved.
-std::vector<float> read_channels(OIIO::ImageInput& in, const OIIO::ImageSpec& spec,
-                                 std::size_t first, std::size_t count,
-                                 const std::filesystem::path& path) {
-  std::vector<float> data(static_cast<std::size_t>(spec.width) *
-                          static_cast<std::size_t>(spec.height) * count);
+/// Reads `count` channels of 32-bit values from `first` on, interleaved.
+template <class T>
+std::vector<T> read_channels(OIIO::ImageInput& in, const OIIO::ImageSpec& spec, std::size_t first,
+                             std::size_t count, const std::filesystem::path& path) {
+  std::vector<T> data(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
+                      count);
   const auto begin = static_cast<int>(first);
-  if (!in.read_image(in.current_subimage(), 0, begin, begin + static_cast<int>(count),
-                     OIIO::TypeDesc::FLOAT, data.data())) {
+  const auto type = std::is_same_v<T, float> ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT32;
+  if (!in.read_image(in.current_subimage(), 0, begin, begin + static_cast<int>(count), type,
+                     data.data())) {
     throw Error("cannot read {}: {}", path.string(), in_one_line(in.geterror()));
   }
   return data;
@@ -127,7 +119,7 @@ Image read_colours(OIIO::ImageInput& in, const OIIO::ImageSpec& spec, const ExrW
                    const std::array<std::size_t, 3>& places, const std::filesystem::path& path) {
   const auto [first, last] = std::minmax_element(places.begin(), places.end());
   const std::size_t count = *last - *first + 1;
-  const auto data = read_channels(in, spec, *first, count, path);
+  const auto data = read_channels<float>(in, spec, *first, count, path);
   Image image(window.width(), window.height());
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
@@ -139,82 +131,38 @@ Image read_colours(OIIO::ImageInput& in, const OIIO::ImageSpec& spec, const ExrW
   return image;
 }
 
-/// Where the values of one channel go: the image's pixels, row by row.
-struct Target {
-  std::size_t channel;
-  char* first;
-  std::size_t step;  ///< bytes
-};
-
-/// Whether all channels have words of 32 bits, in lines.
-bool in_words(const OIIO::ImageSpec& spec) {
-  if (spec.tile_width != 0) return false;
-  for (int channel = 0; channel < spec.nchannels; ++channel) {
-    // Besides floats and whole numbers OpenEXR has halves only.
-    if (spec.channelformat(channel).size() != sizeof(std::uint32_t)) return false;
+/// Reads those of the named channels that the file has as whole numbers, in one read: each read
+/// unpacks the channels in between as well, and a render's sums are scores of them.
+std::map<std::string, std::vector<std::uint32_t>> read_counts(OIIO::ImageInput& in,
+                                                              const OIIO::ImageSpec& spec,
+                                                              const ExrWindow& window,
+                                                              const std::vector<std::string>& names,
+                                                              const std::filesystem::path& path) {
+  std::map<std::string, std::size_t> places;
+  std::size_t first = spec.channelnames.size(), last = 0;
+  for (const std::string& name : names) {
+    const int place = spec.channelindex(name);
+    if (place < 0 || spec.channelformat(place) != OIIO::TypeDesc::UINT32) continue;
+    places[name] = static_cast<std::size_t>(place);
+    first = std::min(first, places[name]);
+    last = std::max(last, places[name]);
   }
-  return true;
-}
-
-/// Reads the data once, some lines at a time, to all that want of it.
-void read_words(OIIO::ImageInput& in, const OIIO::ImageSpec& spec, const ExrWindow& window,
-                const std::vector<Target>& targets, const std::filesystem::path& path) {
-  const auto channels = static_cast<std::size_t>(spec.nchannels);
-  const auto pixels = static_cast<std::size_t>(spec.width);
-  std::vector<std::uint32_t> lines;
-  for (int y = 0; y < spec.height; y += lines_at_once) {
-    const int end = std::min(y + lines_at_once, spec.height);
-    lines.resize(static_cast<std::size_t>(end - y) * pixels * channels);
-    if (!in.read_native_scanlines(in.current_subimage(), 0, spec.y + y, spec.y + end, 0,
-                                  lines.data())) {
-      throw Error("cannot read {}: {}", path.string(), in_one_line(in.geterror()));
-    }
-    for (int line = y; line < end; ++line) {
-      const ExrWindow::Run run = window.run(line);
-      for (const Target& target : targets) {
-        const std::uint32_t* from =
-            &lines[(run.data - static_cast<std::size_t>(y) * pixels) * channels + target.channel];
-        char* to = target.first + run.image * target.step;
-        for (std::size_t i = 0; i < run.count; ++i, from += channels, to += target.step)
-          std::memcpy(to, from, sizeof *from);
+  std::map<std::string, std::vector<std::uint32_t>> counts;
+  if (places.empty()) return counts;
+  const std::size_t stride = last - first + 1;
+  const auto data = read_channels<std::uint32_t>(in, spec, first, stride, path);
+  for (const auto& [name, place] : places) {
+    std::vector<std::uint32_t>& values = counts[name];
+    values.reserve(static_cast<std::size_t>(window.width()) *
+                   static_cast<std::size_t>(window.height()));
+    for (int y = 0; y < window.height(); ++y) {
+      for (int x = 0; x < window.width(); ++x) {
+        const auto pixel = window.find(x, y);
+        values.push_back(pixel ? data[*pixel * stride + place - first] : 0);
       }
     }
   }
-}
-
-/// What read_exr() takes of a file in words.
-void take_words(OIIO::ImageInput& in, const OIIO::ImageSpec& spec, const ExrWindow& window,
-                const std::vector<std::string>& counts, const std::filesystem::path& path,
-                ExrFile& file) {
-  std::vector<Target> targets;
-  const auto add_image = [&](const std::array<std::size_t, 3>& places, Image& image) {
-    image = Image(window.width(), window.height());
-    for (int c = 0; c < 3; ++c) {
-      targets.push_back({places[static_cast<std::size_t>(c)],
-                         reinterpret_cast<char*>(&image.pixels.front()[c]), sizeof(Rgb)});
-    }
-  };
-  add_image(find_channels(spec.channelnames, colour_channels).value(), file.image);
-  if (const auto error = find_channels(spec.channelnames, error_channels))
-    add_image(*error, file.standard_error.emplace(1, 1));
-  for (const std::string& name : counts) {
-    const int place = spec.channelindex(name);
-    if (place < 0 || spec.channelformat(place) != OIIO::TypeDesc::UINT32) continue;
-    std::vector<std::uint32_t>& values = file.counts[name];
-    values.resize(file.image.pixels.size());
-    targets.push_back({static_cast<std::size_t>(place), reinterpret_cast<char*>(values.data()),
-                       sizeof(std::uint32_t)});
-  }
-  read_words(in, spec, window, targets, path);
-}
-
-/// The same of any other, in which there are no whole numbers of ours.
-void take_values(OIIO::ImageInput& in, const OIIO::ImageSpec& spec, const ExrWindow& window,
-                 const std::filesystem::path& path, ExrFile& file) {
-  const auto colour = find_channels(spec.channelnames, colour_channels);
-  file.image = read_colours(in, spec, window, colour.value(), path);
-  if (const auto error = find_channels(spec.channelnames, error_channels))
-    file.standard_error = read_colours(in, spec, window, *error, path);
+  return counts;
 }
 
 /// OpenEXR unpacks as much as a header claims, and fills up missing data with zeros. Deflate
@@ -295,11 +243,9 @@ void write_exr(const std::filesystem::path& path, const ExrFile& file) {
   AtomicFile target(path);
   auto out = OIIO::ImageOutput::create("exr");
   if (!out) throw Error("cannot write {}: {}", path.string(), OIIO::geterror());
-  if (!out->open(target.path().string(), spec_of(file)))
-    throw Error("cannot write {}: {}", path.string(), in_one_line(out->geterror()));
-  if (!write_lines(*out, file) || !out->close()) {
-    throw Error("cannot write {}: is the disk full? ({})", path.string(),
-                in_one_line(out->geterror()));
+  if (!out->open(target.path().string(), spec_of(file)) || !write_lines(*out, file) ||
+      !out->close()) {
+    throw Error("cannot write {}: {}", path.string(), out->geterror());
   }
   target.commit();
 }
@@ -322,13 +268,12 @@ ExrFile read_exr(const std::filesystem::path& path, const std::vector<std::strin
   require_plausible_size(spec, path);
   const ExrWindow window(spec, path);
   if (const auto note = window.note()) file.notes.push_back(*note);
-  if (in_words(spec)) {
-    take_words(*in, spec, window, counts, path, file);
-  } else {
-    take_values(*in, spec, window, path, file);
+  const auto colour = find_channels(spec.channelnames, colour_channels);
+  file.image = read_colours(*in, spec, window, colour.value(), path);
+  if (const auto error = find_channels(spec.channelnames, error_channels)) {
+    file.standard_error = read_colours(*in, spec, window, *error, path);
   }
-  if (window.whole_lines() && spec.height < window.height())
-    file.lines = ExrFile::Lines{spec.y - spec.full_y, spec.y - spec.full_y + spec.height};
+  file.counts = read_counts(*in, spec, window, counts, path);
   for (const auto& attribute : spec.extra_attribs) {
     const std::string name = attribute.name().string();
     if (name.starts_with(attribute_prefix)) {

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdint>
 
 namespace carlo {
@@ -27,20 +26,6 @@ std::optional<std::size_t> ExrWindow::find(int x, int y) const {
   const std::ptrdiff_t column = x - left_, row = y - top_;
   if (column < 0 || column >= data_width_ || row < 0 || row >= data_height_) return std::nullopt;
   return static_cast<std::size_t>(row * data_width_ + column);
-}
-
-ExrWindow::Run ExrWindow::run(int data_line) const {
-  const std::ptrdiff_t row = data_line + top_;
-  const std::ptrdiff_t first = std::max<std::ptrdiff_t>(0, -left_);
-  const std::ptrdiff_t end = std::min<std::ptrdiff_t>(data_width_, width_ - left_);
-  if (row < 0 || row >= height_ || first >= end) return {};
-  return {static_cast<std::size_t>(std::ptrdiff_t{data_line} * data_width_ + first),
-          static_cast<std::size_t>(row * width_ + first + left_),
-          static_cast<std::size_t>(end - first)};
-}
-
-bool ExrWindow::whole_lines() const {
-  return left_ == 0 && data_width_ == width_ && top_ >= 0 && top_ + data_height_ <= height_;
 }
 
 std::optional<std::string> ExrWindow::note() const {

@@ -22,16 +22,8 @@ class ExrWindow {
   /// The index of the data pixel at the image's pixel x, y; nothing if there is none.
   std::optional<std::size_t> find(int x, int y) const;
 
-  /// Pixels of a line of the data that lie side by side in the image, too.
-  struct Run {
-    std::size_t data = 0, image = 0, count = 0;  ///< the numbers of the first ones; how many
-  };
-  Run run(int data_line) const;
-
-  /// Whether the data are some of the image's lines.
-  bool whole_lines() const;
-
-  /// What of the image is black for want of data, and what of the data is outside of the image.
+  /// Describes which part of the image is black for lack of data, and which data lies outside the
+  /// image.
   std::optional<std::string> note() const;
 
  private:

@@ -85,7 +85,7 @@ wait "$long" || code=$?
 refused 'multiple of 64' --resume "$scratch/part.exr" --spp 70
 refused 'seed is 9' --resume "$scratch/part.exr" --spp 4194304 --seed 8
 refused 'kernel is' --resume "$scratch/part.exr" --spp 4194304 --kernel scalar
-refused 'its film is 32 x 32, this render.s 8 x 8' "$good" --resume "$scratch/part.exr" --spp 4194304 --size 8x8
+refused 'scene or the film' "$good" --resume "$scratch/part.exr" --spp 4194304 --size 8x8
 refused 'which' --resume "$scratch/part.exr"
 refused 'target' --resume "$scratch/part.exr" --target-error .1
 refused 'not the sums' --resume "$source/tests/references/peer_cornell_phong.exr" --spp 128

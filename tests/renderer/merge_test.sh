@@ -15,13 +15,13 @@ for scene in cornell_phong.xml caustics.xml procedural.xml mesh; do
     "$renderer" "$file" --quiet --size 24x40 --spp 24 --seed 7 --threads $((shard % 2 + 1)) \
       --shard $shard/5 -o part$shard
   done
-  "$merge" --quiet --partial part4.exr part2.exr -o some
-  "$merge" --quiet part5.exr some.exr part1.exr part3.exr -o merged
+  "$merge" --quiet part4.part part2.part -o some.part
+  "$merge" --quiet part5.part some.part part1.part part3.part -o merged
   for suffix in exr png error.png; do
     cmp whole.$suffix merged.$suffix || complain "$scene: merged.$suffix has other bits"
   done
-  rm part*.exr
   strip() { grep -v '"\(seconds\|threads\|parts\|share\)"' "$1"; }
+  rm ./*.part
   diff <(strip whole.json) <(strip merged.json) || complain "$scene: another report"
 done
 grep -q '"parts": 5' merged.json || complain 'the report does not tell the number of parts'

@@ -41,7 +41,7 @@ until_there() {
   done
   complain "waited in vain: $*"
 }
-checkpoints() { ls "$1".slurm/[0-9]*.exr; }
+checkpoints() { ls "$1".slurm/*.part; }
 
 # awaited PID NAME: it must succeed, and the image must be right.
 awaited() {
@@ -97,7 +97,7 @@ held() {
     for task in $(tasks "$1"); do
       # It may have ended meanwhile.
       index=$(tr '\0' '\n' <"/proc/$task/environ" 2>/dev/null | sed -n 's/^SLURM_ARRAY_TASK_ID=//p') || true
-      [ -n "$index" ] && [ -e "$1.slurm/$index.exr" ] && kill -STOP "$task" && stopped[$task]=1
+      [ -n "$index" ] && [ -e "$1.slurm/$index.part" ] && kill -STOP "$task" && stopped[$task]=1
     done
     sleep .01
   done 2>/dev/null

@@ -24,7 +24,7 @@ void add_production_options(CommandLine& app, ProductionArguments& a) {
       .show_default();
   app.flag("--no-sums", a.no_sums, "a smaller EXR, which cannot be resumed");
   app.option("--shard", a.shard,
-             "the I-th of N shares of the samples alone, into OUTPUT.exr, for ./carlo "
+             "the I-th of N shares of the samples alone, into a part, OUTPUT.part, for ./carlo "
              "merge; the same command goes on with a killed one")
       .type_name("I/N");
   app.flag("--slurm", a.slurm,

@@ -4,7 +4,7 @@
 #include "renderer/production/adaptive.h"
 #include "renderer/production/arguments.h"
 #include "renderer/production/resumable_outputs.h"
-#include "renderer/production/settings.h"
+#include "renderer/production/resume.h"
 
 #include <cstdint>
 #include <filesystem>

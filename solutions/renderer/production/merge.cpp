@@ -1,6 +1,5 @@
 #include "renderer/production/merge.h"
 
-#include "renderer/production/state_file.h"
 #include "support/error.h"
 
 #include <fmt/core.h>
@@ -26,51 +25,43 @@ constexpr std::size_t most_listed = 4;
 Merge::Merge(const std::vector<fs::path>& paths) {
   if (paths.empty()) throw Error("which parts? (see ./carlo merge --help)");
   for (const fs::path& path : paths) {
-    const StateFile file(path);
-    if (!file.part())
-      throw Error("cannot merge {}: it is no part of a render, which --shard writes",
-                  path.string());
-    if (places_.empty()) {
-      settings_ = file.settings();
-      grid_ = file.grid();
-      scene_ = file.setting("scene");
-      part_ = *file.part();
-      counts_ = file.counts();
-      lamp_ties_ = file.lamp_ties();
+    const PartFile file(path);
+    const PartHeader& part = file.header();
+    if (parts_.empty()) {
+      header_ = part;
     } else {
-      if (const auto difference = difference_of(file.settings(), settings_)) {
+      if (const auto difference = difference_of(part, header_)) {
         throw Error("{} is of another render than {}: its {} is {}, the other's {}", path.string(),
                     paths[0].string(), difference->name, difference->a, difference->b);
       }
-      take_in(file);
+      take_in(part);
     }
-    places_.push_back({path, file.part()->blocks});
+    parts_.push_back({path, part.blocks});
   }
   take_in_blocks();
 }
 
-void Merge::take_in(const StateFile& file) {
-  const Part& part = *file.part();
-  take_least(scene_, file.setting("scene"));
-  take_least(part_.needs, part.needs);
-  take_least(settings_["definitions"], file.setting("definitions"));
-  if (part.shard && part_.shard && part.shard->count == part_.shard->count) {
-    part_.shard->index = 0;
+void Merge::take_in(const PartHeader& part) {
+  take_least(header_.scene, part.scene);
+  take_least(header_.needs, part.needs);
+  take_least(header_.settings["definitions"], part.settings.at("definitions"));
+  if (part.shard && header_.shard && part.shard->count == header_.shard->count) {
+    header_.shard->index = 0;
   } else {
-    part_.shard.reset();
+    header_.shard.reset();
   }
-  part_.lamps = part_.lamps || part.lamps;
-  part_.parts += part.parts;
-  part_.microseconds += part.microseconds;
-  part_.threads = std::max(part_.threads, part.threads);
-  counts_ += file.counts();
-  lamp_ties_.add(file.lamp_ties());
+  header_.lamps = header_.lamps || part.lamps;
+  header_.parts += part.parts;
+  header_.counts += part.counts;
+  header_.lamp_ties.add(part.lamp_ties);
+  header_.microseconds += part.microseconds;
+  header_.threads = std::max(header_.threads, part.threads);
 }
 
 void Merge::take_in_blocks() {
   std::vector<std::pair<BlockRange, std::size_t>> all;
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    for (const BlockRange& range : places_[i].blocks.ranges())
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    for (const BlockRange& range : parts_[i].blocks.ranges())
       all.emplace_back(range, i);
   }
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
@@ -79,15 +70,17 @@ void Merge::take_in_blocks() {
   std::vector<BlockRange> ranges;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (i > 0 && all[i].first.begin < all[i - 1].first.end) {
-      const auto [one, other] = std::minmax(all[i - 1].second, all[i].second);
-      refuse_overlap(places_[one], places_[other]);
+      refuse_overlap(std::min(all[i - 1].second, all[i].second),
+                     std::max(all[i - 1].second, all[i].second));
     }
     ranges.push_back(all[i].first);
   }
-  part_.blocks = BlockSet(ranges);
+  header_.blocks = BlockSet(ranges);
 }
 
-void Merge::refuse_overlap(const Place& one, const Place& other) const {
+void Merge::refuse_overlap(std::size_t a, std::size_t b) const {
+  const Part& one = parts_[a];
+  const Part& other = parts_[b];
   std::error_code none;
   if (fs::equivalent(one.path, other.path, none)) {
     throw Error("{} is given twice", other.path.string());
@@ -104,18 +97,18 @@ void Merge::refuse_overlap(const Place& one, const Place& other) const {
 }
 
 double Merge::share() const {
-  return static_cast<double>(part_.blocks.count()) / static_cast<double>(grid_.blocks());
+  return static_cast<double>(header_.blocks.count()) / static_cast<double>(header_.grid.blocks());
 }
 
 std::string Merge::missing() const {
-  const BlockSet gaps = part_.blocks.missing(grid_.blocks());
+  const BlockSet gaps = header_.blocks.missing(header_.grid.blocks());
   std::string text = fmt::format("{:.3g} % of the samples", 100 * (1 - share()));
-  if (!part_.shard) return text;
+  if (!header_.shard) return text;
   std::size_t listed = 0, more = 0;
   auto gap = gaps.ranges().begin();
-  for (std::uint32_t index = 1; index <= part_.shard->count; ++index) {
-    const Shard shard{index, part_.shard->count};
-    const BlockRange range = share_of(shard, grid_, part_.lamps);
+  for (std::uint32_t index = 1; index <= header_.shard->count; ++index) {
+    const Shard shard{index, header_.shard->count};
+    const BlockRange range = share_of(shard, header_.grid, header_.lamps);
     std::uint64_t lacks = 0;
     while (gap != gaps.ranges().end() && gap->begin < range.end) {
       lacks += std::min(gap->end, range.end) - std::max(gap->begin, range.begin);
@@ -135,20 +128,19 @@ std::string Merge::missing() const {
 }
 
 RenderResult Merge::run(const std::function<void(double)>& progress) const {
-  RenderResult result{.film = Film(grid_.width, grid_.height, grid_.block),
-                      .counts = counts_,
-                      .lamp_ties = lamp_ties_,
-                      .seconds = 1e-6 * static_cast<double>(part_.microseconds),
-                      .threads = part_.threads};
-  result.counts.lamp_ties = lamp_ties_.value() / static_cast<double>(grid_.tiles());
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    const StateFile file(places_[i].path);
-    if (difference_of(file.settings(), settings_) || !file.part() ||
-        file.part()->blocks != places_[i].blocks) {
-      throw Error("{} has become another part meanwhile", places_[i].path.string());
+  RenderResult result{.film = Film(header_.grid.width, header_.grid.height, header_.grid.block),
+                      .counts = header_.counts,
+                      .lamp_ties = header_.lamp_ties,
+                      .seconds = 1e-6 * static_cast<double>(header_.microseconds),
+                      .threads = header_.threads};
+  result.counts.lamp_ties = header_.lamp_ties.value() / static_cast<double>(header_.grid.tiles());
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const PartFile file(parts_[i].path);
+    if (difference_of(file.header(), header_) || file.header().blocks != parts_[i].blocks) {
+      throw Error("{} has become another part meanwhile", parts_[i].path.string());
     }
     file.add_to(result.film);
-    if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(places_.size()));
+    if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(parts_.size()));
   }
   return result;
 }

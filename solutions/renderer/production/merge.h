@@ -2,7 +2,6 @@
 
 #include "render/driver.h"
 #include "renderer/production/part.h"
-#include "renderer/production/settings.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -12,49 +11,39 @@
 
 namespace carlo {
 
-class StateFile;
-
-/// Parts of one render, each block of samples in at most one of them. The result has the same bits
-/// in whatever order they are given and however they were merged before; if no block is missing,
-/// those of the render that was never shared out.
+/// Parts of one render, each block of samples in at most one of them. What comes of them has the
+/// same bits in whatever order they are given and however they were merged before; where no block
+/// is missing, those of the render that was never shared out.
 class Merge {
  public:
-  /// Reads the headers of the parts. Throws Error that names the wrong part and the reason: not a
-  /// part, cut short or spoilt, of another render, or with samples that another part holds.
+  /// Reads the parts' headers. Throws Error, which says which part is wrong and why: no part, cut
+  /// short or spoilt, one of another render, or of samples that another one holds.
   explicit Merge(const std::vector<std::filesystem::path>& paths);
 
-  // For all parts together.
-  const RenderSettings& settings() const { return settings_; }
-  const BlockGrid& grid() const { return grid_; }
-  const Part& part() const { return part_; }
-  const std::string& scene() const { return scene_; }
-  bool complete() const { return part_.blocks.count() == grid_.blocks(); }
-  /// The fraction of all samples that is present.
+  /// Of all parts together.
+  const PartHeader& header() const { return header_; }
+  bool complete() const { return header_.blocks.count() == header_.grid.blocks(); }
+  /// Of all samples, how much is there.
   double share() const;
-  /// Describes what is missing: "12.5 % of the samples (shards 3/8)".
+  /// What is missing: "12.5 % of the samples (shards 3/8)".
   std::string missing() const;
 
-  /// Adds the parts' sums, one part after the other. Throws Error if some are spoilt, or if another
-  /// file has replaced a part.
+  /// Adds the parts' sums, one part after the other. Throws Error if some are spoilt, or another
+  /// file has taken a part's place.
   RenderResult run(const std::function<void(double)>& progress = {}) const;
 
  private:
-  struct Place {
+  struct Part {
     std::filesystem::path path;
     BlockSet blocks;
   };
 
-  void take_in(const StateFile& file);
+  void take_in(const PartHeader& part);
   void take_in_blocks();
-  [[noreturn]] void refuse_overlap(const Place& one, const Place& other) const;
+  [[noreturn]] void refuse_overlap(std::size_t a, std::size_t b) const;
 
-  std::vector<Place> places_;
-  RenderSettings settings_;
-  BlockGrid grid_;
-  std::string scene_;
-  Part part_;
-  Counts counts_;
-  ExactSum lamp_ties_;
+  std::vector<Part> parts_;
+  PartHeader header_;
 };
 
 }  // namespace carlo

@@ -2,10 +2,13 @@
 
 #include "course/render/outputs.h"
 #include "course/render/report.h"
+#include "image/exr.h"
 #include "renderer/production/reports.h"
 #include "renderer/production/resumable_outputs.h"
 #include "support/number.h"
 #include "support/progress.h"
+
+#include <fmt/core.h>
 
 #include <cstdint>
 #include <optional>
@@ -13,35 +16,28 @@
 namespace carlo {
 
 static RenderReport report_of(const Merge& merge, const RenderResult& result) {
+  const PartHeader& part = merge.header();
   RenderReport report = make_report(result);
-  report.scene = merge.scene();
-  report.needs = merge.part().needs;
-  report.kernel = merge.settings().at("kernel");
-  report.expect_asks(merge.part().least_light_chance);
-  report.sampler = merge.settings().at("sampler");
-  report.max_depth = number_of<int>(merge.settings().at("max_depth")).value_or(0);
-  report.seed = number_of<std::uint64_t>(merge.settings().at("seed")).value_or(0);
-  tell_parts(report, merge.part().parts, merge.share());
+  report.scene = part.scene;
+  report.needs = part.needs;
+  report.kernel = part.settings.at("kernel");
+  report.expect_asks(part.least_light_chance);
+  report.sampler = part.settings.at("sampler");
+  report.max_depth = number_of<int>(part.settings.at("max_depth")).value_or(0);
+  report.seed = number_of<std::uint64_t>(part.settings.at("seed")).value_or(0);
+  tell_parts(report, part.parts, merge.share());
   return report;
 }
 
-/// A render can only be continued if it has all its first samples, so an incomplete merge remains a
-/// part.
-static ResumableOutputs outputs_of(const Merge& merge, const MergeOutput& how) {
-  RenderSettings settings = merge.settings();
-  std::optional<Part> part;
-  if (merge.complete()) {
-    settings.erase("version");
-  } else {
-    part = merge.part();
-  }
-  return {output_stem(how.output, merge.scene()), settings, how.sums, part};
-}
-
 std::string write_merged(const Merge& merge, const MergeOutput& how) {
-  const auto reference = read_reference(how.reference, merge.grid().width, merge.grid().height);
-  const ResumableOutputs outputs = outputs_of(merge, how);
-  const RenderResult result = [&] {
+  const PartHeader& part = merge.header();
+  const auto reference = read_reference(how.reference, part.grid.width, part.grid.height);
+  RenderSettings settings = part.settings;
+  settings.erase("version");
+  // A render goes on from its first samples only.
+  const ResumableOutputs outputs(output_stem(how.output, part.scene), settings,
+                                 merge.complete() && how.sums);
+  RenderResult result = [&] {
     Progress progress("merging", how.progress);
     return merge.run([&](double fraction) { progress.update(fraction); });
   }();

@@ -70,11 +70,11 @@ int run_to_target(const Command& command) {
 }
 
 int run_resumed(Command command) {
-  const StateFile earlier(command.a.resume);
+  const EarlierRender earlier(command.a.resume);
   take_over(command.a, earlier);
   const RenderTask task =
       task_of(command, static_cast<std::uint32_t>(earlier.number("planned_spp")));
-  require_same(earlier, task.settings);
+  earlier.require_same(task.settings);
   if (command.a.target_error) {
     const EarlierAdaptive start = adaptive_start(earlier);
     return ImageRender(command.a, task, command.text).run(&start);

@@ -3,7 +3,6 @@
 #include "course/render/outputs.h"
 #include "course/render/pixel_maps.h"
 #include "image/png.h"
-#include "renderer/production/state_exr.h"
 #include "support/atomic_file.h"
 
 #include <cstdint>
@@ -26,9 +25,8 @@ static std::vector<std::uint32_t> sample_counts(const Film& film) {
   return counts;
 }
 
-ResumableOutputs::ResumableOutputs(fs::path stem, RenderSettings settings, bool sums,
-                                   std::optional<Part> part)
-    : stem_(std::move(stem)), settings_(std::move(settings)), sums_(sums), part_(std::move(part)) {
+ResumableOutputs::ResumableOutputs(fs::path stem, RenderSettings settings, bool sums)
+    : stem_(std::move(stem)), settings_(std::move(settings)), sums_(sums) {
   require_writable(stem_);
   const AtomicFile writable(with_suffix(stem_, samples_suffix));
 }
@@ -66,10 +64,7 @@ std::string ResumableOutputs::names(const AdaptiveResult& /*result*/) const {
 ExrFile ResumableOutputs::exr(const RenderResult& result, const RenderReport& report,
                               bool sums) const {
   ExrFile file = exr_of(result, report);
-  if (!sums) return file;
-  add_state(file, settings_, result.film, result.counts, result.lamp_ties);
-  if (part_) add_part(file, *part_);
-  seal(file);
+  if (sums) add_sums(file, settings_, result.film, result.counts, result.lamp_ties);
   return file;
 }
 
@@ -77,9 +72,7 @@ ExrFile ResumableOutputs::exr(const AdaptiveResult& result, const RenderReport& 
                               bool sums) const {
   ExrFile file = exr_of(result, report);
   file.counts["samples"] = sample_counts(result.film);
-  if (!sums) return file;
-  add_state(file, settings_, *result.state, result.counts);
-  seal(file);
+  if (sums) add_sums(file, settings_, *result.state, result.counts);
   return file;
 }
 

@@ -10,8 +10,8 @@ namespace carlo {
 
 namespace fs = std::filesystem;
 
-/// A render continues as it began: with its target, or without one.
-static void take_over_target(ProductionArguments& a, const StateFile& earlier) {
+/// A render goes on as it began: with its target, or without one.
+static void take_over_target(ProductionArguments& a, const EarlierRender& earlier) {
   const std::optional<double> target = earlier.target_error();
   if (!target) {
     if (a.target_error)
@@ -28,11 +28,7 @@ static void take_over_target(ProductionArguments& a, const StateFile& earlier) {
   if (!a.spp) a.spp = static_cast<std::uint32_t>(earlier.number("spp_limit"));
 }
 
-void take_over(ProductionArguments& a, const StateFile& earlier) {
-  if (earlier.part()) {
-    throw Error("cannot resume {}: it is {} of a render; ./carlo merge adds the rest", a.resume,
-                told(*earlier.part()));
-  }
+void take_over(ProductionArguments& a, const EarlierRender& earlier) {
   take_over_target(a, earlier);
   if (a.scene.empty()) a.scene = earlier.setting("scene");
   if (a.definitions.empty()) a.definitions = earlier.definitions();
@@ -43,14 +39,7 @@ void take_over(ProductionArguments& a, const StateFile& earlier) {
   if (a.output.empty()) a.output = fs::path(a.resume).replace_extension().string() + ".exr";
 }
 
-void require_same(const StateFile& earlier, const RenderSettings& settings) {
-  if (const auto difference = difference_of(earlier.settings(), settings)) {
-    throw Error("cannot resume {}: its {} is {}, this render's {}", earlier.path().string(),
-                difference->name, difference->a, difference->b);
-  }
-}
-
-RenderResult uniform_start(const StateFile& earlier, std::optional<std::uint32_t> spp) {
+RenderResult uniform_start(const EarlierRender& earlier, std::optional<std::uint32_t> spp) {
   RenderResult result{
       .film = earlier.film(), .counts = earlier.counts(), .lamp_ties = earlier.lamp_ties()};
   result.seconds = earlier.seconds(result.film);
@@ -64,7 +53,7 @@ RenderResult uniform_start(const StateFile& earlier, std::optional<std::uint32_t
   return result;
 }
 
-EarlierAdaptive adaptive_start(const StateFile& earlier) {
+EarlierAdaptive adaptive_start(const EarlierRender& earlier) {
   EarlierAdaptive start{earlier.adaptive_state(), earlier.counts()};
   start.seconds = earlier.seconds(start.state.film());
   return start;

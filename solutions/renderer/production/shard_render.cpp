@@ -3,12 +3,10 @@
 #include "course/render/outputs.h"
 #include "course/render/report.h"
 #include "render/driver.h"
-#include "renderer/production/state_exr.h"
-#include "renderer/production/state_file.h"
+#include "renderer/production/part.h"
 #include "scene/needs.h"
 #include "support/atomic_file.h"
 #include "support/error.h"
-#include "support/number.h"
 
 #include <fmt/core.h>
 
@@ -21,119 +19,100 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the path that -o names; by default it is made of the scene's name and the share.
+/// What -o names with the ending of parts; by default the scene's name and the share.
 fs::path part_path(const ShardRender& render) {
-  const fs::path given(render.output);
+  fs::path given(render.output);
+  if (given.extension() == part_suffix) return given;
   const bool named = given.has_filename() && !fs::is_directory(given);
+  const fs::path stem = output_stem(render.output, render.scene);
   const Shard& shard = render.shard;
-  return with_suffix(
-      output_stem(render.output, render.scene),
-      named ? std::string(".exr") : fmt::format(".{}-of-{}.exr", shard.index, shard.count));
+  return with_suffix(stem, named
+                               ? std::string(part_suffix)
+                               : fmt::format(".{}-of-{}{}", shard.index, shard.count, part_suffix));
 }
 
-/// A share of a render and its files.
-class Share {
- public:
-  Share(const Scene& scene, const Integrator& integrator, const ShardRender& render)
-      : scene_(scene), integrator_(integrator), render_(render), settings_(render.settings) {
-    settings_["version"] = program_version();
-    const std::uint32_t block = block_size(render.spp);
-    grid_ = {scene.width, scene.height, block, render.spp / block};
-    part_.needs = describe(needs(scene));
-    part_.lamps = integrator.lamp_paths() > 0;
-    part_.least_light_chance = integrator.least_light_chance();
-    part_.shard = render.shard;
-    range_ = share_of(render.shard, grid_, part_.lamps);
-  }
+PartHeader header_of(const Scene& scene, const Integrator& integrator, const ShardRender& render) {
+  PartHeader part;
+  part.settings = render.settings;
+  part.settings["version"] = program_version();
+  part.scene = render.scene;
+  part.needs = describe(needs(scene));
+  const std::uint32_t block = block_size(render.spp);
+  part.grid = {scene.width, scene.height, block, render.spp / block};
+  part.lamps = integrator.lamp_paths() > 0;
+  part.least_light_chance = integrator.least_light_chance();
+  part.shard = render.shard;
+  return part;
+}
 
-  const BlockRange& range() const { return range_; }
+/// The part's header, of what is rendered so far.
+PartHeader with(PartHeader part, const RenderResult& result, const BlockRange& share) {
+  part.blocks = blocks_done(result.film, share);
+  part.counts = result.counts;
+  part.lamp_ties = result.lamp_ties;
+  part.microseconds = static_cast<std::uint64_t>(std::llround(1e6 * result.seconds));
+  part.threads = result.threads;
+  return part;
+}
 
-  /// Returns the result to continue from. Throws Error if the file is anything else.
-  RenderResult start_from(const StateFile& file) const;
-  /// Writes the part, unless the file already holds more of the same share, by another process: for
-  /// example of a node that was taken for dead.
-  void write(const fs::path& path, const RenderResult& result) const;
-  void tell(const fs::path& path, const RenderResult& result) const;
-
- private:
-  bool is_behind(const fs::path& path, std::uint64_t blocks) const;
-
-  const Scene& scene_;
-  const Integrator& integrator_;
-  const ShardRender& render_;
-  RenderSettings settings_;
-  BlockGrid grid_;
-  Part part_;  ///< without what has been rendered
-  BlockRange range_;
-};
-
-RenderResult Share::start_from(const StateFile& file) const {
+/// What to go on from.
+RenderResult result_of(const PartFile& file, const PartHeader& now, const BlockRange& share) {
+  const PartHeader& then = file.header();
   const std::string where = fmt::format("cannot go on with {}", file.path().string());
   const char* const hint = "; remove it, or name another with -o";
-  if (!file.part()) throw Error("{}: it is no part of a render{}", where, hint);
-  if (const auto difference = difference_of(file.settings(), settings_)) {
+  if (const auto difference = difference_of(then, now)) {
     throw Error("{}: its {} is {}, this render's {}{}", where, difference->name, difference->a,
                 difference->b, hint);
   }
-  if (file.part()->shard != part_.shard) {
-    throw Error("{}: it is {}, not shard {}{}", where, told(*file.part()), part_.shard->text(),
-                hint);
+  if (then.shard != now.shard) {
+    throw Error("{}: it is {}, not shard {}{}", where, told(then), now.shard->text(), hint);
   }
-  RenderResult result{.film = Film(grid_.width, grid_.height, grid_.block),
-                      .counts = file.counts(),
-                      .lamp_ties = file.lamp_ties(),
-                      .seconds = 1e-6 * static_cast<double>(file.part()->microseconds)};
+  RenderResult result{.film = Film(now.grid.width, now.grid.height, now.grid.block),
+                      .counts = then.counts,
+                      .lamp_ties = then.lamp_ties,
+                      .seconds = 1e-6 * static_cast<double>(then.microseconds)};
   file.add_to(result.film);
-  if (blocks_done(result.film, range_) != file.part()->blocks) {
-    throw Error("{}: its samples are not the first ones of shard {}{}", where, part_.shard->text(),
+  if (blocks_done(result.film, share) != then.blocks) {
+    throw Error("{}: its samples are not the first ones of shard {}{}", where, now.shard->text(),
                 hint);
   }
   return result;
 }
 
-void Share::write(const fs::path& path, const RenderResult& result) const {
-  Part part = part_;
-  part.blocks = blocks_done(result.film, range_);
-  part.microseconds = static_cast<std::uint64_t>(std::llround(1e6 * result.seconds));
-  part.threads = result.threads;
-  if (is_behind(path, part.blocks.count())) return;
-  ExrFile file{.image = result.film.mean()};
-  file.attributes["scene"] = render_.scene;
-  add_state(file, settings_, result.film, result.counts, result.lamp_ties);
-  add_part(file, part);
-  write_state(path, std::move(file));
-}
-
-bool Share::is_behind(const fs::path& path, std::uint64_t blocks) const {
+/// Whether a part has more of the same share by now, by another process: of a node, say, that was
+/// taken for dead.
+bool is_behind(const fs::path& path, const PartHeader& part) {
   try {
-    const StateFile there(path);
-    return there.part() && there.part()->shard == part_.shard &&
-           !difference_of(there.settings(), settings_) && there.part()->blocks.count() > blocks;
+    const PartFile file(path);
+    const PartHeader& there = file.header();
+    return there.shard == part.shard && !difference_of(there, part) &&
+           there.blocks.count() > part.blocks.count();
   } catch (const Error&) {
     return false;
   }
 }
 
-void Share::tell(const fs::path& path, const RenderResult& result) const {
-  const auto seed = number_of<std::uint64_t>(settings_.at("seed")).value_or(0);
-  ReportLines lines = to_lines(make_report(scene_, render_.scene, integrator_, seed, result));
-  for (const std::string& note : scene_.notes)
-    lines.emplace_back("note", note);
-  if (range_.count() == 0) {
-    lines.emplace_back("note",
-                       fmt::format("shard {} has no samples: there are {} blocks of them, for as "
-                                   "many shards",
-                                   render_.shard.text(), grid_.blocks()));
+void tell(const Scene& scene, const Integrator& integrator, const ShardRender& render,
+          const PartHeader& part, const RenderResult& result, const fs::path& path,
+          const BlockRange& share) {
+  const std::uint64_t seed = std::stoull(part.settings.at("seed"));
+  const RenderReport report = make_report(scene, render.scene, integrator, seed, result);
+  fmt::print("{}", to_text(to_lines(report)));
+  for (const std::string& note : scene.notes)
+    fmt::print("  {:<16} {}\n", "note", note);
+  if (share.count() == 0) {
+    fmt::print(
+        "  {:<16} shard {} has no samples: there are {} blocks of them, for as many shards\n",
+        "note", render.shard.text(), part.grid.blocks());
   }
-  const std::uint64_t done = blocks_done(result.film, range_).count();
-  const auto percent = [&](std::uint64_t of) {
-    return fmt::format("{:.4g} %", 100.0 * static_cast<double>(done) / static_cast<double>(of));
-  };
-  lines.emplace_back("written",
-                     fmt::format("{}: {} of shard {}, {} of all samples", path.string(),
-                                 done == range_.count() ? "all" : percent(range_.count()),
-                                 render_.shard.text(), percent(grid_.blocks())));
-  fmt::print("{}", to_text(lines));
+  const std::uint64_t done = part.blocks.count();
+  fmt::print("  {:<16} {}: {} of shard {}, {:.4g} % of all samples\n", "written", path.string(),
+             done == share.count()
+                 ? "all"
+                 : fmt::format("{:.4g} %", 100.0 * static_cast<double>(done) /
+                                               static_cast<double>(share.count())),
+             render.shard.text(),
+             100.0 * static_cast<double>(done) / static_cast<double>(part.grid.blocks()));
 }
 
 }  // namespace
@@ -141,28 +120,33 @@ void Share::tell(const fs::path& path, const RenderResult& result) const {
 int render_shard(const Scene& scene, const Integrator& integrator, const ShardRender& render) {
   const fs::path path = part_path(render);
   const AtomicFile writable(path);
-  const Share share(scene, integrator, render);
+  const PartHeader header = header_of(scene, integrator, render);
+  const BlockRange share = share_of(render.shard, header.grid, header.lamps);
   std::optional<RenderResult> start;
   if (fs::exists(path)) {
-    const StateFile file(path);
-    start = share.start_from(file);
-    if (file.part()->blocks.count() == share.range().count()) {
+    const PartFile file(path);
+    start = result_of(file, header, share);
+    if (file.header().blocks.count() == share.count()) {
       if (!render.quiet)
         fmt::print("  {} has all of shard {} already\n", path.string(), render.shard.text());
       return 0;
     }
   }
-  const auto write = [&](const RenderResult& r) { share.write(path, r); };
+  const auto write = [&](const RenderResult& r) {
+    const PartHeader part = with(header, r, share);
+    if (!is_behind(path, part)) write_part(path, part, r.film);
+  };
   const RenderResult result = carlo::render(integrator, scene.width, scene.height,
                                             {.spp = render.spp,
                                              .threads = render.threads,
                                              .progress = !render.quiet,
                                              .earlier = start ? &*start : nullptr,
-                                             .share = share.range(),
+                                             .share = share,
                                              .checkpoint = write,
                                              .checkpoint_seconds = render.checkpoint_seconds});
   write(result);
-  if (!render.quiet) share.tell(path, result);
+  if (!render.quiet)
+    tell(scene, integrator, render, with(header, result, share), result, path, share);
   return result.interrupted ? 130 : 0;
 }
 

@@ -2,7 +2,7 @@
 
 #include "render/integrator.h"
 #include "renderer/production/block_set.h"
-#include "renderer/production/settings.h"
+#include "renderer/production/resume.h"
 #include "scene/scene.h"
 
 #include <cstdint>

@@ -4,7 +4,7 @@
 #include "course/render/outputs.h"
 #include "render/driver.h"
 #include "renderer/production/adaptive_state.h"
-#include "renderer/production/state_file.h"
+#include "renderer/production/part.h"
 #include "support/atomic_file.h"
 #include "support/error.h"
 #include "support/number.h"
@@ -76,7 +76,7 @@ SlurmFolder SlurmFolder::beside(const fs::path& stem) {
 }
 
 fs::path SlurmFolder::part(int shard) const {
-  return path_ / fmt::format("{}.exr", shard);
+  return path_ / fmt::format("{}{}", shard, part_suffix);
 }
 
 int SlurmFolder::round() const {
@@ -166,8 +166,7 @@ SlurmFolder::State SlurmFolder::look(const SlurmPlan& plan) {
     std::uint64_t there = finished ? whole : 0;
     if (!finished && whole > 0 && fs::exists(part(i))) {
       try {
-        const StateFile file(part(i));
-        if (file.part()) there = file.part()->blocks.count();
+        there = PartFile(part(i)).header().blocks.count();
       } catch (const Error&) {
         // Its task reports the error and begins again.
       }

@@ -4,11 +4,11 @@
 #include "course/render/report.h"
 #include "image/exr.h"
 #include "renderer/production/merge.h"
+#include "renderer/production/part.h"
 #include "renderer/production/reports.h"
 #include "renderer/production/resumable_outputs.h"
 #include "renderer/production/slurm_render.h"
 #include "renderer/production/slurm_round.h"
-#include "renderer/production/state_file.h"
 #include "support/error.h"
 #include "support/number.h"
 
@@ -48,10 +48,11 @@ SlurmPlan plan_of(const SlurmFolder& folder) {
 std::uint64_t usable_blocks(const fs::path& path) {
   if (!fs::exists(path)) return 0;
   try {
-    const StateFile file(path);
-    if (!file.part()) throw Error("cannot read {}: it is no part of a render", path.string());
-    file.film();
-    return file.part()->blocks.count();
+    const PartFile file(path);
+    const BlockGrid& grid = file.header().grid;
+    Film film(grid.width, grid.height, grid.block);
+    file.add_to(film);
+    return file.header().blocks.count();
   } catch (const Error& error) {
     fmt::print(stderr, "{}; its shard is rendered anew\n", error.what());
     fs::rename(path, path.string() + ".spoilt");
@@ -61,14 +62,13 @@ std::uint64_t usable_blocks(const fs::path& path) {
 
 /// Throws Error unless this node renders exactly what the plan says.
 void require_same(const SlurmFolder& folder, const SlurmPlan& plan, const RenderSettings& mine) {
-  RenderSettings planned = plan.settings;
-  planned["kernel"] = folder.settle_kernel(mine.at("kernel"));
-  if (const auto difference = difference_of(mine, planned)) {
-    throw Error("on this node the {} is {}, the render's is {}{}", difference->name, difference->a,
-                difference->b,
-                difference->name == "kernel"
-                    ? "; sbatch's --constraint (SBATCH_CONSTRAINT) keeps to like nodes"
-                    : "");
+  for (const auto& [name, value] : mine) {
+    const std::string& planned =
+        name == "kernel" ? folder.settle_kernel(value) : plan.settings.at(name);
+    if (planned == value) continue;
+    throw Error(
+        "on this node the {} is {}, the render's is {}{}", name, value, planned,
+        name == "kernel" ? "; sbatch's --constraint (SBATCH_CONSTRAINT) keeps to like nodes" : "");
   }
 }
 
@@ -90,7 +90,7 @@ int run_slurm_task(const SlurmFolder& folder, const Scene& scene, const Integrat
   render.quiet = true;
   const int code = render_shard(scene, integrator, render);
   if (code == 0) return 0;
-  return end_early(code, StateFile(part).part()->blocks.count() > before);
+  return end_early(code, PartFile(part).header().blocks.count() > before);
 }
 
 int run_slurm_merge(SlurmFolder& folder, const MergeOutput& how) {

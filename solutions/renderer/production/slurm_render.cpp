@@ -115,9 +115,12 @@ void require_same(const SlurmFolder& folder, const SlurmPlan& then, const SlurmR
         "with -o",
         folder.path().string(), name, a, b);
   };
-  if (const auto difference = difference_of(then.settings, now.plan.settings))
-    require(difference->name, difference->a, difference->b);
-  require("limit of samples", std::to_string(then.spp), std::to_string(now.plan.spp));
+  for (const auto& [name, value] : now.plan.settings) {
+    const auto at = then.settings.find(name);
+    require(name, at == then.settings.end() ? "" : at->second, value);
+  }
+  require("film", fmt::format("{} x {}", then.width, then.height),
+          fmt::format("{} x {}", now.plan.width, now.plan.height));
   if (now.tasks_given)
     require("number of tasks", std::to_string(then.shards), std::to_string(now.plan.shards));
 }

@@ -3,9 +3,7 @@
 #include "course/cli/program.h"
 #include "image/exr.h"
 #include "render/interrupt.h"
-#include "renderer/production/resumed_render.h"
-#include "renderer/production/state_exr.h"
-#include "renderer/production/state_file.h"
+#include "renderer/production/resume.h"
 #include "support/error.h"
 
 #include <fmt/core.h>
@@ -14,7 +12,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <system_error>
-#include <utility>
 
 namespace carlo {
 namespace {
@@ -22,8 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 EarlierAdaptive read_round(const fs::path& path, const RenderSettings& settings) {
-  const StateFile file(path);
-  require_same(file, settings);
+  const EarlierRender file(path);
+  file.require_same(settings);
   return {file.adaptive_state(), file.counts(), file.real("seconds")};
 }
 
@@ -59,9 +56,10 @@ int end_early(int code, bool further) {
 void write_round(const fs::path& path, const RenderSettings& settings, const AdaptiveState& state,
                  const RenderResult& result) {
   ExrFile file{.image = state.film().mean()};
-  file.attributes["seconds"] = fmt::format("{}", result.seconds);
-  add_state(file, settings, state, result.counts);
-  write_state(path, std::move(file));
+  RenderSettings attributes = settings;
+  attributes["seconds"] = fmt::format("{}", result.seconds);
+  add_sums(file, attributes, state, result.counts);
+  write_exr(path, file);
 }
 
 int render_round_share(const SlurmFolder& folder, const SlurmPlan& plan,

@@ -10,7 +10,6 @@ extern "C" {
 
 struct CarloExrView {
   int width, height;
-  int first_line, end_line;     ///< those in the file
   const float* pixels;          ///< RGB, row-major
   const float* standard_error;  ///< like pixels, or null
   std::size_t attributes;

@@ -51,8 +51,6 @@ void take(void* context, const CarloExrView* view) {
     const std::uint32_t* const values = view->count_values[i];
     file.counts[view->count_names[i]].assign(values, values + file.image.pixels.size());
   }
-  if (view->end_line - view->first_line < view->height)
-    file.lines = ExrFile::Lines{view->first_line, view->end_line};
   file.notes.assign(view->note_texts, view->note_texts + view->notes);
 }
 
@@ -72,11 +70,8 @@ void write_exr(const std::filesystem::path& path, const ExrFile& file) {
     count_names.push_back(name.c_str());
     count_values.push_back(values.data());
   }
-  const ExrFile::Lines lines = file.lines.value_or(ExrFile::Lines{0, file.image.height});
   const CarloExrView view{file.image.width,
                           file.image.height,
-                          lines.first,
-                          lines.end,
                           pixels.data(),
                           file.standard_error ? errors.data() : nullptr,
                           names.size(),

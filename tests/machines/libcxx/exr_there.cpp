@@ -48,7 +48,6 @@ char* error_of(const Work& work) {
       const std::uint32_t* const values = view->count_values[i];
       file.counts[view->count_names[i]].assign(values, values + file.image.pixels.size());
     }
-    file.lines = ExrFile::Lines{view->first_line, view->end_line};
     carlo::write_exr(path, file);
   });
 }
@@ -73,13 +72,12 @@ char* error_of(const Work& work) {
       count_names.push_back(name.c_str());
       count_values.push_back(values.data());
     }
-    const ExrFile::Lines lines = file.lines.value_or(ExrFile::Lines{0, file.image.height});
-    const CarloExrView view{
-        file.image.width,   file.image.height,  lines.first,
-        lines.end,          pixels.data(),      file.standard_error ? errors.data() : nullptr,
-        names.size(),       names.data(),       texts.data(),
-        count_names.size(), count_names.data(), count_values.data(),
-        notes.size(),       notes.data()};
+    const CarloExrView view{file.image.width,   file.image.height,
+                            pixels.data(),      file.standard_error ? errors.data() : nullptr,
+                            names.size(),       names.data(),
+                            texts.data(),       count_names.size(),
+                            count_names.data(), count_values.data(),
+                            notes.size(),       notes.data()};
     take(context, &view);
   });
 }

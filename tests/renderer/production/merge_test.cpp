@@ -5,7 +5,6 @@
 #include "common/temporary_folder.h"
 #include "course/render/report.h"
 #include "random/rng.h"
-#include "renderer/production/state_file.h"
 #include "shard_noise.h"
 
 #include <catch2/catch_approx.hpp>
@@ -38,21 +37,21 @@ std::vector<fs::path> write_shards(const fs::path& folder, std::uint32_t count, 
       noise.interrupt_at =
           1 + static_cast<int>(rng.uniform_float() * static_cast<float>(share.count()));
     }
-    const fs::path path = folder / fmt::format("{}-of-{}.exr", i, count);
+    const fs::path path = folder / fmt::format("{}-of-{}.part", i, count);
     RenderResult result = render_noise(noise, spp, threads, share);
     REQUIRE(result.interrupted == (noise.interrupt_at > 0));
-    write_part(path, noise_settings(spp), noise_part(noise, spp, shard, result), result);
+    write_part(path, noise_header(noise, spp, shard, result), result.film);
     if (result.interrupted) {
-      const StateFile file(path);
+      const PartFile file(path);
       RenderResult start{.film = Film(noise.width, noise.height, noise_grid(spp).block),
-                         .counts = file.counts(),
-                         .lamp_ties = file.lamp_ties()};
+                         .counts = file.header().counts,
+                         .lamp_ties = file.header().lamp_ties};
       file.add_to(start.film);
       CHECK(same_sums(start.film, result.film));
-      CHECK(file.part()->blocks.count() < share.count());
+      CHECK(file.header().blocks.count() < share.count());
       noise.interrupt_at = -1;
       result = render_noise(noise, spp, threads, share, &start);
-      write_part(path, noise_settings(spp), noise_part(noise, spp, shard, result), result);
+      write_part(path, noise_header(noise, spp, shard, result), result.film);
     }
     parts.push_back(path);
   }
@@ -71,8 +70,8 @@ Merge merge_at_random(std::vector<fs::path> parts, const fs::path& folder, Rng& 
     Merge merge({parts.end() - static_cast<std::ptrdiff_t>(taken), parts.end()});
     if (taken == parts.size()) return merge;
     parts.resize(parts.size() - taken);
-    parts.push_back(folder / fmt::format("merged{}.exr", round));
-    write_part(parts.back(), merge.settings(), merge.part(), merge.run());
+    parts.push_back(folder / fmt::format("merged{}.part", round));
+    write_part(parts.back(), merge.header(), merge.run().film);
   }
   return Merge(parts);
 }
@@ -96,8 +95,8 @@ TEST_CASE(
         CHECK(merged.counts.lamp_paths == whole.counts.lamp_paths);
         CHECK(merged.counts.lamp_ties == whole.counts.lamp_ties);
         CHECK(mean_of(merged).standard_error == mean_of(whole).standard_error);
-        CHECK(merge.part().parts == count);
-        CHECK(merge.part().microseconds == 1000 * count + count * (count + 1) / 2);
+        CHECK(merge.header().parts == count);
+        CHECK(merge.header().microseconds == 1000 * count + count * (count + 1) / 2);
       }
     }
   }
@@ -167,7 +166,7 @@ TEST_CASE(
       std::vector<double> means;
       for (std::uint32_t pass = 0; pass < grid.passes; ++pass) {
         const std::uint64_t number = pass * grid.tiles() + tile;
-        if (merge.part().blocks.count_in({number, number + 1}) == 0) continue;
+        if (merge.header().blocks.count_in({number, number + 1}) == 0) continue;
         std::array<std::array<double, 3>, 1> mean;
         Counts counts;
         noise.render({x, y, x + 1, y + 1, pass * grid.block, grid.block}, mean, counts);

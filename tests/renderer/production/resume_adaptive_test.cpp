@@ -3,8 +3,7 @@
 #include "random/rng.h"
 #include "render/splats.h"
 #include "renderer/production/adaptive.h"
-#include "renderer/production/resumed_render.h"
-#include "renderer/production/state_exr.h"
+#include "renderer/production/resume.h"
 #include "support/error.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -80,13 +79,13 @@ RenderSettings settings() {
 
 ExrFile file_of(const AdaptiveResult& result) {
   ExrFile file{result.film.mean(), result.film.standard_error()};
-  add_state(file, settings(), *result.state, result.counts);
+  add_sums(file, settings(), *result.state, result.counts);
   return file;
 }
 
 EarlierAdaptive read(const fs::path& path) {
-  const StateFile earlier(path);
-  require_same(earlier, settings());
+  const EarlierRender earlier(path);
+  earlier.require_same(settings());
   CHECK(earlier.target_error() == target);
   return {earlier.adaptive_state(), earlier.counts()};
 }
@@ -94,7 +93,7 @@ EarlierAdaptive read(const fs::path& path) {
 /// Returns the result after writing it to a file and reading it back.
 EarlierAdaptive written_and_read(const AdaptiveResult& result) {
   const TemporaryFolder folder;
-  write_state(folder.path() / "a.exr", file_of(result));
+  write_exr(folder.path() / "a.exr", file_of(result));
   return read(folder.path() / "a.exr");
 }
 
@@ -226,13 +225,13 @@ TEST_CASE("An adaptive render does not go on from another one") {
   ExrFile retouched = file_of(result);
   retouched.image.at(5, 5).r += 1;
   write_exr(path, retouched);
-  CHECK_THROWS_AS(StateFile(path).adaptive_state(), Error);
+  CHECK_THROWS_AS(EarlierRender(path).adaptive_state(), Error);
 
   const auto refused = [&](const char* name, const char* text) {
     ExrFile file = file_of(result);
     file.attributes[name] = text;
     write_exr(path, file);
-    CHECK_THROWS_AS(StateFile(path).adaptive_state(), Error);
+    CHECK_THROWS_AS(EarlierRender(path).adaptive_state(), Error);
   };
   for (const char* text : {"", "-1", "nan", "3x"}) {
     refused("adaptive_round", text);
@@ -247,7 +246,8 @@ TEST_CASE("An adaptive render does not go on from another one") {
     file.counts.at("adaptive.A." + channel + ".0")[0] = static_cast<std::uint32_t>(bits);
     file.counts.at("adaptive.A." + channel + ".1")[0] = static_cast<std::uint32_t>(bits >> 32);
     write_exr(path, file);
-    CHECK_THROWS_WITH(StateFile(path).adaptive_state(), Catch::Matchers::ContainsSubstring(word));
+    CHECK_THROWS_WITH(EarlierRender(path).adaptive_state(),
+                      Catch::Matchers::ContainsSubstring(word));
   };
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double value : {0x1p700, 0x1p54, -1.0, 1.5, nan}) {
@@ -260,7 +260,7 @@ TEST_CASE("An adaptive render does not go on from another one") {
   ExrFile incomplete = file_of(result);
   incomplete.counts.erase("adaptive.B.Y.sum.1");
   write_exr(path, incomplete);
-  CHECK_THROWS_AS(StateFile(path).adaptive_state(), Error);
+  CHECK_THROWS_AS(EarlierRender(path), Error);
 }
 
 /// Renders a share of the round after `start`; the second share is interrupted and continued.

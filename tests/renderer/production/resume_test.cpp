@@ -1,9 +1,9 @@
+#include "renderer/production/resume.h"
+
 #include "common/noise_integrator.h"
 #include "common/temporary_folder.h"
 #include "random/rng.h"
 #include "render/driver.h"
-#include "renderer/production/resumed_render.h"
-#include "renderer/production/state_exr.h"
 #include "support/atomic_file.h"
 #include "support/error.h"
 
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr int width = 37, height = 21;  // 6 tiles
 
-/// Noise with samples over five orders of magnitude.
+/// Samples over five orders of magnitude.
 class Noise final : public common_test::NoiseIntegrator {
   void sample(const Tile& tile, int x, int y, BlockSum& sum, Counts& counts) const override {
     for (std::uint32_t s = 0; s < tile.samples; ++s) {
@@ -51,13 +51,13 @@ RenderSettings settings() {
 
 void write(const fs::path& path, const RenderResult& result) {
   ExrFile file{result.film.mean(), result.film.standard_error()};
-  add_state(file, settings(), result.film, result.counts);
-  write_state(path, file);
+  add_sums(file, settings(), result.film, result.counts);
+  write_exr(path, file);
 }
 
 RenderResult read(const fs::path& path) {
-  const StateFile earlier(path);
-  require_same(earlier, settings());
+  const EarlierRender earlier(path);
+  earlier.require_same(settings());
   RenderResult result{.film = earlier.film(), .counts = earlier.counts()};
   return result;
 }
@@ -98,13 +98,13 @@ TEST_CASE("What -D gave is in the render, also in one from before it was an obje
   const RenderResult result = run(Noise(), 64);
   write(path, result);
   const std::vector<std::string> given{"a=1"};
-  CHECK(StateFile(path).definitions() == given);
+  CHECK(EarlierRender(path).definitions() == given);
   const auto with = [&](const char* text) {
     ExrFile file{result.film.mean(), result.film.standard_error()};
-    add_state(file, settings(), result.film, result.counts);
+    add_sums(file, settings(), result.film, result.counts);
     file.attributes["definitions"] = text;
     write_exr(path, file);
-    return StateFile(path).definitions();
+    return EarlierRender(path).definitions();
   };
   CHECK(with("[\"a=1\"]") == given);
   CHECK(with("[]").empty());
@@ -139,7 +139,7 @@ TEST_CASE("A checkpoint is a render to go on from") {
                                            if (++count == 3) write(scratch.path() / "a.exr", r);
                                          },
                                      .checkpoint_seconds = 0});
-  CHECK(count == 7);  // after each of the eight passes but the last
+  CHECK(count == 7);  // eight passes; after the last comes the result
   const RenderResult start = read(scratch.path() / "a.exr");
   CHECK(start.film.samples() == std::uint64_t{width} * height * 24);
   CHECK(same(run(noise, 64, &start).film, whole.film));
@@ -154,22 +154,22 @@ TEST_CASE("Nobody goes on from another render, nor from what is no render") {
        {"scene_digest", "seed", "sampler", "max_depth", "planned_spp", "kernel"}) {
     RenderSettings other = settings();
     other[name] += "1";
-    CHECK_THROWS_AS(require_same(StateFile(path), other), Error);
+    CHECK_THROWS_AS(EarlierRender(path).require_same(other), Error);
   }
 
   ExrFile retouched{result.film.mean(), result.film.standard_error()};
-  add_state(retouched, settings(), result.film, result.counts);
+  add_sums(retouched, settings(), result.film, result.counts);
   retouched.image.at(5, 5).r += 1;
-  write_exr(path, retouched);  // like older renders, which have no digest
-  CHECK_THROWS_AS(StateFile(path).film(), Error);
+  write_exr(path, retouched);
+  CHECK_THROWS_AS(EarlierRender(path).film(), Error);
 
   write_exr(path, {result.film.mean()});
-  CHECK_THROWS_AS(StateFile(path), Error);
+  CHECK_THROWS_AS(EarlierRender(path), Error);
   write(path, result);
   const std::string bytes = read_file(path);
   for (const std::size_t length : {std::size_t{0}, std::size_t{100}, bytes.size() / 2}) {
     write_file(path, bytes.substr(0, length));
-    CHECK_THROWS_AS(StateFile(path).film(), Error);
+    CHECK_THROWS_AS(EarlierRender(path), Error);
   }
 }
 

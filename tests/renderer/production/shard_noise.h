@@ -5,17 +5,15 @@
 #include "render/blocks.h"
 #include "render/driver.h"
 #include "render/splats.h"
-#include "renderer/production/state_exr.h"
+#include "renderer/production/part.h"
 
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
-#include <string>
 
 namespace common_test {
 
-/// Noise over five orders of magnitude, from the camera and from lamps, for tests of shares.
+/// Noise over five orders of magnitude, from the camera and from lamps, for what is shared out.
 class ShardNoise final : public NoiseIntegrator {
  public:
   static constexpr int width = 37, height = 21;  // 6 tiles
@@ -60,7 +58,7 @@ inline carlo::BlockGrid noise_grid(std::uint32_t spp) {
   return {ShardNoise::width, ShardNoise::height, block, spp / block};
 }
 
-/// Renders `spp` samples of the noise, or a share of them.
+/// `spp` samples of the noise, or a share of them.
 inline carlo::RenderResult render_noise(const ShardNoise& noise, std::uint32_t spp, int threads = 2,
                                         std::optional<carlo::BlockRange> share = {},
                                         const carlo::RenderResult* earlier = nullptr) {
@@ -69,35 +67,26 @@ inline carlo::RenderResult render_noise(const ShardNoise& noise, std::uint32_t s
       {.spp = spp, .threads = threads, .progress = false, .earlier = earlier, .share = share});
 }
 
-/// The settings in a state of the noise.
-inline carlo::RenderSettings noise_settings(std::uint32_t spp) {
-  return {{"seed", "1"},         {"sampler", "1"},      {"max_depth", "1"},
-          {"scene_digest", "1"}, {"kernel", "noise"},   {"planned_spp", std::to_string(spp)},
-          {"version", "1"},      {"definitions", "[]"}, {"film", carlo::film_text(37, 21)}};
-}
-
-/// A shard of the noise, as far as it is rendered.
-inline carlo::Part noise_part(const ShardNoise& noise, std::uint32_t spp, const carlo::Shard& shard,
-                              const carlo::RenderResult& result) {
-  carlo::Part part;
+/// The header of the noise's shard, of what is rendered of it.
+inline carlo::PartHeader noise_header(const ShardNoise& noise, std::uint32_t spp,
+                                      const carlo::Shard& shard,
+                                      const carlo::RenderResult& result) {
+  carlo::PartHeader part;
+  for (const std::string& name : carlo::part_setting_names())
+    part.settings[name] = "1";
+  part.settings["planned_spp"] = std::to_string(spp);
+  part.settings["kernel"] = "noise";
+  part.scene = "noise.xml";
   part.needs = "nothing";
+  part.grid = noise_grid(spp);
   part.lamps = noise.lamp_paths() > 0;
   part.shard = shard;
-  part.blocks =
-      carlo::blocks_done(result.film, carlo::share_of(shard, noise_grid(spp), part.lamps));
+  part.blocks = carlo::blocks_done(result.film, carlo::share_of(shard, part.grid, part.lamps));
+  part.counts = result.counts;
+  part.lamp_ties = result.lamp_ties;
   part.microseconds = 1000 + shard.index;
   part.threads = result.threads;
   return part;
-}
-
-/// Writes such a state to a file.
-inline void write_part(const std::filesystem::path& path, const carlo::RenderSettings& settings,
-                       const carlo::Part& part, const carlo::RenderResult& result) {
-  carlo::ExrFile file{.image = result.film.mean()};
-  file.attributes["scene"] = "noise.xml";
-  carlo::add_state(file, settings, result.film, result.counts, result.lamp_ties);
-  carlo::add_part(file, part);
-  carlo::write_state(path, file);
 }
 
 /// Whether two films have the same sums.

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "image/exr.h"
+#include "image/film.h"
+#include "numeric/exact_sum.h"
+#include "render/integrator.h"
+#include "renderer/production/adaptive_state.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace carlo {
+
+/// What the bits of a render depend on besides the program: by name, as text.
+using RenderSettings = std::map<std::string, std::string>;
+
+/// `planned` is the number of samples that the integrator was made for.
+RenderSettings render_settings(const Scene& scene, const std::string& kernel, std::uint64_t seed,
+                               std::uint32_t planned, const std::vector<std::string>& definitions);
+
+/// Adds to an image what it takes to go on with it: the settings and counts as attributes, and the
+/// film's sums, which are whole numbers of 128 bits, in channels of 32 bits: so no bit is lost, and
+/// the film goes on as if it had never been away. `lamp_ties` as in RenderResult.
+void add_sums(ExrFile& file, const RenderSettings& settings, const Film& film, const Counts& counts,
+              const ExactSum& lamp_ties = {});
+
+/// The same for an adaptive render.
+void add_sums(ExrFile& file, const RenderSettings& settings, const AdaptiveState& state,
+              const Counts& counts);
+
+/// A render that was written with its sums and may be gone on with.
+class EarlierRender {
+ public:
+  /// Throws Error if the file cannot be read or has no sums.
+  explicit EarlierRender(std::filesystem::path path);
+
+  int width() const { return file_.image.width; }
+  int height() const { return file_.image.height; }
+  const std::string& setting(const std::string& name) const;
+  /// Of a setting that is a whole number.
+  std::uint64_t number(const std::string& name) const;
+  /// Of one that is a finite number.
+  double real(const std::string& name) const;
+  std::vector<std::string> definitions() const;
+  /// Of an adaptive render.
+  std::optional<double> target_error() const;
+
+  /// Throws Error if the bits of a render with these settings depend on anything else.
+  void require_same(const RenderSettings& settings) const;
+
+  /// Throws Error if the sums do not belong to the image.
+  Film film() const;
+  /// The same of an adaptive render.
+  AdaptiveState adaptive_state() const;
+  Counts counts() const;
+  /// As in RenderResult, of one without a target error.
+  ExactSum lamp_ties() const;
+  /// The seconds that the report beside the image tells; 0 if there is none of the same render.
+  double seconds(const Film& film) const;
+
+ private:
+  std::filesystem::path path_;
+  ExrFile file_;
+};
+
+}  // namespace carlo
