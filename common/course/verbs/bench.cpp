@@ -83,7 +83,7 @@ void point_to_llvm() {
 [[noreturn]] void bench_render(Course& course, const Words& words) {
   // Instruction sets other than the widest of this machine are compiled on request.
   for (const std::string& word : words)
-    if (starts_with(word, "--kernel")) course.building.every_instruction_set();
+    if (word.starts_with("--kernel")) course.building.every_instruction_set();
   become(course, "carlo_bench_render", {"--references", course.tree.root / "tests/references"},
          words);
 }

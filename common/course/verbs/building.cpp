@@ -21,12 +21,12 @@ namespace fs = std::filesystem;
 std::string from_here(const fs::path& path) {
   std::error_code ec;
   const std::string here = joined({fs::current_path(ec), "/"}), text = path.string();
-  return starts_with(text, here.c_str()) ? text.substr(here.size()) : text;
+  return text.starts_with(here) ? text.substr(here.size()) : text;
 }
 
 /// Whether a line of the build log is a command run by ninja or a message of ninja itself.
 bool is_command(const std::string& line) {
-  if (starts_with(line, "ninja: ") || starts_with(line, "FAILED: ")) return true;
+  if (line.starts_with("ninja: ") || line.starts_with("FAILED: ")) return true;
   const std::string program = fs::path(line.substr(0, line.find(' '))).filename();
   return line[0] == '/' && is_one_of(program, {"ccache", "c++", "g++", "clang++"});
 }

@@ -34,9 +34,9 @@ int calibrate(Course& course, const Words& words) {
   for (const LabFolder& lab : named_labs(course.tree, words))
     targets += {lab.program("_judge"), lab.program("_worker_solution"), lab.program("_mistakes")};
   course.building.build(targets);
-  Words command = list_of({course.building.program("carlo_calibrate"), "--tree-labs",
-                           course.tree.root / "labs", "--tree-tests", course.tree.root / "tests",
-                           "--programs", course.building.folder() / "bin"});
+  Words command =
+      list_of({course.building.program("carlo_calibrate"), "--tree-labs", course.tree.root / "labs",
+               "--programs", course.building.folder() / "bin"});
   throw HandOver{command += words};
 }
 

@@ -14,7 +14,7 @@ static int render(Course& course, const Words& words) {
   bool elsewhere = false;
   for (const std::string& word : words) {
     if (word != "--mine") arguments.push_back(word);
-    elsewhere = elsewhere || starts_with(word, "--slurm") || starts_with(word, "--shard");
+    elsewhere = elsewhere || word.starts_with("--slurm") || word.starts_with("--shard");
   }
   // With the student's lab 08.
   if (mine) {

@@ -90,7 +90,7 @@ std::string Tree::own_text(const LabFolder& lab) const {
 }
 
 ExerciseNumber Tree::exercise(const std::string& typed) const {
-  const std::string number = starts_with(typed, "Lab ") ? typed.substr(4) : typed;
+  const std::string number = typed.starts_with("Lab ") ? typed.substr(4) : typed;
   if (!is_exercise_number(number)) fail({"an exercise is a number such as 1.2, got '", typed, "'"});
   const std::size_t point = number.find('.');
   const LabFolder folder = lab(number.substr(0, point));
@@ -111,7 +111,7 @@ std::string Tree::help(const std::string& verb) const {
   std::string text;
   bool inside = false;
   for (std::string line; std::getline(lines, line);) {
-    if (starts_with(line, "== ")) {
+    if (line.starts_with("== ")) {
       inside = line.substr(3) == verb;
     } else if (inside) {
       (text += line) += '\n';

@@ -73,10 +73,6 @@ bool asks_for_help(const std::string& word) {
   return is_one_of(word, {"--help", "-h"});
 }
 
-bool starts_with(const std::string& word, const char* start) {
-  return word.rfind(start, 0) == 0;
-}
-
 bool is_number(const std::string& word, std::size_t most) {
   return !word.empty() && word.size() <= most &&
          word.find_first_not_of("0123456789") == std::string::npos;

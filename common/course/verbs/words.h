@@ -43,7 +43,6 @@ void say(Parts parts);
 bool is_one_of(const std::string& word, Parts words);
 bool is_one_of(const std::string& word, const Words& words);
 bool asks_for_help(const std::string& word);
-bool starts_with(const std::string& word, const char* start);
 /// Whether a word consists of 1 to `most` digits.
 bool is_number(const std::string& word, std::size_t most);
 int as_number(const std::string& digits);
