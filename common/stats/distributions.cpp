@@ -76,11 +76,10 @@ double noncentral_lower(double x, double dof, double noncentrality) {
   const double last = std::ceil(mean + 12 * std::sqrt(mean) + 40);
   double tail = gamma_lower(dof / 2 + last, half), sum = 0;
   for (double j = last; j >= 0; --j) {
-    const double weight = mean > 0 && j > 0 ? std::exp(log_poisson(j, mean)) : std::exp(-mean);
-    if (mean > 0 || j == 0) sum += weight * tail;
+    const double weight = j > 0 ? std::exp(log_poisson(j, mean)) : std::exp(-mean);
+    sum += weight * tail;
     if (j < mean && weight < 1e-18 * sum) break;
-    const double a = dof / 2 + j - 1;
-    if (j > 0) tail += a > 0 ? std::exp(log_poisson(a, half)) : 0;
+    if (j > 0) tail += std::exp(log_poisson(dof / 2 + j - 1, half));
   }
   return sum;
 }
@@ -97,11 +96,11 @@ double normal_two_sided_quantile(double p) {
 }
 
 double chi_square_lower(double x, double dof) {
-  return std::isnan(x) ? x : gamma_lower(dof / 2, x / 2);
+  return gamma_lower(dof / 2, x / 2);
 }
 
 double chi_square_upper(double x, double dof) {
-  return std::isnan(x) ? x : gamma_upper(dof / 2, x / 2);
+  return gamma_upper(dof / 2, x / 2);
 }
 
 double chi_square_lower_quantile(double p, double dof) {

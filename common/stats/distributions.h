@@ -13,8 +13,8 @@ double normal_two_sided(double z);
 /// Returns the z > 0 with P(|Z| >= z) = p, for 0 < p <= 1. Throws std::domain_error outside.
 double normal_two_sided_quantile(double p);
 
-/// Return P(X <= x) and P(X >= x) for chi-square with `dof` > 0 degrees of freedom, x >= 0; dof
-/// need not be whole. Throw std::domain_error outside.
+/// Return P(X <= x) and P(X >= x) for chi-square with 0 < dof <= 2e12 degrees of freedom, x >= 0;
+/// dof need not be whole. NaN outside, which passes no comparison with a level.
 double chi_square_lower(double x, double dof);
 double chi_square_upper(double x, double dof);
 

@@ -9,6 +9,11 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
+/// The series need some 8 sqrt(a) terms, and beyond 1e15 would not end: x / k rounds to 1.
+bool in_domain(double a, double x) {
+  return a > 0 && a <= 1e12 && x >= 0;
+}
+
 /// log(x / a) - (x - a) / a, without cancellation where x is near a.
 double log_ratio_minus(double x, double a) {
   const double t = (x - a) / a;
@@ -61,14 +66,16 @@ double log_poisson(double a, double x) {
 }
 
 double gamma_lower(double a, double x) {
-  if (!(x > 0)) return x == 0 ? 0 : std::numeric_limits<double>::quiet_NaN();
+  if (!in_domain(a, x)) return std::numeric_limits<double>::quiet_NaN();
+  if (x == 0) return 0;
   if (std::isinf(x)) return 1;
   if (x >= a + 1) return 1 - gamma_upper(a, x);
   return std::exp(log_poisson(a, x)) * lower_series(a, x);
 }
 
 double gamma_upper(double a, double x) {
-  if (!(x > 0)) return x == 0 ? 1 : std::numeric_limits<double>::quiet_NaN();
+  if (!in_domain(a, x)) return std::numeric_limits<double>::quiet_NaN();
+  if (x == 0) return 1;
   if (std::isinf(x)) return 0;
   if (x < a + 1) return 1 - gamma_lower(a, x);
   return a * std::exp(log_poisson(a, x)) * upper_fraction(a, x);

@@ -7,7 +7,8 @@ namespace carlo {
 // eight times as long to compile into everybody's first verdict). Source: NIST Digital Library of
 // Mathematical Functions, 8.11.4 and 8.9.2.
 
-/// P(a, x), the probability that a gamma variable of shape a > 0 is at most x >= 0.
+/// P(a, x), the probability that a gamma variable of shape a, 0 < a <= 1e12, is at most x >= 0.
+/// NaN outside.
 double gamma_lower(double a, double x);
 
 /// Q(a, x) = 1 - P(a, x).

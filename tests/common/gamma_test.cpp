@@ -10,6 +10,8 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 
 namespace {
 
@@ -38,6 +40,21 @@ TEST_CASE("incomplete gamma functions agree with Boost.Math's", "[stats]") {
       }
     }
   }
+}
+
+TEST_CASE("incomplete gamma functions are NaN outside their domain, and end near its limit",
+          "[stats]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const auto function : {carlo::gamma_lower, carlo::gamma_upper}) {
+    for (const double a : {0.0, -1.0, 1e15, nan})
+      CHECK(std::isnan(function(a, 1)));
+    for (const double x : {-1e-300, nan})
+      CHECK(std::isnan(function(1, x)));
+    // The median of a gamma variable of shape a is a - 1/3 + O(1/a).
+    CHECK(close(function(1e12, 1e12 - 1.0 / 3), 0.5L, 1e-9));
+  }
+  CHECK(std::isnan(carlo::chi_square_two_sided(1, 0)));
+  CHECK_THROWS_AS(carlo::chi_square_upper_quantile(nan, 3), std::domain_error);
 }
 
 TEST_CASE("quantiles of chi-square agree with Boost.Math's", "[stats]") {
