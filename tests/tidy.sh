@@ -1,24 +1,20 @@
 #!/usr/bin/env bash
-# tidy.sh [--all]: clang-tidy of what the last ten commits changed (.ci/run), without its analyser and for
-# a quarter of an hour at most, after which it says how much is left; or of everything, with it
-# (tests/nightly.sh). Files that are compiled together are looked at together: most
+# tidy.sh [--all]: clang-tidy of what the last ten commits changed (.ci/run), without its analyser; or of
+# everything, with it (tests/nightly.sh). Files that are compiled together are looked at together: most
 # of the time goes into the headers that they share. What was clean is not looked at again until
 # something that it includes changes ($XDG_CACHE_HOME/carlo/tidy, or ~/.cache). Exit code 0: all clean.
 set -euo pipefail
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/..")
 cd "$root"
 case ${1:-} in
-  '') checks='-clang-analyzer-*' minutes=15 ;;
-  --all) checks='' minutes=1000000 ;;
+  '') checks='-clang-analyzer-*' ;;
+  --all) checks='' ;;
   --help | -h)
     sed -n '2,/^set/{s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}" | sed '$d'
     exit ;;
   *) printf 'tidy: it takes --all only, got %s\n' "$1" >&2 && exit 1 ;;
 esac
 CHECKS=$checks
-DEADLINE=$(($(date +%s) + 60 * minutes))
-LEFT=$(mktemp)
-trap 'rm -f "$LEFT"' EXIT
 CACHE=${XDG_CACHE_HOME:-$HOME/.cache}/carlo/tidy
 mkdir -p "$CACHE"
 cmake --preset ci -B build/tidy >/dev/null
@@ -60,13 +56,11 @@ look() {
   key=$( (cd build/tidy && $command -E -C "$file" 2>/dev/null; cat "$OLDPWD/.clang-tidy"; clang-tidy --version; printf '%s\n' "$CHECKS") |
     sed "s#$PWD##g" | sha256sum | cut -d' ' -f1)
   [ ! -e "$CACHE/$key" ] || return 0
-  if [ "$(date +%s)" -ge "$DEADLINE" ]; then printf '%s\n' "$file" >>"$LEFT" && return; fi
   clang-tidy -p build/tidy --quiet ${CHECKS:+"--checks=$CHECKS"} "$file" 2>/dev/null || return
   : >"$CACHE/$key"
 }
 export -f look
-export CHECKS CACHE DEADLINE LEFT
+export CHECKS CACHE
 
 if [ "${1:-}" = --all ]; then compiled; else compiled | changed; fi | tr '\n' '\0' |
   xargs -0 --no-run-if-empty -P2 -I{} bash -c 'look "$1"' look {}
-[ ! -s "$LEFT" ] || printf 'tidy: no time for %d files; tests/tidy.sh --all looks at them\n' "$(wc -l <"$LEFT")"
