@@ -35,7 +35,7 @@ class Intersector {
   static constexpr std::uint32_t nothing = 0xFFFFFFFF;
 
   /// True if anything lies at 0 < t < tmax, except for one shape, which must be a parallelogram, a
-  /// sphere or a disk: the lamp that the ray aims at. Where a ray grazes a sphere, rounding could
+  /// sphere or a disk: the light that the ray aims at. Where a ray grazes a sphere, rounding could
   /// make it occlude itself.
   bool occluded(const Ray& ray, float tmax, std::uint32_t but_for = nothing) const;
 

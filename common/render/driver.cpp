@@ -1,7 +1,7 @@
 #include "render/driver.h"
 
 #include "render/interrupt.h"
-#include "render/lamp_pass.h"
+#include "render/light_pass.h"
 #include "render/threads.h"
 #include "support/progress.h"
 #include "support/wall_clock.h"
@@ -38,10 +38,10 @@ class Job {
         static_cast<std::size_t>(film_.width()) * static_cast<std::size_t>(film_.height());
     const auto passes = static_cast<std::uint32_t>((share_.end + tiles() - 1) / tiles());
     for (std::uint32_t pass = first_pass(passes); pass < passes && !stopped(pass); ++pass) {
-      const LampPass lamps(integrator_, pixels, 0, pass * film_.block(), film_.block());
+      const LightPass light_pass(integrator_, pixels, 0, pass * film_.block(), film_.block());
       if (interrupt_noted()) break;
       tbb::parallel_for(
-          0, columns_ * rows_, [&](int tile) { run_tile(tile, pass, lamps); },
+          0, columns_ * rows_, [&](int tile) { run_tile(tile, pass, light_pass); },
           tbb::simple_partitioner{});
       settle();
       if (pass + 1 < passes && !stopped(pass + 1)) save();
@@ -88,7 +88,7 @@ class Job {
   /// Fills in the results that follow from the others.
   void settle() {
     result_.seconds = earlier_seconds_ + clock_.seconds();
-    result_.counts.lamp_ties = result_.lamp_ties.value() / static_cast<double>(tiles());
+    result_.counts.light_path_ties = result_.light_path_ties.value() / static_cast<double>(tiles());
   }
 
   /// Passes the current result to the checkpoint callback if it is due.
@@ -104,7 +104,7 @@ class Job {
            (options_.seconds && pass >= 2 && clock_.seconds() >= *options_.seconds);
   }
 
-  void run_tile(int number, std::uint32_t pass, const LampPass& lamps) {
+  void run_tile(int number, std::uint32_t pass, const LightPass& light_pass) {
     if (stopped(pass) || !lacks(number, pass)) return;
     Tile tile;
     tile.x0 = corner_x(number);
@@ -120,22 +120,22 @@ class Job {
     std::size_t i = 0;
     for (int y = tile.y0; y < tile.y1; ++y) {
       for (int x = tile.x0; x < tile.x1; ++x, ++i) {
-        lamps.add_to(means[i],
-                     static_cast<std::size_t>(y) * static_cast<std::size_t>(film_.width()) +
-                         static_cast<std::size_t>(x));
+        light_pass.add_to(means[i],
+                          static_cast<std::size_t>(y) * static_cast<std::size_t>(film_.width()) +
+                              static_cast<std::size_t>(x));
         film_.add_block(x, y, means[i]);
       }
     }
-    // A pass that is rendered in several runs traces its paths from lamps in each; they are counted
+    // A pass that is rendered in several runs traces its light paths in each; they are counted
     // once, with tile 0.
-    if (number == 0) counts += lamps.counts();
-    finish_tile(counts, lamps.counts().lamp_ties);
+    if (number == 0) counts += light_pass.counts();
+    finish_tile(counts, light_pass.counts().light_path_ties);
   }
 
-  void finish_tile(const Counts& counts, double lamp_ties) {
+  void finish_tile(const Counts& counts, double light_path_ties) {
     const std::lock_guard lock(mutex_);
     result_.counts += counts;
-    result_.lamp_ties.add(lamp_ties);
+    result_.light_path_ties.add(light_path_ties);
     ++blocks_done_;
     progress_.update(options_.seconds
                          ? clock_.seconds() / *options_.seconds

@@ -31,15 +31,15 @@ struct RenderOptions {
 struct RenderResult {
   Film film;
   Counts counts{};
-  /// The sum over all blocks of all tiles (blocks.h) of the Counts::lamp_ties of the block's pass;
-  /// exact, so that it does not depend on how the blocks were shared out.
-  ExactSum lamp_ties{};
+  /// The sum over all blocks of all tiles (blocks.h) of the Counts::light_path_ties of the block's
+  /// pass; exact, so that it does not depend on how the blocks were shared out.
+  ExactSum light_path_ties{};
   double seconds = 0;
   int threads = 1;
   bool interrupted = false;  ///< by Ctrl-C; the film holds the finished blocks
-  /// The covariances of the pixels caused by paths from lamps, summed over all pairs; nothing if
-  /// they follow from lamp_ties.
-  std::optional<double> lamp_covariance = {};
+  /// The covariances of the pixels caused by light paths, summed over all pairs; nothing if
+  /// they follow from light_path_ties.
+  std::optional<double> light_path_covariance = {};
 };
 
 /// Side, in pixels, of the square tiles that are rendered at once; all pixels of a tile have the

@@ -18,16 +18,16 @@ struct Tile {
   std::uint32_t first_sample = 0;
   std::uint32_t samples = 0;
   std::uint32_t stream = 0;
-  /// The share of the paths from lamps belonging to the samples (Integrator::lamp_paths) that is
+  /// The share of the light paths belonging to the samples (Integrator::light_paths) that is
   /// traced.
-  double lamp_share = 1;
+  double light_path_share = 1;
 };
 
-/// A range of a stream's paths from lamps.
-struct LampPaths {
+/// A range of a stream's light paths.
+struct LightPaths {
   std::uint64_t first = 0, count = 0;
   std::uint32_t stream = 0;
-  double share = 1;  ///< Tile::lamp_share of the samples that they belong to
+  double share = 1;  ///< Tile::light_path_share of the samples that they belong to
 };
 
 /// The seed of a stream of samples of an integrator with this seed; for stream 0 the seed itself.
@@ -37,22 +37,22 @@ constexpr std::uint64_t stream_seed(std::uint64_t seed, std::uint32_t stream) {
 
 struct Counts {
   std::uint64_t paths = 0;
-  std::uint64_t rays = 0;        ///< of all kinds, including shadow rays; 0 if not counted
-  std::uint64_t lamp_paths = 0;  ///< from lamps, not included in `paths`
-  std::uint64_t cut = 0;         ///< paths ended only because of their length
+  std::uint64_t rays = 0;         ///< of all kinds, including shadow rays; 0 if not counted
+  std::uint64_t light_paths = 0;  ///< from lights, not included in `paths`
+  std::uint64_t cut = 0;          ///< paths ended only because of their length
   std::uint64_t bad = 0;  ///< samples that were NaN, infinite or negative, and so count as black
-  /// The covariances of the image's pixels caused by paths from lamps that reach several pixels,
+  /// The covariances of the image's pixels caused by light paths that reach several pixels,
   /// summed over all these paths and divided by the squared share that was traced; in squared
   /// luminances of the image's mean.
-  double lamp_ties = 0;
+  double light_path_ties = 0;
 
   Counts& operator+=(const Counts& other) {
     paths += other.paths;
     rays += other.rays;
-    lamp_paths += other.lamp_paths;
+    light_paths += other.light_paths;
     cut += other.cut;
     bad += other.bad;
-    lamp_ties += other.lamp_ties;
+    light_path_ties += other.light_path_ties;
     return *this;
   }
 };
@@ -101,16 +101,16 @@ class Integrator {
   /// 1 if there is no choice.
   virtual double least_light_chance() const { return 1; }
 
-  /// The number of paths from lamps that an image needs, besides its tiles, per sample of each
+  /// The number of light paths that an image needs, besides its tiles, per sample of each
   /// pixel; 0 if all light is found from the camera.
-  virtual std::uint32_t lamp_paths() const { return 0; }
+  virtual std::uint32_t light_paths() const { return 0; }
 
-  /// Traces paths from lamps, by their numbers in the stream: each sample of an image of `pixels`
-  /// has `lamp_paths() * pixels` of them; if only a share is traced, the first ones. A pixel's
-  /// radiance is the sum of its splats over the number of traced paths. Adds to lamp_ties the
+  /// Traces light paths, by their numbers in the stream: each sample of an image of `pixels`
+  /// has `light_paths() * pixels` of them; if only a share is traced, the first ones. A pixel's
+  /// radiance is the sum of its splats over the number of traced paths. Adds to light_path_ties the
   /// products of every two splats of a path, in both orders, in squared luminances of splats.
-  virtual void trace_lamps(const LampPaths& /*paths*/, Splats& /*splats*/,
-                           Counts& /*counts*/) const {}
+  virtual void trace_light_paths(const LightPaths& /*paths*/, Splats& /*splats*/,
+                                 Counts& /*counts*/) const {}
   /// The unit of splats for which the sums of `paths` paths cannot overflow.
   virtual double splat_unit(std::uint64_t /*paths*/) const { return 1; }
 

@@ -8,7 +8,7 @@
 
 namespace carlo {
 
-/// The contributions of paths from lamps to the pixels of an image, summed as whole numbers so that
+/// The contributions of light paths to the pixels of an image, summed as whole numbers so that
 /// the bits do not depend on the order in which threads add.
 class Splats {
  public:

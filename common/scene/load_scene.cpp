@@ -3,7 +3,7 @@
 #include "scene/center.h"
 #include "scene/clip.h"
 #include "scene/digits.h"
-#include "scene/duplicate_lamps.h"
+#include "scene/duplicate_lights.h"
 #include "scene/envmap_file.h"
 #include "scene/grammar.h"
 #include "scene/ids.h"
@@ -48,7 +48,7 @@ class Loader {
     check_clip(scene_, clip_, errors_);
     errors_.raise();
     scene_.materials = materials_.list();
-    leave_out_duplicate_lamps(scene_, start);
+    leave_out_duplicate_lights(scene_, start);
     add_notes();
     return std::move(scene_);
   }

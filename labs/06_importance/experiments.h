@@ -27,7 +27,7 @@ void shapes_experiment(Notebook& notebook);
 void convergence_experiment(Notebook& notebook);
 /// Lab 6.4: how a tail that is too thin shows, and its cure.
 void tails_experiment(Notebook& notebook);
-/// Lab 6.3: a lamp in fog; with Lab 6.7 the mixture of its two techniques.
+/// Lab 6.3: a light in fog; with Lab 6.7 the mixture of its two techniques.
 void fog_experiment(Notebook& notebook);
 /// Lab 6.5: rejection samples, used directly.
 void rejection_experiment(Notebook& notebook);

@@ -12,15 +12,15 @@
 #include <functional>
 #include <vector>
 
-// A ray through fog past a lamp: light that is scattered once towards the camera.
+// A ray through fog past a light source: light that is scattered once towards the camera.
 
 namespace lab06 {
 namespace {
 
-/// The ray runs from t = -3, the camera, to t = 9; t = 0 is nearest to the lamp.
+/// The ray runs from t = -3, the camera, to t = 9; t = 0 is nearest to the light.
 constexpr double first = -3, last = 9, fog = 0.5;
 
-/// Transmittance from the camera times the lamp's light at t.
+/// Transmittance from the camera times the light source's light at t.
 Function scattered(double height) {
   return [=](double t) {
     return t <= last ? std::exp(-fog * (t - first)) / (height * height + t * t) : 0;
@@ -66,7 +66,7 @@ FogWay one_of_each(const std::string& name, Heuristic heuristic) {
 std::vector<FogWay> fog_ways() {
   return {alone("uniform", [](double) { return uniform_density(first, last); }),
           alone("free path", [](double) { return exponential_density(fog, first); }),
-          alone("lamp's angle", [](double height) { return light_density(height, first, last); }),
+          alone("light's angle", [](double height) { return light_density(height, first, last); }),
           one_of_each("one of each, balance", balance_weight),
           one_of_each("one of each, power", power_weight),
           {"either by chance", 1, [](const Function& f, double height, carlo::Rng& rng) {
@@ -107,9 +107,9 @@ void sweep(Notebook& notebook) {
       {"way", "height", "estimates", "mean/exact", "z", "sd of one sample", "time of an estimate",
        "efficiency"},
       {"way", "height", "estimates", "estimate", "z", "relative_sd", "seconds", "efficiency"});
-  carlo::Chart chart{"Spread against the lamp's distance",
-                     "left the lamp's peak rules, right the fog; for two samples times √2",
-                     {"distance of the lamp from the ray"},
+  carlo::Chart chart{"Spread against the light's distance",
+                     "left the light's peak rules, right the fog; for two samples times √2",
+                     {"distance of the light from the ray"},
                      {"relative standard deviation of one sample"},
                      {}};
   for (const FogWay& way : fog_ways()) {
@@ -133,7 +133,7 @@ void sweep(Notebook& notebook) {
                  "Single scattering; efficiency is 1/(relative variance × time), in 1/s");
   notebook.say(
       "Choosing one technique by chance keeps half of what it is uncertain about: even where the "
-      "lamp's angle is all but exact, half of the samples go elsewhere and bring nothing. One "
+      "light's angle is all but exact, half of the samples go elsewhere and bring nothing. One "
       "sample of each, with the same weights, does not have that chance left in it.");
 }
 
@@ -149,39 +149,39 @@ void vacuum(Notebook& notebook) {
     table.add_row({name, e.value, right, e.variance});
   };
   row("uniform", uniform_density(first, last));
-  row("lamp's angle", light_density(height, first, last));
+  row("light's angle", light_density(height, first, last));
   notebook.say(
       "Without fog f is 1/(height² + t²) alone, and your density is proportional to it: "
       "one sample is the answer.");
-  notebook.table("vacuum", table, "1000 samples in clear air, the lamp at 0.1");
+  notebook.table("vacuum", table, "1000 samples in clear air, the light at 0.1");
 }
 
 std::string picture(double height, std::string_view title) {
   const View wide{first, last, 1};
   const double integral = exact(height);
   const Function f = scattered(height);
-  const Density lamp = light_density(height, first, last), path = exponential_density(fog, first);
+  const Density light = light_density(height, first, last), path = exponential_density(fog, first);
   double top = 0;
   const Line shape = line("f/∫f", "c1", wide, [&](double t) { return f(t) / integral; });
   for (const carlo::Point& p : shape.points)
     top = std::max(top, p.y);
   const View view{first, last, std::max(1.1 * top, 0.6)};
-  return graph_picture(title, fmt::format("lamp {:g} from the ray", height), view,
+  return graph_picture(title, fmt::format("light {:g} from the ray", height), view,
                        {shape, line("p of the free path", "c2", view, path.pdf),
-                        line("p of the lamp's angle", "c3", view, lamp.pdf)});
+                        line("p of the light's angle", "c3", view, light.pdf)});
 }
 
 }  // namespace
 
 void fog_experiment(Notebook& notebook) {
-  notebook.begin("A lamp in fog");
+  notebook.begin("A light in fog");
   notebook.say(
-      "What reaches the camera along a ray is an integral over the ray: at each point t the lamp's "
+      "What reaches the camera along a ray is an integral over the ray: at each point t the light's "
       "light, 1/(height² + t²), dimmed by exp(-fog × way) on its way back. Two densities offer "
-      "themselves, one for each factor. Close to the lamp the one is hopeless, far from it the "
+      "themselves, one for each factor. Close to the light the one is hopeless, far from it the "
       "other; both together are good in between and never hopeless.");
   notebook.attempt([&] {
-    const std::string near = picture(0.1, "Close: the lamp's peak");
+    const std::string near = picture(0.1, "Close: the light's peak");
     notebook.raw_html(carlo::tiles(
         {near, picture(3, "Further away: both matter"), picture(10, "Far away: the fog's fall")},
         18));

@@ -41,11 +41,10 @@ Estimate summarize(std::span<const double> values);
 double efficiency(double variance, double seconds);
 
 /// Lab 6.3. The density on [a, b] that is proportional to 1 / (height^2 + t^2): the light that a
-/// lamp `height` away from a ray throws on the ray's point t, counted from the point nearest to the
-/// lamp. height > 0, a < b, both finite and of any sign. sample(u) grows with u, runs from a to b
-/// and never leaves [a, b]; pdf is 0 outside.
-/// Source: Kulla and Fajardo, "Importance sampling techniques for path tracing in participating
-/// media", EGSR 2012 (equiangular sampling).
+/// light `height` away from a ray throws on the ray's point t, counted from the point nearest to
+/// the light. height > 0, a < b, both finite and of any sign. sample(u) grows with u, runs from a
+/// to b and never leaves [a, b]; pdf is 0 outside. Source: Kulla and Fajardo, "Importance sampling
+/// techniques for path tracing in participating media", EGSR 2012 (equiangular sampling).
 Density light_density(double height, double a, double b);
 
 /// Lab 6.4. The largest |value| as a fraction of the sum of all |values|; 0 if all are 0.

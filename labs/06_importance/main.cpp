@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
           "until a single sample lifts them; Hill's index and the largest share tell without the "
           "exact value being known. A tenth of a uniform density mends it.",
           "Rejection samples need no integral of g when lost darts count as zeros.",
-          "Of the lamp's and the fog's density, and of the plates' two techniques, each fails "
+          "Of the light's and the fog's density, and of the plates' two techniques, each fails "
           "where the other is good. With weights the combination stays close to the better one "
           "everywhere, at the price of halving its samples."}};
   return carlo::run_lab(lab, argc, argv);

@@ -7,8 +7,8 @@ namespace {
 
 double radiance(double x) {
   double sum = 0;
-  for (const Lamp& lamp : plate_lamps)
-    sum += std::abs(x - lamp.centre) < lamp.half_width ? lamp.radiance() : 0;
+  for (const Light& light : plate_lights)
+    sum += std::abs(x - light.centre) < light.half_width ? light.radiance() : 0;
   return sum;
 }
 
@@ -29,24 +29,24 @@ Function plate_integrand(double m, double scale) {
 
 double plate_exact(double m, double scale) {
   double sum = 0;
-  for (const Lamp& lamp : plate_lamps) {
-    const double from = lamp.centre - lamp.half_width, to = lamp.centre + lamp.half_width;
+  for (const Light& light : plate_lights) {
+    const double from = light.centre - light.half_width, to = light.centre + light.half_width;
     // Uses the side of the lobe where both values are small, so that no digits are lost.
     const double part =
         from > m ? logistic_cdf(2 * m - from, m, scale) - logistic_cdf(2 * m - to, m, scale)
                  : logistic_cdf(to, m, scale) - logistic_cdf(from, m, scale);
-    sum += lamp.radiance() * part;
+    sum += light.radiance() * part;
   }
   return sum;
 }
 
-Density lamp_technique() {
-  constexpr auto count = static_cast<double>(plate_lamps.size());
+Density light_technique() {
+  constexpr auto count = static_cast<double>(plate_lights.size());
   return {[](double u) {
             const auto i = static_cast<std::size_t>(u * count);
-            const Lamp& lamp = plate_lamps.at(i);
+            const Light& light = plate_lights.at(i);
             const double place = u * count - static_cast<double>(i);
-            return lamp.centre + (2 * place - 1) * lamp.half_width;
+            return light.centre + (2 * place - 1) * light.half_width;
           },
           [](double x) { return radiance(x) / count; }};
 }

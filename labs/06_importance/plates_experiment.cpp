@@ -31,13 +31,13 @@ std::vector<PlateWay> plates_ways() {
   };
   const auto both = [](Heuristic heuristic) {
     return [heuristic](double m, double scale, std::int64_t samples, carlo::Rng& rng) {
-      return multi_sample(plate_integrand(m, scale), {lamp_technique(), samples / 2},
+      return multi_sample(plate_integrand(m, scale), {light_technique(), samples / 2},
                           {lobe_technique(m, scale), samples - samples / 2}, heuristic, rng);
     };
   };
-  return {{"lamps only",
+  return {{"lights only",
            [=](double m, double scale, std::int64_t samples, carlo::Rng& rng) {
-             return one(lamp_technique(), m, scale, samples, rng);
+             return one(light_technique(), m, scale, samples, rng);
            }},
           {"lobe only",
            [=](double m, double scale, std::int64_t samples, carlo::Rng& rng) {
@@ -102,20 +102,20 @@ double relative_sd(const PlateWay& way, double m, double scale, int repetitions,
 void spread_table(Notebook& notebook) {
   const std::vector<PlateWay> all = plates_ways();
   carlo::Table table(
-      {"plate's lobe", "lamp's width", "lamps only", "lobe only", "both, balance", "both, power"},
-      {"scale", "width", "lamps", "lobe", "balance", "power"});
+      {"plate's lobe", "light's width", "lights only", "lobe only", "both, balance", "both, power"},
+      {"scale", "width", "lights", "lobe", "balance", "power"});
   const int repetitions = notebook.options().quick ? 400 : 4000;
   for (const double scale : plate_scales) {
     for (const std::size_t i : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}}) {
-      const Lamp& lamp = plate_lamps.at(i);
-      std::vector<carlo::Cell> row = {scale, 2 * lamp.half_width};
+      const Light& light = plate_lights.at(i);
+      std::vector<carlo::Cell> row = {scale, 2 * light.half_width};
       for (const PlateWay& way : all)
-        row.emplace_back(relative_sd(way, lamp.centre, scale, repetitions, notebook.rng()));
+        row.emplace_back(relative_sd(way, light.centre, scale, repetitions, notebook.rng()));
       table.add_row(std::move(row));
     }
   }
   notebook.table("plates", table,
-                 "Relative standard deviation of a pixel that looks at the middle of a lamp, four "
+                 "Relative standard deviation of a pixel that looks at the middle of a light, four "
                  "samples");
 }
 
@@ -157,43 +157,43 @@ void convergence(Notebook& notebook) {
   notebook.charts(error_charts("Plates", "relative error", curves));
 }
 
-/// Weights of the two techniques along x, where the pixel looks just beside the middle of a lamp.
-std::string weight_picture(std::string_view title, std::size_t lamp_index, std::size_t plate) {
-  const Lamp& lamp = plate_lamps.at(lamp_index);
+/// Weights of the two techniques along x, where the pixel looks just beside the middle of a light.
+std::string weight_picture(std::string_view title, std::size_t light_index, std::size_t plate) {
+  const Light& light = plate_lights.at(light_index);
   const double scale = plate_scales.at(plate);
-  const double m = lamp.centre - 0.4 * lamp.half_width;
-  const double reach = 1.3 * lamp.half_width;
-  const View view{lamp.centre - reach, lamp.centre + reach, 1};
-  const Density lamps = lamp_technique(), lobe = lobe_technique(m, scale);
+  const double m = light.centre - 0.4 * light.half_width;
+  const double reach = 1.3 * light.half_width;
+  const View view{light.centre - reach, light.centre + reach, 1};
+  const Density lights = light_technique(), lobe = lobe_technique(m, scale);
   const Function f = plate_integrand(m, scale);
   const double top = f(m);
   const auto weight = [&](Heuristic heuristic) {
-    return [&, heuristic](double x) { return heuristic({1, lamps.pdf(x)}, {1, lobe.pdf(x)}); };
+    return [&, heuristic](double x) { return heuristic({1, lights.pdf(x)}, {1, lobe.pdf(x)}); };
   };
   return graph_picture(
-      title, fmt::format("lobe {:g}, lamp {:g} wide", scale, 2 * lamp.half_width), view,
+      title, fmt::format("lobe {:g}, light {:g} wide", scale, 2 * light.half_width), view,
       {line("f, scaled", "c1", view, [&](double x) { return f(x) / top; }),
-       line("weight of a lamp sample, balance", "c3", view, weight(balance_weight)),
+       line("weight of a light sample, balance", "c3", view, weight(balance_weight)),
        line("the same, power", "c4", view, weight(power_weight))});
 }
 
 }  // namespace
 
 void plates_experiment(Notebook& notebook) {
-  notebook.begin("Two techniques: plates and lamps");
+  notebook.begin("Two techniques: plates and lights");
   notebook.say(
-      "Four plates, mirror-like at the top, matt at the bottom, show four lamps of equal power, "
-      "from a point at the left to a panel at the right. Points on lamps are good for small lamps "
-      "and matt plates; directions from the plate's lobe are good for large lamps and shiny "
+      "Four plates, mirror-like at the top, matt at the bottom, show four lights of equal power, "
+      "from a point at the left to a panel at the right. Points on lights are good for small lights "
+      "and matt plates; directions from the plate's lobe are good for large lights and shiny "
       "plates. Each is hopeless in the other's corner. Weights let every sample count for as much "
       "as its technique is worth there.");
   images(notebook);
   notebook.progress(1, 3);
   notebook.attempt([&] {
-    const std::string first = weight_picture("Shiny plate, large lamp: the lobe decides", 3, 1);
+    const std::string first = weight_picture("Shiny plate, large light: the lobe decides", 3, 1);
     notebook.raw_html(
         carlo::tiles({first, weight_picture("Both alike: shared", 2, 2),
-                      weight_picture("Matt plate, small lamp: the lamp decides", 0, 3)},
+                      weight_picture("Matt plate, small light: the light decides", 0, 3)},
                      18));
   });
   notebook.attempt([&] { spread_table(notebook); });

@@ -24,6 +24,6 @@ void images_experiment(Notebook& notebook);
 /// Lab 7.7: the variance of lobes around the normal, by their exponent.
 void exponents_experiment(Notebook& notebook);
 /// Lab 7.8: surfaces under an image of a sky, error against directions and seconds.
-void lamp_experiment(Notebook& notebook);
+void light_experiment(Notebook& notebook);
 
 }  // namespace lab07

@@ -127,19 +127,19 @@ Point place_of(Vec3 w) {
   carlo::not_implemented("Lab 7.8", "Importance Sampling");
 }
 
-ImageLamp::ImageLamp(std::span<const double> luminances, std::size_t width, std::size_t height)
+ImageLight::ImageLight(std::span<const double> luminances, std::size_t width, std::size_t height)
     : table_(luminances, width, height) {
   // 1. The table's weights are not the luminances alone: assign table_ anew with the right ones.
   carlo::not_implemented("Lab 7.8", "Importance Sampling");
 }
 
-ImageLamp::Sample ImageLamp::sample(glm::dvec2 u) const {
+ImageLight::Sample ImageLight::sample(glm::dvec2 u) const {
   // 1. A point of the table; its row (bin_of in lab 05's bins.h), and how far down that row it is.
   // 2. Within the row the direction's height w.y is uniform, not the angle.
   carlo::not_implemented("Lab 7.8", "Importance Sampling");
 }
 
-float ImageLamp::pdf(Vec3 wi) const {
+float ImageLight::pdf(Vec3 wi) const {
   // 1. The table's density is per area of the image. Which solid angle does that area cover?
   carlo::not_implemented("Lab 7.8", "Importance Sampling");
 }

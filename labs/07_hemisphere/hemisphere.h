@@ -116,14 +116,14 @@ double ambient_occlusion(const Visible& visible, Vec3 normal, const Sampling& sa
 Vec3 direction_at(Point place);
 Point place_of(Vec3 w);
 
-/// Lab 7.8. The image as a lamp: directions with a density proportional to its luminance. Texel
+/// Lab 7.8. The image as a light: directions with a density proportional to its luminance. Texel
 /// (column i, row j), row 0 at the top, covers [i/width, (i+1)/width) x [j/height, (j+1)/height)
 /// and has the luminance luminances[j width + i] in all of its directions. So a texel is drawn in
 /// proportion to its luminance times its solid angle, and within a texel directions are uniform.
-class ImageLamp {
+class ImageLight {
  public:
   /// Luminances like the weights of lab05::Tabulated2d; throws what that throws.
-  ImageLamp(std::span<const double> luminances, std::size_t width, std::size_t height);
+  ImageLight(std::span<const double> luminances, std::size_t width, std::size_t height);
 
   struct Sample {
     Vec3 wi;

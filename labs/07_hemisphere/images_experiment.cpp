@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-// The floor under lamps and beside objects that hide the sky, by every technique.
+// The floor under lights and beside objects that hide the sky, by every technique.
 
 namespace lab07 {
 namespace {
@@ -31,8 +31,8 @@ struct Method {
   std::function<Sampling(const Scene& scene, Vec3 p)> at;
 };
 
-/// A lobe that points at the lamp and falls to 1/e at its rim; without a lamp one with n = 2 around
-/// the normal.
+/// A lobe that points at the light and falls to 1/e at its rim; without a light one with n = 2
+/// around the normal.
 Sampling lobe_for(const Scene& scene, Vec3 p) {
   if (!scene.light) return {Technique::lobe, {0, 0, 1}, 2};
   const Vec3 to_light = scene.centre - p;
@@ -157,9 +157,9 @@ void add_rows(carlo::Table& table, const Scene& scene, const std::vector<Result>
 void images_experiment(Notebook& notebook) {
   notebook.begin("Irradiance and ambient occlusion");
   notebook.say(
-      "A floor seen from above, 96 x 96 points, each with its own directions. A lamp gives "
+      "A floor seen from above, 96 x 96 points, each with its own directions. A light gives "
       "irradiance, things that hide the sky give ambient occlusion; closed forms are known for all "
-      "four, so errors are errors. The lobe points at the lamp, and has fallen to 1/e at its rim; "
+      "four, so errors are errors. The lobe points at the light, and has fallen to 1/e at its rim; "
       "under the sky it stands upright with n = 2. Seconds are the processor's, of one thread.");
   carlo::Table table({"scene", "technique", "directions", "mean", "relative error", "time",
                       "1/(error² time)", "slope against N", "slope against time"},

@@ -8,7 +8,7 @@ int main(int argc, char** argv) {
       .subtitle = "The hemisphere and the lobe: which way to look, and what each way costs.",
       .experiments = {lab07::samplers_experiment, lab07::frames_experiment, lab07::lobe_experiment,
                       lab07::mirror_experiment, lab07::images_experiment,
-                      lab07::exponents_experiment, lab07::lamp_experiment},
+                      lab07::exponents_experiment, lab07::light_experiment},
       .what_you_should_see = {
           "Directions that fill the hemisphere as their densities say: evenly, thicker towards the "
           "normal, in a narrow bundle. p-values that are neither tiny nor all close to 1.",
@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
           "A lobe that stays right to n = 1e7, where the recipe with acos in float has some twenty "
           "angles left.",
           "Noise that falls with slope -1/2 for every technique. Cosine-weighted directions beat "
-          "uniform ones where light comes from everywhere; a lobe aimed at a lamp beats both by "
+          "uniform ones where light comes from everywhere; a lobe aimed at a light source beats both by "
           "far. Rejection and inversion have the same error at the same number of directions, and "
           "differ in seconds only.",
           "A variance that is 0 where the density is proportional to what is integrated, and "

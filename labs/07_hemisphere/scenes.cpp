@@ -64,12 +64,12 @@ double two_walls_irradiance(Vec3 p) {
 }  // namespace
 
 std::vector<Scene> scenes() {
-  const Vec3 lamp(0, 0, 1), ball(0.2f, -0.2f, 1), stone(0, 0, 0.5f);
-  constexpr float lamp_radius = 0.6f, ball_radius = 0.25f, stone_radius = 0.5f;
+  const Vec3 light(0, 0, 1), ball(0.2f, -0.2f, 1), stone(0, 0, 0.5f);
+  constexpr float light_radius = 0.6f, ball_radius = 0.25f, stone_radius = 0.5f;
   return {
-      {"Round lamp", "Irradiance under a disk of radius 0.6 at height 1", true, 2,
-       [=](Vec3 p, Vec3 wi) { return hits_disk(lamp, lamp_radius, p, wi); },
-       [=](Vec3 p) { return disk_irradiance(lamp, lamp_radius, p); }, lamp, lamp_radius},
+      {"Round light", "Irradiance under a disk of radius 0.6 at height 1", true, 2,
+       [=](Vec3 p, Vec3 wi) { return hits_disk(light, light_radius, p, wi); },
+       [=](Vec3 p) { return disk_irradiance(light, light_radius, p); }, light, light_radius},
       {"Glowing ball", "Irradiance under a ball of radius 0.25 at height 1", true, 2,
        [=](Vec3 p, Vec3 wi) { return hits_ball(ball, ball_radius, p, wi); },
        [=](Vec3 p) { return ball_irradiance(ball, ball_radius, p); }, ball, ball_radius},

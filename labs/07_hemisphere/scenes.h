@@ -25,7 +25,7 @@ struct Scene {
   float radius = 0;  ///< and its size
 };
 
-/// A round lamp under the ceiling; a glowing ball; a ball that lies on the floor; two walls.
+/// A round light under the ceiling; a glowing ball; a ball that lies on the floor; two walls.
 std::vector<Scene> scenes();
 
 }  // namespace lab07

@@ -6,19 +6,19 @@
 #include <algorithm>
 #include <cmath>
 
-// Step b: a floor, a square lamp and a square that hides part of it. Seen from the floor the hidden
-// part is a rectangle in the lamp's plane, so the soft shadow has a closed form.
+// Step b: a floor, a square light and a square that hides part of it. Seen from the floor the
+// hidden part is a rectangle in the light's plane, so the soft shadow has a closed form.
 
 namespace lab08 {
 namespace {
 
-constexpr float lamp_height = 2, screen_height = 0.7f, albedo = 0.8f, radiance = 4;
+constexpr float light_height = 2, screen_height = 0.7f, albedo = 0.8f, radiance = 4;
 
 /// [x0, x1] x [y0, y1] at some height over the floor.
 struct Rectangle {
   double x0, x1, y0, y1;
 };
-constexpr Rectangle lamp{-0.6, 0.6, -0.6, 0.6}, screen{-0.5, 0.5, -0.5, 0.5};
+constexpr Rectangle light{-0.6, 0.6, -0.6, 0.6}, screen{-0.5, 0.5, -0.5, 0.5};
 
 carlo::Parallelogram facing_down(const Rectangle& r, float height) {
   const auto f = [](double x) { return static_cast<float>(x); };
@@ -29,7 +29,7 @@ carlo::Scene scene() {
   carlo::Scene scene;
   scene.materials = {{carlo::Diffuse{Rgb(albedo)}, false}, {carlo::Diffuse{Rgb(0)}, false}};
   scene.shapes = {{carlo::Parallelogram{{-9, -9, 0}, {18, 0, 0}, {0, 18, 0}}, 0, Rgb(0)},
-                  {facing_down(lamp, lamp_height), 1, Rgb(radiance)},
+                  {facing_down(light, light_height), 1, Rgb(radiance)},
                   {facing_down(screen, screen_height), 1, Rgb(0)}};
   scene.camera.origin = {0, -3.6f, 1.5f};
   scene.camera.forward = glm::normalize(Vec3(0, 3.6f, -0.75f));
@@ -53,17 +53,17 @@ double irradiance(const Rectangle& r, double height, const Vec3& p) {
   return at(r.x1, r.y1) - at(r.x0, r.y1) - at(r.x1, r.y0) + at(r.x0, r.y0);
 }
 
-/// Radiance of the floor at p: the lamp's light minus that of the part behind the screen.
+/// Radiance of the floor at p: the light source's light minus that of the part behind the screen.
 double exact(const Vec3& p) {
-  constexpr double h = lamp_height, zoom = h / static_cast<double>(screen_height);
+  constexpr double h = light_height, zoom = h / static_cast<double>(screen_height);
   const auto shadow = [&](double edge, float at) {
     return static_cast<double>(at) + (edge - static_cast<double>(at)) * zoom;
   };
-  const Rectangle hidden{std::clamp(shadow(screen.x0, p.x), lamp.x0, lamp.x1),
-                         std::clamp(shadow(screen.x1, p.x), lamp.x0, lamp.x1),
-                         std::clamp(shadow(screen.y0, p.y), lamp.y0, lamp.y1),
-                         std::clamp(shadow(screen.y1, p.y), lamp.y0, lamp.y1)};
-  const double E = irradiance(lamp, h, p) - irradiance(hidden, h, p);
+  const Rectangle hidden{std::clamp(shadow(screen.x0, p.x), light.x0, light.x1),
+                         std::clamp(shadow(screen.x1, p.x), light.x0, light.x1),
+                         std::clamp(shadow(screen.y0, p.y), light.y0, light.y1),
+                         std::clamp(shadow(screen.y1, p.y), light.y0, light.y1)};
+  const double E = irradiance(light, h, p) - irradiance(hidden, h, p);
   return static_cast<double>(albedo) / carlo::pi * E * static_cast<double>(radiance);
 }
 
@@ -105,10 +105,10 @@ void direct_experiment(Notebook& notebook) {
   add("hemisphere form", direct_by_hemisphere);
   if (results.empty()) return;
   notebook.say(
-      "A square lamp over a floor, and a black square between them. Every point of the floor has a "
-      "closed form: the lamp's irradiance less that of the part which the square hides. Both forms "
+      "A square light over a floor, and a black square between them. Every point of the floor has a "
+      "closed form: the light's irradiance less that of the part which the square hides. Both forms "
       "of the rendering equation integrate the same light; with the same number of samples one "
-      "asks points of the lamp, the other directions of the hemisphere.");
+      "asks points of the light, the other directions of the hemisphere.");
   notebook.raw_html(carlo::tiles(pictures_of(reference, "closed form", results, 1.1)));
   carlo::Table table = results_table();
   add_rows(table, "soft shadow", results);

@@ -13,7 +13,7 @@ using carlo::Curve, carlo::Measurement, carlo::Notebook;
 
 /// Step a, Lab 8.1: spokes and a checkerboard, stratified and not.
 void camera_experiment(Notebook& notebook);
-/// Step b, Lab 8.2: the soft shadow of a square under a square lamp, in both forms.
+/// Step b, Lab 8.2: the soft shadow of a square under a square light, in both forms.
 void direct_experiment(Notebook& notebook);
 /// Step b: one scene at six scales, and shadow rays with a fixed offset.
 void scales_experiment(Notebook& notebook);

@@ -79,8 +79,8 @@ void indirect_experiment(Notebook& notebook) {
           traced(view, [&](const Ray& ray, Rng& rng) { return trace_path(world, ray, rng); })));
     });
     notebook.say(
-        "The Cornell box. Light straight from the lamp, what comes by way of other surfaces, and "
-        "both. Lab 8.4's paths have to meet the lamp by chance; Lab 8.6 asks it at every vertex. "
+        "The Cornell box. Light straight from the light source, what comes by way of other surfaces, and "
+        "both. Lab 8.4's paths have to meet the light by chance; Lab 8.6 asks it at every vertex. "
         "The reference is a long run of Lab 8.6; errors are less its own.");
     constexpr double white = 1.2;
     std::vector<std::string> row =

@@ -42,12 +42,12 @@ std::vector<carlo::Step> steps() {
       {"h",
        {lab08::tracer_experiment},
        "h. On the diffuse Cornell box the two weighted techniques gain nothing over points of the "
-       "lamp alone and cost a little; what pays are Sobol' points, at nearly the same price. On "
+       "light alone and cost a little; what pays are Sobol' points, at nearly the same price. On "
        "the plates neither technique is good everywhere, and both together are."},
       {"recap",
        {lab08::recap_experiment, lab08::recap_box_experiment},
        "The Recap. As printed it is far off in every room, each bounce by a factor of its own, and "
-       "where nothing but the lamp emits no path ends by itself. Mended, it shows what it should."}};
+       "where nothing but the light emits no path ends by itself. Mended, it shows what it should."}};
 }
 
 }  // namespace

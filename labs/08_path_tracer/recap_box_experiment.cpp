@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-// The Recap in the Cornell box, with a ball as the lamp.
+// The Recap in the Cornell box, with a ball as the light.
 
 namespace lab08 {
 namespace {
 
-constexpr BallLamp hung{{278, 440, 279.5f}, 50};
+constexpr BallLight hung{{278, 440, 279.5f}, 50};
 
-/// The Cornell box; its lamp is a ball of the same power.
+/// The Cornell box; its light is a ball of the same power.
 carlo::Scene box_with_ball() {
   carlo::Scene scene = cornell_box();
   const carlo::Material black{carlo::Diffuse{Rgb(0)}, false};
@@ -124,7 +124,7 @@ void recap_box_experiment(Notebook& notebook) {
                                           tracer<carlo::SobolSampler>(view));
     notebook.progress(1, 5);
     notebook.say(
-        "The Cornell box with a ball of the same power for a lamp. The ball is small: on the floor "
+        "The Cornell box with a ball of the same power for a light. The ball is small: on the floor "
         "light rays come out hundreds of times too bright, and non-light rays are multiplied by a "
         "negative number. A light ray that meets a block is one more path, of two calls a vertex. "
         "How bright the picture is depends on where the calls are cut off. Mended, its error is "

@@ -56,7 +56,7 @@ Tally many_paths(const NamedRoom& in, RecapForm form, std::int64_t n, Rng rng) {
   Tally tally;
   const carlo::Stopwatch watch;
   for (std::int64_t i = 0; i < n; ++i) {
-    const RecapPath path = form(world, in.room.lamp(), RecapRoom::ray(), most_calls, rng);
+    const RecapPath path = form(world, in.room.light(), RecapRoom::ray(), most_calls, rng);
     tally.radiance.add(static_cast<double>(path.radiance.r));
     tally.calls += path.calls;
     tally.cut += path.cut ? 1 : 0;
@@ -96,8 +96,8 @@ void recap_experiment(Notebook& notebook) {
       "A ball of light in a round room, where what the wall shows has a closed form. The lecture's "
       "TracePath divides by p_emit, but not by the density of its direction d'. With one direction "
       "d' at random each bounce is too dark by 2 pi. The Recap's two rays are off by factors of "
-      "their own, which hang on the lamp's solid angle. Where the walls do not emit its light rays "
-      "end at the lamp, and nothing ends its non-light rays: every path here is cut off.");
+      "their own, which hang on the light's solid angle. Where the walls do not emit its light rays "
+      "end at the light, and nothing ends its non-light rays: every path here is cut off.");
   carlo::Table table(
       {"room", "method", "exact", "mean", "in theory", "mean / exact", "std. error", "calls a path",
        "cut off", "time"},

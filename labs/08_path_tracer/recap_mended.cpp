@@ -3,7 +3,7 @@
 
 // The Recap with four changes. Emission is added, not chosen. Each ray is divided by its density.
 // One of the two rays is traced, divided by the probability of the choice. And that choice includes
-// the roulette: where sample() would end the path, the lamp is sampled instead, so a non-light ray
+// the roulette: where sample() would end the path, the light is sampled instead, so a non-light ray
 // continues with the probability that absorption leaves and a weight of about 1, and products of
 // weights do not grow.
 
@@ -12,8 +12,8 @@ namespace {
 
 class Mended {
  public:
-  Mended(const World& world, const BallLamp& lamp, int most_calls, Rng& rng)
-      : world_(world), lamp_(lamp), most_calls_(most_calls), rng_(rng) {}
+  Mended(const World& world, const BallLight& light, int most_calls, Rng& rng)
+      : world_(world), light_(light), most_calls_(most_calls), rng_(rng) {}
 
   RecapPath path(const Ray& ray) {
     const Rgb radiance = trace_path(ray);
@@ -42,10 +42,10 @@ class Mended {
     const float p_light = 1 - goes_on;
     if (!(p_light > 0)) {
       throw carlo::Error(
-          "the mended Recap looks at the lamp with the chance that a surface "
+          "the mended Recap looks at the light with the chance that a surface "
           "absorbs; this one reflects everything");
     }
-    const Cone light = lamp_.seen_from(surface.p);
+    const Cone light = light_.seen_from(surface.p);
     const float u_branch = rng_.uniform_float();
     const float u = rng_.uniform_float();
     const float v = rng_.uniform_float();
@@ -57,8 +57,8 @@ class Mended {
     return next->weight * trace_path(world_.leave(surface, next->wi));
   }
 
-  /// The part of the integral over the lamp's cone; its density there is 1 over the solid angle. It
-  /// brings all radiance from whatever it meets, lamp or pillar.
+  /// The part of the integral over the light's cone; its density there is 1 over the solid angle.
+  /// It brings all radiance from whatever it meets, light or pillar.
   Rgb light_ray(const Surface& surface, const Cone& light, Vec2 u) {
     const Vec3 wi = light.sample(u);
     const float above = glm::dot(surface.n, wi);
@@ -68,7 +68,7 @@ class Mended {
   }
 
   const World& world_;
-  const BallLamp& lamp_;
+  const BallLight& light_;
   int most_calls_;
   Rng& rng_;
   int calls_ = 0;
@@ -77,9 +77,9 @@ class Mended {
 
 }  // namespace
 
-RecapPath recap_mended(const World& world, const BallLamp& lamp, const Ray& ray, int most_calls,
+RecapPath recap_mended(const World& world, const BallLight& light, const Ray& ray, int most_calls,
                        Rng& rng) {
-  return Mended(world, lamp, most_calls, rng).path(ray);
+  return Mended(world, light, most_calls, rng).path(ray);
 }
 
 }  // namespace lab08

@@ -16,8 +16,8 @@ Vec3 random_direction(Vec3 normal, Rng& rng) {
 
 class AsPrinted {
  public:
-  AsPrinted(const World& world, const BallLamp& lamp, int most_calls, Rng& rng)
-      : world_(world), lamp_(lamp), most_calls_(most_calls), rng_(rng) {}
+  AsPrinted(const World& world, const BallLight& light, int most_calls, Rng& rng)
+      : world_(world), light_(light), most_calls_(most_calls), rng_(rng) {}
 
   RecapPath path(bool recap, const Ray& ray) {
     recap_ = recap;
@@ -52,7 +52,7 @@ class AsPrinted {
 
   /// In the Recap.
   Rgb light_and_non_light(const Surface& surface) {
-    const Cone light = lamp_.seen_from(surface.p);
+    const Cone light = light_.seen_from(surface.p);
     const float p_light = 1 / light.solid_angle();
     // generate ray in random direction d' towards a light
     const float u = rng_.uniform_float();
@@ -78,7 +78,7 @@ class AsPrinted {
   }
 
   const World& world_;
-  const BallLamp& lamp_;
+  const BallLight& light_;
   int most_calls_;
   Rng& rng_;
   bool recap_ = false;
@@ -88,14 +88,14 @@ class AsPrinted {
 
 }  // namespace
 
-RecapPath random_direction_as_printed(const World& world, const BallLamp& lamp, const Ray& ray,
+RecapPath random_direction_as_printed(const World& world, const BallLight& light, const Ray& ray,
                                       int most_calls, Rng& rng) {
-  return AsPrinted(world, lamp, most_calls, rng).path(false, ray);
+  return AsPrinted(world, light, most_calls, rng).path(false, ray);
 }
 
-RecapPath recap_as_printed(const World& world, const BallLamp& lamp, const Ray& ray, int most_calls,
-                           Rng& rng) {
-  return AsPrinted(world, lamp, most_calls, rng).path(true, ray);
+RecapPath recap_as_printed(const World& world, const BallLight& light, const Ray& ray,
+                           int most_calls, Rng& rng) {
+  return AsPrinted(world, light, most_calls, rng).path(true, ray);
 }
 
 }  // namespace lab08

@@ -20,7 +20,7 @@ carlo::Scene RecapRoom::scene() const {
   carlo::Scene scene;
   scene.materials = {{carlo::Diffuse{grey(albedo)}, false}, {carlo::Diffuse{Rgb(0)}, false}};
   scene.shapes = {{carlo::Sphere{{0, 0, 0}, 2, true}, 0, grey(wall_emits)},
-                  {carlo::Sphere{lamp().centre, lamp().radius}, 1, grey(ball_radiance)}};
+                  {carlo::Sphere{light().centre, light().radius}, 1, grey(ball_radiance)}};
   return scene;
 }
 

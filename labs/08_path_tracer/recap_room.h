@@ -15,7 +15,7 @@ struct RecapRoom {
 
   /// The room with radius 2.
   carlo::Scene scene() const;
-  BallLamp lamp() const { return {Vec3(0), static_cast<float>(2 * ball)}; }
+  BallLight light() const { return {Vec3(0), static_cast<float>(2 * ball)}; }
   /// A ray that meets the wall first.
   static Ray ray() { return {{0, 0, 1.9f}, {0.6f, 0, 0.8f}}; }
 

@@ -20,7 +20,7 @@ struct ScaledBall {
 constexpr Vec3 away{100, 0, 0};
 constexpr std::array<ScaledBall, 2> balls{
     {{away + Vec3(-0.3f, 0.1f, 0.5f), 0.5f}, {away + Vec3(0.5f, -0.4f, 0.25f), 0.25f}}};
-constexpr Vec3 point_lamp = away + Vec3(1.5f, -1.2f, 2.2f);
+constexpr Vec3 point_light = away + Vec3(1.5f, -1.2f, 2.2f);
 
 carlo::Scene scene(float scale) {
   carlo::Scene scene;
@@ -39,10 +39,10 @@ carlo::Scene scene(float scale) {
   return scene;
 }
 
-/// True if the lamp is visible from a surface point, in double precision.
+/// True if the light is visible from a surface point, in double precision.
 bool truly_lit(const Surface& surface, float scale) {
   const auto s = static_cast<double>(scale);
-  const glm::dvec3 p = glm::dvec3(surface.p) / s, d = glm::dvec3(point_lamp) - p;
+  const glm::dvec3 p = glm::dvec3(surface.p) / s, d = glm::dvec3(point_light) - p;
   if (glm::dot(glm::dvec3(surface.n), d) <= 0) return false;
   for (std::size_t i = 0; i < balls.size(); ++i) {
     if (surface.hit.shape == i + 1) continue;
@@ -59,7 +59,7 @@ using Lit = bool (*)(const World&, const Surface&, float scale);
 /// The shadow ray of many beginners' path tracers: it starts and ends a thousandth off.
 bool lit_with_fixed_offset(const World& world, const Surface& surface, float scale) {
   constexpr float offset = 1e-3f;
-  const Vec3 d = scale * point_lamp - surface.p;
+  const Vec3 d = scale * point_light - surface.p;
   const float distance = glm::length(d);
   const Vec3 wi = d / distance;
   const auto met = world.intersect({surface.p + offset * wi, wi});
@@ -67,7 +67,7 @@ bool lit_with_fixed_offset(const World& world, const Surface& surface, float sca
 }
 
 bool lit_as_given(const World& world, const Surface& surface, float scale) {
-  return world.sees(surface, {scale * point_lamp, Vec3(0), Rgb(1), Vec3(0)});
+  return world.sees(surface, {scale * point_light, Vec3(0), Rgb(1), Vec3(0)});
 }
 
 struct Shadows {
@@ -83,13 +83,13 @@ Shadows shadows(float scale, int size, Lit lit) {
     return world.intersect(middle_ray(world.scene().camera, size, size, x, y));
   };
   const auto lit_at = [&](const Surface& surface) {
-    const Vec3 d = scale * point_lamp - surface.p;
+    const Vec3 d = scale * point_light - surface.p;
     return glm::dot(surface.n, d) > 0 && lit(world, surface, scale);
   };
   Shadows result{render(size, size, 0, [&](int x, int y, Rng&) {
     const auto surface = surface_at(x, y);
     if (!surface) return Rgb(0);
-    const Vec3 wi = glm::normalize(scale * point_lamp - surface->p);
+    const Vec3 wi = glm::normalize(scale * point_light - surface->p);
     const float light = lit_at(*surface) ? glm::dot(surface->n, wi) : 0;
     return Rgb(0.08f + 0.9f * light);
   })};

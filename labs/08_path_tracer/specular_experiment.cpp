@@ -91,9 +91,9 @@ void specular_experiment(Notebook& notebook) {
     notebook.progress(1, 2);
     const std::vector<Result> results = {measure(notebook, "Lab 8.7", reference, 16, specular)};
     notebook.say(
-        "A ball of mirror and a ball of glass under a square lamp. No shadow ray reaches the lamp "
+        "A ball of mirror and a ball of glass under a square light. No shadow ray reaches the light "
         "through glass: light that it focuses on the floor, a caustic, is found only by paths that "
-        "leave the floor, pass the glass and meet the lamp by chance. Its pixels are the noisiest. "
+        "leave the floor, pass the glass and meet the light by chance. Its pixels are the noisiest. "
         "The reference is a long run of the same code; errors are less its own.");
     notebook.raw_html(carlo::tiles(pictures_of(
         reference, fmt::format("{} samples a pixel", 2 * most_samples(notebook)), results, 1.2)));

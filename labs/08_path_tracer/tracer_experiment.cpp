@@ -79,7 +79,7 @@ void tracer_experiment(Notebook& notebook) {
     notebook.say(
         "The Cornell box by the tracers of steps d, f and h, each with as many samples as the time "
         "of 16 Sobol' samples allows. Then four plates, more polished one by one, that mirror four "
-        "lamps of falling size and equal power: on the rough plates points of the lamps are the "
+        "lights of falling size and equal power: on the rough plates points of the lights are the "
         "better samples, on the polished ones sample()'s directions, and the path tracer takes "
         "both.");
     show(notebook, "Cornell box", View(cornell_box(), image_size(notebook, 64)), 1.2, table);

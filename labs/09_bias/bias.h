@@ -7,7 +7,7 @@
 // have three channels, red, green and blue.
 
 #include "given/feature_image.h"
-#include "given/lamps.h"
+#include "given/lights.h"
 #include "given/photon_map.h"
 #include "given/records.h"
 #include "path_tracer.h"
@@ -121,13 +121,13 @@ struct Emission {
   Rgb flux{0};
 };
 
-/// Lab 9.4. Emits a photon from a point lamp of radiant intensity I, the same in all directions. If
-/// n are emitted, each stands for 1/n of its flux: that division is not done here, nor below.
+/// Lab 9.4. Emits a photon from a point light of radiant intensity I, the same in all directions.
+/// If n are emitted, each stands for 1/n of its flux: that division is not done here, nor below.
 Emission emit_from_point(Vec3 p, Rgb intensity, Rng& rng);
 
 /// Lab 9.4. Emits a photon from a light: a uniform point of it and a direction for which all
 /// photons carry the same flux, the light's power. It starts beside the light, by leave() of
-/// given/lamps.h.
+/// given/lights.h.
 Emission emit_from_light(const Light& light, Rng& rng);
 
 /// Lab 9.4. Emits a photon from all lights together: one of them is chosen by world.choose(), which

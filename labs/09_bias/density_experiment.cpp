@@ -27,9 +27,10 @@ Rgb one(Vec3) {
   return Rgb(1);
 }
 
-// Under a point lamp ------------------------------------------------------------------------------
+// Under a point light
+// ------------------------------------------------------------------------------
 
-/// A point lamp of intensity 1 at height 1: the irradiance at its foot is 1, and a disc about it
+/// A point light of intensity 1 at height 1: the irradiance at its foot is 1, and a disc about it
 /// takes all light of a cone.
 double cone_share(double radius) {
   return (1 - 1 / std::hypot(1, radius)) / 2;
@@ -45,7 +46,7 @@ ErrorParts within_theory(double radius, double emitted) {
   return {bias * bias, disc_mean(radius) * disc_mean(radius) * (1 - share) / (share * emitted)};
 }
 
-/// The photons of the lamp that land within a distance of its foot, without tracing rays.
+/// The photons of the light that land within a distance of its foot, without tracing rays.
 PhotonMap map_below(std::int64_t emitted, Rng& rng) {
   constexpr float farthest = 8;
   std::vector<Photon> photons;
@@ -114,7 +115,7 @@ carlo::Chart against_radius(Notebook& notebook) {
   }
   notebook.table(
       "density_radius", table,
-      fmt::format("At the foot of a point lamp, by photons within a radius; {}", minus_is_noise));
+      fmt::format("At the foot of a point light, by photons within a radius; {}", minus_is_noise));
   return chart;
 }
 
@@ -223,7 +224,7 @@ void at_edges(Notebook& notebook) {
 void density_experiment(Notebook& notebook) {
   notebook.begin("Step e: radiance from photons");
   notebook.say(fmt::format(
-      "The foot of a point lamp, where the irradiance is known, by maps of {} emitted photons. A "
+      "The foot of a point light, where the irradiance is known, by maps of {} emitted photons. A "
       "large disc smears: the irradiance falls off around the foot, so the mean over a disc is too "
       "small. A small one has few photons.",
       carlo::count_text(emitted_below)));

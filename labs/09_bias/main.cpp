@@ -27,7 +27,7 @@ std::vector<carlo::Step> steps() {
       {"d",
        {lab09::photons_experiment},
        "d. Dots that are dense where much light arrives: most of all in the caustic below the ball of glass. "
-       "Counts under a point lamp follow I cos/d^2, and their noise falls as the root of their "
+       "Counts under a point light follow I cos/d^2, and their noise falls as the root of their "
        "number. A disc wide enough to have little noise says too little of its middle. In a closed "
        "sphere all power arrives, 1/(1 - albedo) times."},
       {"e",
@@ -38,7 +38,7 @@ std::vector<carlo::Step> steps() {
       {"f",
        {lab09::progressive_experiment, lab09::progressive_image_experiment},
        "f. A radius that stays ends at its bias, one that shrinks goes on with a slope of about -1/3. "
-       "Paths have -1/2, once they find the lamp."},
+       "Paths have -1/2, once they find the light."},
       {"g",
        {lab09::irradiance_cache_experiment, lab09::leak_experiment},
        "g. Records crowd along edges. More directions take noise away and leave the bias: the "

@@ -45,10 +45,10 @@ carlo::Scene ball_of_glass() {
   scene.materials = {{carlo::Diffuse{{0.7f, 0.65f, 0.55f}}, false},
                      {carlo::Dielectric{1.5f, 1}, false},
                      {carlo::Diffuse{Rgb(0)}, false}};
-  const Vec3 lamp(-1.6f, 1, 1.8f), ball(0, 0, 0.5f);
+  const Vec3 light(-1.6f, 1, 1.8f), ball(0, 0, 0.5f);
   scene.shapes = {{carlo::Parallelogram{{-4, -4, 0}, {8, 0, 0}, {0, 8, 0}}, 0, Rgb(0)},
                   {carlo::Sphere{ball, 0.45f}, 1, Rgb(0)},
-                  {carlo::Disk{lamp, glm::normalize(ball - lamp), 0.25f}, 2, Rgb(14)}};
+                  {carlo::Disk{light, glm::normalize(ball - light), 0.25f}, 2, Rgb(14)}};
   carlo::Camera& camera = scene.camera;
   camera.origin = {1.2f, -3.4f, 2.1f};
   camera.forward = glm::normalize(Vec3(0.35f, -0.15f, 0.25f) - camera.origin);

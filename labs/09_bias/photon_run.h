@@ -20,11 +20,11 @@ PhotonMap photon_map(const World& world, std::int64_t emitted, Kept kept, Rng& r
 /// The same on all cores, with the same result for any number of them.
 PhotonMap photon_map(const World& world, std::int64_t emitted, Kept kept, std::uint64_t seed);
 
-/// A ball of glass on a floor under a small round lamp.
+/// A ball of glass on a floor under a small round light.
 carlo::Scene ball_of_glass();
 
 /// The pixels that show the floor; the others stay black. What is seen in the ball, especially the
-/// lamp, is equally noisy with every method.
+/// light, is equally noisy with every method.
 lab08::SampledPixel on_floor(const lab08::View& view, lab08::SampledPixel pixel);
 
 /// bias^2 and variance of a pixel, averaged over pixels and channels, in units of the square of the

@@ -88,7 +88,7 @@ void show_dots(Notebook& notebook) {
 
 // Irradiance --------------------------------------------------------------------------------------
 
-/// A black floor, z = 0, below a point lamp of intensity 1 at height 1.
+/// A black floor, z = 0, below a point light of intensity 1 at height 1.
 carlo::Scene floor_alone() {
   carlo::Scene scene;
   scene.materials = {{carlo::Phong{Rgb(0), Rgb(0), 0}, false}};
@@ -96,7 +96,7 @@ carlo::Scene floor_alone() {
   return scene;
 }
 
-/// The flux through a disc below the lamp: its solid angle.
+/// The flux through a disc below the light: its solid angle.
 double flux_through(double radius) {
   return 2 * pi * (1 - 1 / std::hypot(1, radius));
 }
@@ -105,7 +105,7 @@ double irradiance_at(double r) {
   return std::pow(1 + r * r, -1.5);
 }
 
-/// The distances from the foot of the lamp at which this many of its photons land, of those on the
+/// The distances from the foot of the light at which this many of its photons land, of those on the
 /// floor.
 std::vector<double> landing_radii(const World& world, std::int64_t photons, Rng& rng) {
   std::vector<double> radii;
@@ -147,13 +147,13 @@ void rings(Notebook& notebook, const World& world) {
     }
     tiles.push_back(carlo::tile(fmt::format("{} photons", carlo::count_text(photons)),
                                 "line: I cos θ/d²; marks: counted in rings, 95 % intervals",
-                                plot.svg("irradiance under a point lamp")));
+                                plot.svg("irradiance under a point light")));
   }
   notebook.say(
-      "A point lamp over a floor. As many photons land on a piece of it as its irradiance says: "
+      "A point light over a floor. As many photons land on a piece of it as its irradiance says: "
       "their number times the flux of one, over its area.");
   notebook.raw_html(carlo::tiles(tiles));
-  notebook.data("photon_rings", table, "Irradiance under a point lamp, ring by ring");
+  notebook.data("photon_rings", table, "Irradiance under a point light, ring by ring");
 }
 
 /// Photons in a disc as an estimate of the irradiance at its middle: bias and noise.
@@ -196,8 +196,8 @@ void discs(Notebook& notebook, const World& world) {
 
 // Power -------------------------------------------------------------------------------------------
 
-/// A small lamp in a closed sphere of this albedo.
-carlo::Scene lamp_in_sphere(float albedo) {
+/// A small light in a closed sphere of this albedo.
+carlo::Scene light_in_sphere(float albedo) {
   carlo::Scene scene;
   scene.materials = {{carlo::Diffuse{Rgb(albedo)}, false}, {carlo::Diffuse{Rgb(0)}, false}};
   scene.shapes = {{carlo::Sphere{{0, 0, 0}, 1, true}, 0, Rgb(0)},
@@ -234,7 +234,7 @@ void power(Notebook& notebook) {
   };
   for (const float albedo : {0.0f, 0.5f, 0.9f}) {
     measure(fmt::format("a sphere of albedo {:g}", static_cast<double>(albedo)),
-            World(lamp_in_sphere(albedo)), 1 / (1 - static_cast<double>(albedo)));
+            World(light_in_sphere(albedo)), 1 / (1 - static_cast<double>(albedo)));
   }
   measure("the Cornell box", World(lab08::cornell_box()), carlo::empty_cell());
   measure("the room with balls", World(lab08::room_with_balls()), carlo::empty_cell());
@@ -247,7 +247,7 @@ void power(Notebook& notebook) {
 }  // namespace
 
 void photons_experiment(Notebook& notebook) {
-  notebook.begin("Step d: photons from the lamps");
+  notebook.begin("Step d: photons from the lights");
   notebook.attempt([&] { show_dots(notebook); });
   notebook.progress(1, 3);
   notebook.attempt([&] {

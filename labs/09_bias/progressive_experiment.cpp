@@ -1,7 +1,7 @@
 #include "course/report/format.h"
 #include "experiments.h"
 #include "given/sampled.h"
-#include "mirrored_lamp.h"
+#include "mirrored_light.h"
 #include "photon_run.h"
 #include "sampling/samplers.h"
 #include "shown_error.h"
@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-// Step f: three points of a floor that a lamp lights only by way of a mirror, in closed form: how
+// Step f: three points of a floor that a light lights only by way of a mirror, in closed form: how
 // fast errors fall with discs that shrink, with others that do not, and with paths.
 
 namespace lab09 {
@@ -32,10 +32,10 @@ PhotonMap pass_map(const World& world, Rng& rng) {
 }
 
 /// The three points by a map, one channel each.
-Rgb at_points(const MirroredLamp& lamp, const PhotonMap& map, double radius) {
+Rgb at_points(const MirroredLight& light, const PhotonMap& map, double radius) {
   Rgb radiances(0);
   for (int i = 0; i < 3; ++i) {
-    const auto surface = lamp.world.intersect(lamp.ray(i));
+    const auto surface = light.world.intersect(light.ray(i));
     const auto f = [&](Vec3 wi) {
       return lab08::evaluate(surface->phong(), surface->n, surface->wo, wi);
     };
@@ -45,30 +45,31 @@ Rgb at_points(const MirroredLamp& lamp, const PhotonMap& map, double radius) {
 }
 
 /// An estimate of all three points from this many passes, or samples.
-using Points = std::function<Rgb(const MirroredLamp& lamp, std::int64_t n, Rng& rng)>;
+using Points = std::function<Rgb(const MirroredLight& light, std::int64_t n, Rng& rng)>;
 
-Rgb progressive(const MirroredLamp& lamp, std::int64_t passes, Rng& rng) {
+Rgb progressive(const MirroredLight& light, std::int64_t passes, Rng& rng) {
   return progressive_mean(
       static_cast<int>(passes), widest, shrinking_alpha,
-      [&](int, double radius) { return at_points(lamp, pass_map(lamp.world, rng), radius); });
+      [&](int, double radius) { return at_points(light, pass_map(light.world, rng), radius); });
 }
 
-Rgb unshrunk(const MirroredLamp& lamp, std::int64_t passes, Rng& rng) {
+Rgb unshrunk(const MirroredLight& light, std::int64_t passes, Rng& rng) {
   glm::dvec3 sum(0);
   for (std::int64_t i = 0; i < passes; ++i)
-    sum += at_points(lamp, pass_map(lamp.world, rng), widest);
+    sum += at_points(light, pass_map(light.world, rng), widest);
   return sum / static_cast<double>(passes);
 }
 
-/// Paths of floor, mirror and lamp.
-Rgb by_paths(const MirroredLamp& lamp, std::int64_t samples, Rng& rng) {
+/// Paths of floor, mirror and light.
+Rgb by_paths(const MirroredLight& light, std::int64_t samples, Rng& rng) {
   constexpr int segments = 3;
   glm::dvec3 sum(0);
   for (int i = 0; i < 3; ++i) {
     carlo::SampleId id{rng.next_u64(), 0, 0, static_cast<std::uint32_t>(samples)};
     for (std::int64_t k = 0; k < samples; ++k, ++id.index) {
       lab08::Sampled<IndependentSampler> dimensions(id);
-      sum[i] += static_cast<double>(path_radiance(lamp.world, lamp.ray(i), segments, dimensions).g);
+      sum[i] +=
+          static_cast<double>(path_radiance(light.world, light.ray(i), segments, dimensions).g);
     }
   }
   return sum / static_cast<double>(samples);
@@ -77,7 +78,7 @@ Rgb by_paths(const MirroredLamp& lamp, std::int64_t samples, Rng& rng) {
 struct Method {
   std::string name;
   Points points;
-  double lamp_radius;
+  double light_radius;
   std::int64_t first, last;
   std::string expected;  ///< the slope, as text
 };
@@ -89,7 +90,7 @@ struct Falling {
 };
 
 Falling falling(Notebook& notebook, const Method& method) {
-  const MirroredLamp lamp(method.lamp_radius);
+  const MirroredLight light(method.light_radius);
   const auto runs = static_cast<std::size_t>(notebook.repetitions(48));
   Falling all;
   for (const std::int64_t n : carlo::ladder(method.first, method.last)) {
@@ -97,10 +98,10 @@ Falling falling(Notebook& notebook, const Method& method) {
     const std::uint64_t seed = notebook.rng().next_u64();
     tbb::parallel_for(std::size_t{0}, runs, [&](std::size_t run) {
       Rng rng(seed, run);
-      const Rgb points = method.points(lamp, n, rng);
+      const Rgb points = method.points(light, n, rng);
       for (int i = 0; i < 3; ++i)
         estimates[3 * run + static_cast<std::size_t>(i)] =
-            static_cast<double>(points[i]) / lamp.exact();
+            static_cast<double>(points[i]) / light.exact();
     });
     const ErrorParts parts = split_error(estimates, 1);
     all.n.push_back(static_cast<double>(n));
@@ -116,8 +117,8 @@ void slopes(Notebook& notebook) {
       {"radius stays", unshrunk, 0.02, 1, passes, "0 in the end"},
       {"radius shrinks", progressive, 0.02, 1, passes, "-1/3"},
       {"Lab 8.8", by_paths, 0.02, 1024, samples, "-1/2"},
-      {"radius shrinks, lamp a hundredth the area", progressive, 0.002, 1, passes, "-1/3"},
-      {"Lab 8.8, lamp a hundredth the area", by_paths, 0.002, 1024, samples,
+      {"radius shrinks, light a hundredth the area", progressive, 0.002, 1, passes, "-1/3"},
+      {"Lab 8.8, light a hundredth the area", by_paths, 0.002, 1024, samples,
        "-1/2 once it is found"}};
   carlo::Chart chart{"Error of a point's radiance",
                      fmt::format("a pass has {} photons", photons_a_map),
@@ -160,9 +161,9 @@ void slopes(Notebook& notebook) {
 void progressive_experiment(Notebook& notebook) {
   notebook.begin("Step f: ever smaller discs");
   notebook.say(
-      "A round lamp that faces up, a mirror above it, a floor below: points of the floor see the "
-      "lamp in the mirror alone, and their radiance has a closed form. Every photon comes by the "
-      "mirror; a path has to find the lamp, the longer the smaller it is.");
+      "A round light that faces up, a mirror above it, a floor below: points of the floor see the "
+      "light in the mirror alone, and their radiance has a closed form. Every photon comes by the "
+      "mirror; a path has to find the light, the longer the smaller it is.");
   notebook.attempt([&] { slopes(notebook); });
 }
 

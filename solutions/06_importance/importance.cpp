@@ -51,9 +51,9 @@ double efficiency(double variance, double seconds) {
 
 // Lab 6.3 -----------------------------------------------------------------------------------------
 
-// Seen from the lamp, equal angles receive equal light, so the angle is uniform. The angle between
-// a and b, and the point at an angle from a, are computed with tangents of sums: a / height and b /
-// height may both be so large that their angles round to the same number.
+// Seen from the light source, equal angles receive equal light, so the angle is uniform. The angle
+// between a and b, and the point at an angle from a, are computed with tangents of sums: a / height
+// and b / height may both be so large that their angles round to the same number.
 Density light_density(double height, double a, double b) {
   const double angle = std::atan2(height * (b - a), height * height + a * b);
   const auto sample = [=](double u) {

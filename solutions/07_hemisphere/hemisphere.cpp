@@ -202,10 +202,10 @@ float per_solid_angle(const lab05::Tabulated2d& table, Point p) {
 
 }  // namespace
 
-ImageLamp::ImageLamp(std::span<const double> luminances, std::size_t width, std::size_t height)
+ImageLight::ImageLight(std::span<const double> luminances, std::size_t width, std::size_t height)
     : table_(powers(luminances, width, height), width, height) {}
 
-ImageLamp::Sample ImageLamp::sample(glm::dvec2 u) const {
+ImageLight::Sample ImageLight::sample(glm::dvec2 u) const {
   const Point p = table_.sample(u.y, u.x);
   const std::size_t row = lab05::bin_of(p.y, table_.rows());
   const auto [top, bottom] = heights_of(row, table_.rows());
@@ -214,7 +214,7 @@ ImageLamp::Sample ImageLamp::sample(glm::dvec2 u) const {
   return {direction_at({p.x, std::acos(cosine) / carlo::pi}), per_solid_angle(table_, p)};
 }
 
-float ImageLamp::pdf(Vec3 wi) const {
+float ImageLight::pdf(Vec3 wi) const {
   return per_solid_angle(table_, place_of(wi));
 }
 

@@ -20,7 +20,7 @@ struct LightBounds {
   /// Radiant intensity along the normals, R + G + B: radiance times area for flat lights.
   double strength = 0;
   /// Its share, relative to others, of the choices that all lights get alike (LightTree::floor): a
-  /// triangle of a lamp gets its part of the lamp's.
+  /// triangle of a light gets its part of the light's.
   double floor_share = 1;
 };
 

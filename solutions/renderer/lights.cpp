@@ -208,7 +208,7 @@ void Lights::add_shape(std::uint32_t index, std::vector<LightBounds>& all) {
           whole += triangle_area(s, i);
         for (std::uint32_t i = 0; i < s.triangles.size(); ++i) {
           LightBounds bounds = triangle_bounds(s, i, radiance);
-          // The triangles of a lamp share the floor probability of one light.
+          // The triangles of a light source share the floor probability of one light.
           bounds.floor_share = triangle_area(s, i) / whole;
           add_leaf(triangle_area(s, i), bounds, all, i);
         }

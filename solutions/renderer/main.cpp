@@ -11,9 +11,10 @@
 
 namespace {
 
-/// `lamps`: the explicit choice, if one was made.
-renderer::Technique technique_of(const std::string& name, std::optional<bool> lamps) {
-  if (lamps) return *lamps ? renderer::Technique::bidirectional : renderer::Technique::path;
+/// `light_paths`: the explicit choice, if one was made.
+renderer::Technique technique_of(const std::string& name, std::optional<bool> light_paths) {
+  if (light_paths)
+    return *light_paths ? renderer::Technique::bidirectional : renderer::Technique::path;
   if (name == "path") return renderer::Technique::path;
   if (name == "bidirectional") return renderer::Technique::bidirectional;
   return renderer::Technique::automatic;
@@ -28,14 +29,14 @@ int main(int argc, char** argv) {
     return carlo::render_command(
         argc, argv,
         [&](const carlo::Scene& scene, std::uint64_t seed, std::uint32_t spp,
-            std::optional<bool> lamps) {
+            std::optional<bool> light_paths) {
           const auto choice =
               kernel == "scalar" ? renderer::Kernel::scalar : renderer::Kernel::best;
-          return renderer::make_path_integrator(scene,
-                                                {.seed = seed,
-                                                 .spp = spp,
-                                                 .kernel = choice,
-                                                 .technique = technique_of(technique, lamps)});
+          return renderer::make_path_integrator(
+              scene, {.seed = seed,
+                      .spp = spp,
+                      .kernel = choice,
+                      .technique = technique_of(technique, light_paths)});
         },
         [&](carlo::CommandLine& app) {
           app.option("--kernel", kernel,
@@ -43,8 +44,8 @@ int main(int argc, char** argv) {
               .one_of({"best", "scalar"})
               .show_default();
           app.option("--technique", technique,
-                     "path: all paths start at the camera; bidirectional: some at the lamps, for "
-                     "caustics and hidden lamps; auto: the better by a short trial")
+                     "path: all paths start at the camera; bidirectional: some at the lights, for "
+                     "caustics and hidden lights; auto: the better by a short trial")
               .one_of({"auto", "path", "bidirectional"})
               .show_default();
           app.footer("./carlo render --mine ... renders by your own lab 08.");

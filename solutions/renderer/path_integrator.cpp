@@ -269,22 +269,22 @@ class PathIntegrator final : public carlo::Integrator {
 
 }  // namespace
 
-bool lamp_paths_suit(const Scene& scene) {
+bool light_paths_suit(const Scene& scene) {
   return lanes_suit_machine() && LaneScene::suits(carlo::needs(scene), scene);
 }
 
 std::unique_ptr<carlo::Integrator> make_path_integrator(const Scene& scene,
                                                         const PathOptions& options) {
-  if (options.kernel == Kernel::best && lamp_paths_suit(scene)) {
+  if (options.kernel == Kernel::best && light_paths_suit(scene)) {
     LaneChoices choices = options.choices;
-    if (options.technique == Technique::bidirectional) choices.lamp_paths = 1;
+    if (options.technique == Technique::bidirectional) choices.light_paths = 1;
     std::optional<std::uint32_t> pilot_spp;
     if (options.technique == Technique::automatic) pilot_spp = options.spp;
     return make_lane_integrator(scene, options.seed, choices, pilot_spp);
   }
   if (options.technique == Technique::bidirectional) {
     throw carlo::Error(
-        "only the vector kernel traces paths from lamps, and it does not suit this scene");
+        "only the vector kernel traces light paths, and it does not suit this scene");
   }
   switch (scene.sampler) {
     case carlo::SamplerKind::independent:

@@ -12,7 +12,7 @@ namespace renderer {
 /// Which code renders: the best one for the scene, or the scalar one, which renders all scenes.
 enum class Kernel { best, scalar };
 
-/// Where paths start: all at the camera, or some at the lamps as well (lanes/lane_kernel.h), or
+/// Where paths start: all at the camera, or some at the lights as well (lanes/lane_kernel.h), or
 /// whichever a short pilot finds better. The scalar kernel knows only the first.
 enum class Technique { path, bidirectional, automatic };
 
@@ -33,6 +33,6 @@ std::unique_ptr<carlo::Integrator> make_path_integrator(const carlo::Scene& scen
                                                         const PathOptions& options);
 
 /// True if Technique::bidirectional can render this scene; for others it is an error.
-bool lamp_paths_suit(const carlo::Scene& scene);
+bool light_paths_suit(const carlo::Scene& scene);
 
 }  // namespace renderer

@@ -30,16 +30,16 @@ const Diagnosis leaves_interval{"sample-leaves-the-interval",
                                 "0."};
 const Diagnosis falling_samples{"samples-run-backwards", "sample(u) has to grow with u."};
 
-double angle(const Lamp& lamp) {
-  return std::atan(lamp.b / lamp.height) - std::atan(lamp.a / lamp.height);
+double angle(const Light& light) {
+  return std::atan(light.b / light.height) - std::atan(light.a / light.height);
 }
 
-std::string name_of(const Lamp& lamp) {
-  return fmt::format("height {:g}, [{:g}, {:g}]", lamp.height, lamp.a, lamp.b);
+std::string name_of(const Light& light) {
+  return fmt::format("height {:g}, [{:g}, {:g}]", light.height, light.a, light.b);
 }
 
-Params lamp_params(std::size_t i, std::int64_t n = 0) {
-  return {.n = n, .numbers = {{"lamp", static_cast<double>(i)}}};
+Params light_params(std::size_t i, std::int64_t n = 0) {
+  return {.n = n, .numbers = {{"light", static_cast<double>(i)}}};
 }
 
 /// The value of `formula` at each of `at`.
@@ -59,63 +59,63 @@ std::function<std::string(std::size_t)> labels(const char* symbol, const std::ve
 /// f = 1/(height^2 + t^2) over the pdf is the same at every point: zero variance. t has an error of
 /// a few ulp of its angle, which the tolerances allow for.
 void judge_samples(std::size_t index) {
-  const Lamp lamp = lamps().at(index);
+  const Light light = lights().at(index);
   const std::size_t count = hard_numbers().size();
-  const Rows rows = probe("Lab 6.3 samples", lamp_params(index),
-                          {.rows = count + 1, .columns = 3, .finite = false, .of = name_of(lamp)});
+  const Rows rows = probe("Lab 6.3 samples", light_params(index),
+                          {.rows = count + 1, .columns = 3, .finite = false, .of = name_of(light)});
   std::vector<double> u = hard_numbers(), t = column(rows, 1), pdf = column(rows, 2);
   t.pop_back();
   pdf.pop_back();
-  const double first = std::atan(lamp.a / lamp.height);
-  const double size = std::max({lamp.height, std::abs(lamp.a), std::abs(lamp.b)});
+  const double first = std::atan(light.a / light.height);
+  const double size = std::max({light.height, std::abs(light.a), std::abs(light.b)});
   const std::vector<Alternative> others = {
-      {values_of([&](double v) { return lamp.a + (lamp.b - lamp.a) * v; }, u), uniform_points},
-      {values_of([&](double v) { return lamp.height * std::tan(angle(lamp) * v); }, u),
+      {values_of([&](double v) { return light.a + (light.b - light.a) * v; }, u), uniform_points},
+      {values_of([&](double v) { return light.height * std::tan(angle(light) * v); }, u),
        lower_end_ignored},
       {values_of(
-           [&](double v) { return lamp.height * std::tan(std::atan(lamp.b / lamp.height) * v); },
+           [&](double v) { return light.height * std::tan(std::atan(light.b / light.height) * v); },
            u),
        lower_end_ignored},
-      {values_of([&](double v) { return lamp.height * std::tan(first + angle(lamp) * (1 - v)); },
+      {values_of([&](double v) { return light.height * std::tan(first + angle(light) * (1 - v)); },
                  u),
        falling_samples}};
   judge(all_match(
-      fmt::format("the sample for {}", name_of(lamp)), labels("u", u), t,
-      values_of([&](double v) { return lamp.height * std::tan(first + angle(lamp) * v); }, u), 1e-9,
-      1e-11 * size, others));
+      fmt::format("the sample for {}", name_of(light)), labels("u", u), t,
+      values_of([&](double v) { return light.height * std::tan(first + angle(light) * v); }, u),
+      1e-9, 1e-11 * size, others));
   const bool inside =
-      std::all_of(t.begin(), t.end(), [&](double x) { return x >= lamp.a && x <= lamp.b; });
-  judge(holds(fmt::format("samples for {}", name_of(lamp)), inside,
+      std::all_of(t.begin(), t.end(), [&](double x) { return x >= light.a && x <= light.b; });
+  judge(holds(fmt::format("samples for {}", name_of(light)), inside,
               fmt::format("from {:.17g} to {:.17g}", *std::min_element(t.begin(), t.end()),
                           *std::max_element(t.begin(), t.end())),
               "all within [a, b]", {leaves_interval}));
   std::vector<double> contributions;
   for (std::size_t i = 0; i < t.size(); ++i)
-    contributions.push_back(1 / (lamp.height * lamp.height + t[i] * t[i]) / pdf[i]);
-  const std::vector<double> constant(t.size(), angle(lamp) / lamp.height);
-  judge(all_match(fmt::format("f/p of f = 1/(height^2 + t^2) for {}", name_of(lamp)),
+    contributions.push_back(1 / (light.height * light.height + t[i] * t[i]) / pdf[i]);
+  const std::vector<double> constant(t.size(), angle(light) / light.height);
+  judge(all_match(fmt::format("f/p of f = 1/(height^2 + t^2) for {}", name_of(light)),
                   labels("u", u), contributions, constant, 1e-10, 0));
-  judge(holds(fmt::format("the pdf outside of {}", name_of(lamp)),
+  judge(holds(fmt::format("the pdf outside of {}", name_of(light)),
               rows.at(count, 1) == 0 && rows.at(count, 2) == 0,
               fmt::format("{:g} and {:g}", rows.at(count, 1), rows.at(count, 2)), "0 at both sides",
               {not_zero_outside}));
 }
 
 void judge_pdf(std::size_t index) {
-  const Lamp lamp = lamps().at(index);
+  const Light light = lights().at(index);
   constexpr std::size_t n = 400;
-  const Rows rows = probe("Lab 6.3 pdf", lamp_params(index, n),
-                          {.rows = n, .columns = 2, .finite = false, .of = name_of(lamp)});
+  const Rows rows = probe("Lab 6.3 pdf", light_params(index, n),
+                          {.rows = n, .columns = 2, .finite = false, .of = name_of(light)});
   const std::vector<double> t = column(rows, 0);
-  const auto shape = [&](double x) { return 1 / (lamp.height * lamp.height + x * x); };
+  const auto shape = [&](double x) { return 1 / (light.height * light.height + x * x); };
   const std::vector<Alternative> others = {
-      {values_of([&](double) { return 1 / angle(lamp); }, t), angle_density},
-      {values_of([&](double x) { return shape(x) / angle(lamp); }, t), not_normalised},
-      {values_of([&](double x) { return lamp.height * shape(x); }, t), not_normalised},
+      {values_of([&](double) { return 1 / angle(light); }, t), angle_density},
+      {values_of([&](double x) { return shape(x) / angle(light); }, t), not_normalised},
+      {values_of([&](double x) { return light.height * shape(x); }, t), not_normalised},
       {values_of(shape, t), not_normalised},
-      {values_of([&](double) { return 1 / (lamp.b - lamp.a); }, t), uniform_points}};
-  judge(all_match(fmt::format("the pdf for {}", name_of(lamp)), labels("t", t), column(rows, 1),
-                  values_of([&](double x) { return lamp.height * shape(x) / angle(lamp); }, t),
+      {values_of([&](double) { return 1 / (light.b - light.a); }, t), uniform_points}};
+  judge(all_match(fmt::format("the pdf for {}", name_of(light)), labels("t", t), column(rows, 1),
+                  values_of([&](double x) { return light.height * shape(x) / angle(light); }, t),
                   1e-10, 0, others));
 }
 
@@ -270,12 +270,12 @@ void judge_mixture_pdf(std::size_t index, const Rows& rows) {
 }  // namespace
 
 TEST_CASE("Lab 6.3: equal steps of u are equal angles", "[lab06][ex3]") {
-  for (std::size_t i = 0; i < lamps().size(); ++i)
+  for (std::size_t i = 0; i < lights().size(); ++i)
     judge_samples(i);
 }
 
 TEST_CASE("Lab 6.3: the pdf is the light's share", "[lab06][ex3]") {
-  for (std::size_t i = 0; i < lamps().size(); ++i)
+  for (std::size_t i = 0; i < lights().size(); ++i)
     judge_pdf(i);
 }
 

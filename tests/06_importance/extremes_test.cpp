@@ -21,7 +21,7 @@ TEST_CASE("a mean of 1e12 hides no spread") {
   CHECK(std::abs(estimate.variance / (0.25 * n / (n - 1)) - 1) <= 1e-12);
 }
 
-TEST_CASE("a lamp close to the ray, far from the segment") {
+TEST_CASE("a light close to the ray, far from the segment") {
   // For height -> 0 the density on [a, b] is a b / ((b - a) t^2), the quantile a b / (b - u (b -
   // a)).
   for (const double height : {1e-3, 1e-6, 1e-9, 1e-12, 1e-16, 1e-30, 1e-100}) {
@@ -36,7 +36,7 @@ TEST_CASE("a lamp close to the ray, far from the segment") {
   }
 }
 
-TEST_CASE("a lamp beside the segment still draws all of it") {
+TEST_CASE("a light beside the segment still draws all of it") {
   for (const double height : {1e-6, 1.0, 1e6}) {
     const Density density = light_density(height, -1, 1);
     CHECK(density.sample(0) == -1);

@@ -77,12 +77,12 @@ inline std::vector<double> list_of(List list) {
   return std::vector<double>(1'000'000, 0.1);
 }
 
-/// Lab 6.3: a lamp's height and the segment of the ray.
-struct Lamp {
+/// Lab 6.3: a light's height and the segment of the ray.
+struct Light {
   double height, a, b;
 };
-inline const std::array<Lamp, 6>& lamps() {
-  static const std::array<Lamp, 6> all = {
+inline const std::array<Light, 6>& lights() {
+  static const std::array<Light, 6> all = {
       {{1, 0, 1}, {0.5, -1, 2}, {2, 1, 4}, {1e-3, -1, 3}, {50, -3, -2}, {0.25, -6, -0.5}}};
   return all;
 }

@@ -100,26 +100,26 @@ PROBE("Lab 6.2 efficiency", "efficiency") {
 
 PROBE("Lab 6.3 samples", "u", "sample(u)", "pdf there",
       "(last row: nan, then the pdf below a and above b)") {
-  const Lamp lamp = lamps().at(static_cast<std::size_t>(params.whole("lamp")));
-  const lab06::Density p = lab06::light_density(lamp.height, lamp.a, lamp.b);
-  const double width = lamp.b - lamp.a;
+  const Light light = lights().at(static_cast<std::size_t>(params.whole("light")));
+  const lab06::Density p = lab06::light_density(light.height, light.a, light.b);
+  const double width = light.b - light.a;
   RowWriter rows;
   for (const double u : hard_numbers()) {
     const double t = p.sample(u);
     rows.add({u, t, p.pdf(t)});
   }
-  rows.add({not_a_number, p.pdf(lamp.a - 0.01 * width), p.pdf(lamp.b + 0.01 * width)});
+  rows.add({not_a_number, p.pdf(light.a - 0.01 * width), p.pdf(light.b + 0.01 * width)});
   return rows.take();
 }
 
 // The pdf at the middles of n equal cells of [a, b].
 PROBE("Lab 6.3 pdf", "t", "pdf") {
-  const Lamp lamp = lamps().at(static_cast<std::size_t>(params.whole("lamp")));
-  const lab06::Density p = lab06::light_density(lamp.height, lamp.a, lamp.b);
+  const Light light = lights().at(static_cast<std::size_t>(params.whole("light")));
+  const lab06::Density p = lab06::light_density(light.height, light.a, light.b);
   RowWriter rows;
   for (std::int64_t i = 0; i < params.n; ++i) {
     const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(params.n);
-    const double t = lamp.a + (lamp.b - lamp.a) * share;
+    const double t = light.a + (light.b - light.a) * share;
     rows.add({t, p.pdf(t)});
   }
   return rows.take();

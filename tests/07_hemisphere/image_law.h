@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-// The law of Lab 7.8's lamp, and the results of typical mistakes.
+// The law of Lab 7.8's light, and the results of typical mistakes.
 
 namespace lab07_tests {
 

@@ -10,7 +10,7 @@ using carlo::grader::RowWriter;
 
 namespace {
 
-lab07::ImageLamp lamp_of(const SkyImage& image) {
+lab07::ImageLight light_of(const SkyImage& image) {
   return {image.luminance, image.width, image.height};
 }
 
@@ -18,9 +18,9 @@ SkyImage image_asked(const Params& params) {
   return sky_image(static_cast<Sky>(params.whole("sky")));
 }
 
-void add_drawn(RowWriter& rows, const lab07::ImageLamp& lamp, glm::dvec2 u) {
-  const auto [wi, pdf] = lamp.sample(u);
-  rows.add({wi.x, wi.y, wi.z, pdf, lamp.pdf(wi)});
+void add_drawn(RowWriter& rows, const lab07::ImageLight& light, glm::dvec2 u) {
+  const auto [wi, pdf] = light.sample(u);
+  rows.add({wi.x, wi.y, wi.z, pdf, light.pdf(wi)});
 }
 
 }  // namespace
@@ -45,26 +45,26 @@ PROBE("Lab 7.8 places of directions", "x", "y") {
 
 PROBE("Lab 7.8 density", "pdf", "(in nine directions of each texel)") {
   const SkyImage image = image_asked(params);
-  const lab07::ImageLamp lamp = lamp_of(image);
+  const lab07::ImageLight light = light_of(image);
   RowWriter rows;
   for (const Vec3 w : density_places(image))
-    rows.add({lamp.pdf(w)});
+    rows.add({light.pdf(w)});
   return rows.take();
 }
 
 PROBE("Lab 7.8 density at the poles", "pdf at +y", "pdf at -y") {
-  const lab07::ImageLamp lamp = lamp_of(image_asked(params));
-  return {2, {lamp.pdf({0, 1, 0}), lamp.pdf({0, -1, 0})}};
+  const lab07::ImageLight light = light_of(image_asked(params));
+  return {2, {light.pdf({0, 1, 0}), light.pdf({0, -1, 0})}};
 }
 
 PROBE("Lab 7.8 directions", "x", "y", "z", "pdf of the sample", "pdf of wi") {
-  const lab07::ImageLamp lamp = lamp_of(image_asked(params));
+  const lab07::ImageLight light = light_of(image_asked(params));
   carlo::Rng rng(params.seed);
   RowWriter rows;
   for (std::int64_t i = 0; i < params.n; ++i) {
     const float x = rng.uniform_float();
     const float y = rng.uniform_float();
-    add_drawn(rows, lamp, {x, y});
+    add_drawn(rows, light, {x, y});
   }
   return rows.take();
 }
@@ -72,18 +72,18 @@ PROBE("Lab 7.8 directions", "x", "y", "z", "pdf of the sample", "pdf of wi") {
 PROBE("Lab 7.8 rare texels", "x", "y", "z", "pdf of the sample", "pdf of wi",
       "(for u in the middle of what belongs to a texel)") {
   const SkyImage image = image_asked(params);
-  const lab07::ImageLamp lamp = lamp_of(image);
+  const lab07::ImageLight light = light_of(image);
   RowWriter rows;
   for (const TexelNumber& number : numbers_of_texels(image))
-    add_drawn(rows, lamp, number.u);
+    add_drawn(rows, light, number.u);
   return rows.take();
 }
 
 PROBE("Lab 7.8 edges", "x", "y", "z", "pdf of the sample", "pdf of wi",
       "(for all pairs of 10 numbers u from 0 to the last float below 1)") {
-  const lab07::ImageLamp lamp = lamp_of(image_asked(params));
+  const lab07::ImageLight light = light_of(image_asked(params));
   RowWriter rows;
   for (const Vec2 u : edge_numbers())
-    add_drawn(rows, lamp, u);
+    add_drawn(rows, light, u);
   return rows.take();
 }

@@ -1,4 +1,4 @@
-// Checks of exercise 8.2: direct light. 100 000 estimates per lamp against closed forms and
+// Checks of exercise 8.2: direct light. 100 000 estimates per light source against closed forms and
 // integrals, with theory's standard deviation. One estimate has a coefficient of variation up to
 // 4.2 (the wall by directions): there a bias of 12 % is detected with power .999, 5 % at the
 // rectangle; a loss of half of the rays at the tilted floor is many times larger.
@@ -51,12 +51,13 @@ const Diagnosis always_the_same{"always-the-same-light",
 const Diagnosis other_chances{"lights-by-other-chances",
                               "lights are chosen by other chances than world.choose() does."};
 const Diagnosis weak_unasked{
-    "weak-lamp-never-asked",
-    "a near lamp is never asked beside a far sun: by power alone its chance is one in 2e9, and the "
+    "weak-light-never-asked",
+    "a near light is never asked beside a far sun: by power alone its chance is one in 2e9, and the "
     "error bar knows nothing of it. world.choose() leaves every light a chance."};
-const Diagnosis all_lights{"all-lights-asked",
-                           "one estimate brings light of both lamps: choose one, and trace one "
-                           "shadow ray."};
+const Diagnosis all_lights{
+    "all-lights-asked",
+    "one estimate brings light of both light sources: choose one, and trace one "
+    "shadow ray."};
 const Diagnosis with_sky{"environment-counted",
                          "the environment is no light: here only what surfaces emit counts."};
 const Diagnosis with_own_emission{"own-emission-counted",
@@ -83,14 +84,14 @@ const Diagnosis pointing_in{"direction-points-inwards",
                             "surface, to where the light comes from."};
 const Diagnosis channels{"channels-mixed", "the three channels have to be kept apart."};
 
-struct LampCase {
-  Lamp lamp;
+struct LightCase {
+  Light light;
   const char* name;
   double E;  ///< irradiance for radiance 1, in closed form
   Moments area;
 };
 
-std::vector<LampCase> lamps() {
+std::vector<LightCase> lights() {
   // Square over its centre: four corner squares of side 1/2 at height 1.
   const double a = 0.5, corner = std::atan(a / std::sqrt(1 + a * a)) * a / std::sqrt(1 + a * a);
   const double square = 4 * corner,
@@ -101,24 +102,24 @@ std::vector<LampCase> lamps() {
                             ? pi * cosine / 4
                             : (cosine * std::acos(y) - x * sine * std::sqrt(1 - y * y)) / 4 +
                                   std::atan(sine * std::sqrt(1 - y * y) / x);
-  return {{Lamp::rectangle, "a square lamp", square, by_area(Lamp::rectangle)},
-          {Lamp::disk, "a round lamp over a tilted floor", pi / 2, by_area(Lamp::disk)},
-          {Lamp::sphere, "a ball", sphere, by_area(Lamp::sphere)},
-          {Lamp::wall, "a shining wall", wall, by_area(Lamp::wall)},
-          {Lamp::covered, "a lamp half hidden", square / 2, by_area(Lamp::covered)}};
+  return {{Light::rectangle, "a square light", square, by_area(Light::rectangle)},
+          {Light::disk, "a round light over a tilted floor", pi / 2, by_area(Light::disk)},
+          {Light::sphere, "a ball", sphere, by_area(Light::sphere)},
+          {Light::wall, "a shining wall", wall, by_area(Light::wall)},
+          {Light::covered, "a light half hidden", square / 2, by_area(Light::covered)}};
 }
 
-Rows estimates(Lamp lamp, int form) {
+Rows estimates(Light light, int form) {
   return probe(
       "Lab 8.2 estimates",
       {.n = 100'000,
-       .numbers = {{"lamp", static_cast<double>(lamp)}, {"form", static_cast<double>(form)}}},
+       .numbers = {{"light", static_cast<double>(light)}, {"form", static_cast<double>(form)}}},
       {.rows = 100'000,
        .columns = 3,
-       .of = fmt::format("{}, {}", form == 0 ? "by area" : "by directions", name_of(lamp))});
+       .of = fmt::format("{}, {}", form == 0 ? "by area" : "by directions", name_of(light))});
 }
 
-/// Lamps emit (1, 2, 4): the channels of each estimate must have this ratio.
+/// Lights emit (1, 2, 4): the channels of each estimate must have this ratio.
 void judge_channels(const std::string& what, const Rows& rows) {
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < rows.count(); ++i) {
@@ -130,7 +131,7 @@ void judge_channels(const std::string& what, const Rows& rows) {
   judge(holds("red, green and blue of " + what, wrong == 0,
               wrong == 0 ? "1 : 2 : 4 in all estimates"
                          : fmt::format("not 1 : 2 : 4 in {} estimates", wrong),
-              "1 : 2 : 4, as the lamp emits", {channels}));
+              "1 : 2 : 4, as the light emits", {channels}));
 }
 
 /// The mean of 100 000 estimates and its standard error, from the estimates themselves; and the
@@ -151,7 +152,7 @@ struct Sample {
 };
 
 struct Judged {
-  LampCase lamp;
+  LightCase light;
   Sample sample;
   Verdict verdict;
 };
@@ -159,7 +160,7 @@ struct Judged {
 /// True if some of the estimates became 0 and the others are about right: which of them rounding
 /// removes may depend on where they come from.
 bool is_thinned(const Judged& j) {
-  const Moments& right = j.lamp.area;
+  const Moments& right = j.light.area;
   const double one = j.sample.mean / j.sample.lit, right_one = right.mean / right.lit;
   return j.sample.lit < right.lit - 0.005 && one > right_one / 2 && one < right_one * 2;
 }
@@ -171,13 +172,13 @@ std::vector<Diagnosis> lost_to_rounding(const std::vector<Judged>& all) {
   for (const Judged& j : all) {
     if (j.verdict.passed) continue;
     if (!is_thinned(j)) return {};
-    others = others || j.lamp.lamp != Lamp::disk;
+    others = others || j.light.light != Light::disk;
   }
   return {others ? in_its_own_way : hits_itself};
 }
 
-/// The mistake that explains the results for every lamp. For a lamp parallel to the floor, at
-/// height 1, both cosines are equal, and so is the distance: no lamp alone is enough.
+/// The mistake that explains the results for every light. For a light parallel to the floor, at
+/// height 1, both cosines are equal, and so is the distance: no light alone is enough.
 std::vector<Diagnosis> common_slip(const std::vector<Judged>& all) {
   const auto dark = [](const Judged& j) { return j.sample.mean == 0 && j.sample.error == 0; };
   if (std::all_of(all.begin(), all.end(), dark)) return {always_dark};
@@ -198,25 +199,25 @@ std::vector<Diagnosis> common_slip(const std::vector<Judged>& all) {
                                   {Slip::shadow, no_shadow}};
   for (const Candidate& c : candidates) {
     const bool fits = std::all_of(all.begin(), all.end(), [&](const Judged& j) {
-      return j.sample.fits(c.scale * by_area(j.lamp.lamp, c.slip).mean);
+      return j.sample.fits(c.scale * by_area(j.light.light, c.slip).mean);
     });
     if (fits) return {c.diagnosis};
   }
   return lost_to_rounding(all);
 }
 
-bool a_lone_lamp_is_dark() {
-  const std::vector<double> red = column(estimates(Lamp::rectangle, 0), 0);
+bool a_lone_light_is_dark() {
+  const std::vector<double> red = column(estimates(Light::rectangle, 0), 0);
   return std::all_of(red.begin(), red.end(), [](double x) { return x == 0; });
 }
 
-bool a_lone_lamp_is_right() {
-  return Sample(column(estimates(Lamp::rectangle, 0), 0)).fits(by_area(Lamp::rectangle).mean);
+bool a_lone_light_is_right() {
+  return Sample(column(estimates(Light::rectangle, 0), 0)).fits(by_area(Light::rectangle).mean);
 }
 
-/// True if the lamp is never chosen beside the sun.
+/// True if the light is never chosen beside the sun.
 bool misses_the_weak() {
-  const Rows rows = estimates(Lamp::weak, 0);
+  const Rows rows = estimates(Light::weak, 0);
   const auto dark = [&](std::size_t channel) {
     const std::vector<double> values = column(rows, channel);
     return std::all_of(values.begin(), values.end(), [](double x) { return x == 0; });
@@ -228,13 +229,13 @@ bool misses_the_weak() {
 
 TEST_CASE("Lab 8.2: direct light by area", "[lab08][ex2]") {
   std::vector<Judged> all;
-  for (const LampCase& c : lamps()) {
-    const Rows rows = estimates(c.lamp, 0);
+  for (const LightCase& c : lights()) {
+    const Rows rows = estimates(c.light, 0);
     const std::vector<double> red = column(rows, 0);
     all.push_back(
         {c, Sample(red),
          mean_is("light by area from " + std::string(c.name), red, {0.5 * c.E / pi, c.area.sd()})});
-    if (c.lamp == Lamp::disk) judge_channels("light by area", rows);
+    if (c.light == Light::disk) judge_channels("light by area", rows);
   }
   const std::vector<Diagnosis> slip = common_slip(all);
   for (Judged& j : all) {
@@ -248,12 +249,12 @@ TEST_CASE("Lab 8.2: one of several lights by area", "[lab08][ex2]") {
   // Three lights, one of which is the floor itself, in blue: no point of it lights the floor. The
   // others are halves of the square, red of radiance 1 and green of radiance 3: values of
   // `rectangle` times half of their radiance, over their probability.
-  const Moments square = by_area(Lamp::rectangle);
+  const Moments square = by_area(Light::rectangle);
   const std::vector<double> chances =
       light_chances({1e4 * 0.0722 * static_cast<double>(floor_glow), 0.5 * 0.2126, 1.5 * 0.7152});
   const double c_red = chances[1], c_green = chances[2];
   const Moments m{2 * square.mean, square.square * (0.25 / c_red + 2.25 / c_green)};
-  const Rows rows = estimates(Lamp::two, 0);
+  const Rows rows = estimates(Light::two, 0);
   double red = 0, green = 0, both = 0, blue = 0;
   std::vector<double> sums;
   for (std::size_t i = 0; i < rows.count(); ++i) {
@@ -266,11 +267,11 @@ TEST_CASE("Lab 8.2: one of several lights by area", "[lab08][ex2]") {
   }
   judge(holds("estimates with light of the floor itself", blue == 0,
               fmt::format("{:g} of {}", blue, rows.count()), "none", {with_own_emission}));
-  judge(holds("estimates with light of both of two lamps", both == 0,
+  judge(holds("estimates with light of both of two light sources", both == 0,
               fmt::format("{:g} of {}", both, rows.count()), "none", {all_lights}));
-  Verdict verdict = mean_is("light by area from two lamps", sums, m.theory());
+  Verdict verdict = mean_is("light by area from two light sources", sums, m.theory());
   if (!verdict.passed && both == 0) {
-    // Each lamp's frequency is 1/6 ± .0012.
+    // Each light's frequency is 1/6 ± .0012.
     const auto n = static_cast<double>(rows.count());
     const auto chosen = [&](double power) {
       return square.mean * (0.5 * std::pow(c_red, power) + 1.5 * std::pow(c_green, power));
@@ -278,10 +279,10 @@ TEST_CASE("Lab 8.2: one of several lights by area", "[lab08][ex2]") {
     if (misses_the_weak()) {
       verdict.diagnoses = {weak_unasked};
     } else if (red == 0 || green == 0) {
-      verdict.diagnoses = {a_lone_lamp_is_dark() ? always_dark : always_the_same};
+      verdict.diagnoses = {a_lone_light_is_dark() ? always_dark : always_the_same};
     } else if (std::abs(red / n - c_red) > 0.01 || std::abs(green / n - c_green) > 0.01) {
       verdict.diagnoses = {other_chances};
-    } else if (a_lone_lamp_is_right() &&
+    } else if (a_lone_light_is_right() &&
                (Sample(sums).fits(chosen(1)) || Sample(sums).fits(chosen(2)))) {
       verdict.diagnoses = {not_weighted};
     }
@@ -289,13 +290,13 @@ TEST_CASE("Lab 8.2: one of several lights by area", "[lab08][ex2]") {
   judge(verdict);
 }
 
-TEST_CASE("Lab 8.2: a weak lamp beside a far, strong sun", "[lab08][ex2]") {
-  // rho/pi (3 + 3) = .95493 with rho = 1/2; without the lamp half of it, 100 standard errors less.
-  // By power the lamp has almost no probability: all it has is half of an even one.
-  const Moments lamp = ball_by_area(near_lamp), sun = ball_by_area(far_sun);
-  const Moments m{lamp.mean + sun.mean, lamp.square / 0.25 + sun.square / 0.75};
-  Verdict verdict = mean_is("light by area from a lamp and a sun",
-                            column(estimates(Lamp::weak, 0), 0), m.theory());
+TEST_CASE("Lab 8.2: a weak light beside a far, strong sun", "[lab08][ex2]") {
+  // rho/pi (3 + 3) = .95493 with rho = 1/2; without the light half of it, 100 standard errors less.
+  // By power the light has almost no probability: all it has is half of an even one.
+  const Moments light = ball_by_area(near_light), sun = ball_by_area(far_sun);
+  const Moments m{light.mean + sun.mean, light.square / 0.25 + sun.square / 0.75};
+  Verdict verdict = mean_is("light by area from a light source and a sun",
+                            column(estimates(Light::weak, 0), 0), m.theory());
   if (!verdict.passed && misses_the_weak()) verdict.diagnoses = {weak_unasked};
   judge(verdict);
 }
@@ -303,8 +304,8 @@ TEST_CASE("Lab 8.2: a weak lamp beside a far, strong sun", "[lab08][ex2]") {
 TEST_CASE("Lab 8.2: only lights that face the surface count, no sky and not the surface itself",
           "[lab08][ex2]") {
   for (const int form : {0, 1}) {
-    for (const Lamp lamp : {Lamp::behind, Lamp::none}) {
-      const std::vector<double> red = column(estimates(lamp, form), 0);
+    for (const Light light : {Light::behind, Light::none}) {
+      const std::vector<double> red = column(estimates(light, form), 0);
       const auto has = [&](double value) {
         return std::any_of(red.begin(), red.end(),
                            [&](double x) { return std::abs(x - value) <= 1e-4 * value; });
@@ -316,12 +317,12 @@ TEST_CASE("Lab 8.2: only lights that face the surface count, no sky and not the 
       std::vector<Diagnosis> diagnoses;
       if (has(sky) || has(floor + sky)) diagnoses.push_back(with_sky);
       if (has(floor)) diagnoses.push_back(with_own_emission);
-      if (diagnoses.empty() && lamp == Lamp::behind) diagnoses.push_back(wrong_side);
-      judge(
-          holds(fmt::format("light {} {}", form == 0 ? "by area" : "by directions",
-                            lamp == Lamp::none ? "under a sky without a lamp"
-                                               : "on a glowing floor, from a lamp that faces away"),
-                dark, dark ? "0, always" : fmt::format("up to {:.4g}", most), "0", diagnoses));
+      if (diagnoses.empty() && light == Light::behind) diagnoses.push_back(wrong_side);
+      judge(holds(
+          fmt::format("light {} {}", form == 0 ? "by area" : "by directions",
+                      light == Light::none ? "under a sky without a light"
+                                           : "on a glowing floor, from a light that faces away"),
+          dark, dark ? "0, always" : fmt::format("up to {:.4g}", most), "0", diagnoses));
     }
   }
 }
@@ -330,10 +331,10 @@ TEST_CASE("Lab 8.2: the hemisphere form has the same mean", "[lab08][ex2]") {
   // Losses only where the floor is tilted and far off are due to rounding.
   std::vector<Judged> all;
   bool others = true;
-  for (const LampCase& c : lamps()) {
-    const Rows rows = estimates(c.lamp, 1);
+  for (const LightCase& c : lights()) {
+    const Rows rows = estimates(c.light, 1);
     const double share = c.E / pi, exact = 0.5 * share;
-    const double cosine_twice = by_area(c.lamp, Slip::cosine_twice).mean;
+    const double cosine_twice = by_area(c.light, Slip::cosine_twice).mean;
     const std::vector<double> red = column(rows, 0);
     all.push_back({c, Sample(red),
                    mean_is("light by directions from " + std::string(c.name), red,
@@ -343,12 +344,12 @@ TEST_CASE("Lab 8.2: the hemisphere form has the same mean", "[lab08][ex2]") {
                             {2 * exact, uniform_density},
                             {2 * cosine_twice, uniform_density},
                             {cosine_twice, twice_the_cosine}})});
-    others = others && (all.back().verdict.passed || c.lamp == Lamp::disk);
-    if (c.lamp == Lamp::disk) judge_channels("light by directions", rows);
+    others = others && (all.back().verdict.passed || c.light == Light::disk);
+    if (c.light == Light::disk) judge_channels("light by directions", rows);
   }
   for (Judged& j : all) {
     if (!j.verdict.passed && j.sample.mean < -1) j.verdict.diagnoses = {pointing_in};
-    if (!j.verdict.passed && others && j.sample.mean < 0.5 * j.lamp.E / pi) {
+    if (!j.verdict.passed && others && j.sample.mean < 0.5 * j.light.E / pi) {
       j.verdict.diagnoses = {hits_itself};
     }
     judge(j.verdict);

@@ -24,10 +24,11 @@ void judge_direct(Verdict verdict) {
 }  // namespace
 
 TEST_CASE("Lab 8.6: nothing is counted twice", "[lab08][ex6]") {
-  const Moments area = by_area(Lamp::rectangle);
-  const double exact = 0.5 * lamp_share;
-  judge_direct(mean_is("light from a lamp", column(trace(direct, with(on_floor, {{"lamp", 0}})), 0),
-                       {exact, area.sd()}, {{2 * exact, counted_twice}, {0, direct_missing}}));
+  const Moments area = by_area(Light::rectangle);
+  const double exact = 0.5 * light_path_share;
+  judge_direct(mean_is("light from a light source",
+                       column(trace(direct, with(on_floor, {{"light", 0}})), 0), {exact, area.sd()},
+                       {{2 * exact, counted_twice}, {0, direct_missing}}));
 }
 
 TEST_CASE("Lab 8.6: a furnace, with and without what the first surface emits", "[lab08][ex6]") {

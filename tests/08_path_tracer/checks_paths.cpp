@@ -69,10 +69,11 @@ void judge_paths(Verdict verdict) {
   judge(verdict);
 }
 
-/// The light from the square lamp if the light's point is divided by `divisor` in place of its
-/// density, and everything else is right: directions are cosine-weighted, half of them absorbed.
+/// The light from the square light source if the light's point is divided by `divisor` in place of
+/// its density, and everything else is right: directions are cosine-weighted, half of them
+/// absorbed.
 template <class Divisor>
-double lamp_divided_by(const Divisor& divisor) {
+double light_divided_by(const Divisor& divisor) {
   double sum = 0;
   over_square(400, [&](double u, double v, double weight) {
     const Double3 p(u - 0.5, v - 0.5, 1);
@@ -124,12 +125,13 @@ TEST_CASE("Lab 8.8: closed forms, at every length of path", "[lab08][ex8]") {
   }
 }
 
-TEST_CASE("Lab 8.8: a lamp, a glossy ball, glass", "[lab08][ex8]") {
-  const double exact = 0.5 * lamp_share;
-  const double per_area = lamp_divided_by([](double) { return 1.0; });
-  const double inverted = lamp_divided_by([](double density) { return 1 / density; });
+TEST_CASE("Lab 8.8: a light, a glossy ball, glass", "[lab08][ex8]") {
+  const double exact = 0.5 * light_path_share;
+  const double per_area = light_divided_by([](double) { return 1.0; });
+  const double inverted = light_divided_by([](double density) { return 1 / density; });
   judge_paths(mean_is(
-      "light from a lamp", column(trace_all(with(on_floor, {{"lamp", 0}}), 0), 0), {exact, 0.15},
+      "light from a light source", column(trace_all(with(on_floor, {{"light", 0}}), 0), 0),
+      {exact, 0.15},
       {{2 * exact, both_whole}, {per_area, sampled_per_area}, {inverted, sampled_inverted}}));
   const std::vector<double> ball = column(trace_all(ball_of(glossy), 0), 0);
   judge_paths(mean_is("a glossy ball under the sky", ball, ball_theory(),
@@ -139,24 +141,25 @@ TEST_CASE("Lab 8.8: a lamp, a glossy ball, glass", "[lab08][ex8]") {
       column(trace_all(with(with_glass, {{"r", 0.5}, {"g", 0.5}, {"b", 0.5}}), 0), 0), {2, 2}));
 }
 
-TEST_CASE("Lab 8.8: a weak lamp beside a far, strong sun", "[lab08][ex8]") {
+TEST_CASE("Lab 8.8: a weak light beside a far, strong sun", "[lab08][ex8]") {
   // rho/pi (3 + 3) with rho = 1/2. The sd is a bound, a quarter more than that of light by area
   // alone: directions rarely meet what a light's point does not, and have small weights there.
   const std::vector<double> seen =
-      column(trace_all(with(on_floor, {{"lamp", static_cast<double>(Lamp::weak)}}), 0), 0);
-  judge_paths(mean_is("light from a lamp and a sun", seen, {3 / pi, 6 / pi}));
+      column(trace_all(with(on_floor, {{"light", static_cast<double>(Light::weak)}}), 0), 0);
+  judge_paths(mean_is("light from a light source and a sun", seen, {3 / pi, 6 / pi}));
 }
 
-TEST_CASE("Lab 8.8: a lamp in a mirror and behind glass, seen by a rough surface", "[lab08][ex8]") {
-  // A path contributes the lamp's radiance 1 or nothing, and more than 1 if roulette might have
+TEST_CASE("Lab 8.8: a light in a mirror and behind glass, seen by a rough surface",
+          "[lab08][ex8]") {
+  // A path contributes the light's radiance 1 or nothing, and more than 1 if roulette might have
   // ended it: the sd is a bound, twice that of a path without roulette. Less than 1 means a weight:
   // that of the previous vertex leaves a fiftieth of the light, 18 standard errors too little.
   for (const Place place : {by_mirror, by_pane}) {
-    const double exact = 0.5 * (place == by_mirror ? mirrored_share() : lamp_share);
+    const double exact = 0.5 * (place == by_mirror ? mirrored_share() : light_path_share);
     const std::vector<double> seen = column(trace_all(with(place, {}), 0, false), 0);
-    Verdict verdict =
-        mean_is(place == by_mirror ? "light from a lamp in a mirror" : "light through a pane", seen,
-                {exact, 2 * std::sqrt(exact)});
+    Verdict verdict = mean_is(
+        place == by_mirror ? "light from a light source in a mirror" : "light through a pane", seen,
+        {exact, 2 * std::sqrt(exact)});
     // No comparison is true for NaN, and power_heuristic(0, 0) may well be NaN.
     const bool weighed =
         std::none_of(seen.begin(), seen.end(), [](double x) { return x >= 0.999; });

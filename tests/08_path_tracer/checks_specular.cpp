@@ -15,10 +15,11 @@ namespace {
 const Diagnosis emission_lost{"emission-behind-glass-lost",
                               "after a mirror or glass emission counts: no light was sampled "
                               "there."};
-const Diagnosis lamp_black_in_mirror{"emission-in-mirror-lost",
-                                     "a lamp that a mirror's ray meets counts, as if the camera "
-                                     "saw it, whether the mirror itself was "
-                                     "asked with emission or without: no light was sampled there."};
+const Diagnosis light_black_in_mirror{
+    "emission-in-mirror-lost",
+    "a light that a mirror's ray meets counts, as if the camera "
+    "saw it, whether the mirror itself was "
+    "asked with emission or without: no light was sampled there."};
 
 constexpr std::size_t n_paths = 50'000;
 
@@ -42,7 +43,7 @@ std::vector<Diagnosis> of_black(bool in_mirror) {
   if (ends_dark(column(trace({{"place", in_furnace}, {"r", 0.5}, {"g", 0.5}, {"b", 0.5}}), 0))) {
     return {absorbed_dark};
   }
-  return {in_mirror && !is_black(through_glass()) ? lamp_black_in_mirror : emission_lost};
+  return {in_mirror && !is_black(through_glass()) ? light_black_in_mirror : emission_lost};
 }
 
 }  // namespace
@@ -61,7 +62,7 @@ TEST_CASE("Lab 8.7: what is seen in a mirror and through glass", "[lab08][ex7]")
   }
 }
 
-TEST_CASE("Lab 8.7: a lamp is seen in a mirror, too", "[lab08][ex7]") {
+TEST_CASE("Lab 8.7: a light is seen in a mirror, too", "[lab08][ex7]") {
   // Also without the emission of the first surface, which is the mirror and emits nothing.
   for (const double emission : {1.0, 0.0}) {
     const Rows rows = trace(

@@ -166,18 +166,18 @@ TEST_CASE("Lab 8.4: mended, a furnace shows 1/(1 - albedo)", "[lab08][ex4]") {
   judge(spread);
 }
 
-TEST_CASE("Lab 8.4: a lamp, and a ball under the sky", "[lab08][ex4]") {
+TEST_CASE("Lab 8.4: a light, and a ball under the sky", "[lab08][ex4]") {
   for (const Method method : {lecture, mended}) {
     const std::string name = method == lecture ? "by the lecture's rule, " : "mended, ";
-    const double share = 0.5 * lamp_share;
+    const double share = 0.5 * light_path_share;
     const auto judge_with = [&](Verdict verdict) {
       const std::vector<Diagnosis> seen =
           verdict.passed ? std::vector<Diagnosis>{} : seen_in_furnace(method);
       if (!seen.empty()) verdict.diagnoses = seen;
       judge(verdict);
     };
-    judge_with(mean_is(name + "light from a lamp",
-                       column(trace(method, with(on_floor, {{"lamp", 0}})), 0),
+    judge_with(mean_is(name + "light from a light source",
+                       column(trace(method, with(on_floor, {{"light", 0}})), 0),
                        {share, std::sqrt(share * (1 - share))}, {{0, self_hit}}));
     judge_with(mean_is(name + "a glossy ball under the sky",
                        column(trace(method, ball_of(glossy)), 0), ball_theory(),

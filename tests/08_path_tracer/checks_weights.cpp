@@ -68,9 +68,10 @@ TEST_CASE("Lab 8.8: the power heuristic", "[lab08][ex8]") {
 }
 
 TEST_CASE("Lab 8.8: the density of light points", "[lab08][ex8]") {
-  for (const Lamp lamp : {Lamp::rectangle, Lamp::sphere, Lamp::two}) {
-    const Rows rows = probe("Lab 8.8 light pdf", {.numbers = {{"lamp", static_cast<double>(lamp)}}},
-                            {.rows = 40, .columns = 5, .of = name_of(lamp)});
+  for (const Light light : {Light::rectangle, Light::sphere, Light::two}) {
+    const Rows rows =
+        probe("Lab 8.8 light pdf", {.numbers = {{"light", static_cast<double>(light)}}},
+              {.rows = 40, .columns = 5, .of = name_of(light)});
     double wrong = 0, lit = 0;
     // The density due to each mistake, and the number of values that match it.
     struct Other {
@@ -88,11 +89,11 @@ TEST_CASE("Lab 8.8: the density of light points", "[lab08][ex8]") {
            return std::pow(cosine * area / (d2 * chance), 2);
          },
          turned_over}};
-    if (lamp == Lamp::two) {
+    if (light == Light::two) {
       others.push_back(
           {[](double, double, double, double chance) { return 1 / chance; }, light_choice});
     }
-    if (lamp != Lamp::rectangle) {
+    if (light != Light::rectangle) {
       others.push_back({[](double, double, double area, double) { return area; }, no_area_in_pdf});
       others.push_back(
           {[](double, double, double area, double) { return area * area; }, times_area});
@@ -113,9 +114,9 @@ TEST_CASE("Lab 8.8: the density of light points", "[lab08][ex8]") {
     for (const Other& other : others) {
       if (other.fits == lit) diagnoses.push_back(other.diagnosis);
     }
-    judge(holds(fmt::format("light_pdf, {}", lamp == Lamp::two      ? "two lamps"
-                                             : lamp == Lamp::sphere ? "a ball"
-                                                                    : "a square lamp"),
+    judge(holds(fmt::format("light_pdf, {}", light == Light::two      ? "two lights"
+                                             : light == Light::sphere ? "a ball"
+                                                                      : "a square light"),
                 wrong == 0 && lit > 0, fmt::format("{:g} of {} differ", wrong, rows.count()),
                 "distance^2 chance/(cos area); 0 for what does not emit", diagnoses));
   }

@@ -36,10 +36,10 @@ void check_chances(const lab08::World& world) {
   CHECK(&last == &world.choose(1 - step));
 }
 
-/// A lamp that is a mesh: a far triangle of 5e9 m^2, one without area, and one of half a square
+/// A light that is a mesh: a far triangle of 5e9 m^2, one without area, and one of half a square
 /// metre.
 carlo::Scene uneven_mesh() {
-  carlo::Scene scene = lamp_scene(Lamp::none);
+  carlo::Scene scene = light_scene(Light::none);
   carlo::Mesh mesh;
   mesh.positions = {{0, 0, 1e6f}, {0, 1e5f, 1e6f}, {1e5f, 0, 1e6f},
                     {0, 0, 1},    {0, 1, 1},       {1, 0, 1}};
@@ -50,8 +50,8 @@ carlo::Scene uneven_mesh() {
 
 }  // namespace
 
-TEST_CASE("Lab 08: a weak lamp beside a sun is chosen a quarter of the time") {
-  const lab08::World world(lamp_scene(Lamp::weak));
+TEST_CASE("Lab 08: a weak light beside a sun is chosen a quarter of the time") {
+  const lab08::World world(light_scene(Light::weak));
   check_chances(world);
   CHECK(world.lights()[0].chance() == 0.25f);
   CHECK(world.lights()[1].chance() == 0.75f);
@@ -71,10 +71,10 @@ TEST_CASE("Lab 08: each triangle of a mesh is a light, and one without area is n
   CHECK(world.light_of(*met)->area() == 0.5f);
 }
 
-TEST_CASE("Lab 08: of ten thousand lamps of all powers none is left out") {
-  carlo::Scene scene = lamp_scene(Lamp::none);
-  const int lamps = 10'000;
-  for (int i = 0; i < lamps; ++i) {
+TEST_CASE("Lab 08: of ten thousand lights of all powers none is left out") {
+  carlo::Scene scene = light_scene(Light::none);
+  const int lights = 10'000;
+  for (int i = 0; i < lights; ++i) {
     const auto x = static_cast<float>(i);
     scene.shapes.push_back({carlo::Parallelogram{{x, 0, 1}, {0, 1, 0}, {1, 0, 0}}, 1,
                             Rgb(std::pow(10.0f, static_cast<float>(i % 20) - 10))});
@@ -82,7 +82,7 @@ TEST_CASE("Lab 08: of ten thousand lamps of all powers none is left out") {
   const lab08::World world(scene);
   check_chances(world);
   for (const lab08::Light& light : world.lights())
-    REQUIRE(static_cast<double>(light.chance()) >= 0.5 / lamps - step);
+    REQUIRE(static_cast<double>(light.chance()) >= 0.5 / lights - step);
 }
 
 TEST_CASE("Lab 08: lights whose chances would round to nothing are refused") {

@@ -76,8 +76,8 @@ inline carlo::grader::Theory series(double go, double weight) {
   return {mean, std::sqrt(square - mean * mean)};
 }
 
-inline const double lamp_share =
-    0.7522747 / pi;  ///< of cosine-weighted directions that meet the square lamp
+inline const double light_path_share =
+    0.7522747 / pi;  ///< of cosine-weighted directions that meet the square light
 
 /// True if absorbed paths contribute nothing: in a furnace every surface emits, and every path that
 /// counts it contributes.

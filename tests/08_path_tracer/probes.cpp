@@ -48,9 +48,9 @@ PROBE("Lab 8.1 rays", "x in the pixel", "y in the pixel",
 // Direct light at the floor's origin, by either form. The BRDF is wrong on purpose where the
 // contract says that it is never called.
 PROBE("Lab 8.2 estimates", "red", "green", "blue") {
-  const auto lamp = static_cast<Lamp>(params.whole("lamp"));
-  const lab08::World world(lamp_scene(lamp));
-  const Pose pose = pose_of(lamp);
+  const auto light = static_cast<Light>(params.whole("light"));
+  const lab08::World world(light_scene(light));
+  const Pose pose = pose_of(light);
   carlo::Rng rng(params.seed);
   // One point, seen from many sides: each time it is rounded differently.
   std::vector<lab08::Surface> surfaces;

@@ -47,7 +47,7 @@ View view_of(const Params& params) {
                     false}),
               towards_pole(degrees)};
     case on_floor:
-      return {lamp_scene(static_cast<Lamp>(params.whole("lamp"))), down};
+      return {light_scene(static_cast<Light>(params.whole("light"))), down};
     case mirror_ball:
       return {ball({carlo::Mirror{rgb(params)}, false}), towards_pole(degrees)};
     case glass_ball:
@@ -62,9 +62,9 @@ View view_of(const Params& params) {
     case wall_in_mirror:
       return {furnace_with_mirror(rgb(params)), at_centre};
     case by_mirror:
-      return {mirrored_lamp(), low};
+      return {mirrored_light(), low};
     case by_pane:
-      return {lamp_behind_pane(), low};
+      return {light_behind_pane(), low};
   }
   return {};
 }
@@ -193,7 +193,7 @@ PROBE("Lab 8.8 heuristic", "weight") {
 // probability of choosing that.
 PROBE("Lab 8.8 light pdf", "light_pdf", "distance^2", "cosine there", "area of the light", "chance",
       "(a row a ray from the floor; area 0: it meets no light)") {
-  const lab08::World world(lamp_scene(static_cast<Lamp>(params.whole("lamp"))));
+  const lab08::World world(light_scene(static_cast<Light>(params.whole("light"))));
   const auto from = world.intersect({Vec3(0.3f, 0, 0.9f), glm::normalize(Vec3(-0.3f, 0, -0.9f))});
   RowWriter rows;
   for (int i = 0; from && i < 40; ++i) {

@@ -86,11 +86,11 @@ struct Paths {
   double mean = 0, calls = 0, cut = 0;
 };
 
-Paths paths(const World& world, const BallLamp& lamp, const carlo::Ray& ray, RecapForm form, int n,
-            int most_calls, carlo::Rng& rng) {
+Paths paths(const World& world, const BallLight& light, const carlo::Ray& ray, RecapForm form,
+            int n, int most_calls, carlo::Rng& rng) {
   Paths sum;
   for (int i = 0; i < n; ++i) {
-    const RecapPath path = form(world, lamp, ray, most_calls, rng);
+    const RecapPath path = form(world, light, ray, most_calls, rng);
     sum.mean += static_cast<double>(path.radiance.r);
     sum.calls += path.calls;
     sum.cut += path.cut ? 1 : 0;
@@ -101,7 +101,7 @@ Paths paths(const World& world, const BallLamp& lamp, const carlo::Ray& ray, Rec
 Paths paths(const RecapRoom& room, RecapForm form, int n, int most_calls, std::uint64_t stream) {
   const World world(room.scene());
   carlo::Rng rng(23, stream);
-  return paths(world, room.lamp(), RecapRoom::ray(), form, n, most_calls, rng);
+  return paths(world, room.light(), RecapRoom::ray(), form, n, most_calls, rng);
 }
 
 void check_mean(double mean, double exact, double sd, int n) {
@@ -220,50 +220,51 @@ carlo::Scene floor_under_sky(const carlo::Material& material) {
   return scene;
 }
 
-void add_ball(carlo::Scene& scene, const BallLamp& ball, float radiance) {
+void add_ball(carlo::Scene& scene, const BallLight& ball, float radiance) {
   scene.shapes.push_back({carlo::Sphere{ball.centre, ball.radius}, 1, Rgb(radiance)});
 }
 
 /// At the origin of the floor, seen at this many degrees off its normal. One path's value lies
 /// between 0 and `most`, so its standard deviation is at most half of that.
-void check_floor(const carlo::Scene& scene, const BallLamp& lamp, double degrees, double exact,
+void check_floor(const carlo::Scene& scene, const BallLight& light, double degrees, double exact,
                  double most, std::uint64_t stream) {
   const World world(scene);
   const double angle = degrees * pi / 180;
   const Vec3 wo(static_cast<float>(std::sin(angle)), 0, static_cast<float>(std::cos(angle)));
   carlo::Rng rng(23, stream);
-  const Paths found = paths(world, lamp, {1e-3f * wo, -wo}, recap_mended, many_paths, 1 << 12, rng);
+  const Paths found =
+      paths(world, light, {1e-3f * wo, -wo}, recap_mended, many_paths, 1 << 12, rng);
   check_mean(found.mean, exact, most / 2, many_paths);
 }
 
 }  // namespace
 
-TEST_CASE("the mended Recap with a lamp half set, and one behind a pillar") {
+TEST_CASE("the mended Recap with a light half set, and one behind a pillar") {
   constexpr double albedo = 0.6;
   const carlo::Material grey{carlo::Diffuse{Rgb(static_cast<float>(albedo))}, false};
   // Irradiance from a ball of radiance 1 at distance 2 radii, its centre on the horizon.
   constexpr double set = 0.0905861;
-  const BallLamp low{{2, 0, 0}, 1};
+  const BallLight low{{2, 0, 0}, 1};
   carlo::Scene scene = floor_under_sky(grey);
   add_ball(scene, low, 4);
   // At most one light ray: solid angle .842, cosine .5, f = .6/pi, radiance 4, over .4.
   check_floor(scene, low, 30, albedo / pi * (4 * set + pi - set), 1, 300);
 
-  // An emitting pillar that hides more than the lamp; radius 1/2 at distance 1.
-  const BallLamp hidden{{0, 0, 4}, 0.5f}, pillar{{0, 0, 1}, 0.5f};
+  // An emitting pillar that hides more than the light; radius 1/2 at distance 1.
+  const BallLight hidden{{0, 0, 4}, 0.5f}, pillar{{0, 0, 1}, 0.5f};
   scene = floor_under_sky(grey);
   add_ball(scene, hidden, 100);
   add_ball(scene, pillar, 3);
   check_floor(scene, hidden, 60, albedo / pi * (3 * pi / 4 + pi - pi / 4), 3, 301);
 }
 
-TEST_CASE("the mended Recap on a glossy floor under a sky and a lamp as bright") {
+TEST_CASE("the mended Recap on a glossy floor under a sky and a light as bright") {
   // The reflectance of a lobe of exponent 2 at 60 degrees is 9/16 (J. Arvo's recurrence). No weight
   // is above (n + 2)/(n + 1) = 4/3.
-  const BallLamp lamp{{-2, 0, 1.5f}, 0.6f};
+  const BallLight light{{-2, 0, 1.5f}, 0.6f};
   carlo::Scene scene = floor_under_sky({carlo::Phong{Rgb(0.3f), Rgb(0.5f), 2}, false});
-  add_ball(scene, lamp, 1);
-  check_floor(scene, lamp, 60, 0.3 + 0.5 * 0.5625, 1.5, 302);
+  add_ball(scene, light, 1);
+  check_floor(scene, light, 60, 0.3 + 0.5 * 0.5625, 1.5, 302);
 }
 
 TEST_CASE("the mended Recap refuses a surface that absorbs nothing") {

@@ -20,7 +20,7 @@ inline std::uint32_t add_phong(carlo::Scene& scene, Rgb kd, Rgb ks = Rgb(0), flo
 
 /// Lights over the point (0, 0, 0) of a floor with normal +z. The world of `disk` is moved as a
 /// whole, see pose_of().
-enum class Lamp {
+enum class Light {
   rectangle = 0,  ///< the unit square, centred at height 1, facing down
   disk = 1,       ///< radius 1, centred at height 1, facing down
   sphere = 2,     ///< radius 1, centre at distance 2, 50 degrees from the normal
@@ -30,30 +30,30 @@ enum class Lamp {
   covered = 5,    ///< `rectangle`, half of it behind a black screen
   behind = 6,     ///< `rectangle`, facing up, over a floor that emits, under a sky
   none = 7,       ///< no light but a sky
-  weak = 8,       ///< `near_lamp` and `far_sun`, with 2e9 times its power: irradiance 3 each
+  weak = 8,       ///< `near_light` and `far_sun`, with 2e9 times its power: irradiance 3 each
   count = 9
 };
 
-inline const char* name_of(Lamp lamp) {
-  constexpr const char* names[] = {"a square lamp",
-                                   "a round lamp, the floor tilted",
+inline const char* name_of(Light light) {
+  constexpr const char* names[] = {"a square light",
+                                   "a round light, the floor tilted",
                                    "a ball of light",
                                    "a shining wall",
-                                   "two lamps",
-                                   "a lamp half hidden",
-                                   "a lamp that faces away, and a sky",
+                                   "two lights",
+                                   "a light half hidden",
+                                   "a light that faces away, and a sky",
                                    "a sky",
-                                   "a weak lamp and a far sun"};
-  return names[static_cast<int>(lamp)];
+                                   "a weak light and a far sun"};
+  return names[static_cast<int>(light)];
 }
 
 /// Balls of light whose irradiance is pi radiance (radius/distance)^2 times the cosine, 3 for both.
-/// The sun is overhead, and the lamp not in its way.
+/// The sun is overhead, and the light not in its way.
 struct LitBall {
   carlo::Sphere ball;
   float radiance;
 };
-inline const LitBall near_lamp{{{0.6f, 0, 0.8f}, 0.1f}, 3 / (3.14159265f * 0.008f)};
+inline const LitBall near_light{{{0.6f, 0, 0.8f}, 0.1f}, 3 / (3.14159265f * 0.008f)};
 inline const LitBall far_sun{{{0, 0, 1e5f}, 1e3f}, 3 / (3.14159265f * 1e-4f)};
 
 /// The emission of glowing floors and of skies: estimates of direct light must not contain it.
@@ -68,8 +68,8 @@ struct Pose {
   Vec3 point(Vec3 v) const { return origin + direction(v); }
 };
 
-inline Pose pose_of(Lamp lamp) {
-  if (lamp != Lamp::disk) return {};
+inline Pose pose_of(Light light) {
+  if (light != Light::disk) return {};
   return {tilted_frame(), {37.3f, -21.7f, 55.1f}};
 }
 
@@ -87,7 +87,7 @@ inline carlo::Parallelogram facing_down(float x0, float x1) {
   return {Vec3(x0, 0.5f, 1), Vec3(x1 - x0, 0, 0), Vec3(0, -1, 0)};
 }
 
-inline carlo::Scene lamp_scene(Lamp lamp) {
+inline carlo::Scene light_scene(Light light) {
   carlo::Scene scene;
   const std::uint32_t grey = add_phong(scene, Rgb(0.5f)), black = add_phong(scene, Rgb(0));
   scene.shapes.push_back(
@@ -97,46 +97,46 @@ inline carlo::Scene lamp_scene(Lamp lamp) {
   };
   constexpr float half_turn = 3.14159265f;
   const float angle = half_turn * 50 / 180;
-  switch (lamp) {
-    case Lamp::rectangle:
+  switch (light) {
+    case Light::rectangle:
       emit(facing_down(-0.5f, 0.5f), Rgb(1, 2, 4));
       break;
-    case Lamp::disk:
+    case Light::disk:
       emit(carlo::Disk{{0, 0, 1}, {0, 0, -1}, 1}, Rgb(1, 2, 4));
       break;
-    case Lamp::sphere:
+    case Light::sphere:
       emit(carlo::Sphere{{2 * std::sin(angle), 0, 2 * std::cos(angle)}, 1}, Rgb(1, 2, 4));
       break;
-    case Lamp::wall:
+    case Light::wall:
       emit(carlo::Parallelogram{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}}, Rgb(1, 2, 4));
       break;
-    case Lamp::two:
+    case Light::two:
       emit(facing_down(-0.5f, 0), Rgb(1, 0, 0));
       emit(facing_down(0, 0.5f), Rgb(0, 3, 0));
       scene.shapes[0].radiance = Rgb(0, 0, floor_glow);
       break;
-    case Lamp::covered:
+    case Light::covered:
       emit(facing_down(-0.5f, 0.5f), Rgb(1, 2, 4));
       scene.shapes.push_back(
           {carlo::Parallelogram{{0, -2, 0.999f}, {2, 0, 0}, {0, 4, 0}}, black, Rgb(0)});
       break;
-    case Lamp::behind:
+    case Light::behind:
       emit(carlo::Parallelogram{{-0.5f, -0.5f, 1}, {1, 0, 0}, {0, 1, 0}}, Rgb(1, 2, 4));
       scene.shapes[0].radiance = Rgb(floor_glow);
       scene.lights.environment = Rgb(sky_glow);
       break;
-    case Lamp::none:
+    case Light::none:
       scene.lights.environment = Rgb(sky_glow);
       break;
-    case Lamp::weak:
-      // Green comes from the lamp alone, blue from the sun.
-      emit(near_lamp.ball, near_lamp.radiance * Rgb(1, 1, 0));
+    case Light::weak:
+      // Green comes from the light alone, blue from the sun.
+      emit(near_light.ball, near_light.radiance * Rgb(1, 1, 0));
       emit(far_sun.ball, far_sun.radiance * Rgb(1, 0, 1));
       break;
-    case Lamp::count:
+    case Light::count:
       break;
   }
-  if (lamp == Lamp::disk) move(scene, pose_of(lamp));
+  if (light == Light::disk) move(scene, pose_of(light));
   return scene;
 }
 
@@ -165,8 +165,8 @@ inline carlo::Scene furnace_with_mirror(Rgb reflectance) {
 
 /// The unit square, centred at height 1, facing down, of radiance 1, with a screen in front: the
 /// point (0, 0, 0) of the floor sees it only through the screen.
-inline carlo::Scene screened_lamp(carlo::Material screen) {
-  carlo::Scene scene = lamp_scene(Lamp::rectangle);
+inline carlo::Scene screened_light(carlo::Material screen) {
+  carlo::Scene scene = light_scene(Light::rectangle);
   scene.shapes[1].radiance = Rgb(1);
   scene.materials.push_back(screen);
   scene.shapes.push_back(
@@ -175,16 +175,16 @@ inline carlo::Scene screened_lamp(carlo::Material screen) {
 }
 
 /// The screen is glass as thin as air: light goes straight through.
-inline carlo::Scene lamp_behind_pane() {
-  return screened_lamp({carlo::Dielectric{1, 1}, false});
+inline carlo::Scene light_behind_pane() {
+  return screened_light({carlo::Dielectric{1, 1}, false});
 }
 
-/// The distance of the mirror of mirrored_lamp() from the point (0, 0, 0) of the floor.
+/// The distance of the mirror of mirrored_light() from the point (0, 0, 0) of the floor.
 constexpr float mirror_distance = 0.6f;
 
-/// The screen is black; (0, 0, 0) sees the whole lamp in a lossless mirror beside it.
-inline carlo::Scene mirrored_lamp() {
-  carlo::Scene scene = screened_lamp({carlo::Phong{Rgb(0), Rgb(0), 0}, false});
+/// The screen is black; (0, 0, 0) sees the whole light in a lossless mirror beside it.
+inline carlo::Scene mirrored_light() {
+  carlo::Scene scene = screened_light({carlo::Phong{Rgb(0), Rgb(0), 0}, false});
   scene.materials.push_back({carlo::Mirror{Rgb(1)}, false});
   scene.shapes.push_back(
       {carlo::Parallelogram{{mirror_distance, -1, 0}, {0, 0, 2}, {0, 2, 0}}, 3, Rgb(0)});

@@ -91,28 +91,28 @@ inline double area_term(Slip slip, double cos_surface, double cos_light, double 
   return f * cos_surface / density;
 }
 
-/// One estimate of the radiance that a floor of albedo 1/2 at the origin reflects from a lamp of
-/// radiance 1, by a point of the lamp that is uniform by area. Points on the screened half (x > 0)
+/// One estimate of the radiance that a floor of albedo 1/2 at the origin reflects from a light of
+/// radiance 1, by a point of the light that is uniform by area. Points on the screened half (x > 0)
 /// count as hidden.
-inline Moments by_area(Lamp lamp, Slip slip = Slip::none) {
+inline Moments by_area(Light light, Slip slip = Slip::none) {
   Moments m;
   const auto add = [&](Double3 p, Double3 n, double area, double weight) {
     const double d = glm::length(p);
     const double cos_surface = p.z / d, cos_light = -glm::dot(n, p) / d;
     if (!(cos_surface > 0 && cos_light > 0)) return;
-    if (lamp == Lamp::covered && p.x > 0 && slip != Slip::shadow) return;
+    if (light == Light::covered && p.x > 0 && slip != Slip::shadow) return;
     const double value = area_term(slip, cos_surface, cos_light, d, area);
     m.mean += value * weight;
     m.square += value * value * weight;
     m.lit += weight;
   };
   constexpr int cells = 600;
-  if (lamp == Lamp::disk) {
+  if (light == Light::disk) {
     over_turns(cells, [&](double u, double cosine, double sine, double weight) {
       const double r = std::sqrt(u);
       add({r * cosine, r * sine, 1}, {0, 0, -1}, pi, weight);
     });
-  } else if (lamp == Lamp::sphere) {
+  } else if (light == Light::sphere) {
     const double angle = 50 * pi / 180;
     const Double3 centre(2 * std::sin(angle), 0, 2 * std::cos(angle));
     over_turns(cells, [&](double u, double cosine, double sine, double weight) {
@@ -122,7 +122,7 @@ inline Moments by_area(Lamp lamp, Slip slip = Slip::none) {
     });
   } else {
     over_square(cells, [&](double u, double v, double weight) {
-      if (lamp == Lamp::wall) return add({1, v, u}, {-1, 0, 0}, 1, weight);
+      if (light == Light::wall) return add({1, v, u}, {-1, 0, 0}, 1, weight);
       add({u - 0.5, v - 0.5, 1}, {0, 0, -1}, 1, weight);
     });
   }
@@ -159,8 +159,8 @@ inline std::vector<double> light_chances(const std::vector<double>& powers) {
   return chances;
 }
 
-/// The fraction of cosine-weighted directions that meets the lamp of mirrored_lamp(): its image is
-/// as far behind the mirror as the lamp is in front.
+/// The fraction of cosine-weighted directions that meets the light of mirrored_light(): its image
+/// is as far behind the mirror as the light is in front.
 inline double mirrored_share() {
   const double shift = 2 * static_cast<double>(mirror_distance);
   double share = 0;

@@ -16,7 +16,7 @@ enum Place {
   in_furnace = 0,      ///< r, g, b: its albedo
   with_glass = 1,      ///< a furnace around a ball of glass
   on_ball = 2,         ///< kd, ks, exponent; degrees
-  on_floor = 3,        ///< lamp: the Lamp over it
+  on_floor = 3,        ///< light: the Light over it
   mirror_ball = 4,     ///< r, g, b: its reflectance; degrees
   glass_ball = 5,      ///< degrees
   in_mirrors = 6,      ///< a furnace that mirrors; r, g, b: its reflectance
@@ -43,7 +43,7 @@ inline std::string place_text(const carlo::grader::Params& params) {
       return fmt::format("a ball of kd = {:g}, ks = {:g}, n = {:g} at {:g} degrees", params["kd"],
                          params["ks"], params["exponent"], degrees);
     case on_floor:
-      return fmt::format("a floor under {}", name_of(static_cast<Lamp>(params.whole("lamp"))));
+      return fmt::format("a floor under {}", name_of(static_cast<Light>(params.whole("light"))));
     case mirror_ball:
       return fmt::format("a mirror ball of {} at {:g} degrees", rgb(), degrees);
     case glass_ball:
@@ -53,9 +53,9 @@ inline std::string place_text(const carlo::grader::Params& params) {
     case wall_in_mirror:
       return "a glowing wall in a mirror of " + rgb();
     case by_mirror:
-      return "a floor that sees a lamp in a mirror only";
+      return "a floor that sees a light in a mirror only";
     case by_pane:
-      return "a floor that sees a lamp through a pane of glass only";
+      return "a floor that sees a light through a pane of glass only";
     case behind_glass:
       break;
   }

@@ -1,6 +1,6 @@
 // Checks of exercise 9.5: all light comes by exactly one way. In a closed sphere that emits and
 // reflects, with a ball of mirror in its middle, every part of the light is a geometric series. The
-// photons have a colour that no lamp has.
+// photons have a colour that no light has.
 
 #include "09_bias/density_checks.h"
 
@@ -20,12 +20,14 @@ const Diagnosis caustics_twice{"caustics-counted-twice",
 const Diagnosis direct_twice{"direct-light-counted-twice",
                              "emission that a path meets after a Phong surface is counted; "
                              "direct_by_area() has counted it."};
-const Diagnosis direct_missing{"direct-light-missing",
-                               "the light that comes straight from lamps is missing at Phong "
-                               "surfaces: a map of caustics does not have it."};
-const Diagnosis first_direct_only{"direct-light-at-first-surface-only",
-                                  "lamps are sampled at the path's first Phong surface only: later "
-                                  "ones are lit, too."};
+const Diagnosis direct_missing{
+    "direct-light-missing",
+    "the light that comes straight from light sources is missing at Phong "
+    "surfaces: a map of caustics does not have it."};
+const Diagnosis first_direct_only{
+    "direct-light-at-first-surface-only",
+    "lights are sampled at the path's first Phong surface only: later "
+    "ones are lit, too."};
 const Diagnosis path_ends{"path-ends-at-phong",
                           "the path ends at the first Phong surface: light that came by other "
                           "Phong surfaces is in no map of caustics."};
@@ -71,7 +73,7 @@ struct Vertex {
 /// Direct light at each vertex: the sampled point is visible or hidden by the ball, and all visible
 /// points contribute the same.
 constexpr double lit = albedo * static_cast<double>(wall_glow);
-constexpr Vertex by_lamp{lit * (1 - share_of_ball), lit* lit*(1 - share_of_ball)};
+constexpr Vertex by_light{lit * (1 - share_of_ball), lit* lit*(1 - share_of_ball)};
 
 Vertex by_photons() {
   const auto r = static_cast<double>(everywhere), flux = static_cast<double>(pair_flux);
@@ -97,7 +99,7 @@ double mean_of_path(double vertex) {
 
 /// The radiance of rays, and whether radiance_within() is right, so that mistakes are the path's.
 struct SphereRays {
-  std::vector<double> lamp, photons;
+  std::vector<double> light, photons;
   bool density_right = true;
 };
 
@@ -114,8 +116,8 @@ SphereRays sphere_rays(bool caustic, bool mirrored, std::size_t rays) {
   Rng rng(rows.seed);
   const DensityVec within = density_within(photons_everywhere(rng), {0, 0, -1}, {0, 0, 1},
                                            static_cast<double>(everywhere));
-  all.density_right = same_radiance({all.lamp.back(), all.photons.back(), 0}, within);
-  all.lamp.pop_back();
+  all.density_right = same_radiance({all.light.back(), all.photons.back(), 0}, within);
+  all.light.pop_back();
   all.photons.pop_back();
   return all;
 }
@@ -149,9 +151,9 @@ bool end_at_first(const std::vector<double>& by_photons_of_rays, double weight) 
 }
 
 /// `ends`: end_at_first().
-Suspects lamp_suspects(double glow, bool ends) {
+Suspects light_suspects(double glow, bool ends) {
   const double straight = lit * (1 - share_of_ball), by_mirror = lit * share_of_ball * mirror;
-  const double all = glow + mean_of_path(by_lamp.mean);
+  const double all = glow + mean_of_path(by_light.mean);
   return {{all + mean_of_path(by_mirror), caustics_twice},
           {all + mean_of_path(straight), direct_twice},
           {all + mean_of_path(straight + by_mirror), direct_twice},
@@ -181,19 +183,20 @@ Suspects times(double factor, Suspects suspects) {
 TEST_CASE("Lab 9.5: no light by two roads, and none by neither", "[lab09][ex5]") {
   constexpr std::size_t rays = 10'000;
   constexpr auto glow = static_cast<double>(wall_glow);
-  const Theory lamp = path_theory(by_lamp), photons = path_theory(by_photons());
+  const Theory light = path_theory(by_light), photons = path_theory(by_photons());
   for (const bool mirrored : {false, true}) {
     const SphereRays seen = sphere_rays(true, mirrored, rays);
     const double weight = mirrored ? mirror : 1;
-    Suspects of_lamp;
+    Suspects of_light;
     if (seen.density_right) {
-      of_lamp = times(weight, lamp_suspects(glow, end_at_first(seen.photons, weight)));
-      of_lamp.push_back(
-          {weight * lamp.mean, mirrored ? mirrored_emission_missing : camera_emission_missing});
+      of_light = times(weight, light_suspects(glow, end_at_first(seen.photons, weight)));
+      of_light.push_back(
+          {weight * light.mean, mirrored ? mirrored_emission_missing : camera_emission_missing});
     }
     const std::string where = mirrored ? ", in the mirror" : "";
-    const Verdict by_light = judge_part("the wall's radiance by its own light" + where, seen.lamp,
-                                        {weight * (glow + lamp.mean), weight * lamp.sd}, of_lamp);
+    const Verdict by_light =
+        judge_part("the wall's radiance by its own light" + where, seen.light,
+                   {weight * (glow + light.mean), weight * light.sd}, of_light);
     const Suspects of_photons =
         seen.density_right ? times(weight, photon_suspects(told(by_light, path_ends))) : Suspects{};
     judge_part("the wall's radiance by photons" + where, seen.photons,
@@ -215,15 +218,15 @@ TEST_CASE("Lab 9.5: a map of all photons is all of the reflected light", "[lab09
       const auto [least, most] = std::minmax_element(values.begin(), values.end());
       return *most - *least > 1e-3;
     };
-    const double wrong_lamp = wrong(seen.lamp, static_cast<double>(wall_glow));
+    const double wrong_light = wrong(seen.light, static_cast<double>(wall_glow));
     const double wrong_photons = wrong(seen.photons, by_photons().mean);
     std::vector<Diagnosis> found;
     // If light is sampled at only one surface, the photons' part is unaffected.
-    if (seen.density_right && differ(seen.lamp))
+    if (seen.density_right && differ(seen.light))
       found = {differ(seen.photons) ? goes_on : samples_beside_map};
     const std::string where = mirrored ? "in a mirror" : "seen straight";
     judge(holds("rays to a wall " + where + " that bring another light of its own than it emits",
-                wrong_lamp == 0, fmt::format("{:g} of {}", wrong_lamp, rays), "0", found));
+                wrong_light == 0, fmt::format("{:g} of {}", wrong_light, rays), "0", found));
     // A photon that arrives along the wall, as in four of a million gradings, has no side.
     judge(holds("rays to a wall " + where + " that bring another light by photons",
                 wrong_photons <= 1, fmt::format("{:g} of {}", wrong_photons, rays), "none, or one",

@@ -29,10 +29,11 @@ const Diagnosis first_only{"first-surface-only",
 const Diagnosis absorbed_lost{"absorbed-photon-not-stored",
                               "a photon that is absorbed has arrived, too: store it before "
                               "sample() is asked."};
-const Diagnosis direct_lost{"direct-photons-not-stored",
-                            "photons straight from a lamp are light that arrives, too: they are "
-                            "stored like all others, and whoever wants none of them looks at phong "
-                            "and specular."};
+const Diagnosis direct_lost{
+    "direct-photons-not-stored",
+    "photons straight from a light source are light that arrives, too: they are "
+    "stored like all others, and whoever wants none of them looks at phong "
+    "and specular."};
 const Diagnosis wi_onwards{"wi-points-onwards",
                            "wi points to where the photon came from, against the ray."};
 const Diagnosis wi_next{"wi-of-the-next-ray",

@@ -1,4 +1,4 @@
-// Checks of exercise 9.4: photons among mirrors and glass, on lamps and on black backs.
+// Checks of exercise 9.4: photons among mirrors and glass, on lights and on black backs.
 
 #include "09_bias/photon_trails.h"
 
@@ -26,8 +26,8 @@ const Diagnosis stored_on_mirror{"stored-on-mirrors",
 const Diagnosis scaled_by_eta{"flux-scaled-by-eta",
                               "radiance is scaled by eta^2 where light is refracted, because its "
                               "solid angle changes; flux is not."};
-const Diagnosis no_lamps{"lamps-store-nothing",
-                         "photons that meet a lamp are lost: it is a surface like any other."};
+const Diagnosis no_lights{"lights-store-nothing",
+                          "photons that meet a light are lost: it is a surface like any other."};
 
 std::vector<Diagnosis> of_mirror_counts(const std::vector<Trail>& all, bool stored_at_mirrors) {
   if (stored_at_mirrors) return {stored_on_mirror};
@@ -113,14 +113,14 @@ TEST_CASE("Lab 9.4: through glass", "[lab09][ex4]") {
   judge_none("photons after glass with a wrong count of Phong surfaces", phong, stored, {});
 }
 
-TEST_CASE("Lab 9.4: lamps and backs are surfaces", "[lab09][ex4]") {
+TEST_CASE("Lab 9.4: lights and backs are surfaces", "[lab09][ex4]") {
   constexpr std::size_t each = 50, photons = 2 * each;
-  const std::vector<Trail> all = trails(PhotonPlace::backs, "a lamp, and a black back", photons);
-  double at_lamp = 0, at_back = 0;
+  const std::vector<Trail> all = trails(PhotonPlace::backs, "a light, and a black back", photons);
+  double at_light = 0, at_back = 0;
   for (std::size_t i = 0; i < photons; ++i)
-    (i % 2 == 0 ? at_lamp : at_back) += all[i].count == 1 ? 0 : 1;
-  judge_none("photons that are not stored once on a lamp", at_lamp, each,
-             at_back == 0 ? std::vector{no_lamps} : std::vector<Diagnosis>{});
+    (i % 2 == 0 ? at_light : at_back) += all[i].count == 1 ? 0 : 1;
+  judge_none("photons that are not stored once on a light", at_light, each,
+             at_back == 0 ? std::vector{no_lights} : std::vector<Diagnosis>{});
   judge_none("photons that are not stored once on a black back", at_back, each, {});
   const Differences differ(all, [](std::size_t i, std::size_t) {
     const carlo::Ray ray = sent_ray(PhotonPlace::backs, static_cast<std::int64_t>(i));

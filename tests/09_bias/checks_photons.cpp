@@ -1,5 +1,5 @@
-// Checks of exercise 9.4: photons as they leave lamps. All four numbers of an emission are uniform
-// once they are mapped back to [0, 1): the position on the lamp, the square of the cosine, and the
+// Checks of exercise 9.4: photons as they leave lights. All four numbers of an emission are uniform
+// once they are mapped back to [0, 1): the position on the light, the square of the cosine, and the
 // azimuth.
 
 #include "09_bias/photon_checks.h"
@@ -19,11 +19,12 @@ namespace {
 const Diagnosis flux_is_intensity{"flux-is-intensity",
                                   "intensity is power per solid angle, and the photon stands for "
                                   "all directions: multiply by the sphere's solid angle."};
-const Diagnosis half_sphere_flux{"flux-of-a-half-sphere",
-                                 "2 pi is the solid angle of a hemisphere; a point lamp shines all "
-                                 "around."};
+const Diagnosis half_sphere_flux{
+    "flux-of-a-half-sphere",
+    "2 pi is the solid angle of a hemisphere; a point light shines all "
+    "around."};
 const Diagnosis half_sphere{"half-of-the-sphere",
-                            "a point lamp shines all around: no photon goes to one of the sides."};
+                            "a point light shines all around: no photon goes to one of the sides."};
 const Diagnosis polar_angle{"polar-angle-uniform",
                             "uniform directions have a uniform cosine, not a uniform angle: too "
                             "many go to the poles."};
@@ -40,17 +41,18 @@ const Diagnosis solid_angle_of_hemisphere{"cosine-missing-in-power",
                                           "the cosine belongs to the power: the hemisphere's "
                                           "integral of it is pi, not 2 pi."};
 const Diagnosis area_missing{"area-missing", "a light's power is proportional to its area."};
-const Diagnosis not_cosine{"directions-not-cosine-weighted",
-                           "as many photons go near the horizon as straight on: a lamp of constant "
-                           "radiance sends them in proportion to the cosine."};
+const Diagnosis not_cosine{
+    "directions-not-cosine-weighted",
+    "as many photons go near the horizon as straight on: a light of constant "
+    "radiance sends them in proportion to the cosine."};
 const Diagnosis not_turned{"direction-not-turned",
-                           "directions are local ones: turn them into the frame of the lamp's "
+                           "directions are local ones: turn them into the frame of the light's "
                            "normal at the point."};
-const Diagnosis meets_lamp{"photon-meets-its-lamp",
-                           "photons start behind the lamp's surface, by rounding, and meet it at "
-                           "once: leave() starts them beside."};
+const Diagnosis meets_light{"photon-meets-its-light",
+                            "photons start behind the light's surface, by rounding, and meet it at "
+                            "once: leave() starts them beside."};
 const Diagnosis fixed_offset{"fixed-offset",
-                             "photons start a fixed distance off the lamp, which is far beside a "
+                             "photons start a fixed distance off the light, which is far beside a "
                              "small one: leave() takes what rounding asks for."};
 
 /// The azimuth of d about n, from a fixed perpendicular direction.
@@ -62,11 +64,11 @@ double azimuth_about(PhotonVec n, PhotonVec d) {
 
 }  // namespace
 
-TEST_CASE("Lab 9.4: a point lamp shines all around", "[lab09][ex4]") {
+TEST_CASE("Lab 9.4: a point light shines all around", "[lab09][ex4]") {
   constexpr std::size_t photons = 20'000;
   const Rows rows = probe("Lab 9.4 point", {.n = photons}, {.rows = photons, .columns = 9});
-  const PhotonVec intensity(lamp_radiance), flux = 4 * std::numbers::pi * intensity;
-  judge_flux("the flux of a photon of a point lamp", fluxes(rows, 6), flux,
+  const PhotonVec intensity(light_radiance), flux = 4 * std::numbers::pi * intensity;
+  judge_flux("the flux of a photon of a point light", fluxes(rows, 6), flux,
              {{intensity, flux_is_intensity}, {flux / 2.0, half_sphere_flux}});
   double elsewhere = 0, not_unit = 0;
   PhotonCells<2> cells(9);
@@ -100,50 +102,50 @@ TEST_CASE("Lab 9.4: a point lamp shines all around", "[lab09][ex4]") {
 
 namespace {
 
-/// A photon that left a lamp: its origin in numbers of [0, 1), the normal there, and how far in
-/// front of the lamp it starts.
+/// A photon that left a light: its origin in numbers of [0, 1), the normal there, and how far in
+/// front of the light it starts.
 struct Departure {
   double u, v;
   PhotonVec n;
   double in_front;
 };
 
-Departure departure(PhotonLamp lamp, PhotonVec o) {
-  if (lamp == PhotonLamp::rectangle) {
-    const PhotonVec u(lamp_rectangle.u), v(lamp_rectangle.v),
-        from = o - PhotonVec(lamp_rectangle.origin);
+Departure departure(PhotonLight light, PhotonVec o) {
+  if (light == PhotonLight::rectangle) {
+    const PhotonVec u(light_rectangle.u), v(light_rectangle.v),
+        from = o - PhotonVec(light_rectangle.origin);
     const PhotonVec n = glm::normalize(glm::cross(u, v));
     return {glm::dot(from, u) / glm::dot(u, u), glm::dot(from, v) / glm::dot(v, v), n,
             glm::dot(from, n)};
   }
-  if (lamp == PhotonLamp::ball) {
-    const PhotonVec from = o - PhotonVec(lamp_ball.center), n = glm::normalize(from);
+  if (light == PhotonLight::ball) {
+    const PhotonVec from = o - PhotonVec(light_ball.center), n = glm::normalize(from);
     return {(n.z + 1) / 2, turn_of(n.y, n.x), n,
-            glm::length(from) - static_cast<double>(lamp_ball.radius)};
+            glm::length(from) - static_cast<double>(light_ball.radius)};
   }
-  const PhotonVec from = o - PhotonVec(lamp_speck.center);
-  const double r = glm::length(glm::dvec2(from)) / static_cast<double>(lamp_speck.radius);
+  const PhotonVec from = o - PhotonVec(light_speck.center);
+  const double r = glm::length(glm::dvec2(from)) / static_cast<double>(light_speck.radius);
   return {r * r, turn_of(from.y, from.x), {0, 0, 1}, from.z};
 }
 
-double lamp_area(PhotonLamp lamp) {
-  if (lamp == PhotonLamp::rectangle) return 1.5;
+double light_area(PhotonLight light) {
+  if (light == PhotonLight::rectangle) return 1.5;
   const auto r =
-      static_cast<double>(lamp == PhotonLamp::ball ? lamp_ball.radius : lamp_speck.radius);
-  return (lamp == PhotonLamp::ball ? 4 : 1) * std::numbers::pi * r * r;
+      static_cast<double>(light == PhotonLight::ball ? light_ball.radius : light_speck.radius);
+  return (light == PhotonLight::ball ? 4 : 1) * std::numbers::pi * r * r;
 }
 
-/// Statistics of the photons of one lamp.
+/// Statistics of the photons of one light.
 struct Departures {
   PhotonCells<4> cells{3};
   double behind = 0, far = 0, backwards = 0, not_unit = 0, up = 0, cosines = 0;
 
-  Departures(PhotonLamp lamp, const Rows& rows) {
+  Departures(PhotonLight light, const Rows& rows) {
     // A dozen roundings of the largest coordinate, with a margin.
-    const double farthest = lamp == PhotonLamp::speck ? 1e-6 : 1e-3;
+    const double farthest = light == PhotonLight::speck ? 1e-6 : 1e-3;
     for (std::size_t i = 0; i < rows.count(); ++i) {
       const PhotonVec d = vec(rows, i, 3);
-      const Departure from = departure(lamp, vec(rows, i, 0));
+      const Departure from = departure(light, vec(rows, i, 0));
       const double cosine = glm::dot(from.n, d);
       behind += from.in_front >= 0 ? 0 : 1;
       far += from.in_front <= farthest ? 0 : 1;
@@ -156,27 +158,27 @@ struct Departures {
   }
 };
 
-void judge_departures(PhotonLamp lamp, const std::string& name, const Rows& rows) {
-  const PhotonVec radiance(lamp_radiance);
-  const double pi = std::numbers::pi, area = lamp_area(lamp);
+void judge_departures(PhotonLight light, const std::string& name, const Rows& rows) {
+  const PhotonVec radiance(light_radiance);
+  const double pi = std::numbers::pi, area = light_area(light);
   const bool one_flux =
       judge_flux("the flux of a photon of " + name, fluxes(rows, 6), pi * area * radiance,
                  {{area * radiance, pi_missing},
                   {2 * pi * area * radiance, solid_angle_of_hemisphere},
                   {pi * radiance, area_missing}});
-  const Departures seen(lamp, rows);
+  const Departures seen(light, rows);
   const auto none = [&](const char* what, double count, const std::vector<Diagnosis>& diagnoses) {
     judge(holds(fmt::format("photons of {} that {}", name, what), count == 0,
                 fmt::format("{:g} of {}", count, rows.count()), "0", diagnoses));
   };
-  const bool unturned = seen.up == static_cast<double>(rows.count()) && lamp != PhotonLamp::speck;
+  const bool unturned = seen.up == static_cast<double>(rows.count()) && light != PhotonLight::speck;
   none("go back into it", seen.backwards,
        unturned ? std::vector{not_turned} : std::vector<Diagnosis>{});
   none("have a direction of another length than 1", seen.not_unit, {});
   none("start behind its surface", seen.behind,
-       unturned ? std::vector<Diagnosis>{} : std::vector{meets_lamp});
+       unturned ? std::vector<Diagnosis>{} : std::vector{meets_light});
   none("start farther off it than rounding asks for", seen.far, {fixed_offset});
-  if (lamp == PhotonLamp::speck) return;
+  if (light == PhotonLight::speck) return;
   Verdict verdict = seen.cells.verdict("points and directions of " + name);
   if (!verdict.passed && seen.backwards == 0 && one_flux) {
     if (seen.cells.correlated())
@@ -192,13 +194,13 @@ void judge_departures(PhotonLamp lamp, const std::string& name, const Rows& rows
 TEST_CASE("Lab 9.4: a light sends photons in proportion to the cosine", "[lab09][ex4]") {
   constexpr std::size_t photons = 20'000;
   const char* const names[] = {"a rectangle", "a ball", "a speck of light"};
-  for (const PhotonLamp lamp : {PhotonLamp::rectangle, PhotonLamp::ball, PhotonLamp::speck}) {
-    const std::string name = names[static_cast<int>(lamp)];
-    const std::size_t count = lamp == PhotonLamp::speck ? 500 : photons;
-    judge_departures(lamp, name,
+  for (const PhotonLight light : {PhotonLight::rectangle, PhotonLight::ball, PhotonLight::speck}) {
+    const std::string name = names[static_cast<int>(light)];
+    const std::size_t count = light == PhotonLight::speck ? 500 : photons;
+    judge_departures(light, name,
                      probe("Lab 9.4 light",
                            {.n = static_cast<std::int64_t>(count),
-                            .numbers = {{"lamp", static_cast<double>(lamp)}}},
+                            .numbers = {{"light", static_cast<double>(light)}}},
                            {.rows = count, .columns = 9, .of = name}));
   }
 }

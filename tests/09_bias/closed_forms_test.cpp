@@ -1,6 +1,6 @@
-// Parts of lab 09 with closed forms: the density of photons under a point lamp and in a sphere, and
-// filters, whose weights add up to 1. Means are judged with theory's standard deviation: eight z
-// tests at |z| < 5.5 raise a false alarm for less than 1e-6 of all seeds.
+// Parts of lab 09 with closed forms: the density of photons under a point light and in a sphere,
+// and filters, whose weights add up to 1. Means are judged with theory's standard deviation: eight
+// z tests at |z| < 5.5 raise a false alarm for less than 1e-6 of all seeds.
 
 #include "bias.h"
 
@@ -34,9 +34,9 @@ std::uint32_t add(carlo::Scene& scene, float albedo) {
   return static_cast<std::uint32_t>(scene.materials.size() - 1);
 }
 
-/// The mean irradiance on a disc of the floor from a point lamp of intensity 1 at height 1:
+/// The mean irradiance on a disc of the floor from a point light of intensity 1 at height 1:
 /// cos/d^2, summed over rings and turns by their middles.
-double mean_below_lamp(double x, double y, double radius) {
+double mean_below_light(double x, double y, double radius) {
   constexpr int rings = 200, turns = 200;
   double sum = 0;
   for (int i = 0; i < rings; ++i) {
@@ -52,7 +52,7 @@ double mean_below_lamp(double x, double y, double radius) {
 
 }  // namespace
 
-TEST_CASE("density: the floor under a point lamp") {
+TEST_CASE("density: the floor under a point light") {
   carlo::Scene scene;
   scene.shapes = {{carlo::Parallelogram{{-4, -4, 0}, {8, 0, 0}, {0, 8, 0}}, add(scene, 0), Rgb(0)}};
   const World world(scene);
@@ -66,13 +66,13 @@ TEST_CASE("density: the floor under a point lamp") {
   const PhotonMap map(std::move(photons), 1 / static_cast<float>(emitted));
   // At the foot the disc's fraction of all light is that of a cone.
   const double foot = 2 * (1 - 1 / std::hypot(1, 0.4)) / (0.4 * 0.4);
-  CHECK(std::abs(mean_below_lamp(0, 0, 0.4) / foot - 1) < 1e-4);
+  CHECK(std::abs(mean_below_light(0, 0, 0.4) / foot - 1) < 1e-4);
   for (const auto& [x, y, radius] : std::vector<std::array<float, 3>>{
            {0, 0, 0.4f}, {0, 0, 0.05f}, {1, 0, 0.1f}, {-1.5f, 2, 0.2f}}) {
     const auto floor = world.intersect(Ray{{x, y, 0.5f}, {0, 0, -1}});
     REQUIRE(floor);
     const double r = static_cast<double>(radius);
-    const double exact = mean_below_lamp(static_cast<double>(x), static_cast<double>(y), r);
+    const double exact = mean_below_light(static_cast<double>(x), static_cast<double>(y), r);
     const double share = exact * r * r / 4;
     const double is = static_cast<double>(radiance_within(map, *floor, one, radius).g);
     CAPTURE(x, y, radius, is, exact);

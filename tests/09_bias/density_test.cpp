@@ -3,7 +3,7 @@
 
 #include "bias.h"
 #include "given/sampled.h"
-#include "mirrored_lamp.h"
+#include "mirrored_light.h"
 #include "sampling/samplers.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -16,7 +16,7 @@
 using carlo::Rgb;
 using carlo::Rng;
 using carlo::Vec3;
-using lab09::MirroredLamp;
+using lab09::MirroredLight;
 using lab09::Photon;
 using lab09::PhotonMap;
 
@@ -65,25 +65,25 @@ double rms(int runs, double exact, const std::function<Rgb()>& three_points) {
   return std::sqrt(squares);
 }
 
-Rgb by_map(const MirroredLamp& lamp, double radius, Rng& rng) {
-  const PhotonMap map = emitted_map(lamp.world, 512, true, rng);
+Rgb by_map(const MirroredLight& light, double radius, Rng& rng) {
+  const PhotonMap map = emitted_map(light.world, 512, true, rng);
   Rgb radiances(0);
   for (int i = 0; i < 3; ++i) {
     radiances[i] =
-        lab09::photon_radiance(lamp.world, lamp.ray(i), map, static_cast<float>(radius), rng).g;
+        lab09::photon_radiance(light.world, light.ray(i), map, static_cast<float>(radius), rng).g;
   }
   return radiances;
 }
 
-Rgb by_paths(const MirroredLamp& lamp, unsigned samples, Rng& rng) {
-  constexpr int segments = 3;  // floor, mirror, lamp
+Rgb by_paths(const MirroredLight& light, unsigned samples, Rng& rng) {
+  constexpr int segments = 3;  // floor, mirror, light
   glm::dvec3 sum(0);
   for (int i = 0; i < 3; ++i) {
     carlo::SampleId id{rng.next_u64(), 0, 0, samples};
     for (; id.index < samples; ++id.index) {
       lab08::Sampled<carlo::IndependentSampler> numbers(id);
       sum[i] +=
-          static_cast<double>(lab08::path_radiance(lamp.world, lamp.ray(i), segments, numbers).g);
+          static_cast<double>(lab08::path_radiance(light.world, light.ray(i), segments, numbers).g);
     }
   }
   return sum / static_cast<double>(samples);
@@ -108,19 +108,19 @@ TEST_CASE("density: a furnace with glass is 2 by a map of all photons, and by ca
 }
 
 TEST_CASE("density: discs that shrink converge with a slope of -1/3, discs that do not with 0") {
-  const MirroredLamp lamp(0.02);
+  const MirroredLight light(0.02);
   Rng rng(1);
   std::vector<double> passes, shrinking, staying;
   for (const int n : {1, 4, 16, 64, 256}) {
     passes.push_back(n);
-    shrinking.push_back(rms(12, lamp.exact(), [&] {
-      return lab09::progressive_mean(n, 0.4, 2 / 3.0,
-                                     [&](int, double radius) { return by_map(lamp, radius, rng); });
+    shrinking.push_back(rms(12, light.exact(), [&] {
+      return lab09::progressive_mean(
+          n, 0.4, 2 / 3.0, [&](int, double radius) { return by_map(light, radius, rng); });
     }));
-    staying.push_back(rms(12, lamp.exact(), [&] {
+    staying.push_back(rms(12, light.exact(), [&] {
       Rgb sum(0);
       for (int i = 0; i < n; ++i)
-        sum += by_map(lamp, 0.4, rng) / static_cast<float>(n);
+        sum += by_map(light, 0.4, rng) / static_cast<float>(n);
       return sum;
     }));
   }
@@ -132,12 +132,12 @@ TEST_CASE("density: discs that shrink converge with a slope of -1/3, discs that 
 }
 
 TEST_CASE("density: paths to the same light converge with a slope of -1/2") {
-  const MirroredLamp lamp(0.1);
+  const MirroredLight light(0.1);
   Rng rng(1);
   std::vector<double> samples, errors;
   for (const unsigned n : {1024u, 4096u, 16384u}) {
     samples.push_back(n);
-    errors.push_back(rms(24, lamp.exact(), [&] { return by_paths(lamp, n, rng); }));
+    errors.push_back(rms(24, light.exact(), [&] { return by_paths(light, n, rng); }));
   }
   const double slope = lab09::fitted_slope(samples, errors);
   CAPTURE(slope, errors);

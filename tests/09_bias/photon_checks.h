@@ -22,7 +22,7 @@ using carlo::grader::Diagnosis, carlo::grader::Rows, carlo::grader::Verdict;
 
 inline const Diagnosis flux_differs{
     "flux-differs",
-    "all photons of one lamp carry the same flux: draw directions with a "
+    "all photons of one light carry the same flux: draw directions with a "
     "density in proportion to the cosine, and no weight is left."};
 
 inline PhotonVec vec(const Rows& rows, std::size_t row, std::size_t first) {

@@ -1,4 +1,4 @@
-// A million photons and the power of their lamps. A photon's contribution is known exactly where
+// A million photons and the power of their lights. A photon's contribution is known exactly where
 // nothing is random; elsewhere means are judged with theory's standard deviation: seven z tests at
 // |z| < 5.5 raise a false alarm for less than 1e-6 of all seeds. They confirm the power of a closed
 // room to one or two parts in a thousand.
@@ -65,7 +65,7 @@ TEST_CASE("photons: mirrors and glass lose and add nothing") {
                   {carlo::Sphere{{0.6f, 0, 0}, 0.5f}, glass, Rgb(0)},
                   {carlo::Sphere{{-0.6f, 0, 0}, 0.5f}, mirror, Rgb(0)},
                   {carlo::Sphere{{0.6f, 0, 0}, 0.2f}, black, Rgb(0)},
-                  // Grey lamps of equal power, so that all photons carry the same flux.
+                  // Grey lights of equal power, so that all photons carry the same flux.
                   {carlo::Disk{{0, 0, 1}, {0, 0, -1}, 0.5f}, black, Rgb(2)},
                   {carlo::Sphere{{0, 1.5f, 0}, 0.1f}, black, Rgb(12.5f)}};
   const World world(scene);
@@ -76,7 +76,7 @@ TEST_CASE("photons: mirrors and glass lose and add nothing") {
   CHECK(glm::length(arrived.all / power - Double3(1)) < 1e-5);
 }
 
-TEST_CASE("photons: of lamps of several colours all power arrives") {
+TEST_CASE("photons: of lights of several colours all power arrives") {
   carlo::Scene scene;
   const auto black = add(scene, {carlo::Diffuse{Rgb(0)}, false});
   scene.shapes = {{carlo::Sphere{{0, 0, 0}, 3, true}, black, Rgb(0)},

@@ -14,61 +14,61 @@ using carlo::Rgb;
 using carlo::Vec3;
 using lab08_tests::add_phong;
 
-/// A lamp alone in the world: a tilted rectangle far from the origin, where no coordinate is exact;
-/// a ball there; and a disc so small that any fixed distance is large beside it.
-enum class PhotonLamp { rectangle = 0, ball = 1, speck = 2 };
+/// A light alone in the world: a tilted rectangle far from the origin, where no coordinate is
+/// exact; a ball there; and a disc so small that any fixed distance is large beside it.
+enum class PhotonLight { rectangle = 0, ball = 1, speck = 2 };
 
-inline const Rgb lamp_radiance{1, 2, 4};
-inline const carlo::Parallelogram lamp_rectangle{{37.3f, -21.7f, 55.1f},
-                                                 2.0f * lab08_tests::tilted_frame().s,
-                                                 0.75f * lab08_tests::tilted_frame().t};
-inline const carlo::Sphere lamp_ball{{37.3f, -21.7f, 55.1f}, 0.7f};
-inline const carlo::Disk lamp_speck{{0.01f, 0.02f, 0}, {0, 0, 1}, 1e-4f};
+inline const Rgb light_radiance{1, 2, 4};
+inline const carlo::Parallelogram light_rectangle{{37.3f, -21.7f, 55.1f},
+                                                  2.0f * lab08_tests::tilted_frame().s,
+                                                  0.75f * lab08_tests::tilted_frame().t};
+inline const carlo::Sphere light_ball{{37.3f, -21.7f, 55.1f}, 0.7f};
+inline const carlo::Disk light_speck{{0.01f, 0.02f, 0}, {0, 0, 1}, 1e-4f};
 
-inline carlo::Scene lone_lamp(PhotonLamp lamp) {
+inline carlo::Scene lone_light(PhotonLight light) {
   carlo::Scene scene;
   const std::uint32_t black = add_phong(scene, Rgb(0));
   const auto emit = [&](auto geometry) {
-    scene.shapes.push_back({geometry, black, lamp_radiance});
+    scene.shapes.push_back({geometry, black, light_radiance});
   };
-  if (lamp == PhotonLamp::rectangle) emit(lamp_rectangle);
-  if (lamp == PhotonLamp::ball) emit(lamp_ball);
-  if (lamp == PhotonLamp::speck) emit(lamp_speck);
+  if (light == PhotonLight::rectangle) emit(light_rectangle);
+  if (light == PhotonLight::ball) emit(light_ball);
+  if (light == PhotonLight::speck) emit(light_speck);
   return scene;
 }
 
 /// Three squares that face up, the first from x = 0 on, the second from 10, the third from 20.
-struct ColouredLamp {
+struct ColouredLight {
   float side;
   Rgb radiance;
 };
-inline constexpr ColouredLamp coloured_lamps[] = {
+inline constexpr ColouredLight coloured_lights[] = {
     {1, {4, 0, 0}}, {2, {0, 0.5f, 0}}, {0.5f, {0, 0, 16}}};
-inline constexpr double lamp_step = 10;
+inline constexpr double light_step = 10;
 
-inline carlo::Scene row_of(std::span<const ColouredLamp> lamps) {
+inline carlo::Scene row_of(std::span<const ColouredLight> lights) {
   carlo::Scene scene;
   const std::uint32_t black = add_phong(scene, Rgb(0));
   float x = 0;
-  for (const ColouredLamp& lamp : lamps) {
-    scene.shapes.push_back({carlo::Parallelogram{{x, 0, 0}, {lamp.side, 0, 0}, {0, lamp.side, 0}},
-                            black, lamp.radiance});
-    x += static_cast<float>(lamp_step);
+  for (const ColouredLight& light : lights) {
+    scene.shapes.push_back({carlo::Parallelogram{{x, 0, 0}, {light.side, 0, 0}, {0, light.side, 0}},
+                            black, light.radiance});
+    x += static_cast<float>(light_step);
   }
   return scene;
 }
 
 /// Two squares that face up: a weak one from x = 0 on, and one of 1e8 times its power from 10 on.
-inline constexpr ColouredLamp weak_and_strong[] = {{1, {3, 2, 1}}, {100, {3e4f, 2e4f, 1e4f}}};
+inline constexpr ColouredLight weak_and_strong[] = {{1, {3, 2, 1}}, {100, {3e4f, 2e4f, 1e4f}}};
 
-/// A black floor, z = 0, with a square lamp of side 1 that faces down at height 1, or without.
-inline carlo::Scene landing_place(bool with_lamp) {
+/// A black floor, z = 0, with a square light of side 1 that faces down at height 1, or without.
+inline carlo::Scene landing_place(bool with_light) {
   carlo::Scene scene;
   const std::uint32_t black = add_phong(scene, Rgb(0));
   scene.shapes.push_back(
       {carlo::Parallelogram{{-50, -50, 0}, {100, 0, 0}, {0, 100, 0}}, black, Rgb(0)});
-  if (with_lamp)
-    scene.shapes.push_back({lab08_tests::facing_down(-0.5f, 0.5f), black, lamp_radiance});
+  if (with_light)
+    scene.shapes.push_back({lab08_tests::facing_down(-0.5f, 0.5f), black, light_radiance});
   return scene;
 }
 
@@ -77,7 +77,7 @@ enum class PhotonPlace {
   closed = 0,   ///< in a diffuse sphere of radius 2 with albedos .6, .3 and .15
   mirrors = 1,  ///< between a grey floor, z = 0, and a mirror that faces it, z = 1
   glass = 2,    ///< a black ball in a ball of glass in a black sphere, radii .5, 1 and 3
-  backs = 3,    ///< in front of a lamp (x = 1), and behind a one-sided white surface (x = -1)
+  backs = 3,    ///< in front of a light (x = 1), and behind a one-sided white surface (x = -1)
   glossy = 4,   ///< on a glossy floor, in a black sphere of radius 10
   white = 5,    ///< in a sphere that absorbs nothing
   hall = 6      ///< in a sphere of lossless mirror
@@ -116,7 +116,7 @@ inline carlo::Scene photon_scene(PhotonPlace place) {
       add(around(3), diffuse(Rgb(0)));
       break;
     case PhotonPlace::backs:
-      add(carlo::Parallelogram{{1, -1, -1}, {0, 0, 2}, {0, 2, 0}}, diffuse(Rgb(0)), lamp_radiance);
+      add(carlo::Parallelogram{{1, -1, -1}, {0, 0, 2}, {0, 2, 0}}, diffuse(Rgb(0)), light_radiance);
       add(carlo::Parallelogram{{-1, -1, -1}, {0, 0, 2}, {0, 2, 0}}, diffuse(Rgb(0.9f)));
       break;
     case PhotonPlace::glossy:

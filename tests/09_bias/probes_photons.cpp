@@ -30,12 +30,12 @@ PROBE("Lab 9.4 point", "o.x", "o.y", "o.z", "d.x", "d.y", "d.z", "flux.r", "flux
   carlo::Rng rng(params.seed);
   RowWriter rows;
   for (std::int64_t i = 0; i < params.n; ++i)
-    add_emission(rows, lab09::emit_from_point({1, 2, 3}, lamp_radiance, rng));
+    add_emission(rows, lab09::emit_from_point({1, 2, 3}, light_radiance, rng));
   return rows.take();
 }
 
 PROBE("Lab 9.4 light", "o.x", "o.y", "o.z", "d.x", "d.y", "d.z", "flux.r", "flux.g", "flux.b") {
-  const lab08::World world(lone_lamp(static_cast<PhotonLamp>(params.whole("lamp"))));
+  const lab08::World world(lone_light(static_cast<PhotonLight>(params.whole("light"))));
   carlo::Rng rng(params.seed);
   RowWriter rows;
   for (std::int64_t i = 0; i < params.n; ++i)
@@ -43,9 +43,9 @@ PROBE("Lab 9.4 light", "o.x", "o.y", "o.z", "d.x", "d.y", "d.z", "flux.r", "flux
   return rows.take();
 }
 
-PROBE("Lab 9.4 lamps", "o.x", "flux.r", "flux.g", "flux.b") {
+PROBE("Lab 9.4 lights", "o.x", "flux.r", "flux.g", "flux.b") {
   const bool weak = params.whole("weak") == 1;
-  const lab08::World world(weak ? row_of(weak_and_strong) : row_of(coloured_lamps));
+  const lab08::World world(weak ? row_of(weak_and_strong) : row_of(coloured_lights));
   carlo::Rng rng(params.seed);
   RowWriter rows;
   for (std::int64_t i = 0; i < params.n; ++i) {
@@ -55,7 +55,7 @@ PROBE("Lab 9.4 lamps", "o.x", "flux.r", "flux.g", "flux.b") {
   return rows.take();
 }
 
-// Where photons of a lamp at height 1 land: of a point lamp, or of a square one.
+// Where photons of a light at height 1 land: of a point light, or of a square one.
 PROBE("Lab 9.4 landing", "x", "y", "how often it was stored") {
   const bool square = params.whole("square") == 1;
   const lab08::World world(landing_place(square));
@@ -63,7 +63,7 @@ PROBE("Lab 9.4 landing", "x", "y", "how often it was stored") {
   RowWriter rows;
   for (std::int64_t i = 0; i < params.n; ++i) {
     const lab09::Emission e = square ? lab09::emit_photon(world, rng)
-                                     : lab09::emit_from_point({0, 0, 1}, lamp_radiance, rng);
+                                     : lab09::emit_from_point({0, 0, 1}, light_radiance, rng);
     lab09::Photon last;
     double stored = 0;
     lab09::trace_photon(world, e, rng, [&](const lab09::Photon& photon) {

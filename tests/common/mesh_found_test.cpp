@@ -25,7 +25,7 @@ void check_has(const std::string& text, const std::string& phrase) {
 }
 
 TEST_CASE("a byte order mark before a mesh is passed over, that of UTF-16 is named", "[scene]") {
-  for (const std::string first : {"", "# exported\n", "mtllib lamp.mtl\n", "\n"})
+  for (const std::string first : {"", "# exported\n", "mtllib light.mtl\n", "\n"})
     CHECK(area(mesh_of(
               load_obj(fmt::format("{}{}{}f 1 2 3 4\n", utf8_mark, first, unit_square)))) == 1);
   CHECK(area(mesh_of(load_obj(utf8_mark + "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"))) == .5);

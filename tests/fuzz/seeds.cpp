@@ -71,10 +71,10 @@ std::vector<std::string> part_seeds() {
   return {
       R"({"scene":"a.xml","needs":"","settings":{"definitions":"","kernel":"k","max_depth":"0",)"
       R"("planned_spp":"8","sampler":"s","scene_digest":"0","seed":"1","version":"0"},)"
-      R"("grid":{"width":1,"height":1,"block":1,"passes":8},"lamps":false,)"
+      R"("grid":{"width":1,"height":1,"block":1,"passes":8},"light_paths":false,)"
       R"("shard":{"index":1,"count":2},"parts":"1","blocks":"0-2 3-4","counts":{"paths":"4",)"
-      R"("rays":"9","lamp_paths":"0","cut_paths":"0","bad_samples":"0"},)"
-      R"("lamp_ties":"0 0 0 0 0 0 0","microseconds":"5","threads":1})"
+      R"("rays":"9","light_paths":"0","cut_paths":"0","bad_samples":"0"},)"
+      R"("light_path_ties":"0 0 0 0 0 0 0","microseconds":"5","threads":1})"
       "\n" +
       tile};
 }

@@ -173,7 +173,7 @@ HardCase small_polygon() {
 }
 
 HardCase shadow_ends() {
-  // A lamp a million away: the ray must not meet the lamp itself.
+  // A light a million away: the ray must not meet the light itself.
   Scene scene = lit_by({carlo::Parallelogram{{-3e5f, 3e5f, 1e6f}, {6e5f, 0, 0}, {0, -6e5f, 0}}});
   const carlo::Intersector intersector(scene);
   const renderer::Lights lights(scene);
@@ -192,7 +192,7 @@ HardCase shadow_ends() {
     naive += intersector.occluded({o, (point->p - o) / distance}, distance - 1e-3f) ? 1 : 0;
   }
   return {15,
-          "lamp a million away, shaded by itself",
+          "light a million away, shaded by itself",
           fmt::format("{:.1f} % of rays", 100.0 * naive / n),
           fmt::format("{} rays of {}", ours, n),
           "0",

@@ -27,6 +27,6 @@ if ! cmp -s "$here/package-lock.json" package-lock.json || [ ! -d node_modules ]
     { rm -rf node_modules && skip "npm cannot fetch playwright-core"; }
 fi
 
-"$renderer" "$here/halves.xml" -o reference -D 'lamp=0.5, 0.5, 0.5' --quiet
+"$renderer" "$here/halves.xml" -o reference -D 'light=0.5, 0.5, 0.5' --quiet
 "$renderer" "$here/halves.xml" -o halves --reference reference.exr --page "$folder/page.html" --quiet
 CARLO_PAGE=$folder/page.html exec node --test --test-reporter=spec viewer.test.mjs

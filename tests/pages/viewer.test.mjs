@@ -1,5 +1,5 @@
 // The viewer of a render's page, driven as a reader does. The page shows halves.xml, each of whose
-// pixels is known: a lamp, (0.25, 0.5, 1) in the render and 0.5 in the reference, and beside it
+// pixels is known: a light, (0.25, 0.5, 1) in the render and 0.5 in the reference, and beside it
 // surroundings of 0.1 in both.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
@@ -65,8 +65,8 @@ const point = async (page, canvas, x, y) => {
                         box.y + (y + 0.5) / height * box.height);
 };
 
-// A pixel of the lamp, one of the surroundings, and the middles of both halves of the canvas.
-const lamp = { pixel: [3, 5], place: [0.1, 0.3] }, sky = { place: [0.85, 0.3] };
+// A pixel of the light, one of the surroundings, and the middles of both halves of the canvas.
+const light = { pixel: [3, 5], place: [0.1, 0.3] }, sky = { place: [0.85, 0.3] };
 
 const slider = (page, name) => page.getByRole("slider", { name });
 const told = (page, name) => slider(page, name).getAttribute("aria-valuetext");
@@ -95,9 +95,9 @@ for (const wide of [true, false]) {
       test("the split shows the render on its left and the reference on its right", async (t) => {
         const { page } = await open(t, { wide, dark });
         await slide(page, "Split", 100);
-        near(await colourAt(page, ...lamp.place), [byte(0.25), byte(0.5), 255]);
+        near(await colourAt(page, ...light.place), [byte(0.25), byte(0.5), 255]);
         await slide(page, "Split", 0);
-        near(await colourAt(page, ...lamp.place), [byte(0.5), byte(0.5), byte(0.5)]);
+        near(await colourAt(page, ...light.place), [byte(0.5), byte(0.5), byte(0.5)]);
         near(await colourAt(page, ...sky.place), [byte(0.1), byte(0.1), byte(0.1)]);
       });
 
@@ -106,7 +106,7 @@ for (const wide of [true, false]) {
         await slide(page, "Split", 100);
         await slider(page, "Exposure").focus();
         for (let i = 0; i < 4; ++i) await page.keyboard.press("ArrowLeft");
-        near(await colourAt(page, ...lamp.place), [byte(0.125), byte(0.25), byte(0.5)]);
+        near(await colourAt(page, ...light.place), [byte(0.125), byte(0.25), byte(0.5)]);
         assert.equal(await told(page, "Exposure"), "−1 stops");
       });
 
@@ -114,7 +114,7 @@ for (const wide of [true, false]) {
         const { page, canvas } = await open(t, { wide, dark });
         await slide(page, "Split", 100);
         await canvas.scrollIntoViewIfNeeded();
-        await point(page, canvas, ...lamp.pixel);
+        await point(page, canvas, ...light.pixel);
         const { words, rows } = await readout(page);
         near(rows.Render, [0.25, 0.5, 1], 2e-5);
         near(rows.Reference, [0.5, 0.5, 0.5], 2e-5);
@@ -137,7 +137,7 @@ for (const wide of [true, false]) {
         const { page } = await open(t, { wide, dark });
         await slide(page, "Split", 100);
         await page.locator(".viewer-modes label", { hasText: "Difference" }).click();
-        const [r, , b] = await colourAt(page, ...lamp.place);  // + 0.25 / 3 on the mean
+        const [r, , b] = await colourAt(page, ...light.place);  // + 0.25 / 3 on the mean
         assert.ok(r > b + 50, `${r}, ${b} is not orange`);
         const grey = await colourAt(page, ...sky.place);
         assert.ok(Math.max(...grey) - Math.min(...grey) <= 4, `${grey} is not grey`);
@@ -228,5 +228,5 @@ test("two images that are the same are not split", async (t) => {
   await page.getByRole("combobox", { name: "Right" }).selectOption("0");
   assert.ok(!await slider(page, "Split").isVisible());
   // Where the split's line would be.
-  near(await colourAt(page, 0.4985, 0.5), await colourAt(page, ...lamp.place), 0);
+  near(await colourAt(page, 0.4985, 0.5), await colourAt(page, ...light.place), 0);
 });

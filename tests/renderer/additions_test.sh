@@ -21,10 +21,10 @@ cd "$tree"
 # FILE|WHAT ITS LINE HOLDS|why no kind is forgotten there.
 reasons='
 common/scene/digits.cpp|get_if<Parallelogram>|only parallelograms have planes that floats misplace; what is near to them is thing_of()
-common/scene/duplicate_lamps.cpp|holds_alternative<Mesh>|a kind that this does not know is compared whole: MiddleOf must know it
-common/scene/duplicate_lamps.cpp|get_if<Parallelogram>|only parallelograms are halves of triangles
-common/scene/duplicate_lamps.cpp|get_if<Mesh>|only meshes have triangles
-common/scene/duplicate_lamps.cpp|holds_alternative<Parallelogram>|only these two kinds are compared as triangles
+common/scene/duplicate_lights.cpp|holds_alternative<Mesh>|a kind that this does not know is compared whole: MiddleOf must know it
+common/scene/duplicate_lights.cpp|get_if<Parallelogram>|only parallelograms are halves of triangles
+common/scene/duplicate_lights.cpp|get_if<Mesh>|only meshes have triangles
+common/scene/duplicate_lights.cpp|holds_alternative<Parallelogram>|only these two kinds are compared as triangles
 common/scene/sdf.cpp|get_if<Solid>|the other kind of step follows by std::get, which throws
 solutions/renderer/lanes/lane_sdf.cpp|get_if<sdf::Solid>|the other kind of step follows by std::get, which throws
 solutions/renderer/lanes/sdf_bends.cpp|get_if<sdf::Solid>|the other kind of step follows by std::get, which throws
@@ -34,13 +34,13 @@ common/scene/load_scene.cpp|lights.points.push_back|<emitter type="point">
 solutions/renderer/lights.cpp|lights.points[entry.index]|the entry is that of a point light
 solutions/renderer/bench/triangles.cpp|get_if<carlo::Mesh>|the memory of meshes is what is asked for
 solutions/renderer/bench/peer_scene.cpp|get_if<carlo::Sphere>|all other shapes go to mesh(), which matches every kind
-solutions/renderer/bench/scaling.cpp|holds_alternative<carlo::Parallelogram>|looks for a lamp to cut, an error if there is none
-solutions/renderer/bench/scaling.cpp|get_if<carlo::Diffuse>|the lamp of one scene, of which this makes another
+solutions/renderer/bench/scaling.cpp|holds_alternative<carlo::Parallelogram>|looks for a light to cut, an error if there is none
+solutions/renderer/bench/scaling.cpp|get_if<carlo::Diffuse>|the light of one scene, of which this makes another
 solutions/renderer/bench/scenes.cpp|m.way.sampler == SamplerKind::independent|the row that others are compared with
 solutions/renderer/bench/scenes.cpp|m.way.sampler != SamplerKind::stratified|one line fewer in a chart
 solutions/renderer/bench/methods.cpp|sampler != SamplerKind::independent|lab 8.4 draws its own numbers: one row
 labs/08_path_tracer/given/world.cpp|get_if<carlo::Phong>|an error follows
-labs/08_path_tracer/given/world.cpp|get_if<carlo::Mesh>|any other shape is one lamp
+labs/08_path_tracer/given/world.cpp|get_if<carlo::Mesh>|any other shape is one light
 labs/08_path_tracer/given/world.h|return scene_.lights.environment|checked() lets no scene with other lights come
 labs/08_path_tracer/phong_experiment.cpp|scene.lights.environment = |makes a scene
 labs/08_path_tracer/specular_experiment.cpp|scene.lights.environment = |makes a scene

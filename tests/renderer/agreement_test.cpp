@@ -9,7 +9,7 @@
 // them; it also refuses the image around `image_light`, which is left out here. trace_specular()
 // replaces trace_path() in three scenes: in `caustics` and `procedural`, since trace_path() does
 // not support mirrors and glass; and in `highlights`, where the variance is finite, but only one
-// path in about 10^5 meets the smallest lamp, so that no tile would be close to normal. It samples
+// path in about 10^5 meets the smallest light, so that no tile would be close to normal. It samples
 // lights by area, whose 1/d^2 has infinite variance where a surface touches a light; in these
 // scenes none does. In `rare_paths` a few bright paths make up the noise, and it takes many of them
 // for a normal sum: the loop needs 3 million in a tile at seed 2; with a quarter of them a tile's
@@ -22,9 +22,9 @@
 // tiles (.24 with their skewness) and .25 for the images; channels and pairs are correlated. So the
 // seed is fixed. The skewness shows whether tiles are normal enough: the number of false alarms
 // that it leads to is computed and limited. Power: a tile's difference has a standard error of .4
-// to 3.5 % of the image (rare_paths 7 %, highlights, where lamps are seen, 15 %), the whole image's
-// of .1 to .9 % (3 and 4 %); deviations of 7 and 6 standard errors are detected with probability
-// .999.
+// to 3.5 % of the image (rare_paths 7 %, highlights, where lights are seen, 15 %), the whole
+// image's of .1 to .9 % (3 and 4 %); deviations of 7 and 6 standard errors are detected with
+// probability .999.
 //
 // CARLO_AGREEMENT_SEED, CARLO_AGREEMENT_SIZE (pixels per side, a multiple of the tile's),
 // CARLO_AGREEMENT_TILE and CARLO_AGREEMENT_FACTOR (times the samples) test other samples, more or
@@ -174,7 +174,7 @@ TEST_CASE("Recursive, iterative and reference integrator agree on every tile of 
   REQUIRE(lab_scenes::names().size() >= 13);
   for (const std::string& name : scene_names()) {
     const Scene scene = lab_scenes::load(name);
-    if (needs(scene).envmap) continue;  // lab 08 does not support an image as a lamp
+    if (needs(scene).envmap) continue;  // lab 08 does not support an image as a light
     const Estimates e = estimate(scene, plan_of(name));
     check_agreement(name, "recursive, iterative", e.recursive, e.iterative);
     check_agreement(name, "recursive, reference", e.recursive, e.reference);

@@ -20,8 +20,8 @@ namespace {
 using namespace scene_tools;
 using nlohmann::json;
 
-/// A one-sided lamp over a mesh of one triangle, coordinates up to 40.
-Scene lamp_over_triangle() {
+/// A one-sided light over a mesh of one triangle, coordinates up to 40.
+Scene light_over_triangle() {
   Scene scene;
   scene.camera = look_at({1, 2, 40}, {1, 2, 0}, {0, 1, 0}, 40);
   scene.materials = {{Diffuse{{.5f, .25f, .125f}}, true}, {Diffuse{Rgb(.75f)}, false}};
@@ -45,27 +45,27 @@ Vec3 normal(const json& mesh) {
 }
 
 TEST_CASE("Cycles gets our corners, scaled by a power of two below 1, facing as ours do") {
-  const json spec = bench::peer_scene(lamp_over_triangle(), bench::Peer::cycles);
+  const json spec = bench::peer_scene(light_over_triangle(), bench::Peer::cycles);
   REQUIRE(spec.at("meshes").size() == 2);
-  const json &triangle = spec.at("meshes").at(0), &lamp = spec.at("meshes").at(1);
+  const json &triangle = spec.at("meshes").at(0), &light = spec.at("meshes").at(1);
   // The camera's 40 is the largest coordinate: 40 / 64 lies in [1/2, 1).
   CHECK(vec(spec.at("camera").at("origin")) == Vec3(1, 2, 40) / 64.0f);
   CHECK(vec(triangle.at("positions").at(1)) == Vec3(4, 0, 0) / 64.0f);
   CHECK(normal(triangle) == Vec3(0, 1, 0));
-  REQUIRE(lamp.at("positions").size() == 4);
-  CHECK(vec(lamp.at("positions").at(2)) == Vec3(2, 8, 2) / 64.0f);
-  CHECK(lamp.at("faces") == json::parse("[[0, 1, 2, 3]]"));
-  CHECK(normal(lamp) == Vec3(0, -1, 0));
+  REQUIRE(light.at("positions").size() == 4);
+  CHECK(vec(light.at("positions").at(2)) == Vec3(2, 8, 2) / 64.0f);
+  CHECK(light.at("faces") == json::parse("[[0, 1, 2, 3]]"));
+  CHECK(normal(light) == Vec3(0, -1, 0));
 }
 
 TEST_CASE("Cycles gets our radiances and reflectances as they are, and our camera") {
-  const Scene scene = lamp_over_triangle();
+  const Scene scene = light_over_triangle();
   const json spec = bench::peer_scene(scene, bench::Peer::cycles);
-  const json& lamp =
+  const json& light =
       spec.at("materials").at(spec.at("meshes").at(1).at("material").get<std::size_t>());
-  CHECK(vec(lamp.at("radiance")) == Rgb(3, 2, 1));
-  CHECK(vec(lamp.at("reflectance")) == Rgb(.75f));
-  CHECK(lamp.at("two_sided") == false);
+  CHECK(vec(light.at("radiance")) == Rgb(3, 2, 1));
+  CHECK(vec(light.at("reflectance")) == Rgb(.75f));
+  CHECK(light.at("two_sided") == false);
   const json& under =
       spec.at("materials").at(spec.at("meshes").at(0).at("material").get<std::size_t>());
   CHECK(vec(under.at("radiance")) == Rgb(0));
@@ -78,7 +78,7 @@ TEST_CASE("Cycles gets our radiances and reflectances as they are, and our camer
 }
 
 TEST_CASE("Shapes of one material and radiance share Cycles' material") {
-  Scene scene = lamp_over_triangle();
+  Scene scene = light_over_triangle();
   scene.shapes.push_back(scene.shapes.back());
   scene.shapes.push_back(scene.shapes.back());
   scene.shapes.back().radiance = Rgb(5);
@@ -88,8 +88,8 @@ TEST_CASE("Shapes of one material and radiance share Cycles' material") {
   CHECK(spec.at("meshes").at(1).at("material") != spec.at("meshes").at(3).at("material"));
 }
 
-TEST_CASE("Cycles' bounces are our segments without the camera's and the lamp's") {
-  Scene scene = lamp_over_triangle();
+TEST_CASE("Cycles' bounces are our segments without the camera's and the light's") {
+  Scene scene = light_over_triangle();
   const auto bounces = [&](int depth) {
     scene.max_depth = depth;
     return bench::peer_scene(scene, bench::Peer::cycles).at("bounces").get<int>();
@@ -107,12 +107,12 @@ TEST_CASE("Cycles' bounces are our segments without the camera's and the lamp's"
 
 TEST_CASE("Scenes that Cycles has no exact equal of are refused with the reason") {
   const auto obstacle = [](auto change) {
-    Scene scene = lamp_over_triangle();
+    Scene scene = light_over_triangle();
     change(scene);
     CHECK_THROWS_AS(bench::peer_scene(scene, bench::Peer::cycles), Error);
     return bench::obstacle(scene, bench::Peer::cycles).value_or("nothing");
   };
-  CHECK(!bench::obstacle(lamp_over_triangle(), bench::Peer::cycles));
+  CHECK(!bench::obstacle(light_over_triangle(), bench::Peer::cycles));
   CHECK(obstacle([](Scene& s) { s.shapes[0].geometry = Sphere{Vec3(0), 1}; }) == "spheres");
   CHECK(obstacle([](Scene& s) { s.shapes[0].geometry = Disk{Vec3(0), {0, 1, 0}, 1}; }) == "disks");
   CHECK(obstacle([](Scene& s) { s.materials[0].model = Phong{}; }) == "Phong's lobes");
@@ -126,7 +126,7 @@ TEST_CASE("Scenes that Cycles has no exact equal of are refused with the reason"
 }
 
 TEST_CASE("Mitsuba gets an image all around: rows from the top, and where its axes point") {
-  Scene scene = lamp_over_triangle();
+  Scene scene = light_over_triangle();
   Envmap map{Image(2, 1), glm::dmat3({0, 0, -1}, {0, 1, 0}, {1, 0, 0})};
   map.image.pixels = {Rgb(1, 2, 3), Rgb(4, 5, 6)};
   scene.lights.envmap = map;

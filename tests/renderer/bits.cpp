@@ -64,10 +64,10 @@ std::string digest_of(const RenderResult& result) {
         add(digest, sums.sum[c]), add(digest, sums.squares[c]);
     }
   }
-  add(digest, result.lamp_ties);
+  add(digest, result.light_path_ties);
   const Counts& counts = result.counts;
-  digest.add(fmt::format("{} {} {} {} {}", counts.paths, counts.rays, counts.lamp_paths, counts.cut,
-                         counts.bad));
+  digest.add(fmt::format("{} {} {} {} {}", counts.paths, counts.rays, counts.light_paths,
+                         counts.cut, counts.bad));
   return digest.hex();
 }
 

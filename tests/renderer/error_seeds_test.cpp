@@ -1,5 +1,5 @@
 // Reported standard errors against the spread between seeds, for whole renders as users make them:
-// with paths from the camera, and with additional paths from lamps, where one path reaches many
+// with paths from the camera, and with additional light paths, where one path reaches many
 // pixels; with equal numbers of samples, and with --target-error.
 //
 // Two quotients are judged for each scene: for pixels, sqrt(E[se^2] / Var) with both relative to
@@ -170,9 +170,9 @@ Scene small(const std::string& name, SamplerKind sampler) {
 void measure_all(const std::string& name, std::uint64_t seeds) {
   for (const SamplerKind sampler : {SamplerKind::independent, SamplerKind::sobol}) {
     const Scene scene = small(name, sampler);
-    const bool lamps = needs(scene).area_lights() + needs(scene).point_lights > 0;
+    const bool lights = needs(scene).area_lights() + needs(scene).point_lights > 0;
     for (const Way& way : ways) {
-      if (way.technique == Technique::path || lamps) measure(scene, name, way, seeds);
+      if (way.technique == Technique::path || lights) measure(scene, name, way, seeds);
     }
   }
 }

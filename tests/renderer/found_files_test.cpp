@@ -80,50 +80,50 @@ TEST_CASE("Files as other programs write them have the radiance of their closed 
   CHECK(rows >= 26);
 }
 
-/// The floor of found_files.txt's under_lamp.xml under these lamps.
-Scene under(const FoundFiles& found, const std::string& lamps) {
-  std::ifstream in(found.path / "under_lamp.xml");
+/// The floor of found_files.txt's under_light.xml under these lights.
+Scene under(const FoundFiles& found, const std::string& lights) {
+  std::ifstream in(found.path / "under_light.xml");
   std::stringstream text;
   text << in.rdbuf();
   std::string scene = text.str();
   scene.resize(scene.find("  <shape type=\"obj\">"));
-  std::ofstream(found.path / "scene.xml") << scene << lamps << "</scene>";
+  std::ofstream(found.path / "scene.xml") << scene << lights << "</scene>";
   return load_scene(found.path / "scene.xml");
 }
 
-std::string lamp_of(const std::string& type, const std::string& steps) {
+std::string light_of(const std::string& type, const std::string& steps) {
   return fmt::format(
       "<shape type=\"{}\"><transform name=\"toWorld\">{}</transform><emitter type=\"area\"><rgb "
       "name=\"radiance\" value=\"1\"/></emitter></shape>",
       type, steps);
 }
 
-TEST_CASE("Two lamps in one place shine as one") {
+TEST_CASE("Two lights in one place shine as one") {
   const std::string down =
       "<scale value=\".5\"/><rotate x=\"1\" angle=\"90\"/><translate y=\"1\"/>";
   const std::string turned = "<rotate z=\"1\" angle=\"90\"/>" + down;
   const std::string ball = "<scale value=\".5\"/><translate y=\"1.5\"/>";
-  const std::string mesh_lamp =
+  const std::string mesh_light =
       "<shape type=\"obj\"><string name=\"filename\" value=\"once.obj\"/><emitter type=\"area\"><rgb "
       "name=\"radiance\" value=\"1\"/></emitter></shape>";
   // A square of side 1, a disk of radius 1/2 and a sphere of radius 1/2: rho / pi E.
   const double square = .119725, disk = .1, sphere = .5 / 9;
   struct Case {
-    std::string lamps;
+    std::string lights;
     double exact;
   };
   const std::vector<Case> cases = {
-      {lamp_of("rectangle", down), square},
-      {lamp_of("rectangle", down) + lamp_of("rectangle", down), square},
-      {lamp_of("rectangle", down) + lamp_of("rectangle", turned), square},
-      {lamp_of("disk", down) + lamp_of("disk", turned) + lamp_of("disk", down), disk},
-      {lamp_of("sphere", ball) + lamp_of("sphere", ball), sphere},
-      {mesh_lamp + mesh_lamp, square},
-      {mesh_lamp + lamp_of("rectangle", down), square}};
+      {light_of("rectangle", down), square},
+      {light_of("rectangle", down) + light_of("rectangle", down), square},
+      {light_of("rectangle", down) + light_of("rectangle", turned), square},
+      {light_of("disk", down) + light_of("disk", turned) + light_of("disk", down), disk},
+      {light_of("sphere", ball) + light_of("sphere", ball), sphere},
+      {mesh_light + mesh_light, square},
+      {mesh_light + light_of("rectangle", down), square}};
   const FoundFiles found;
   for (const Case& c : cases) {
-    INFO(c.lamps);
-    check_radiance(under(found, c.lamps), {c.exact, c.exact, c.exact});
+    INFO(c.lights);
+    check_radiance(under(found, c.lights), {c.exact, c.exact, c.exact});
   }
 }
 

@@ -1,5 +1,5 @@
-// Images around the scene as lamps, in whole renders against closed forms (4 standard errors, as in
-// closed_form_scenes_test.cpp), by both kernels and with paths from lamps; and the gain from
+// Images around the scene as lights, in whole renders against closed forms (4 standard errors, as
+// in closed_form_scenes_test.cpp), by both kernels and with light paths; and the gain from
 // importance sampling under a small sun.
 
 #include "closed_forms.h"
@@ -34,9 +34,9 @@ struct Way {
 
 std::vector<Way> ways(const Scene& scene) {
   std::vector<Way> ways{{"scalar", Kernel::scalar, Technique::path}};
-  if (renderer::lamp_paths_suit(scene)) {
+  if (renderer::light_paths_suit(scene)) {
     ways.push_back({"vector", Kernel::best, Technique::path});
-    ways.push_back({"paths from lamps", Kernel::best, Technique::bidirectional});
+    ways.push_back({"light paths", Kernel::best, Technique::bidirectional});
   }
   return ways;
 }
@@ -86,7 +86,7 @@ Scene floor_under_image(Vec3 n, int height, Rgb radiance) {
 }
 
 TEST_CASE("A uniform image is a constant environment") {
-  // Phong balls that see each other, on a floor, and a lamp that is chosen as often as the image.
+  // Phong balls that see each other, on a floor, and a light that is chosen as often as the image.
   Scene scene = floor_under_image({0, 0, 1}, 8, Rgb(.5f, 1, 2));
   scene.materials.push_back({Phong{Rgb(.3f), Rgb(.6f), 30}, false});
   scene.shapes.push_back({Sphere{{-.3f, 0, .3f}, .3f}, 1});

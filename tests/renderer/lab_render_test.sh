@@ -48,6 +48,6 @@ cat >"$scratch/point.xml" <<'XML'
 </scene>
 XML
 expect_error 'no point lights' "$solution" "$scratch/point.xml"
-expect_error 'no image as a lamp' "$solution" "$scenes/image_light.xml"
+expect_error 'no image as a light' "$solution" "$scenes/image_light.xml"
 
 finish

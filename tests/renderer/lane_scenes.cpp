@@ -62,8 +62,8 @@ Scene boxes() {
   return scene;
 }
 
-/// Mirrors, glass and round lamps: a closed room with a mirrored block, a block of glass, a pane
-/// before a wall, balls of both; lamps of different power that shine outwards, one of them behind
+/// Mirrors, glass and round lights: a closed room with a mirrored block, a block of glass, a pane
+/// before a wall, balls of both; lights of different power that shine outwards, one of them behind
 /// glass, and one that shines inwards, with something inside.
 Scene polished() {
   Scene scene;
@@ -95,7 +95,7 @@ Scene polished() {
 }
 
 /// Signed distance functions of all forms and operations, one standing on the floor, of all
-/// materials, under a disk lamp and a point lamp.
+/// materials, under a disk light and a point light.
 Scene modelled() {
   namespace sdf = carlo::sdf;
   Scene scene;
@@ -129,8 +129,8 @@ Scene modelled() {
 }
 
 /// Meshes of all materials in a room, some on its floor and in its walls' planes: a block of glass
-/// with a ball inside, one of mirrors, and a polished one; lamps made of triangles, one closed, one
-/// a trough that lights itself, under an emitting ball and a point.
+/// with a ball inside, one of mirrors, and a polished one; lights made of triangles, one closed,
+/// one a trough that lights itself, under an emitting ball and a point.
 Scene triangulated() {
   Scene scene = polished();
   scene.shapes.clear();
@@ -177,7 +177,7 @@ Scene triangulated() {
 
 /// A rotated image, black below, with one bright texel, around a room that lacks one wall and the
 /// ceiling of a box; in it surfaces of all kinds and materials, with a mesh first, and all kinds of
-/// lamps.
+/// lights.
 Scene skylit() {
   Scene scene = modelled();
   carlo::Envmap map{carlo::Image(12, 6)};

@@ -1,9 +1,10 @@
-// Scenes in which choosing lights by power alone would never choose a lamp, with a standard error
-// of 0: a lamp of small power beside a strong one, and a lamp in a scene that a stray vertex makes
-// large. Varied by ratio and order, moved and scaled, with each kernel, sampler and technique.
+// Scenes in which choosing lights by power alone would never choose a light, with a standard error
+// of 0: a light of small power beside a strong one, and a light in a scene that a stray vertex
+// makes large. Varied by ratio and order, moved and scaled, with each kernel, sampler and
+// technique.
 //
 // Error rates: 5 standard errors, 6e-7 each if values are normal, in about 400 renders. Power: no
-// standard error may be above 2 % of the expected value, and the lamp contributes half of it or
+// standard error may be above 2 % of the expected value, and the light contributes half of it or
 // more.
 
 #include "closed_forms.h"
@@ -38,8 +39,8 @@ std::string name_of(const Way& way) {
                      carlo::name_of(way.sampler));
 }
 
-/// The vector kernel does not support stratified samples; the scalar one does not support paths
-/// from lamps.
+/// The vector kernel does not support stratified samples; the scalar one does not support light
+/// paths.
 std::vector<Way> all_ways() {
   std::vector<Way> ways;
   for (const SamplerKind sampler : sampler_kinds) {
@@ -110,8 +111,8 @@ const Where wheres[] = {{"in place", Vec3(0), 1},
                         {"small", {.5f, .25f, -1}, 1e-3f},
                         {"large", Vec3(0), 1e3f}};
 
-TEST_CASE("A lamp is seen beside a sun of up to 1e12 times its power") {
-  // A sun of E = 3 at height h, a lamp of E = 3 at height 1: rho / pi (3 + 3).
+TEST_CASE("A light is seen beside a sun of up to 1e12 times its power") {
+  // A sun of E = 3 at height h, a light of E = 3 at height 1: rho / pi (3 + 3).
   for (const float height : {1.0f, 1e2f, 1e4f, 1e6f}) {
     for (const bool swapped : {false, true}) {
       for (const Where& where : wheres) {
@@ -127,25 +128,25 @@ TEST_CASE("A lamp is seen beside a sun of up to 1e12 times its power") {
   }
 }
 
-TEST_CASE("Many lamps are seen beside a sun") {
-  for (const int lamps : {3, 30, 200}) {
+TEST_CASE("Many lights are seen beside a sun") {
+  for (const int lights : {3, 30, 200}) {
     Scene scene = floor_scene();
-    const auto each = static_cast<float>(3.0 / lamps);
-    for (int i = 0; i < lamps; ++i)
+    const auto each = static_cast<float>(3.0 / lights);
+    for (int i = 0; i < lights; ++i)
       scene.lights.points.push_back({{0, 1 + .001f * static_cast<float>(i), 0}, Rgb(each)});
     scene.lights.points.push_back({{0, 1e4f, 0}, Rgb(3e8f)});
     double sum = 3;
-    for (int i = 0; i < lamps; ++i)
+    for (int i = 0; i < lights; ++i)
       sum += static_cast<double>(each) / std::pow(1 + .001 * i, 2);
-    // Paths from lamps support at most 128 lamps.
-    if (lamps > 128) {
+    // Light paths support at most 128 lights.
+    if (lights > 128) {
       const auto integrator = renderer::make_path_integrator(scene, {.seed = 5, .spp = 1024});
       const MeanRadiance mean = mean_radiance(
           render(*integrator, 4, 4, {.spp = 1024, .threads = 0, .progress = false}).film);
       CHECK(std::abs(mean.value[0] - .5 / pi * sum) <= 5 * mean.standard_error[0] + 1e-4);
       CHECK(mean.standard_error[0] <= .02);
     } else {
-      check(std::move(scene), .5 / pi * sum, fmt::format("{} lamps", lamps), 1024);
+      check(std::move(scene), .5 / pi * sum, fmt::format("{} lights", lights), 1024);
     }
   }
 }
@@ -163,7 +164,7 @@ Scene stray_scene(float stray, bool two_vertices) {
   return scene;
 }
 
-/// rho / pi (pi + I): the image's radiance is 1, and so is the lamp's height.
+/// rho / pi (pi + I): the image's radiance is 1, and so is the light's height.
 void check_strays(const std::vector<float>& strays, std::uint32_t spp) {
   for (const float stray : strays) {
     for (const float intensity : {10.0f, .1f}) {
@@ -172,20 +173,20 @@ void check_strays(const std::vector<float>& strays, std::uint32_t spp) {
         scene.lights.points = {{{0, 1, 0}, Rgb(intensity)}};
         check(moved(std::move(scene), where.shift, where.scale),
               .5 + .5 / pi * static_cast<double>(intensity),
-              fmt::format("stray {:g}, lamp {:g}, {}", stray, intensity, where.name), spp);
+              fmt::format("stray {:g}, light {:g}, {}", stray, intensity, where.name), spp);
       }
     }
   }
 }
 
-TEST_CASE("A stray vertex does not put a lamp out") {
+TEST_CASE("A stray vertex does not put a light out") {
   check_strays({0, 1e2f, 1e5f, 1e9f, 1e15f}, 1024);
 }
 
 /// A film over the square [-1, 1]^2 of a floor, below a pane that bends nothing (both indices 1),
-/// below a lamp of intensity 3 at height 3: no path from the camera finds the lamp. Above a black
-/// ceiling is a lamp `ratio` times as strong, which lights nothing. Exact: albedo I omega / (4 pi),
-/// omega the square's solid angle from the lamp.
+/// below a light of intensity 3 at height 3: no path from the camera finds the light. Above a black
+/// ceiling is a light `ratio` times as strong, which lights nothing. Exact: albedo I omega / (4
+/// pi), omega the square's solid angle from the light.
 Scene pane_scene(double ratio, bool swapped) {
   const auto level = [](float half, float y) {
     return Parallelogram{{-half, y, -half}, {0, 0, 2 * half}, {2 * half, 0, 0}};
@@ -220,14 +221,14 @@ void check_pane(double ratio) {
   }
 }
 
-TEST_CASE("Paths from a weak lamp pass a pane, whatever lamp is stronger") {
+TEST_CASE("Paths from a weak light pass a pane, whatever light is stronger") {
   for (const double ratio : {1.0, 1e3, 1e6, 1e9})
     check_pane(ratio);
 }
 
-// Splats are whole multiples of a unit that depends on the brightest lamp: those of a weak one may
+// Splats are whole multiples of a unit that depends on the brightest light: those of a weak one may
 // be less than one.
-TEST_CASE("Splats of a weak lamp are not lost beside 1e13 times as strong a lamp") {
+TEST_CASE("Splats of a weak light are not lost beside 1e13 times as strong a light") {
   for (const double ratio : {1e12, 1e13})
     check_pane(ratio);
 }
@@ -268,7 +269,7 @@ Mesh tiled_square(std::uint32_t count, float height) {
 
 // Of the sixteenth of choices shared equally by all lights, a mesh gets the part of one, however
 // many triangles it has.
-TEST_CASE("A lamp is seen beside a hidden mesh of many triangles that shines") {
+TEST_CASE("A light is seen beside a hidden mesh of many triangles that shines") {
   for (const std::uint32_t count : {1U, 4U, 32U, 256U}) {
     Scene scene = floor_scene();
     scene.materials.push_back({Diffuse{Rgb(0)}, true});

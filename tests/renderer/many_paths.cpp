@@ -45,7 +45,7 @@ int random_side(double paths, carlo::Rng& rng) {
 }
 
 /// One render of about `paths` paths, at most 2^20: a film with random sides, a random seed and
-/// sampler, every other time with paths from lamps. Film positions depend on the pixels' samples,
+/// sampler, every other time with light paths. Film positions depend on the pixels' samples,
 /// so they are new in every render.
 void add_render(carlo::Scene& scene, double paths, carlo::Rng& rng, int threads, Row& row) {
   const int width = random_side(paths, rng);
@@ -55,11 +55,12 @@ void add_render(carlo::Scene& scene, double paths, carlo::Rng& rng, int threads,
   const std::uint64_t seed = rng.next_u64();
   scene.sampler = carlo::sampler_kinds.at(rng.next_u32() % carlo::sampler_kinds.size());
   carlo::resize(scene, width, height);
-  const bool lamps = (rng.next_u32() & 1) != 0 && renderer::lamp_paths_suit(scene);
+  const bool lights = (rng.next_u32() & 1) != 0 && renderer::light_paths_suit(scene);
   const auto integrator = renderer::make_path_integrator(
-      scene, {.seed = seed,
-              .spp = spp,
-              .technique = lamps ? renderer::Technique::bidirectional : renderer::Technique::path});
+      scene,
+      {.seed = seed,
+       .spp = spp,
+       .technique = lights ? renderer::Technique::bidirectional : renderer::Technique::path});
   const carlo::RenderResult result = carlo::render(
       *integrator, width, height, {.spp = spp, .threads = threads, .progress = false});
   row.counts += result.counts;
@@ -81,7 +82,7 @@ Row trace(const fs::path& path, std::uint64_t number, const Arguments& a) {
 void print_row(const std::string& name, const Row& row) {
   const double rate = row.seconds > 0 ? static_cast<double>(row.counts.paths) / row.seconds : 0;
   fmt::print("{:<24} {:>14} {:>14} {:>10.1f} {:>12.0f} {:>8} {:>8}\n", name, row.counts.paths,
-             row.counts.lamp_paths, row.seconds, rate, row.counts.bad, row.counts.cut);
+             row.counts.light_paths, row.seconds, rate, row.counts.bad, row.counts.cut);
   std::fflush(stdout);
 }
 
@@ -99,7 +100,7 @@ std::vector<fs::path> scene_files(const Arguments& a) {
 int bench(const Arguments& a) {
   const std::vector<fs::path> files = scene_files(a);
   const carlo::InterruptGuard guard;
-  fmt::print("{:<24} {:>14} {:>14} {:>10} {:>12} {:>8} {:>8}\n", "scene", "paths", "from lamps",
+  fmt::print("{:<24} {:>14} {:>14} {:>10} {:>12} {:>8} {:>8}\n", "scene", "paths", "from lights",
              "seconds", "paths/s", "bad", "cut");
   Row all;
   std::uint64_t number = 0;
@@ -125,7 +126,7 @@ int main(int argc, char** argv) {
     Arguments a;
     carlo::CommandLine app(
         "Traces paths through every scene, on films of random sizes with ever new seeds and all "
-        "samplers, every other film with paths from lamps, and counts those that bring no "
+        "samplers, every other film with light paths, and counts those that bring no "
         "radiance. Exit code 1 if there is one.",
         "carlo_many_paths");
     app.option("--paths", a.paths, "paths a scene, such as 1e9").range(1.0, 1e15).show_default();

@@ -17,7 +17,7 @@ for scene in "$scenes"/*.xml; do
     END { exit !found }' "$scratch/table" || fail "no row for $scene: $(cat "$scratch/table")"
 done
 
-awk '$1 == "all" && $3 > 0 { found = 1 } END { exit !found }' "$scratch/table" || fail "no path from a lamp: $(cat "$scratch/table")"
+awk '$1 == "all" && $3 > 0 { found = 1 } END { exit !found }' "$scratch/table" || fail "no light path: $(cat "$scratch/table")"
 
 # On a busy machine two seconds may not be enough for a path.
 for seconds in 2 8 32; do

@@ -74,7 +74,7 @@ TEST_CASE("A mesh's points have the density that is told") {
   }
 }
 
-TEST_CASE("A mesh's points for paths from lamps are uniform by area, and in their triangles") {
+TEST_CASE("A mesh's points for light paths are uniform by area, and in their triangles") {
   const Mesh mesh = bowl();
   const MeshLight light(mesh);
   Rng rng(82);

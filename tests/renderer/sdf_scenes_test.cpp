@@ -85,7 +85,7 @@ TEST_CASE("Glass and mirror sdfs vanish in a uniform environment") {
   }
 }
 
-/// A lamp over a floor, with a sphere of glass between.
+/// A light over a floor, with a sphere of glass between.
 Scene glass_scene(decltype(Shape::geometry) sphere) {
   Scene scene = empty_scene(32);
   scene.camera = look_at({0, 2, 5}, {0, .6f, 0}, {0, 1, 0}, 35);

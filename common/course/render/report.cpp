@@ -64,8 +64,8 @@ std::string time_text(const RenderReport& r) {
   };
   std::string text =
       fmt::format("{} {}: {} paths/s", format_seconds(r.seconds), r.where, rate(r.counts.paths));
-  if (r.counts.lamp_paths > 0) {
-    text += fmt::format(", {} from lamps", rate(r.counts.lamp_paths));
+  if (r.counts.light_paths > 0) {
+    text += fmt::format(", {} from lights", rate(r.counts.light_paths));
   }
   if (r.counts.rays > 0) text += fmt::format(", {} rays/s", rate(r.counts.rays));
   return text;
@@ -91,28 +91,28 @@ double shared_passes(const Film& film) {
   return sum.value() / (count * count);
 }
 
-/// The covariances of the image's pixels caused by paths from lamps, summed over all pairs: each
+/// The covariances of the image's pixels caused by light paths, summed over all pairs: each
 /// block of each tile contributes those of its pass; where blocks are missing, the existing passes
 /// stand in for them.
-double covariance_of_lamps(const RenderResult& result) {
+double covariance_of_light_paths(const RenderResult& result) {
   const Film& film = result.film;
   const double pixels = 1.0 * film.width() * film.height();
-  if (result.lamp_covariance) return *result.lamp_covariance;
+  if (result.light_path_covariance) return *result.light_path_covariance;
   double blocks = 0;
   for (int y = 0; y < film.height(); y += driver_tile_size) {
     for (int x = 0; x < film.width(); x += driver_tile_size)
       blocks += film.blocks(x, y);
   }
   const double of_a_pass = film.block() * pixels;
-  return result.lamp_ties.value() / blocks * shared_passes(film) / (of_a_pass * of_a_pass);
+  return result.light_path_ties.value() / blocks * shared_passes(film) / (of_a_pass * of_a_pass);
 }
 
-/// The variance that paths from lamps which reach several pixels add to the image's mean. Assumes
+/// The variance that light paths which reach several pixels add to the image's mean. Assumes
 /// that the channels are correlated as the luminance is; an upper bound with Sobol' points.
 std::array<double, 3> ties(const RenderResult& result, const MeanRadiance& mean) {
   const double all = luminance(mean.value);
-  if (!(all > 0) || result.counts.lamp_ties == 0) return {};
-  const double relative = covariance_of_lamps(result) / (all * all);
+  if (!(all > 0) || result.counts.light_path_ties == 0) return {};
+  const double relative = covariance_of_light_paths(result) / (all * all);
   std::array<double, 3> ties{};
   for (std::size_t c = 0; c < 3; ++c)
     ties[c] = std::fmax(relative, 0) * mean.value[c] * mean.value[c];
@@ -271,7 +271,7 @@ static void fields(JsonFields& json, RenderReport& r) {
   } else {
     json.null("rays");
   }
-  if (r.counts.lamp_paths > 0) json.also("lamp_paths", r.counts.lamp_paths);
+  if (r.counts.light_paths > 0) json.also("light_paths", r.counts.light_paths);
   json.also("bad_samples", r.counts.bad);
   json.also("cut_paths", r.counts.cut);
   json.also("finished_pixels", r.finished);

@@ -15,7 +15,7 @@ struct LightWeight {
 };
 
 /// Chooses one of the numbers 0 ... n-1: with probability 1/2 by power, otherwise by the shares. By
-/// power alone a weak lamp beside you would never be chosen in a world with a far, strong sun, and
+/// power alone a weak light beside you would never be chosen in a world with a far, strong sun, and
 /// an error bar does not know about samples that were never drawn. All probabilities are whole
 /// multiples of 2^-24, the step of Rng::uniform_float(): each number is drawn exactly as often as
 /// chance() says, however rarely.

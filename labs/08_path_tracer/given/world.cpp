@@ -35,7 +35,7 @@ carlo::Scene checked(carlo::Scene scene) {
   (void)environment;  // World::environment()
   if (envmap) {
     throw carlo::Error(
-        "lab 08 knows no image as a lamp: the reference renderer draws this scene, or give it a "
+        "lab 08 knows no image as a light: the reference renderer draws this scene, or give it a "
         "constant environment");
   }
   if (!points.empty()) {

@@ -65,16 +65,16 @@ carlo::Scene room_with_balls() {
 carlo::Scene plates() {
   carlo::Scene scene;
   const auto black = add_material(scene, {carlo::Diffuse{Rgb(0)}, false});
-  const Vec3 eye(0, -3.5f, 3.5f), lamps(0, 3, 2.2f);
+  const Vec3 eye(0, -3.5f, 3.5f), lights(0, 3, 2.2f);
   for (int i = 0; i < 4; ++i) {
     const float n = 20 * std::pow(6.0f, static_cast<float>(i));
     const auto polished = add_material(scene, {carlo::Phong{Rgb(0.05f), Rgb(0.6f), n}, false});
-    // Each plate is tilted so that it mirrors the row of lamps to the eye; they descend like
+    // Each plate is tilted so that it mirrors the row of lights to the eye; they descend like
     // stairs, away from the eye, so that none sees another's front.
     const float y = -0.6f + 0.75f * static_cast<float>(i);
     const Vec3 middle(0, y, -0.3f * static_cast<float>(i));
     const Vec3 normal =
-        glm::normalize(glm::normalize(eye - middle) + glm::normalize(lamps - middle));
+        glm::normalize(glm::normalize(eye - middle) + glm::normalize(lights - middle));
     const Vec3 along = 0.34f * glm::cross(normal, Vec3(1, 0, 0));
     scene.shapes.push_back(
         {carlo::Parallelogram{middle - Vec3(1.7f, 0, 0) - along, {3.4f, 0, 0}, 2.0f * along},
@@ -86,7 +86,7 @@ carlo::Scene plates() {
     // All have the same power.
     const Rgb radiance = colours[i] * (0.8f / carlo::sqr(radii[i]));
     scene.shapes.push_back(
-        {carlo::Sphere{lamps + Vec3(-1.9f + 1.15f * static_cast<float>(i), 0, 0), radii[i]}, black,
+        {carlo::Sphere{lights + Vec3(-1.9f + 1.15f * static_cast<float>(i), 0, 0), radii[i]}, black,
          radiance});
   }
   look(scene.camera, eye, {0, 0.9f, 0.55f}, 0.47f);

@@ -16,7 +16,7 @@ struct View {
 
 /// The Cornell box of common/scenes, size x size pixels.
 carlo::Scene cornell_box();
-/// A room with a ball of mirror and a ball of glass under a square lamp.
+/// A room with a ball of mirror and a ball of glass under a square light.
 carlo::Scene room_with_balls();
 /// Four plates, each more polished than the last, that mirror four balls of light of decreasing
 /// size.

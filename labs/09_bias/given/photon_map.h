@@ -20,7 +20,7 @@ struct Photon {
   int phong = 0, specular = 0;  ///< the numbers of Phong surfaces, and of mirrors and glass, that
                                 ///< it met before
 
-  /// True if only mirrors or glass, and at least one, lie between the lamp and here.
+  /// True if only mirrors or glass, and at least one, lie between the light and here.
   bool caustic() const { return phong == 0 && specular > 0; }
 };
 

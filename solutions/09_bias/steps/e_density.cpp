@@ -94,8 +94,8 @@ Rgb caustic_radiance(const World& world, const Ray& ray, const PhotonMap& causti
     if (with_emission) radiance += beta * surface->Le;
     auto next = sample_specular(*surface, rng);
     if (!next) {
-      // From here on lamps seen straight are direct light, and those seen through mirrors and
-      // glass are caustics.
+      // From here on light sources seen straight are direct light, and those seen through mirrors
+      // and glass are caustics.
       with_emission = false;
       radiance += beta * direct(world, *surface, rng);
       radiance += beta * phong_radiance_within(caustics, *surface, radius);

@@ -199,7 +199,7 @@ std::optional<std::string> obstacle(const Scene& scene, Peer peer) {
     if (n.point_lights > 0) return "a point light";
     if (n.environment) return "a light all around";
   }
-  if (peer != Peer::mitsuba && n.sphere_lights > 0) return "lamps that are spheres";
+  if (peer != Peer::mitsuba && n.sphere_lights > 0) return "lights that are spheres";
   if (peer != Peer::mitsuba && n.spheres > 0 && (n.mirror || n.dielectric)) {
     return "curved mirrors or glass";
   }

@@ -67,10 +67,9 @@ std::vector<Variant> variants(const Arguments& a) {
       {.name = "independent points", .kernel = kernel, .sampler = carlo::SamplerKind::independent});
   if (kernel == "scalar") return result;
   result.push_back(
-      {.name = "no paths from lamps", .kernel = kernel, .technique = renderer::Technique::path});
-  result.push_back({.name = "paths from lamps",
-                    .kernel = kernel,
-                    .technique = renderer::Technique::bidirectional});
+      {.name = "no light paths", .kernel = kernel, .technique = renderer::Technique::path});
+  result.push_back(
+      {.name = "light paths", .kernel = kernel, .technique = renderer::Technique::bidirectional});
   return result;
 }
 

@@ -130,7 +130,7 @@ void bench_threads(Context& context) {
 void bench_lights(Context& context) {
   context.begin("Scaling: lights");
   context.page().prose(
-      "The Cornell box, whose lamp is cut into ever more parts. The image stays the same, so the "
+      "The Cornell box, whose light is cut into ever more parts. The image stays the same, so the "
       "error shows what choosing among lights costs besides time.");
   const int size = context.options().full ? 64 : 32;
   const Reference reference =

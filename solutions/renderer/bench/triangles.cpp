@@ -123,7 +123,7 @@ void print_mesh_costs(const fs::path& path) {
 void bench_triangles(Context& context) {
   context.begin("Scaling: triangles");
   context.page().prose(
-      "A ball of ever more triangles under a lamp. Memory is what the program grows by until its "
+      "A ball of ever more triangles under a light. Memory is what the program grows by until its "
       "first pixel, the peak what it had in between; Embree's own is a bare Embree scene of the "
       "same triangles, its vertices and indices among it. Each row is measured in a program of "
       "its own.");

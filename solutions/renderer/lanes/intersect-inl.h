@@ -204,8 +204,8 @@ HWY_INLINE M solid_blocks(const LaneBox& box, const Segments& way) {
                          hn::Lt(twice_middle, hn::Add(way.distance, way.distance))));
 }
 
-/// Rounding has a larger effect than an end that touches the sphere. A lamp occludes its own points
-/// only if they face inwards and the origin is outside.
+/// Rounding has a larger effect than an end that touches the sphere. A light occludes its own
+/// points only if they face inwards and the origin is outside.
 template <bool full>
 HWY_INLINE M sphere_blocks(const LaneScene& s, std::uint32_t i, const Segments& way) {
   const Chord chord = meet_sphere(s, std::size_t{i}, way.from.o, way.d);

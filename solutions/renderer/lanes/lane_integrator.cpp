@@ -18,7 +18,7 @@ class LaneIntegrator final : public carlo::Integrator {
       : scene_(scene), lanes_(scene), seed_(seed), choices_(choices) {
     if (!pilot_spp) return;
     const auto start = std::chrono::steady_clock::now();
-    choices_.lamp_paths = try_lamp_paths(scene, lanes_, seed, *pilot_spp) ? 1.0f : 0.0f;
+    choices_.light_paths = try_light_paths(scene, lanes_, seed, *pilot_spp) ? 1.0f : 0.0f;
     seconds_spent_ =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
@@ -31,13 +31,13 @@ class LaneIntegrator final : public carlo::Integrator {
     add(text, lanes_.first_sdf - lanes_.first_sphere, "spheres");
     add(text, lanes_.sdfs.size(), "sdfs");
     add(text, lanes_.surfaces - lanes_.first_mesh, "meshes");
-    if (choices_.lamp_paths > 0) text += ", paths from lamps";
+    if (choices_.light_paths > 0) text += ", light paths";
     return fmt::format("{}, {}", text, lane_instruction_set());
   }
 
   void render(const carlo::Tile& tile, std::span<std::array<double, 3>> means,
               carlo::Counts& counts) const override {
-    const LaneChoices choices = shared(tile.lamp_share);
+    const LaneChoices choices = shared(tile.light_path_share);
     render_lanes(job(tile, choices), means, counts);
   }
 
@@ -47,24 +47,24 @@ class LaneIntegrator final : public carlo::Integrator {
     return lanes_.lights > 1 ? LightTree::floor / lanes_.lights : 1;
   }
 
-  std::uint32_t lamp_paths() const override {
-    return static_cast<std::uint32_t>(choices_.lamp_paths);
+  std::uint32_t light_paths() const override {
+    return static_cast<std::uint32_t>(choices_.light_paths);
   }
 
-  void trace_lamps(const carlo::LampPaths& paths, carlo::Splats& splats,
-                   carlo::Counts& counts) const override {
+  void trace_light_paths(const carlo::LightPaths& paths, carlo::Splats& splats,
+                         carlo::Counts& counts) const override {
     const carlo::Tile any{.stream = paths.stream};
     const LaneChoices choices = shared(paths.share);
     const LaneJob whole = job(any, choices);
-    renderer::trace_lamps({whole, paths.first, paths.count, splats.unit()}, splats, counts);
+    renderer::trace_light_paths({whole, paths.first, paths.count, splats.unit()}, splats, counts);
   }
 
   double splat_unit(std::uint64_t paths) const override { return lanes_.splat_unit(paths); }
 
  private:
-  LaneChoices shared(double lamp_share) const {
+  LaneChoices shared(double light_path_share) const {
     LaneChoices choices = choices_;
-    choices.lamp_paths *= static_cast<float>(lamp_share);
+    choices.light_paths *= static_cast<float>(light_path_share);
     return choices;
   }
 

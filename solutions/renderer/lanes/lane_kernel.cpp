@@ -22,7 +22,7 @@
 #define CARLO_EMPTY_SET
 #else
 // These follow the two headers above, which compile them anew.
-#include "renderer/lanes/lamp_paths-inl.h"
+#include "renderer/lanes/light_paths-inl.h"
 #include "renderer/lanes/tile-inl.h"
 #endif
 
@@ -36,7 +36,7 @@ void render_tile(const LaneJob&, std::span<std::array<double, 3>>, carlo::Counts
   std::abort();
 }
 
-void trace_from_lamps(const LampJob&, carlo::Splats&, carlo::Counts&) {
+void run_light_job(const LightPathJob&, carlo::Splats&, carlo::Counts&) {
   std::abort();
 }
 #else
@@ -45,8 +45,8 @@ void trace_from_lamps(const LampJob&, carlo::Splats&, carlo::Counts&) {
 template <class F>
 HWY_ATTR void with_needs(const LaneJob& job, const F& f) {
   const LaneScene& s = job.scene;
-  const bool lamps = job.choices.lamp_paths > 0, close = s.close(), lean = !s.full();
-  if (lamps) {
+  const bool light_paths = job.choices.light_paths > 0, close = s.close(), lean = !s.full();
+  if (light_paths) {
     if (!lean)
       f(Features<true, true, true, true>());
     else
@@ -65,9 +65,9 @@ HWY_ATTR void render_tile(const LaneJob& job, std::span<std::array<double, 3>> m
   with_needs(job, [&]<class Needs>(Needs) HWY_ATTR { run<Needs>(job, means, counts); });
 }
 
-HWY_ATTR void trace_from_lamps(const LampJob& job, carlo::Splats& splats, carlo::Counts& counts) {
+HWY_ATTR void run_light_job(const LightPathJob& job, carlo::Splats& splats, carlo::Counts& counts) {
   with_needs(job.whole, [&]<class Needs>(Needs) HWY_ATTR {
-    if constexpr (Needs::lamps) run_lamps<Needs>(job, splats, counts);
+    if constexpr (Needs::light_paths) run_light_paths<Needs>(job, splats, counts);
   });
 }
 #endif
@@ -84,7 +84,7 @@ HWY_AFTER_NAMESPACE();
 namespace renderer {
 
 HWY_EXPORT(render_tile);
-HWY_EXPORT(trace_from_lamps);
+HWY_EXPORT(run_light_job);
 HWY_EXPORT(instruction_set);
 
 void render_lanes(const LaneJob& job, std::span<std::array<double, 3>> means,
@@ -92,8 +92,8 @@ void render_lanes(const LaneJob& job, std::span<std::array<double, 3>> means,
   HWY_DYNAMIC_DISPATCH(render_tile)(job, means, counts);
 }
 
-void trace_lamps(const LampJob& job, carlo::Splats& splats, carlo::Counts& counts) {
-  HWY_DYNAMIC_DISPATCH(trace_from_lamps)(job, splats, counts);
+void trace_light_paths(const LightPathJob& job, carlo::Splats& splats, carlo::Counts& counts) {
+  HWY_DYNAMIC_DISPATCH(run_light_job)(job, splats, counts);
 }
 
 std::string lane_instruction_set() {

@@ -18,7 +18,7 @@ namespace renderer {
 struct LaneChoices {
   float roulette_threshold = 0.25f;  ///< roulette ends paths below this throughput
   bool power_heuristic = true;       ///< otherwise the balance heuristic
-  float lamp_paths = 0;              ///< number of paths from lamps for each path from the camera
+  float light_paths = 0;             ///< number of light paths for each path from the camera
 };
 
 /// One call of the kernel: a tile of an image.
@@ -33,25 +33,25 @@ struct LaneJob {
   const LaneChoices& choices;
 };
 
-/// Paths from lamps, joined to the camera at each vertex: they find light that mirrors and glass
+/// Light paths, joined to the camera at each vertex: they find light that mirrors and glass
 /// gather, or that comes through a slit. For each path, both techniques and light sampling know the
 /// densities p of all three:
 ///
-///   p(from lamps) / p(from camera) = lamp_paths x pixels / pixel's density at the first vertex
+///   p(from lights) / p(from camera) = light_paths x pixels / pixel's density at the first vertex
 ///     x the densities along the way back / those along the way there x emission
 ///
 /// all per area. Lengths cancel, and at diffuse vertices everything but cosines: Paths::rival
 /// carries that quotient up to the last vertex, without the factors of its BRDF and of the next
-/// direction. On paths from lamps it is the inverse, that of the techniques from the camera
+/// direction. On light paths it is the inverse, that of the techniques from the camera
 /// together. (Veach, Robust Monte Carlo methods, 1997, 10.2; recursively as van Antwerpen, 2011.)
-struct LampJob {
+struct LightPathJob {
   const LaneJob& whole;        ///< its tile is ignored
   std::uint64_t first, count;  ///< range of paths
   double unit;                 ///< of the splats
 };
 
 /// Traces the paths; a splat is the radiance of a pixel times the number of all paths.
-void trace_lamps(const LampJob& job, carlo::Splats& splats, carlo::Counts& counts);
+void trace_light_paths(const LightPathJob& job, carlo::Splats& splats, carlo::Counts& counts);
 
 /// Renders a tile with the widest instruction set of this machine: the mean of the samples of each
 /// pixel, row by row. One lane carries one path; lanes whose paths have ended take the next

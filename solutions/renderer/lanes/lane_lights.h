@@ -10,7 +10,7 @@
 
 namespace renderer {
 
-/// How the vector kernel chooses lights (choice-inl.h), and where paths from lamps start.
+/// How the vector kernel chooses lights (choice-inl.h), and where light paths start.
 ///
 /// A light is chosen in proportion to an estimate of its unoccluded irradiance. Estimating it for
 /// each of a hundred lights takes longer than the path's rays, so lights that stand together are
@@ -56,7 +56,7 @@ struct LaneLights {
   // For each light:
   Column<std::uint32_t> group{};
   Column<float> share{};  ///< fraction of its group's strength
-  /// The running sum of the probabilities with which paths from lamps start there, in multiples of
+  /// The running sum of the probabilities with which light paths start there, in multiples of
   /// 2^-24, the step of the u's, so that they are exact; and each probability.
   Column<float> start_upto{}, start_chance{};
 

@@ -17,8 +17,8 @@ using Means = std::vector<std::array<double, 3>>;
 constexpr std::uint32_t blocks = 8, samples = 16;  ///< per pixel, and per block
 /// Each technique tries one in this many of a render's paths.
 constexpr double share = 512;
-/// The factor by which a ray gets dearer when some paths start at the lamps (without mirrors, glass
-/// and the like).
+/// The factor by which a ray gets dearer when some paths start at the lights (without mirrors,
+/// glass and the like).
 constexpr double dearer = 1.3;
 /// The factor by which they must seem better, since so short a trial may mislead. With mirrors or
 /// glass, which gather light, or lobes, which do so a little, they are expected to be.
@@ -34,8 +34,8 @@ class Pilot {
   Pilot(const carlo::Scene& scene, const LaneScene& lanes, std::uint64_t seed, int side)
       : scene_(scene), lanes_(lanes), seed_(seed), side_(side) {}
 
-  Trial run(bool lamps) const {
-    const LaneChoices choices{.lamp_paths = lamps ? 1.0f : 0.0f};
+  Trial run(bool light_paths) const {
+    const LaneChoices choices{.light_paths = light_paths ? 1.0f : 0.0f};
     carlo::Counts counts;
     Trial trial{Means(pixels()), Means(pixels()), 0};
     for (std::uint32_t b = 0; b < blocks; ++b) {
@@ -66,10 +66,10 @@ class Pilot {
                       seed_,  lanes_.sobol,  tile,  choices};
     Means means(pixels());
     render_lanes(job, means, counts);
-    if (choices.lamp_paths == 0) return means;
+    if (choices.light_paths == 0) return means;
     const std::uint64_t count = std::uint64_t{samples} * pixels();
     carlo::Splats splats(pixels(), lanes_.splat_unit(count));
-    trace_lamps({job, block * count, count, splats.unit()}, splats, counts);
+    trace_light_paths({job, block * count, count, splats.unit()}, splats, counts);
     for (std::size_t i = 0; i < pixels(); ++i) {
       for (std::size_t c = 0; c < 3; ++c)
         means[i][c] += splats.sum(i, c) / static_cast<double>(count);
@@ -97,9 +97,9 @@ double relative_variance(const Trial& trial, const Means& means) {
 
 }  // namespace
 
-bool try_lamp_paths(const carlo::Scene& scene, const LaneScene& lanes, std::uint64_t seed,
-                    std::uint32_t spp) {
-  if (!lanes.lamps()) return false;
+bool try_light_paths(const carlo::Scene& scene, const LaneScene& lanes, std::uint64_t seed,
+                     std::uint32_t spp) {
+  if (!lanes.has_path_starts()) return false;
   // No other path finds what points send by mirrors and glass.
   if (lanes.point_lights() && lanes.any_specular) return true;
   const double paths = static_cast<double>(scene.width) * scene.height * spp / share;

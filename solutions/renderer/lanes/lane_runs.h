@@ -8,7 +8,7 @@
 
 namespace renderer {
 
-// Parallelograms of one plane, such as a ceiling of lamps, are tested together; a ray that meets
+// Parallelograms of one plane, such as a ceiling of lights, are tested together; a ray that meets
 // the plane is tested against those patches that it comes close to.
 
 /// Reorders the parallelograms with these numbers among the scene's shapes: those of a plane in a

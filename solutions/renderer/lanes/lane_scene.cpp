@@ -355,10 +355,10 @@ bool LaneScene::suits(const carlo::Needs& needs, const carlo::Scene& scene) {
   others.diffuse = others.phong = others.mirror = others.dielectric = false;
   others.one_sided = others.two_sided = false;
   others.environment = others.envmap = others.depth_limit = false;
-  const auto lamps = static_cast<std::size_t>(std::count_if(
+  const auto surfaces = static_cast<std::size_t>(std::count_if(
       scene.shapes.begin(), scene.shapes.end(), [](const carlo::Shape& s) { return s.emits(); }));
   return others == carlo::Needs{} && sobol_points(scene.sampler) && scene.shapes.size() <= most &&
-         lamps + needs.point_lights + (needs.envmap ? 1 : 0) <= most &&
+         surfaces + needs.point_lights + (needs.envmap ? 1 : 0) <= most &&
          scene.materials.size() <= most_materials && numbers(scene) <= most;
 }
 

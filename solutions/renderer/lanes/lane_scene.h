@@ -101,8 +101,8 @@ struct LaneScene {
   /// it.
   Column<float> light_density{};
   Column<std::uint32_t> light_of{};  ///< the number of the light that a surface is
-  /// The density, per area and pi, of the points where paths from lamps start: uniform over each
-  /// lamp's area.
+  /// The density, per area and pi, of the points where light paths start: uniform over each
+  /// light's area.
   Column<float> emission{};
 
   /// Reflection properties of the surface: kd / pi, ks (n + 2) / (2 pi). `diffuse` is the share of
@@ -126,11 +126,11 @@ struct LaneScene {
   Column<std::uint32_t> light_surface{};
   /// For a point light: its intensity, and the probability that a path starts there over 4 pi.
   Column<float> intensity_r{}, intensity_g{}, intensity_b{}, point_emission{};
-  /// The radiance of the brightest lamp; for a point, its irradiance on a surface a thousandth of
+  /// The radiance of the brightest light; for a point, its irradiance on a surface a thousandth of
   /// the scene away.
   double brightest = 0;
 
-  /// The unit of splats for this many paths from lamps; leaves room for pixels 2^13 times as bright
+  /// The unit of splats for this many light paths; leaves room for pixels 2^13 times as bright
   /// as `brightest`.
   double splat_unit(std::uint64_t paths) const;
 
@@ -148,7 +148,7 @@ struct LaneScene {
   /// True if some lights are no surfaces.
   bool other_lights() const { return point_lights() || sky; }
   /// True if there are lights where paths may start.
-  bool lamps() const { return lights > (sky ? 1u : 0u); }
+  bool has_path_starts() const { return lights > (sky ? 1u : 0u); }
   bool spheres() const { return first_sdf > first_sphere; }
   /// True if some surfaces are tested one by one, after all others.
   bool searched() const { return !sdfs.empty() || meshes != nullptr; }

@@ -43,7 +43,7 @@ struct LightPoints {
                                 ///< surfaces
   V3 error = zeros<V3>();       ///< of p, if the scene has meshes
   /// LaneScene::emission or point_emission; 0 for the image around the scene, where no path starts.
-  /// Only with Features::lamps.
+  /// Only with Features::light_paths.
   V emission = zeros<V>();
   U surface = zeros<U>(), light = zeros<U>(), triangle = zeros<U>();
 };
@@ -52,14 +52,14 @@ HWY_INLINE V3 across(V3 corner, V2 u, V3 edge_u, V3 edge_v) {
   return add_scaled(add_scaled(corner, u.x, edge_u), u.y, edge_v);
 }
 
-template <bool lamps>
+template <bool light_paths>
 HWY_INLINE LightPoints sample_only_light(const LaneScene& s, V2 u) {
   const std::uint32_t i = s.light_surface[0];
   LightPoints points{across(set(s.lx[0], s.ly[0], s.lz[0]), u, set(s.lux[0], s.luy[0], s.luz[0]),
                             set(s.lvx[0], s.lvy[0], s.lvz[0])),
                      set(s.nx[i], s.ny[i], s.nz[i]), set(s.le_r[i], s.le_g[i], s.le_b[i]),
                      set(1 / s.light_density[i]), set_word(s.plane[i])};
-  if constexpr (lamps) points.emission = set(s.emission[i]), points.surface = set_word(i);
+  if constexpr (light_paths) points.emission = set(s.emission[i]), points.surface = set_word(i);
   return points;
 }
 
@@ -163,7 +163,7 @@ struct LaneColumns {
   }
 };
 
-/// Samples points on lamps that are meshes, for the lanes that chose one; `draw` samples one lane.
+/// Samples points on lights that are meshes, for the lanes that chose one; `draw` samples one lane.
 template <class Draw>
 HWY_INLINE void take_from_meshes(const LaneScene& s, const LaneColumns& lane, M chosen,
                                  LightPoints& light, const Draw& draw) {
@@ -235,7 +235,7 @@ HWY_INLINE void sample_beyond(const LaneScene& s, V3 p, V2 u, LightPoints& point
 
 /// Points of the lights `index`. `on_balls` samples spheres, `on_meshes` meshes, and `on_sky` the
 /// image around the scene.
-template <bool full, bool lamps, class OnBalls, class OnMeshes, class OnSky>
+template <bool full, bool light_paths, class OnBalls, class OnMeshes, class OnSky>
 HWY_INLINE LightPoints draw_light(const LaneScene& s, U index, V2 u, const OnBalls& on_balls,
                                   const OnMeshes& on_meshes, const OnSky& on_sky) {
   const Numbers light(index, s.lights);
@@ -251,11 +251,11 @@ HWY_INLINE LightPoints draw_light(const LaneScene& s, U index, V2 u, const OnBal
       at_surface(s.nx, s.ny, s.nz), at_surface(s.le_r, s.le_g, s.le_b),
       hn::Div(set(1), at_surface(s.light_density.data())),
       s.coplanar ? at_surface(s.plane.data()) : surface};
-  if constexpr (lamps) {
+  if constexpr (light_paths) {
     points.emission = at_surface(s.emission.data());
     points.light = index;
   }
-  if constexpr (full || lamps) points.surface = surface;
+  if constexpr (full || light_paths) points.surface = surface;
   if (full && s.sphere_lights) {
     on_balls(balls(s, at_surface), u, is_sphere(s, surface), points);
   }
@@ -276,7 +276,7 @@ HWY_INLINE LightPoints draw_light(const LaneScene& s, U index, V2 u, const OnBal
         hn::IfThenElse(hn::RebindMask(du_, points.point), set_word(nothing), points.plane);
     points.seen = hn::Or(points.seen, points.point);
     points.by_direction = hn::AndNot(points.point, points.by_direction);
-    if constexpr (lamps)
+    if constexpr (light_paths)
       points.emission = select(points.point, light(s.point_emission.data()), points.emission);
   }
   if (full && s.sky) {
@@ -285,7 +285,7 @@ HWY_INLINE LightPoints draw_light(const LaneScene& s, U index, V2 u, const OnBal
     points.seen = hn::Or(points.seen, points.beyond);
     points.plane =
         hn::IfThenElse(hn::RebindMask(du_, points.beyond), set_word(nothing), points.plane);
-    if constexpr (lamps) points.emission = hn::IfThenZeroElse(points.beyond, points.emission);
+    if constexpr (light_paths) points.emission = hn::IfThenZeroElse(points.beyond, points.emission);
     if (!hn::AllFalse(d_, points.beyond)) on_sky(u, points);
   }
   return points;
@@ -294,17 +294,17 @@ HWY_INLINE LightPoints draw_light(const LaneScene& s, U index, V2 u, const OnBal
 /// Chooses lights for points p of surfaces with normals n and samples them as seen from there;
 /// `chances` receives the probabilities of the choice if there are several. `seed`: a random word
 /// for each lane.
-template <bool full, bool lamps>
+template <bool full, bool light_paths>
 HWY_INLINE LightPoints sample_light(const LaneScene& s, V3 p, V3 n, V2 u, U seed,
                                     Chances& chances) {
-  if (!full && s.lights == 1) return sample_only_light<lamps>(s, u);
+  if (!full && s.lights == 1) return sample_only_light<light_paths>(s, u);
   Picked picked{set_word(0), set(1)};
   if (s.lights > 1) {
     alignas(64) Weights weights;
     chances = weigh_lights(s.choice, p, n, weights);
     picked = pick_light(s.choice, weights, chances, seed, u.x);
   }
-  LightPoints points = draw_light<full, lamps>(
+  LightPoints points = draw_light<full, light_paths>(
       s, picked.index, u,
       [&](const Balls& ball, V2 place, M chosen, LightPoints& light)
           HWY_ATTR { sample_balls(ball, p, place, chosen, light); },
@@ -318,7 +318,7 @@ HWY_INLINE LightPoints sample_light(const LaneScene& s, V3 p, V3 n, V2 u, U seed
   return points;
 }
 
-/// Picks a lamp by u in [0, 1) and LaneLights::start_upto; u becomes uniform again.
+/// Picks a light by u in [0, 1) and LaneLights::start_upto; u becomes uniform again.
 HWY_INLINE U pick_start(const LaneScene& s, V& u) {
   U index = set_word(0);
   V lower = set(0), upper = set(s.choice.start_upto[0]);
@@ -332,9 +332,9 @@ HWY_INLINE U pick_start(const LaneScene& s, V& u) {
   return index;
 }
 
-/// Samples uniformly over each lamp's area; never the image around the scene.
+/// Samples uniformly over each light's area; never the image around the scene.
 template <bool full>
-HWY_INLINE LightPoints sample_lamp(const LaneScene& s, V2 u) {
+HWY_INLINE LightPoints sample_start(const LaneScene& s, V2 u) {
   const U index = pick_start(s, u.x);
   return draw_light<full, true>(
       s, index, u,

@@ -68,8 +68,8 @@ class Walk : Steps<Needs> {
     if (Needs::full && s_.any_specular) {
       specular = this->reflect_some(paths, spots, vertex.u_lobe.x, next);
       next.weight = paths.beta * next.weight;
-      // No path from a lamp has its second to last vertex on these surfaces.
-      if constexpr (Needs::lamps)
+      // No light path has its second to last vertex on these surfaces.
+      if constexpr (Needs::light_paths)
         rival_there = hn::IfThenZeroElse(rivals.first, this->turn_rival(paths.rival, spots, next));
     }
     if (!Needs::full || !hn::AllFalse(d_, paths.alive)) {
@@ -94,16 +94,16 @@ class Walk : Steps<Needs> {
   using Base = Steps<Needs>;
   using Base::counts_, Base::job_, Base::s_;
 
-  /// How much denser than this path's technique is that of paths from lamps for which this vertex
+  /// How much denser than this path's technique is that of light paths for which this vertex
   /// is the second to last: `factor` times the density of the way back by the vertex's BRDF, or
-  /// `factor` alone at the first vertex (lane_kernel.h, "Paths from lamps").
+  /// `factor` alone at the first vertex (lane_kernel.h, "Light paths").
   struct Rivals {
     V factor;
     M first;
     V cosine;  ///< of arrival
   };
   HWY_INLINE Rivals rivals_at(const Paths& paths, const Spots& spots, V t) const {
-    if constexpr (!Needs::lamps) return {set(0), hn::FirstN(d_, 0), set(0)};
+    if constexpr (!Needs::light_paths) return {set(0), hn::FirstN(d_, 0), set(0)};
     const M first = same(paths.depth, set_word(1));
     const V factor = hn::Div(paths.rival, spots.cosine);
     return {select(first, hn::Mul(factor, hn::Mul(t, t)), factor), first, spots.cosine};
@@ -119,8 +119,8 @@ class Walk : Steps<Needs> {
     paths.L = select(lost, paths.L + paths.beta * sky, paths.L);
   }
 
-  /// The rays' radiance from the image around the scene, weighted against light sampling. No path
-  /// from a lamp starts there.
+  /// The rays' radiance from the image around the scene, weighted against light sampling. No light
+  /// path starts there.
   HWY_INLINE V3 image_around(const Paths& paths, M lost) const {
     const Texels texels = sky_at(*s_.sky, paths.d, lost);
     const V chosen = s_.lights < 2 ? set(1) : chance(paths.chances, sky_weight(s_.choice), set(1));
@@ -129,7 +129,7 @@ class Walk : Steps<Needs> {
     return select(whole, set(1), this->weigh(by_light)) * texels.radiance;
   }
 
-  /// Adds emission at the hits, weighted against light sampling and paths from lamps.
+  /// Adds emission at the hits, weighted against light sampling and light paths.
   HWY_INLINE void add_emission(Paths& paths, const Vertex& vertex, const Spots& spots) const {
     if (s_.lights == 0) return;
     M bright = hn::And(spots.front, paths.alive);
@@ -154,11 +154,11 @@ class Walk : Steps<Needs> {
       pdf = hn::Mul(pdf, chance_of(s_.choice, paths.chances, light, paths.from.o, paths.n));
     }
     V weight;
-    if constexpr (Needs::lamps) {
+    if constexpr (Needs::light_paths) {
       const V by_light = hn::IfThenZeroElse(whole, hn::Div(pdf, paths.pdf));
-      const V from_lamp = hn::Mul(paths.rival, at_surface(s_.emission.data()));
+      const V from_light = hn::Mul(paths.rival, at_surface(s_.emission.data()));
       const M straight = same(paths.depth, set_word(1));
-      weight = this->weigh(by_light, hn::IfThenZeroElse(straight, from_lamp));
+      weight = this->weigh(by_light, hn::IfThenZeroElse(straight, from_light));
     } else {
       weight = select(whole, set(1), this->weigh(hn::Div(pdf, paths.pdf)));
     }
@@ -172,7 +172,7 @@ class Walk : Steps<Needs> {
     paths.beta = select(specular, next.weight, paths.beta);
     paths.pdf = select(specular, set(-1), paths.pdf);
     paths.compressed = select(specular, hn::Mul(paths.compressed, next.eta2), paths.compressed);
-    if constexpr (Needs::lamps) paths.rival = select(specular, rival_there, paths.rival);
+    if constexpr (Needs::light_paths) paths.rival = select(specular, rival_there, paths.rival);
   }
 
   HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, V2 u, const Rivals& rivals) const {
@@ -185,7 +185,7 @@ class Walk : Steps<Needs> {
     paths.beta = paths.beta * (weight * bsdf.f);
     paths.pdf = s_.lights > 0 ? bsdf.pdf : set(-1);
     paths.d = wi;
-    if constexpr (Needs::lamps)
+    if constexpr (Needs::light_paths)
       paths.rival = hn::Mul(rival(rivals, surface, cosine, bsdf.pdf), hn::Div(cosine, bsdf.pdf));
   }
 
@@ -193,7 +193,7 @@ class Walk : Steps<Needs> {
   HWY_INLINE void add_direct(Paths& paths, const Surfaces& surface, Vertex& vertex,
                              const Rivals& rivals) const {
     if (s_.lights > 1 || s_.any_mesh_light) paths.n = each(surface.n);
-    const LightPoints light = sample_light<Needs::full, Needs::lamps>(
+    const LightPoints light = sample_light<Needs::full, Needs::light_paths>(
         s_, surface.p, surface.n, vertex.u_light, hn::Xor(paths.key, paths.reversed_index),
         paths.chances);
     const V3 to_light = light.p - surface.p;
@@ -223,7 +223,7 @@ class Walk : Steps<Needs> {
     // No ray meets a point: nothing to compete with.
     if (Needs::full && s_.point_lights()) ratio = hn::IfThenZeroElse(light.point, ratio);
     V share;
-    if constexpr (Needs::lamps) {
+    if constexpr (Needs::light_paths) {
       const V before = rival(rivals, surface, cosine, bsdf.pdf);
       share = this->weigh(ratio,
                           hn::Mul(hn::Mul(before, cosine), hn::Mul(solid_angle, light.emission)));
@@ -241,7 +241,8 @@ class Walk : Steps<Needs> {
     }
   }
 
-  /// As in carlo::shadow_ray(), the segment ends in front of the surface that the lamp is fixed to.
+  /// As in carlo::shadow_ray(), the segment ends in front of the surface that the light is fixed
+  /// to.
   HWY_INLINE void end_before_meshes(const LightPoints& light, ToLight& way) const {
     const V3 before = off_surface(light.p, light.error, light.n, set(0, 0, 0));
     way.to = s_.point_lights() ? select(light.point, light.p, before) : before;

@@ -33,11 +33,11 @@ HWY_INLINE V3 camera_direction(const LaneJob& job, V x, V y) {
 }
 
 /// For a camera ray in direction d: the density per solid angle of its pixel's samples over that of
-/// paths from lamps over the whole image, as a ratio of their numbers.
+/// light paths over the whole image, as a ratio of their numbers.
 HWY_INLINE V camera_density(const LaneJob& job, V3 d) {
   const carlo::Camera& c = job.camera;
   const V cosine = dot(d, set(c.forward.x, c.forward.y, c.forward.z));
-  const float per_film = 1 / (4 * c.tan_half_x * c.tan_half_y * job.choices.lamp_paths);
+  const float per_film = 1 / (4 * c.tan_half_x * c.tan_half_y * job.choices.light_paths);
   return hn::Div(set(per_film), hn::Mul(cosine, hn::Mul(cosine, cosine)));
 }
 
@@ -103,7 +103,7 @@ class Starts {
       paths.from.clear = select(starts, set(o.x, o.y, o.z), paths.from.clear);
     }
     paths.d = select(starts, {floats(dx_.data()), floats(dy_.data()), floats(dz_.data())}, paths.d);
-    if constexpr (Needs::lamps)
+    if constexpr (Needs::light_paths)
       paths.rival = select(starts, hn::Div(set(1), camera_density(job_, paths.d)), paths.rival);
     paths.beta = select(starts, set(1, 1, 1), paths.beta);
     paths.L = select(starts, set(0, 0, 0), paths.L);

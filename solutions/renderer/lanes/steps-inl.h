@@ -39,11 +39,11 @@ constexpr std::uint32_t key_step = 0x9E3779B1;
 
 /// The features of a scene that the code is compiled for: `phong` materials; `close`: spheres, or
 /// parallelograms that touch others or share a plane with them; `full`: mirrors, glass, disks,
-/// sdfs, meshes, emitting spheres, point lights, an image around. `lamps`: some paths start at the
-/// lamps, and others leave light to them (lamp_paths-inl.h).
-template <bool phong_, bool close_, bool full_ = false, bool lamps_ = false>
+/// sdfs, meshes, emitting spheres, point lights, an image around. `light_paths`: some paths start at
+/// the lights, and others leave contributions to them (light_paths-inl.h).
+template <bool phong_, bool close_, bool full_ = false, bool light_paths_ = false>
 struct Features {
-  static constexpr bool phong = phong_, close = close_, full = full_, lamps = lamps_;
+  static constexpr bool phong = phong_, close = close_, full = full_, light_paths = light_paths_;
 };
 
 struct Paths {
@@ -54,13 +54,13 @@ struct Paths {
   U depth;           ///< segments so far
   U key;             ///< of the next vertex
   U reversed_index;  ///< of the sample
-  U number;          ///< among the tile's samples (Starts::allow), or a call's paths from lamps
+  U number;          ///< among the tile's samples (Starts::allow), or a call's light paths
   M alive;
   V3 n;             ///< of the surface that d leaves, on its side,
   Chances chances;  ///< and the probabilities with which lights were chosen there, if there are
                     ///< several
-  V rival;          ///< for Features::lamps (lane_kernel.h, "Paths from lamps")
-  // For a path from a lamp:
+  V rival;          ///< for Features::light_paths (lane_kernel.h, "Light paths")
+  // For a light path:
   U light, triangle;  ///< where it started
   U pixel;            ///< the pixel in which the camera sees its vertex
   V brought;          ///< the luminance of its splats

@@ -1,8 +1,8 @@
 #include "renderer/production/adaptive.h"
 
 #include "render/interrupt.h"
-#include "render/lamp_pass.h"
 #include "render/light_asks.h"
+#include "render/light_pass.h"
 #include "render/threads.h"
 #include "renderer/production/adaptive_decisions.h"
 #include "renderer/production/adaptive_state.h"
@@ -82,12 +82,12 @@ class AdaptiveJob {
     result.seconds = earlier_seconds_ + clock_.seconds();
     result.threads = tbb::this_task_arena::max_concurrency();
     result.summary = summary_of(result.film);
-    // Each round traces about as many paths from lamps as its mean number of samples per pixel
+    // Each round traces about as many light paths as its mean number of samples per pixel
     // calls for.
     const double pixels = 1.0 * state_.width * state_.height;
-    result.lamp_covariance =
-        counts_.lamp_ties / (static_cast<double>(result.film.samples()) * pixels *
-                             static_cast<double>(result.summary.most));
+    result.light_path_covariance =
+        counts_.light_path_ties / (static_cast<double>(result.film.samples()) * pixels *
+                                   static_cast<double>(result.summary.most));
     return result;
   }
 
@@ -159,16 +159,16 @@ class AdaptiveJob {
       if (w.half == half && ours(number++) && !done(w)) left.push_back(w);
     }
     if (left.empty()) return true;
-    const std::vector<LampPass> lamps = trace_lamps(half);
+    const std::vector<LightPass> light_passes = trace_light_paths(half);
     const auto batch = jobs_at_once * tbb::this_task_arena::max_concurrency();
     for (auto begin = left.begin(); begin < left.end();) {
       const auto end = begin + std::min<std::ptrdiff_t>(batch, left.end() - begin);
-      tbb::parallel_for_each(begin, end, [&](const Work& w) { render(w, lamps); });
+      tbb::parallel_for_each(begin, end, [&](const Work& w) { render(w, light_passes); });
       // Counted with the last of the half's work, because a render that continues from a copy
       // traces them again.
       if (ours(0) &&
           std::all_of(left.begin(), left.end(), [&](const Work& w) { return done(w); })) {
-        for (const LampPass& pass : lamps)
+        for (const LightPass& pass : light_passes)
           counts_ += pass.counts();
       }
       if (stopped()) return false;
@@ -184,10 +184,10 @@ class AdaptiveJob {
     return seen.samples() > levels_.begin(state_.level);
   }
 
-  /// Traces the paths from lamps for each block of a round: about as many as camera paths, or the
+  /// Traces the light paths for each block of a round: about as many as camera paths, or the
   /// last rounds of a few pixels would cost as much as those of the whole image.
-  std::vector<LampPass> trace_lamps(std::uint32_t half) const {
-    std::vector<LampPass> passes;
+  std::vector<LightPass> trace_light_paths(std::uint32_t half) const {
+    std::vector<LightPass> passes;
     for (std::uint32_t b = 0; b < HalfPixel::blocks; ++b)
       passes.emplace_back(integrator_, state_.halves[0].size(), half, first_sample(b), block(),
                           state_.undecided(half));
@@ -238,7 +238,7 @@ class AdaptiveJob {
       plan_square(x + i % 2 * part, y + i / 2 * part, part, work);
   }
 
-  void render(const Work& work, const std::vector<LampPass>& lamps) {
+  void render(const Work& work, const std::vector<LightPass>& light_passes) {
     if (stopped()) return;
     constexpr std::size_t blocks = HalfPixel::blocks;
     std::vector<HalfPixel>& half = state_.halves[work.half];
@@ -249,7 +249,7 @@ class AdaptiveJob {
               0,
               block(),
               work.half,
-              lamps[0].share()};
+              light_passes[0].share()};
     std::vector<HalfPixel::Group> groups(static_cast<std::size_t>(work.size * work.size));
     std::array<std::array<double, 3>, square_size * square_size> means;
     Counts counts;
@@ -265,7 +265,7 @@ class AdaptiveJob {
       for (int x = tile.x0; x < tile.x1; ++x) {
         HalfPixel::Group& group = groups[i++];
         for (std::size_t b = 0; b < blocks; ++b)
-          lamps[b].add_to(group[b], state_.pixel(x, y));
+          light_passes[b].add_to(group[b], state_.pixel(x, y));
         half[state_.pixel(x, y)].add(group, block());
       }
     }

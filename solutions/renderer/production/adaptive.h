@@ -45,7 +45,7 @@ struct AdaptiveOptions {
   std::function<void(const AdaptiveResult&)> checkpoint = {};
   double checkpoint_seconds = 60;
   /// Does only this share of the next round's jobs, and takes no decision (adaptive_state.h). Every
-  /// share traces all paths from lamps; only the first counts them.
+  /// share traces all light paths; only the first counts them.
   std::optional<Shard> share = {};
   /// Does only the next round, including its decisions.
   bool one_round = false;

@@ -104,8 +104,8 @@ Shard shard_of(const std::string& text) {
   return {*index, *count};
 }
 
-BlockRange share_of(const Shard& shard, const BlockGrid& grid, bool lamps) {
-  const bool whole_passes = lamps && shard.count <= grid.passes;
+BlockRange share_of(const Shard& shard, const BlockGrid& grid, bool light_paths) {
+  const bool whole_passes = light_paths && shard.count <= grid.passes;
   const std::uint64_t unit = whole_passes ? grid.tiles() : 1, units = grid.blocks() / unit;
   const std::uint64_t each = units / shard.count, more = units % shard.count;
   const auto first = [&](std::uint64_t i) { return (each * i + std::min(i, more)) * unit; };

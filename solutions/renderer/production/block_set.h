@@ -55,10 +55,10 @@ constexpr std::uint32_t most_shards = 1 << 20;
 /// Parses "3/64". Throws Error.
 Shard shard_of(const std::string& text);
 
-/// Returns the blocks of a shard: equally many for all shards, give or take one. If paths from
-/// lamps are traced for all tiles of a pass at once, shares consist of whole passes as long as
+/// Returns the blocks of a shard: equally many for all shards, give or take one. If light
+/// paths are traced for all tiles of a pass at once, shares consist of whole passes as long as
 /// there are enough, because a pass split between shards is traced by each of them.
-BlockRange share_of(const Shard& shard, const BlockGrid& grid, bool lamps);
+BlockRange share_of(const Shard& shard, const BlockGrid& grid, bool light_paths);
 
 /// Returns the blocks of a share that a film holds, rendered from this share alone. A tile's blocks
 /// are rendered in order; tiles differ by one after an interruption. Throws Error if they differ by

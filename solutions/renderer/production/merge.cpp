@@ -50,10 +50,10 @@ void Merge::take_in(const PartHeader& part) {
   } else {
     header_.shard.reset();
   }
-  header_.lamps = header_.lamps || part.lamps;
+  header_.light_paths = header_.light_paths || part.light_paths;
   header_.parts += part.parts;
   header_.counts += part.counts;
-  header_.lamp_ties.add(part.lamp_ties);
+  header_.light_path_ties.add(part.light_path_ties);
   header_.microseconds += part.microseconds;
   header_.threads = std::max(header_.threads, part.threads);
 }
@@ -108,7 +108,7 @@ std::string Merge::missing() const {
   auto gap = gaps.ranges().begin();
   for (std::uint32_t index = 1; index <= header_.shard->count; ++index) {
     const Shard shard{index, header_.shard->count};
-    const BlockRange range = share_of(shard, header_.grid, header_.lamps);
+    const BlockRange range = share_of(shard, header_.grid, header_.light_paths);
     std::uint64_t lacks = 0;
     while (gap != gaps.ranges().end() && gap->begin < range.end) {
       lacks += std::min(gap->end, range.end) - std::max(gap->begin, range.begin);
@@ -130,10 +130,11 @@ std::string Merge::missing() const {
 RenderResult Merge::run(const std::function<void(double)>& progress) const {
   RenderResult result{.film = Film(header_.grid.width, header_.grid.height, header_.grid.block),
                       .counts = header_.counts,
-                      .lamp_ties = header_.lamp_ties,
+                      .light_path_ties = header_.light_path_ties,
                       .seconds = 1e-6 * static_cast<double>(header_.microseconds),
                       .threads = header_.threads};
-  result.counts.lamp_ties = header_.lamp_ties.value() / static_cast<double>(header_.grid.tiles());
+  result.counts.light_path_ties =
+      header_.light_path_ties.value() / static_cast<double>(header_.grid.tiles());
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const PartFile file(parts_[i].path);
     if (difference_of(file.header(), header_) || file.header().blocks != parts_[i].blocks) {

@@ -140,7 +140,7 @@ static void fields(JsonFields& json, Shard& shard) {
 static void fields(JsonFields& json, Counts& counts) {
   json.as_text("paths", counts.paths);
   json.as_text("rays", counts.rays);
-  json.as_text("lamp_paths", counts.lamp_paths);
+  json.as_text("light_paths", counts.light_paths);
   json.as_text("cut_paths", counts.cut);
   json.as_text("bad_samples", counts.bad);
 }
@@ -150,7 +150,7 @@ static void fields(JsonFields& json, PartHeader& part) {
   json("needs", part.needs);
   json("settings", part.settings);
   json("grid", part.grid);
-  json("lamps", part.lamps);
+  json("light_paths", part.light_paths);
   json("least_light_chance", part.least_light_chance);
   json("shard", part.shard);
   json.as_text("parts", part.parts);
@@ -159,7 +159,8 @@ static void fields(JsonFields& json, PartHeader& part) {
       [](const std::string& text) { return BlockSet::from_text(text); });
   json("counts", part.counts);
   as_words(
-      json, "lamp_ties", part.lamp_ties, [](const ExactSum& sum) { return to_text(sum); },
+      json, "light_path_ties", part.light_path_ties,
+      [](const ExactSum& sum) { return to_text(sum); },
       [](const std::string& text) { return exact_sum_of(text); });
   json.as_text("microseconds", part.microseconds);
   json("threads", part.threads);

@@ -22,15 +22,15 @@ struct PartHeader {
   std::string scene;              ///< its file
   std::string needs;              ///< describe() of its needs
   BlockGrid grid;                 ///< of the whole render
-  bool lamps = false;             ///< whether paths from lamps are traced
+  bool light_paths = false;       ///< whether light paths are traced
   double least_light_chance = 1;  ///< the integrator's
   /// How the samples were shared out; nothing for parts that were merged from different N. `index`
   /// is 0 where shares of the same N were merged.
   std::optional<Shard> shard;
   std::uint64_t parts = 1;         ///< that were merged in it
   BlockSet blocks;                 ///< that it holds
-  Counts counts;                   ///< lamp_ties apart
-  ExactSum lamp_ties;              ///< as in RenderResult
+  Counts counts;                   ///< light_path_ties apart
+  ExactSum light_path_ties;        ///< as in RenderResult
   std::uint64_t microseconds = 0;  ///< that were spent: whole ones, so that their sum has no order
   int threads = 1;                 ///< at most
 };

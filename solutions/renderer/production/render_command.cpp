@@ -35,9 +35,9 @@ struct Command {
   std::vector<std::string> words;  ///< as the program received it
 };
 
-/// `planned` and `lamps` are set if they were decided before.
+/// `planned` and `light_paths` are set if they were decided before.
 RenderTask task_of(const Command& command, std::optional<std::uint32_t> planned = {},
-                   std::optional<bool> lamps = {}) {
+                   std::optional<bool> light_paths = {}) {
   const ProductionArguments& a = command.a;
   RenderTask task{.scene = load_scene(a.scene, parse_definitions(a.definitions))};
   apply(a, task.scene);
@@ -45,7 +45,7 @@ RenderTask task_of(const Command& command, std::optional<std::uint32_t> planned 
   task.spp = static_cast<std::uint32_t>(task.scene.spp);
   task.reference = read_reference(a.reference, task.scene.width, task.scene.height);
   if (!planned) planned = a.target_error ? adaptive_strata : task.spp;
-  task.integrator = command.factory(task.scene, task.seed, *planned, lamps);
+  task.integrator = command.factory(task.scene, task.seed, *planned, light_paths);
   task.settings =
       render_settings(task.scene, task.integrator->name(), task.seed, *planned, a.definitions);
   if (a.target_error) {
@@ -105,16 +105,16 @@ SlurmFolder folder_of(const ProductionArguments& a) {
   return SlurmFolder::beside(output_stem(a.output, a.scene));
 }
 
-/// Whether paths from lamps are traced, as decided when the render was begun.
-std::optional<bool> lamps_of(const SlurmFolder& folder) {
+/// Whether light paths are traced, as decided when the render was begun.
+std::optional<bool> light_paths_of(const SlurmFolder& folder) {
   const auto plan = folder.plan();
-  return plan ? std::optional(plan->lamps) : std::nullopt;
+  return plan ? std::optional(plan->light_paths) : std::nullopt;
 }
 
 int run_submission(const Command& command) {
   const ProductionArguments& a = command.a;
   SlurmFolder folder = folder_of(a);
-  RenderTask task = task_of(command, {}, lamps_of(folder));
+  RenderTask task = task_of(command, {}, light_paths_of(folder));
   task.settings.erase("kernel");
   SlurmRender render{.plan = {.settings = std::move(task.settings),
                               .scene = a.scene,
@@ -122,7 +122,7 @@ int run_submission(const Command& command) {
                               .height = task.scene.height,
                               .spp = task.scene.spp,
                               .target_error = a.target_error.value_or(0),
-                              .lamps = task.integrator->lamp_paths() > 0,
+                              .light_paths = task.integrator->light_paths() > 0,
                               .shards = a.tasks.value_or(default_tasks),
                               .words = command.words,
                               .start = fs::current_path().string(),
@@ -139,7 +139,7 @@ int run_task_of_cluster(const Command& command) {
   // A job that is told to end must write its checkpoint, whatever it is doing.
   const InterruptGuard guard;
   const SlurmFolder folder(command.a.slurm_task);
-  const RenderTask task = task_of(command, {}, lamps_of(folder));
+  const RenderTask task = task_of(command, {}, light_paths_of(folder));
   return run_slurm_task(folder, task.scene, *task.integrator, share_of(command, task, {}));
 }
 
@@ -148,7 +148,7 @@ int run_merge_of_cluster(const Command& command) {
   SlurmFolder folder(a.slurm_merge);
   const MergeOutput output{.output = a.output, .reference = a.reference, .sums = !a.no_sums};
   if (!a.target_error) return run_slurm_merge(folder, output);
-  const RenderTask task = task_of(command, {}, lamps_of(folder));
+  const RenderTask task = task_of(command, {}, light_paths_of(folder));
   return run_slurm_round_merge(folder, task.scene, *task.integrator, share_of(command, task, {}),
                                output);
 }

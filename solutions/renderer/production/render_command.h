@@ -12,10 +12,10 @@ namespace carlo {
 
 class CommandLine;
 
-/// Makes an integrator for a scene; `spp` is the planned number of samples per pixel, `lamps`
-/// says whether it traces paths from lamps, if that was decided before.
+/// Makes an integrator for a scene; `spp` is the planned number of samples per pixel, `light_paths`
+/// says whether it traces light paths, if that was decided before.
 using ProductionFactory = std::function<std::unique_ptr<Integrator>(
-    const Scene& scene, std::uint64_t seed, std::uint32_t spp, std::optional<bool> lamps)>;
+    const Scene& scene, std::uint64_t seed, std::uint32_t spp, std::optional<bool> light_paths)>;
 
 /// The command `render` of the reference renderer: like render_app() (course/render), with target
 /// errors, resuming, shares and clusters. Returns the exit code; throws Error.

@@ -56,10 +56,8 @@ void add_attributes(ExrFile& file, const RenderSettings& settings, const Counts&
     file.attributes[name] = value;
   file.attributes["paths"] = std::to_string(counts.paths);
   file.attributes["rays"] = std::to_string(counts.rays);
-  if (counts.lamp_paths > 0) {
-    file.attributes["lamp_paths"] = std::to_string(counts.lamp_paths);
-    file.attributes["lamp_ties"] = fmt::format("{}", counts.lamp_ties);
-  }
+  file.attributes["light_paths"] = std::to_string(counts.light_paths);
+  file.attributes["light_path_ties"] = fmt::format("{}", counts.light_path_ties);
   file.attributes["cut_paths"] = std::to_string(counts.cut);
   file.attributes["bad_samples"] = std::to_string(counts.bad);
 }
@@ -109,9 +107,10 @@ RenderSettings render_settings(const Scene& scene, const std::string& kernel, st
 }
 
 void add_sums(ExrFile& file, const RenderSettings& settings, const Film& film, const Counts& counts,
-              const ExactSum& lamp_ties) {
+              const ExactSum& light_path_ties) {
   add_attributes(file, settings, counts);
-  if (!(lamp_ties == ExactSum{})) file.attributes["lamp_tie_sum"] = to_text(lamp_ties);
+  if (!(light_path_ties == ExactSum{}))
+    file.attributes["light_path_tie_sum"] = to_text(light_path_ties);
   file.attributes["block"] = std::to_string(film.block());
   const std::size_t pixels = file.image.pixels.size();
   for (const std::string& name : all_channels())
@@ -256,26 +255,22 @@ AdaptiveState EarlierRender::adaptive_state() const {
 }
 
 Counts EarlierRender::counts() const {
-  const bool lamps = file_.attributes.contains("lamp_paths");
   return {.paths = number("paths"),
           .rays = number("rays"),
-          .lamp_paths = lamps ? number("lamp_paths") : 0,
+          .light_paths = number("light_paths"),
           .cut = number("cut_paths"),
           .bad = number("bad_samples"),
-          .lamp_ties = lamps ? real("lamp_ties") : 0};
+          .light_path_ties = real("light_path_ties")};
 }
 
-ExactSum EarlierRender::lamp_ties() const {
-  const auto it = file_.attributes.find("lamp_tie_sum");
+ExactSum EarlierRender::light_path_ties() const {
+  const auto it = file_.attributes.find("light_path_tie_sum");
   if (it != file_.attributes.end()) {
     if (const auto sum = exact_sum_of(it->second)) return *sum;
-    throw Error("cannot resume {}: its lamp_tie_sum is '{}', expected the words of a sum",
+    throw Error("cannot resume {}: its light_path_tie_sum is '{}', expected the words of a sum",
                 path_.string(), it->second);
   }
-  // Renders from before it was kept have the rounded sum alone.
-  ExactSum sum;
-  sum.add(counts().lamp_ties * static_cast<double>(BlockGrid{width(), height()}.tiles()));
-  return sum;
+  return {};
 }
 
 double EarlierRender::seconds(const Film& film) const {

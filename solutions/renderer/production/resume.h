@@ -25,9 +25,9 @@ RenderSettings render_settings(const Scene& scene, const std::string& kernel, st
 
 /// Adds to an image what it takes to go on with it: the settings and counts as attributes, and the
 /// film's sums, which are whole numbers of 128 bits, in channels of 32 bits: so no bit is lost, and
-/// the film goes on as if it had never been away. `lamp_ties` as in RenderResult.
+/// the film goes on as if it had never been away. `light_path_ties` as in RenderResult.
 void add_sums(ExrFile& file, const RenderSettings& settings, const Film& film, const Counts& counts,
-              const ExactSum& lamp_ties = {});
+              const ExactSum& light_path_ties = {});
 
 /// The same for an adaptive render.
 void add_sums(ExrFile& file, const RenderSettings& settings, const AdaptiveState& state,
@@ -59,7 +59,7 @@ class EarlierRender {
   AdaptiveState adaptive_state() const;
   Counts counts() const;
   /// As in RenderResult, of one without a target error.
-  ExactSum lamp_ties() const;
+  ExactSum light_path_ties() const;
   /// The seconds that the report beside the image tells; 0 if there is none of the same render.
   double seconds(const Film& film) const;
 

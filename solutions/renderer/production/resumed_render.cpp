@@ -40,8 +40,9 @@ void take_over(ProductionArguments& a, const EarlierRender& earlier) {
 }
 
 RenderResult uniform_start(const EarlierRender& earlier, std::optional<std::uint32_t> spp) {
-  RenderResult result{
-      .film = earlier.film(), .counts = earlier.counts(), .lamp_ties = earlier.lamp_ties()};
+  RenderResult result{.film = earlier.film(),
+                      .counts = earlier.counts(),
+                      .light_path_ties = earlier.light_path_ties()};
   result.seconds = earlier.seconds(result.film);
   const std::uint32_t block = result.film.block();
   const auto pixels =

@@ -39,7 +39,7 @@ PartHeader header_of(const Scene& scene, const Integrator& integrator, const Sha
   part.needs = describe(needs(scene));
   const std::uint32_t block = block_size(render.spp);
   part.grid = {scene.width, scene.height, block, render.spp / block};
-  part.lamps = integrator.lamp_paths() > 0;
+  part.light_paths = integrator.light_paths() > 0;
   part.least_light_chance = integrator.least_light_chance();
   part.shard = render.shard;
   return part;
@@ -49,7 +49,7 @@ PartHeader header_of(const Scene& scene, const Integrator& integrator, const Sha
 PartHeader with(PartHeader part, const RenderResult& result, const BlockRange& share) {
   part.blocks = blocks_done(result.film, share);
   part.counts = result.counts;
-  part.lamp_ties = result.lamp_ties;
+  part.light_path_ties = result.light_path_ties;
   part.microseconds = static_cast<std::uint64_t>(std::llround(1e6 * result.seconds));
   part.threads = result.threads;
   return part;
@@ -69,7 +69,7 @@ RenderResult result_of(const PartFile& file, const PartHeader& now, const BlockR
   }
   RenderResult result{.film = Film(now.grid.width, now.grid.height, now.grid.block),
                       .counts = then.counts,
-                      .lamp_ties = then.lamp_ties,
+                      .light_path_ties = then.light_path_ties,
                       .seconds = 1e-6 * static_cast<double>(then.microseconds)};
   file.add_to(result.film);
   if (blocks_done(result.film, share) != then.blocks) {
@@ -121,7 +121,7 @@ int render_shard(const Scene& scene, const Integrator& integrator, const ShardRe
   const fs::path path = part_path(render);
   const AtomicFile writable(path);
   const PartHeader header = header_of(scene, integrator, render);
-  const BlockRange share = share_of(render.shard, header.grid, header.lamps);
+  const BlockRange share = share_of(render.shard, header.grid, header.light_paths);
   std::optional<RenderResult> start;
   if (fs::exists(path)) {
     const PartFile file(path);

@@ -46,7 +46,7 @@ static void fields(JsonFields& json, SlurmPlan& plan) {
   json("height", plan.height);
   json("spp", plan.spp);
   json("target_error", plan.target_error);
-  json("lamps", plan.lamps);
+  json("light_paths", plan.light_paths);
   json("shards", plan.shards);
   json("jobs", plan.jobs);
   json("words", plan.words);
@@ -63,7 +63,7 @@ BlockGrid SlurmPlan::grid() const {
 
 BlockRange SlurmPlan::share(int shard) const {
   return share_of({static_cast<std::uint32_t>(shard), static_cast<std::uint32_t>(shards)}, grid(),
-                  lamps);
+                  light_paths);
 }
 
 double SlurmPlan::all_blocks() const {

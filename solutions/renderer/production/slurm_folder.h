@@ -30,9 +30,9 @@ struct SlurmPlan {
   RenderSettings settings;  ///< of the whole render, but for its kernel (settled by the first task)
   std::string scene;        ///< its file
   int width = 0, height = 0;
-  int spp = 0;              ///< of the whole render; at most, with a target error
-  double target_error = 0;  ///< 0: none
-  bool lamps = false;       ///< whether paths from lamps are traced: tried once, for all shards
+  int spp = 0;               ///< of the whole render; at most, with a target error
+  double target_error = 0;   ///< 0: none
+  bool light_paths = false;  ///< whether light paths are traced: tried once, for all shards
   int shards = 1;
   std::string jobs = {};  ///< name of the array; the merge's has "_merge" behind it
   // How it was asked for last.

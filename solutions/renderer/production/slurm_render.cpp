@@ -134,7 +134,7 @@ SlurmPlan settle_plan(SlurmFolder& folder, const SlurmRender& render) {
     require_same(folder, *begun, render);
     plan.shards = begun->shards;
     plan.jobs = begun->jobs;
-    plan.lamps = begun->lamps;
+    plan.light_paths = begun->light_paths;
     folder.write(plan);
   } else {
     plan.jobs = slurm::job_name("render", folder.path());

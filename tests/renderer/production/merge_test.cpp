@@ -26,12 +26,12 @@ namespace fs = std::filesystem;
 /// Writes the parts of all N shards of the noise. Some are interrupted, written, read and
 /// continued.
 std::vector<fs::path> write_shards(const fs::path& folder, std::uint32_t count, std::uint32_t spp,
-                                   bool lamps, Rng& rng) {
+                                   bool lights, Rng& rng) {
   std::vector<fs::path> parts;
   for (std::uint32_t i = 1; i <= count; ++i) {
-    ShardNoise noise(lamps);
+    ShardNoise noise(lights);
     const Shard shard{i, count};
-    const BlockRange share = share_of(shard, noise_grid(spp), lamps);
+    const BlockRange share = share_of(shard, noise_grid(spp), lights);
     const int threads = 1 + static_cast<int>(i % 2);
     if (share.count() > 0 && rng.uniform_float() < .5f) {
       noise.interrupt_at =
@@ -45,7 +45,7 @@ std::vector<fs::path> write_shards(const fs::path& folder, std::uint32_t count, 
       const PartFile file(path);
       RenderResult start{.film = Film(noise.width, noise.height, noise_grid(spp).block),
                          .counts = file.header().counts,
-                         .lamp_ties = file.header().lamp_ties};
+                         .light_path_ties = file.header().light_path_ties};
       file.add_to(start.film);
       CHECK(same_sums(start.film, result.film));
       CHECK(file.header().blocks.count() < share.count());
@@ -79,21 +79,21 @@ Merge merge_at_random(std::vector<fs::path> parts, const fs::path& folder, Rng& 
 TEST_CASE(
     "Parts merged in any order and grouping have the bits of the render that was not shared out") {
   Rng rng(11, 0);
-  for (const bool lamps : {false, true}) {
-    const RenderResult whole = render_noise(ShardNoise(lamps), 64);
+  for (const bool lights : {false, true}) {
+    const RenderResult whole = render_noise(ShardNoise(lights), 64);
     for (const std::uint32_t count : {1u, 2u, 7u, 48u, 64u}) {  // of 48 blocks
       const TemporaryFolder scratch;
-      const auto parts = write_shards(scratch.path(), count, 64, lamps, rng);
+      const auto parts = write_shards(scratch.path(), count, 64, lights, rng);
       for (int round = 0; round < 4; ++round) {
-        INFO(lamps << " " << count << " " << round);
+        INFO(lights << " " << count << " " << round);
         const Merge merge = merge_at_random(parts, scratch.path(), rng);
         REQUIRE(merge.complete());
         const RenderResult merged = merge.run();
         CHECK(same_sums(merged.film, whole.film));
-        CHECK(merged.lamp_ties == whole.lamp_ties);
+        CHECK(merged.light_path_ties == whole.light_path_ties);
         CHECK(merged.counts.paths == whole.counts.paths);
-        CHECK(merged.counts.lamp_paths == whole.counts.lamp_paths);
-        CHECK(merged.counts.lamp_ties == whole.counts.lamp_ties);
+        CHECK(merged.counts.light_paths == whole.counts.light_paths);
+        CHECK(merged.counts.light_path_ties == whole.counts.light_path_ties);
         CHECK(mean_of(merged).standard_error == mean_of(whole).standard_error);
         CHECK(merge.header().parts == count);
         CHECK(merge.header().microseconds == 1000 * count + count * (count + 1) / 2);
@@ -114,19 +114,19 @@ TEST_CASE("Shares of different N merge where they fit") {
 
 TEST_CASE("The shares of any N are all of a render's blocks, and as many each but for one") {
   for (const std::uint32_t count : {1u, 2u, 3u, 7u, 8u, 47u, 48u, 49u, 1000u}) {
-    for (const bool lamps : {false, true}) {
+    for (const bool lights : {false, true}) {
       const BlockGrid grid = noise_grid(64);
       std::uint64_t end = 0, least = grid.blocks(), most = 0;
       for (std::uint32_t i = 1; i <= count; ++i) {
-        const BlockRange share = share_of({i, count}, grid, lamps);
+        const BlockRange share = share_of({i, count}, grid, lights);
         CHECK(share.begin == end);
         end = share.end;
         least = std::min(least, share.count());
         most = std::max(most, share.count());
-        if (lamps && count <= grid.passes) CHECK(share.begin % grid.tiles() == 0);
+        if (lights && count <= grid.passes) CHECK(share.begin % grid.tiles() == 0);
       }
       CHECK(end == grid.blocks());
-      CHECK(most - least <= (lamps && count <= grid.passes ? grid.tiles() : 1));
+      CHECK(most - least <= (lights && count <= grid.passes ? grid.tiles() : 1));
     }
   }
   // The largest render: its sums do not overflow.
@@ -185,12 +185,12 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("Pixels that paths from lamps tie together: a render's error bar, shared out or not") {
+TEST_CASE("Pixels that light paths tie together: a render's error bar, shared out or not") {
   const RenderResult whole = render_noise(ShardNoise(true), 64);
   const MeanRadiance apart = mean_radiance(whole.film), tied = mean_of(whole);
   const auto samples = static_cast<double>(whole.film.samples());
   const double all = luminance(apart.value);
-  const double relative = whole.counts.lamp_ties / (samples * samples * all * all);
+  const double relative = whole.counts.light_path_ties / (samples * samples * all * all);
   REQUIRE(relative > 0);
   for (std::size_t c = 0; c < 3; ++c) {
     CHECK(tied.standard_error[c] ==
@@ -209,7 +209,7 @@ TEST_CASE("Pixels that paths from lamps tie together: a render's error bar, shar
   CHECK(added(some) / added(whole) == Catch::Approx(1).epsilon(.2));
 }
 
-TEST_CASE("An interrupted pass counts its paths from lamps once") {
+TEST_CASE("An interrupted pass counts its light paths once") {
   const RenderResult whole = render_noise(ShardNoise(true), 64);
   for (const int tile : {1, 3, 6, 7, 20, 48}) {
     ShardNoise noise(true);
@@ -217,8 +217,8 @@ TEST_CASE("An interrupted pass counts its paths from lamps once") {
     const RenderResult part = render_noise(noise, 64);
     noise.interrupt_at = -1;
     const RenderResult resumed = render_noise(noise, 64, 2, {}, &part);
-    CHECK(resumed.counts.lamp_paths == whole.counts.lamp_paths);
-    CHECK(resumed.lamp_ties == whole.lamp_ties);
+    CHECK(resumed.counts.light_paths == whole.counts.light_paths);
+    CHECK(resumed.light_path_ties == whole.light_path_ties);
     CHECK(same_sums(resumed.film, whole.film));
   }
 }

@@ -27,12 +27,12 @@ namespace fs = std::filesystem;
 constexpr int width = 37, height = 21;  // not multiples of tiles or units
 
 /// Pixels that differ in brightness and, a hundredfold, in variance; about .1 reaches each of them
-/// by paths from lamps.
+/// by light paths.
 class Flicker final : public common_test::NoiseIntegrator {
  public:
-  std::uint32_t lamp_paths() const override { return 1; }
+  std::uint32_t light_paths() const override { return 1; }
   double splat_unit(std::uint64_t /*paths*/) const override { return 0x1p-20; }
-  void trace_lamps(const LampPaths& paths, Splats& splats, Counts& counts) const override {
+  void trace_light_paths(const LightPaths& paths, Splats& splats, Counts& counts) const override {
     constexpr std::uint64_t pixels = std::uint64_t{width} * height;
     for (std::uint64_t path = paths.first; path < paths.first + paths.count; ++path) {
       Rng rng(stream_seed(6, paths.stream), path);
@@ -40,7 +40,7 @@ class Flicker final : public common_test::NoiseIntegrator {
       const auto units = static_cast<std::int64_t>(splat / splats.unit());
       splats.add(path % pixels, {units, units, units});
     }
-    counts.lamp_paths += paths.count;
+    counts.light_paths += paths.count;
     counts.rays += paths.count;
   }
 
@@ -102,7 +102,7 @@ void check_same(const AdaptiveResult& a, const AdaptiveResult& b) {
   CHECK(a.film.standard_error().pixels == b.film.standard_error().pixels);
   CHECK(a.film.samples() == b.film.samples());
   CHECK(a.counts.paths == b.counts.paths);
-  CHECK(a.counts.lamp_paths == b.counts.lamp_paths);
+  CHECK(a.counts.light_paths == b.counts.light_paths);
   CHECK(a.counts.rays == b.counts.rays);
   CHECK(a.summary.within == b.summary.within);
   CHECK(a.summary.decided_only == b.summary.decided_only);
@@ -314,7 +314,7 @@ TEST_CASE("An adaptive render whose rounds are shared out has the bits of one th
     check_same_state(result.state, *whole.state);
     CHECK(result.state.film().mean().pixels == whole.film.mean().pixels);
     CHECK(result.counts.paths == whole.counts.paths);
-    CHECK(result.counts.lamp_paths == whole.counts.lamp_paths);
+    CHECK(result.counts.light_paths == whole.counts.light_paths);
   }
   AdaptiveState other(width, height);
   other.level = 1;

@@ -13,18 +13,18 @@
 
 namespace common_test {
 
-/// Noise over five orders of magnitude, from the camera and from lamps, for what is shared out.
+/// Noise over five orders of magnitude, from the camera and from lights, for what is shared out.
 class ShardNoise final : public NoiseIntegrator {
  public:
   static constexpr int width = 37, height = 21;  // 6 tiles
 
-  explicit ShardNoise(bool with_lamps) : lamps_(with_lamps) {}
+  explicit ShardNoise(bool with_lights) : lights_(with_lights) {}
 
-  std::uint32_t lamp_paths() const override { return lamps_ ? 1 : 0; }
+  std::uint32_t light_paths() const override { return lights_ ? 1 : 0; }
 
   /// Each path reaches two pixels.
-  void trace_lamps(const carlo::LampPaths& paths, carlo::Splats& splats,
-                   carlo::Counts& counts) const override {
+  void trace_light_paths(const carlo::LightPaths& paths, carlo::Splats& splats,
+                         carlo::Counts& counts) const override {
     for (std::uint64_t i = paths.first; i < paths.first + paths.count; ++i) {
       carlo::Rng rng(5, i);
       const auto one = static_cast<std::size_t>(rng.uniform_float() * width * height);
@@ -32,8 +32,8 @@ class ShardNoise final : public NoiseIntegrator {
       splats.add(one, {units, units, units});
       splats.add(width * height - 1 - one, {units, units, units});
       const double splat = static_cast<double>(units) * splats.unit();
-      counts.lamp_ties += 2 * splat * splat;
-      ++counts.lamp_paths;
+      counts.light_path_ties += 2 * splat * splat;
+      ++counts.light_paths;
     }
   }
   double splat_unit(std::uint64_t paths) const override {
@@ -50,7 +50,7 @@ class ShardNoise final : public NoiseIntegrator {
     }
   }
 
-  bool lamps_;
+  bool lights_;
 };
 
 inline carlo::BlockGrid noise_grid(std::uint32_t spp) {
@@ -79,11 +79,11 @@ inline carlo::PartHeader noise_header(const ShardNoise& noise, std::uint32_t spp
   part.scene = "noise.xml";
   part.needs = "nothing";
   part.grid = noise_grid(spp);
-  part.lamps = noise.lamp_paths() > 0;
+  part.light_paths = noise.light_paths() > 0;
   part.shard = shard;
-  part.blocks = carlo::blocks_done(result.film, carlo::share_of(shard, part.grid, part.lamps));
+  part.blocks = carlo::blocks_done(result.film, carlo::share_of(shard, part.grid, part.light_paths));
   part.counts = result.counts;
-  part.lamp_ties = result.lamp_ties;
+  part.light_path_ties = result.light_path_ties;
   part.microseconds = 1000 + shard.index;
   part.threads = result.threads;
   return part;

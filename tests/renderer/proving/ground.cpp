@@ -8,7 +8,7 @@ std::vector<Proof> proving_ground() {
   std::vector<Proof> all;
   for (const auto& family :
        {sky_proofs, open_furnace_proofs, furnace_proofs, furnished_furnace_proofs, emitter_proofs,
-        leak_proofs, spot_proofs, lamp_proofs, polished_proofs, combination_proofs,
+        leak_proofs, spot_proofs, light_proofs, polished_proofs, combination_proofs,
         light_pair_proofs, light_crowd_proofs, light_choice_proofs}) {
     std::vector<Proof> proofs = family();
     std::move(proofs.begin(), proofs.end(), std::back_inserter(all));

@@ -40,10 +40,10 @@ std::vector<Proof> furnished_furnace_proofs();
 std::vector<Proof> emitter_proofs();
 /// Closed rooms that keep out a sky or a lit neighbour.
 std::vector<Proof> leak_proofs();
-/// A spot of a floor under one lamp.
+/// A spot of a floor under one light.
 std::vector<Proof> spot_proofs();
-/// A spot of a floor: lamps near and far, many lamps, covered lamps.
-std::vector<Proof> lamp_proofs();
+/// A spot of a floor: lights near and far, many lights, covered lights.
+std::vector<Proof> light_proofs();
 /// Mirrors, glass and Phong's lobe.
 std::vector<Proof> polished_proofs();
 /// Receiver x side x light x scale, rotated and moved.
@@ -51,9 +51,9 @@ std::vector<Proof> combination_proofs();
 
 /// A strong and a weak light for every two kinds.
 std::vector<Proof> light_pair_proofs();
-/// Up to 1e5 lamps, few of which matter.
+/// Up to 1e5 lights, few of which matter.
 std::vector<Proof> light_crowd_proofs();
-/// Lamps under images of a sky; strong lamps outside Phong's lobe, weak ones inside.
+/// Lights under images of a sky; strong lights outside Phong's lobe, weak ones inside.
 std::vector<Proof> light_choice_proofs();
 
 /// All of the above.

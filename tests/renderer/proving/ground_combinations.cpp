@@ -1,5 +1,5 @@
 // Receiver x side x light x scale, rotated and moved in many ways: a spot on top of a convex solid,
-// albedo / pi times the irradiance of the lamp (spots.cpp), which is black; or the albedo under a
+// albedo / pi times the irradiance of the light (spots.cpp), which is black; or the albedo under a
 // sky of 1.
 
 #include "closed_forms.h"
@@ -47,9 +47,9 @@ const Receiver receivers[] = {
        scene.shapes.push_back(ball({0, -2, 0}, 2));
      }}};
 
-/// Adds a lamp of spots.cpp, or a point, or the sky; returns radiance over albedo.
+/// Adds a light of spots.cpp, or a point, or the sky; returns radiance over albedo.
 double add_light(Scene& scene, std::size_t kind) {
-  const std::vector<Lamp> all = lamps();
+  const std::vector<Light> all = lights();
   if (kind < all.size()) {
     scene.shapes.push_back(lit(all[kind].shape, 1, Rgb(4)));
     return 4 * all[kind].irradiance / closed_forms::pi;
@@ -63,7 +63,7 @@ double add_light(Scene& scene, std::size_t kind) {
 }
 
 std::string light_name(std::size_t kind) {
-  const std::vector<Lamp> all = lamps();
+  const std::vector<Light> all = lights();
   return kind < all.size() ? all[kind].name : kind == all.size() ? "point" : "sky";
 }
 
@@ -93,7 +93,7 @@ std::vector<Proof> combination_proofs() {
   int number = 60;
   for (const Receiver& receiver : receivers) {
     for (const bool two_sided : {false, true}) {
-      for (std::size_t light = 0; light < lamps().size() + 2; ++light) {
+      for (std::size_t light = 0; light < lights().size() + 2; ++light) {
         for (const double scale : {1e-4, 1.0, 1e4, 1e6})
           proofs.push_back(combination(receiver, two_sided, light, scale, ++number));
       }

@@ -119,31 +119,31 @@ void neighbours(std::vector<Proof>& proofs) {
 
 enum class Enclosed { panel, ball, disk, point };
 
-void add_lamp(Scene& scene, Enclosed lamp, dvec3 at) {
+void add_light(Scene& scene, Enclosed light, dvec3 at) {
   const Finish shining{0, Rgb(10)};
-  if (lamp == Enclosed::panel)
+  if (light == Enclosed::panel)
     scene.shapes.push_back(panel(at, {0, .04, 0}, {0, 0, .04}, shining));
-  else if (lamp == Enclosed::ball)
+  else if (light == Enclosed::ball)
     scene.shapes.push_back(ball(at, .04, shining));
-  else if (lamp == Enclosed::disk)
+  else if (light == Enclosed::disk)
     scene.shapes.push_back({carlo::Disk{carlo::Vec3(at), {1, 0, 0}, .04f}, 0, Rgb(10)});
   else
     scene.lights.points.push_back({carlo::Vec3(at), Rgb(10)});
 }
 
-/// A lamp in a closed box, and a floor outside. Exact: 0.
-void lamps_in_boxes(std::vector<Proof>& proofs) {
+/// A light in a closed box, and a floor outside. Exact: 0.
+void lights_in_boxes(std::vector<Proof>& proofs) {
   const std::array<const char*, 4> names = {"panel", "ball", "disk", "point"};
-  for (std::size_t lamp = 0; lamp < names.size(); ++lamp) {
+  for (std::size_t light = 0; light < names.size(); ++light) {
     for (const double place : {0.0, .4}) {
       for (const int turn : {0, 3, 5}) {
         Scene scene = leak_scene(.5f, true);
         scene.camera = camera_at({2, 1, 1.5}, {0, 0, 0}, 60);
         scene.shapes = {level(10, -.6)};
         add_box(scene, {dvec3(0), dvec3(.5)}, {}, Facing::outwards);
-        add_lamp(scene, static_cast<Enclosed>(lamp), {place, .1, .2});
+        add_light(scene, static_cast<Enclosed>(light), {place, .1, .2});
         proofs.push_back(
-            leak_proof(fmt::format("lamp/{}/at={:g}/turn={}", names[lamp], place, turn),
+            leak_proof(fmt::format("light/{}/at={:g}/turn={}", names[light], place, turn),
                        std::move(scene), {rotation(turn)}));
       }
     }
@@ -157,7 +157,7 @@ std::vector<Proof> leak_proofs() {
   sealed_boxes(proofs);
   sealed_spheres(proofs);
   neighbours(proofs);
-  lamps_in_boxes(proofs);
+  lights_in_boxes(proofs);
   return proofs;
 }
 

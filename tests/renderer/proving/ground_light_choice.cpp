@@ -1,5 +1,6 @@
-// Where the brightest light is not the one to sample: lamps near the camera under images of a sky,
-// in scenes that a stray shape makes large; lamps in a Phong lobe beside stronger ones outside it.
+// Where the brightest light is not the one to sample: light sources near the camera under images of
+// a sky, in scenes that a stray shape makes large; lights in a Phong lobe beside stronger ones
+// outside it.
 
 #include "closed_forms.h"
 #include "proving/ground.h"
@@ -31,9 +32,9 @@ carlo::Envmap sky_of(Sky sky) {
   return image_of([](int, int) { return Rgb(1); });
 }
 
-/// Exact: albedo / pi (E + I / h^2), E = pi or pi / 2, with the lamp directly above. A black stray
+/// Exact: albedo / pi (E + I / h^2), E = pi or pi / 2, with the light directly above. A black stray
 /// panel at distance `far` covers at most 1e-6 of the hemisphere.
-void lamps_under_skies(std::vector<Proof>& proofs) {
+void lights_under_skies(std::vector<Proof>& proofs) {
   int number = 0;
   for (const double half : {1.0, 1e2, 1e4}) {
     for (const double far : {0.0, 1e3, 1e6, 1e9}) {
@@ -45,9 +46,9 @@ void lamps_under_skies(std::vector<Proof>& proofs) {
           scene.camera = spot_camera();
           scene.max_depth = 2;
           scene.lights.envmap = sky_of(sky);
-          const double of_lamp = 10;
+          const double of_light = 10;
           scene.lights.points = {{{0, static_cast<float>(height), 0},
-                                  Rgb(static_cast<float>(of_lamp * height * height))}};
+                                  Rgb(static_cast<float>(of_light * height * height))}};
           // Below the floor, where only the sky sees it.
           if (far > 0)
             scene.shapes.push_back(panel({far, -.5 * far, far}, {.1, 0, 0}, {0, 0, .1}, {1}));
@@ -58,8 +59,8 @@ void lamps_under_skies(std::vector<Proof>& proofs) {
                                                      : "upper",
                                   half, far, height),
                       placed(std::move(scene), {rotation(half < 1e3 ? ++number % 3 : 0)}),
-                      exact_of(floor_albedo / pi * (of_sky + of_lamp)), 512};
-          // The film sees 7e-5 to either side: of a lamp at .01 that is 1e-4 of its irradiance.
+                      exact_of(floor_albedo / pi * (of_sky + of_light)), 512};
+          // The film sees 7e-5 to either side: of a light at .01 that is 1e-4 of its irradiance.
           proof.rounding = height < 1 ? 2e-4 : 1e-5;
           proofs.push_back(std::move(proof));
         }
@@ -68,13 +69,13 @@ void lamps_under_skies(std::vector<Proof>& proofs) {
   }
 }
 
-/// The lamp in the lobe.
+/// The light in the lobe.
 enum class InLobe { disk, ball, point };
 
 /// Exact: in the lobe, for a cone light about its axis, 1 - cos^(n+2) of the half-angle; or for a
 /// point light, (n+2) / (2 pi) I / d^2. Outside it, at 60 degrees, a point light with `ratio` times
 /// the irradiance: (n+2) / (2 pi) cos^n 60 E.
-void lamps_in_lobes(std::vector<Proof>& proofs) {
+void lights_in_lobes(std::vector<Proof>& proofs) {
   int number = 0;
   for (const int n : {100, 1000, 10000}) {
     for (const InLobe in : {InLobe::disk, InLobe::ball, InLobe::point}) {
@@ -124,8 +125,8 @@ void lamps_in_lobes(std::vector<Proof>& proofs) {
 
 std::vector<Proof> light_choice_proofs() {
   std::vector<Proof> proofs;
-  lamps_under_skies(proofs);
-  lamps_in_lobes(proofs);
+  lights_under_skies(proofs);
+  lights_in_lobes(proofs);
   return proofs;
 }
 

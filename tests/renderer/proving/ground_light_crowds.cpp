@@ -1,7 +1,7 @@
-// One to 1e5 lamps over a spot of a floor, few of which matter. The numbers include those at which
-// the renderer changes its method (128 lamps in the vector kernel) and their neighbours.
+// One to 1e5 lights over a spot of a floor, few of which matter. The numbers include those at which
+// the renderer changes its method (128 lights in the vector kernel) and their neighbours.
 //
-// Each lamp has a direction of its own, spread evenly over the sphere, so none hides another.
+// Each light has a direction of its own, spread evenly over the sphere, so none hides another.
 // Exact: albedo / pi times the sum of the contributions of those above the horizon: I cos / d^2 for
 // points, L pi sin^2 cos for balls, Lambert's formula for squares and triangles.
 
@@ -37,7 +37,7 @@ dvec3 spread(int i, int count) {
   return {r * std::cos(turn), y, r * std::sin(turn)};
 }
 
-struct CrowdLamp {
+struct CrowdLight {
   dvec3 w;  ///< direction
   double distance, size, irradiance_if_it_faced;
 };
@@ -50,13 +50,13 @@ const char* name_of(CrowdKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-/// Three lamps matter: they are near, and contribute 1, 1/4 and 1/16 (times the cosine). The others
-/// are a hundred units away: if they are `around`, also above the horizon, and each contributes a
-/// little. If they are below it, they have up to 1e4 times the power; not so triangles, which share
-/// one radiance and would have to be that much larger.
-std::vector<CrowdLamp> crowd(CrowdKind kind, int count, bool around) {
+/// Three lights matter: they are near, and contribute 1, 1/4 and 1/16 (times the cosine). The
+/// others are a hundred units away: if they are `around`, also above the horizon, and each
+/// contributes a little. If they are below it, they have up to 1e4 times the power; not so
+/// triangles, which share one radiance and would have to be that much larger.
+std::vector<CrowdLight> crowd(CrowdKind kind, int count, bool around) {
   Random random(static_cast<std::uint64_t>(count));
-  std::vector<CrowdLamp> lamps;
+  std::vector<CrowdLight> lights;
   const double size = std::min(.05, .2 / std::sqrt(count));
   const double strength = (around || kind == CrowdKind::triangles ? 1 : 100) / std::sqrt(count);
   int near = 0;
@@ -65,45 +65,45 @@ std::vector<CrowdLamp> crowd(CrowdKind kind, int count, bool around) {
     const double brings = strength * std::pow(10.0, random.uniform(-4, -2));
     // Numbers 1/8, 2/8 and 3/8 of all, which are above the horizon.
     if (near < 3 && w.y > .1 && i >= (near + 1) * count / 8) {
-      lamps.push_back({w, 1.2, size, std::pow(4.0, -near++)});
+      lights.push_back({w, 1.2, size, std::pow(4.0, -near++)});
       continue;
     }
     if (!around && w.y > 0) w = -w;
-    // The horizon cuts none: closed forms hold for lamps entirely above or below it.
+    // The horizon cuts none: closed forms hold for lights entirely above or below it.
     if (std::abs(w.y) < 3 * size) w = glm::normalize(dvec3(w.x, -1, w.z));
-    lamps.push_back({w, 100, size, brings});
+    lights.push_back({w, 100, size, brings});
   }
-  return lamps;
+  return lights;
 }
 
-/// Adds lamps that face the origin, triangles to one mesh; `sum` is the irradiance there.
+/// Adds lights that face the origin, triangles to one mesh; `sum` is the irradiance there.
 struct CrowdBuilder {
   Scene& scene;
   carlo::Mesh mesh{};
   double sum = 0;
 
-  void add(CrowdKind kind, const CrowdLamp& lamp) {
-    const dvec3 at = lamp.distance * lamp.w;
-    const double up = std::max(0.0, lamp.w.y), half = lamp.size * lamp.distance;
-    const double sin2 = lamp.size * lamp.size;
-    const dvec3 x = half * glm::normalize(glm::cross(lamp.w, dvec3(.3, .2, .9)));
-    const dvec3 y = glm::cross(-lamp.w, x);
+  void add(CrowdKind kind, const CrowdLight& light) {
+    const dvec3 at = light.distance * light.w;
+    const double up = std::max(0.0, light.w.y), half = light.size * light.distance;
+    const double sin2 = light.size * light.size;
+    const dvec3 x = half * glm::normalize(glm::cross(light.w, dvec3(.3, .2, .9)));
+    const dvec3 y = glm::cross(-light.w, x);
     switch (kind) {
       case CrowdKind::points: {
         const auto intensity =
-            static_cast<float>(lamp.irradiance_if_it_faced * lamp.distance * lamp.distance);
+            static_cast<float>(light.irradiance_if_it_faced * light.distance * light.distance);
         scene.lights.points.push_back({Vec3(at), Rgb(intensity)});
-        sum += lamp.irradiance_if_it_faced * up;
+        sum += light.irradiance_if_it_faced * up;
         return;
       }
       case CrowdKind::balls: {
-        const auto radiance = static_cast<float>(lamp.irradiance_if_it_faced / (pi * sin2));
+        const auto radiance = static_cast<float>(light.irradiance_if_it_faced / (pi * sin2));
         scene.shapes.push_back(ball(at, half, {1, Rgb(radiance)}));
-        sum += lamp.irradiance_if_it_faced * up;
+        sum += light.irradiance_if_it_faced * up;
         return;
       }
       case CrowdKind::squares: {
-        const auto radiance = static_cast<float>(lamp.irradiance_if_it_faced / (4 * sin2));
+        const auto radiance = static_cast<float>(light.irradiance_if_it_faced / (4 * sin2));
         scene.shapes.push_back(panel(at, x, y, {1, Rgb(radiance)}));
         if (up > 0)
           sum += static_cast<double>(radiance) *
@@ -112,7 +112,7 @@ struct CrowdBuilder {
       }
       case CrowdKind::triangles: {
         // One mesh has one radiance: sizes differ instead.
-        const double by = std::sqrt(lamp.irradiance_if_it_faced);
+        const double by = std::sqrt(light.irradiance_if_it_faced);
         const dvec3 corner[] = {at - by * (x + y), at + by * (x - y), at + by * y};
         const auto first = static_cast<std::uint32_t>(mesh.positions.size());
         for (const dvec3& p : corner)
@@ -137,10 +137,10 @@ void add_crowd(std::vector<Proof>& proofs, CrowdKind kind, int count, bool aroun
   scene.camera = spot_camera();
   scene.max_depth = 2;
   CrowdBuilder builder{scene};
-  const std::vector<CrowdLamp> lamps = crowd(kind, count, around);
-  for (const CrowdLamp& lamp : lamps)
-    builder.add(kind, lamp);
-  builder.finish(lamps[0].size);
+  const std::vector<CrowdLight> lights = crowd(kind, count, around);
+  for (const CrowdLight& light : lights)
+    builder.add(kind, light);
+  builder.finish(lights[0].size);
   Proof proof{fmt::format("crowds/{}/{}/{}", name_of(kind), count, around ? "around" : "below"),
               std::move(scene), exact_of(crowd_albedo * builder.sum / pi),
               count < 100 ? 1024U : 8192U};

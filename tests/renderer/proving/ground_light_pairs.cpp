@@ -1,6 +1,6 @@
 // A strong light and a weak one, for every two kinds, over one spot of a floor. The choice of the
 // light must not affect the result: the strong one may be as far away as it is strong (a sun and a
-// lamp), or hidden, or below the floor, so that the weak one is the only light.
+// light source), or hidden, or below the floor, so that the weak one is the only light.
 //
 // Exact: albedo / pi times the sum of irradiances (lights_of_all_kinds.h). A light that surrounds
 // the scene loses what other shapes cover.
@@ -65,15 +65,15 @@ bool makes_a_pair(LightKind strong, LightKind weak) {
 
 /// The strong light shines `ratio` times as much from sqrt(ratio) times as far away: both
 /// contribute equally at the origin. Of the surrounding lights only a room grows.
-void sun_and_lamp(std::vector<Proof>& proofs, LightKind strong, LightKind weak, double ratio,
-                  int number) {
+void sun_and_light(std::vector<Proof>& proofs, LightKind strong, LightKind weak, double ratio,
+                   int number) {
   if (!makes_a_pair(strong, weak)) return;
   Scene scene = pair_scene(number % 4 < 2);
-  const AddedLight lamp = add_light(scene, weak, {toward_weak, 1}, 1);
+  const AddedLight light = add_light(scene, weak, {toward_weak, 1}, 1);
   const AddedLight sun = add_light(scene, strong, {toward_strong, std::sqrt(ratio)}, 1);
-  double sum = lamp.irradiance + sun.irradiance;
-  if (surrounds(strong)) sum -= sun.irradiance * lamp.covers / closed_forms::pi;
-  if (surrounds(weak)) sum -= lamp.irradiance * sun.covers / closed_forms::pi;
+  double sum = light.irradiance + sun.irradiance;
+  if (surrounds(strong)) sum -= sun.irradiance * light.covers / closed_forms::pi;
+  if (surrounds(weak)) sum -= light.irradiance * sun.covers / closed_forms::pi;
   proofs.push_back(
       pair_proof(pair_name("both", strong, weak, ratio), std::move(scene), sum, few, number));
 }
@@ -83,15 +83,15 @@ void hidden(std::vector<Proof>& proofs, LightKind strong, LightKind weak, double
             int number) {
   if (!makes_a_pair(strong, weak)) return;
   Scene scene = pair_scene(number % 4 < 2);
-  const AddedLight lamp = add_light(scene, weak, {toward_weak, 1}, 1);
+  const AddedLight light = add_light(scene, weak, {toward_weak, 1}, 1);
   const Stand stand{toward_strong, 1};
   add_light(scene, strong, stand, ratio);
-  double sum = lamp.irradiance;
+  double sum = light.irradiance;
   if (surrounds(strong)) {
     add_box(scene, {{0, 0, 0}, {1.5, 1.5, 1.5}, glm::dmat3(1), .1}, {1}, Facing::inwards);
   } else {
     const double covers = add_card(scene, stand);
-    if (surrounds(weak)) sum -= lamp.irradiance * covers / closed_forms::pi;
+    if (surrounds(weak)) sum -= light.irradiance * covers / closed_forms::pi;
   }
   proofs.push_back(
       pair_proof(pair_name("hidden", strong, weak, ratio), std::move(scene), sum, many, number));
@@ -103,7 +103,7 @@ void below(std::vector<Proof>& proofs, LightKind strong, LightKind weak, double 
   if (!makes_a_pair(strong, weak)) return;
   if (strong == LightKind::room || strong == LightKind::sky) return;
   Scene scene = pair_scene(number % 4 < 2);
-  const AddedLight lamp = add_light(scene, weak, {toward_weak, 1}, 1);
+  const AddedLight light = add_light(scene, weak, {toward_weak, 1}, 1);
   if (strong == LightKind::image) {
     scene.lights.envmap = image_of([](int, int row) { return Rgb(row < 3 ? 0 : 1); });
     for (Rgb& texel : scene.lights.envmap->image.pixels)
@@ -112,7 +112,7 @@ void below(std::vector<Proof>& proofs, LightKind strong, LightKind weak, double 
     add_light(scene, strong, {-toward_strong, 1}, ratio);
   }
   proofs.push_back(pair_proof(pair_name("below", strong, weak, ratio), std::move(scene),
-                              lamp.irradiance, many, number));
+                              light.irradiance, many, number));
 }
 
 }  // namespace
@@ -123,7 +123,7 @@ std::vector<Proof> light_pair_proofs() {
   for (const LightKind strong : light_kinds) {
     for (const LightKind weak : light_kinds) {
       for (const double ratio : {1.0, 1e4, 1e8, 1e12})
-        sun_and_lamp(proofs, strong, weak, ratio, ++number);
+        sun_and_light(proofs, strong, weak, ratio, ++number);
       for (const double ratio : {1.0, 1e6, 1e12}) {
         hidden(proofs, strong, weak, ratio, ++number);
         below(proofs, strong, weak, ratio, ++number);

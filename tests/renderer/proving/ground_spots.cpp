@@ -1,5 +1,5 @@
-// A spot of a floor under one lamp: albedo / pi times the irradiance, which has a closed form for
-// each of lamps() (spots.cpp). The lamp is black, so that it reflects nothing back to the floor.
+// A spot of a floor under one light: albedo / pi times the irradiance, which has a closed form for
+// each of lights() (spots.cpp). The light is black, so that it reflects nothing back to the floor.
 
 #include "closed_forms.h"
 #include "proving/ground.h"
@@ -38,7 +38,7 @@ Scene spot_scene(double half, bool two_sided) {
 }
 
 /// Exact: albedo E / pi. Radiances do not change with scale.
-void each_lamp(std::vector<Proof>& proofs) {
+void each_light(std::vector<Proof>& proofs) {
   struct Where {
     int turn;
     double shift;
@@ -46,23 +46,23 @@ void each_lamp(std::vector<Proof>& proofs) {
   int number = 0;
   for (const double scale : {1e-4, 1e-2, 1.0, 1e3, 1e6}) {
     for (const Where where : {Where{0, 0}, Where{1, 0}, Where{1, 1000}}) {
-      for (const Lamp& lamp : lamps()) {
+      for (const Light& light : lights()) {
         Scene scene = spot_scene(50, ++number % 2 == 0);
-        scene.shapes.push_back(lit(lamp.shape, 1, Rgb(2)));
+        scene.shapes.push_back(lit(light.shape, 1, Rgb(2)));
         const Placement placement{rotation(where.turn * number), scale,
                                   where.shift * dvec3(.5, -.7, .5)};
-        proofs.push_back({fmt::format("spots/{}/scale={:g}/shift={:g}/{}", lamp.name, scale,
+        proofs.push_back({fmt::format("spots/{}/scale={:g}/shift={:g}/{}", light.name, scale,
                                       where.shift, where.turn == 0 ? "straight" : "turned"),
                           placed(std::move(scene), placement),
-                          spot_radiance(2 * lamp.irradiance / closed_forms::pi), 512,
+                          spot_radiance(2 * light.irradiance / closed_forms::pi), 512,
                           spot_rounding(where.shift)});
       }
     }
   }
 }
 
-/// Exact: albedo I / (pi h^2), with the lamp directly above. Everything but the floor has size h.
-void point_lamps(std::vector<Proof>& proofs) {
+/// Exact: albedo I / (pi h^2), with the light directly above. Everything but the floor has size h.
+void point_lights(std::vector<Proof>& proofs) {
   for (const double h : {1e-4, 1e-2, .3, 1.0, 1e3}) {
     for (const double half : {1.0, 50.0, 1e5}) {
       for (const bool turned : {false, true}) {
@@ -103,7 +103,7 @@ void slanted_points(std::vector<Proof>& proofs) {
 }
 
 /// Exact: the film sees the square [-1, 1]^2 from above, evenly, and the mean of h / r^3 over it is
-/// a quarter of the square's solid angle from the lamp. So albedo I solid angle / (4 pi).
+/// a quarter of the square's solid angle from the light. So albedo I solid angle / (4 pi).
 void films_under_points(std::vector<Proof>& proofs) {
   for (const double h : {.1, .3, 1.0}) {
     for (const double scale : {1e-4, 1.0, 1e6}) {
@@ -122,8 +122,8 @@ void films_under_points(std::vector<Proof>& proofs) {
 
 std::vector<Proof> spot_proofs() {
   std::vector<Proof> proofs;
-  each_lamp(proofs);
-  point_lamps(proofs);
+  each_light(proofs);
+  point_lights(proofs);
   slanted_points(proofs);
   films_under_points(proofs);
   return proofs;

@@ -12,19 +12,19 @@ namespace {
 using glm::dvec3;
 
 /// A parallelogram about `centre`, its normal downwards, by Lambert's formula.
-Lamp slanted_rectangle(dvec3 centre, dvec3 a, dvec3 b) {
+Light slanted_rectangle(dvec3 centre, dvec3 a, dvec3 b) {
   return {"slanted", panel(centre, a, b),
           polygon_irradiance({centre - a - b, centre + a - b, centre + a + b, centre - a + b})};
 }
 
-Lamp triangle(dvec3 a, dvec3 b, dvec3 c) {
+Light triangle(dvec3 a, dvec3 b, dvec3 c) {
   carlo::Mesh mesh{{carlo::Vec3(a), carlo::Vec3(b), carlo::Vec3(c)}, {{0, 1, 2}}};
   return {"triangle", {std::move(mesh)}, polygon_irradiance({a, b, c})};
 }
 
 }  // namespace
 
-std::vector<Lamp> lamps() {
+std::vector<Light> lights() {
   using namespace closed_forms;
   const double s = std::sin(50 * pi / 180), c = std::cos(50 * pi / 180);
   const dvec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
@@ -46,10 +46,10 @@ double spot_rounding(double shift) {
   return 1e-5 + 5e-7 * shift;
 }
 
-carlo::Shape lit(carlo::Shape lamp, std::uint32_t material, carlo::Rgb radiance) {
-  lamp.material = material;
-  lamp.radiance = radiance;
-  return lamp;
+carlo::Shape lit(carlo::Shape light, std::uint32_t material, carlo::Rgb radiance) {
+  light.material = material;
+  light.radiance = radiance;
+  return light;
 }
 
 }  // namespace proving

@@ -6,8 +6,8 @@
 
 namespace proving {
 
-/// A lamp above the origin and its irradiance on a surface there with normal +y.
-struct Lamp {
+/// A light above the origin and its irradiance on a surface there with normal +y.
+struct Light {
   const char* name;
   carlo::Shape shape;  ///< radiance 1
   double irradiance;
@@ -15,10 +15,10 @@ struct Lamp {
 
 /// A ball, disks, rectangles, triangles; about one unit from the origin. See spots.cpp for the
 /// closed forms.
-std::vector<Lamp> lamps();
+std::vector<Light> lights();
 
 /// Sees a spot at the origin, 7e-5 to either side: within it irradiance is constant up to 1e-8. The
-/// line of sight comes from (.6, .5, .3) and is clear of all lamps().
+/// line of sight comes from (.6, .5, .3) and is clear of all lights().
 carlo::Camera spot_camera();
 
 /// The possible relative effect of float coordinates on the radiance of a spot: moved by `shift`
@@ -26,6 +26,6 @@ carlo::Camera spot_camera();
 double spot_rounding(double shift);
 
 /// As in the finish, but with a given radiance: different in strength and colour.
-carlo::Shape lit(carlo::Shape lamp, std::uint32_t material, carlo::Rgb radiance);
+carlo::Shape lit(carlo::Shape light, std::uint32_t material, carlo::Rgb radiance);
 
 }  // namespace proving

@@ -115,7 +115,7 @@ def linear_exr(scene, spec):
 
 
 def processor_seconds(scene, samples):
-    """Cycles' very first sample goes through the pixel's centre, which at 64 samples makes the lamp of
+    """Cycles' very first sample goes through the pixel's centre, which at 64 samples makes the light of
     the Cornell box too dark by .1 % of the image; a later block of the sequence is equally even."""
     scene.render.threads_mode, scene.render.threads = "FIXED", 1
     scene.cycles.samples = scene.cycles.sample_offset = samples

@@ -1,4 +1,4 @@
-// Paths from lamps, weighted against those from the camera, agree with the scalar path tracer: on
+// Light paths, weighted against those from the camera, agree with the scalar path tracer: on
 // every tile and in the mean of every scene that the vector kernel supports. The error comes from
 // the spread between 16 seeds, so that a path that reaches several pixels counts correctly. A
 // tile's channel is outside 7 of these standard errors with probability 4e-6 (Student's t, 15
@@ -118,7 +118,7 @@ Largest compare(const tiles::Estimate& oracle, const Spread& both) {
 
 }  // namespace
 
-TEST_CASE("Paths from lamps agree with the scalar integrator", "[.scalar]") {
+TEST_CASE("Light paths agree with the scalar integrator", "[.scalar]") {
   const std::vector<lane_scenes::Named> scenes = lane_scenes::all();
   REQUIRE(scenes.size() >= 21);
   for (const auto& [name, whole_scene] : scenes) {
@@ -142,25 +142,25 @@ TEST_CASE("Paths from lamps agree with the scalar integrator", "[.scalar]") {
   }
 }
 
-// Rounds with few pixels left trace few paths from lamps, weighted accordingly.
-TEST_CASE("Paths from lamps agree in adaptive renders, and are about as many as from the camera") {
+// Rounds with few pixels left trace few light paths, weighted accordingly.
+TEST_CASE("Light paths agree in adaptive renders, and are about as many as from the camera") {
   for (const char* name : {"caustics", "cornell_phong"}) {
     const Scene full = lab_scenes::load(name);
     Counts counts;
     const Spread both = spread(small(full, SamplerKind::sobol), counts, 0.1);
     const auto [worst, whole] = compare(oracle::of({name, full}), both);
     INFO(name << ": worst tile " << worst << ", image " << whole << "; " << counts.paths
-              << " paths, " << counts.lamp_paths << " from lamps");
+              << " paths, " << counts.light_paths << " from lights");
     CHECK(worst <= 7);
     CHECK(whole <= 4);
-    CHECK(counts.lamp_paths > counts.paths / 2);
-    CHECK(counts.lamp_paths < 2 * counts.paths);
+    CHECK(counts.light_paths > counts.paths / 2);
+    CHECK(counts.light_paths < 2 * counts.paths);
   }
 }
 
 // No ray meets a point light, so a path from the camera that a mirror reflects never sees it. The
 // floor is lit by the point and by its image behind the mirror.
-TEST_CASE("Paths from lamps find what a mirror sends on from a point") {
+TEST_CASE("Light paths find what a mirror sends on from a point") {
   Scene scene;
   scene.materials = {{Diffuse{Rgb(0.5f)}, true}, {Mirror{Rgb(0.9f)}, true}};
   scene.shapes.push_back({Parallelogram{{0, -50, 0}, {50, 0, 0}, {0, 100, 0}}, 0, Rgb(0)});
@@ -209,7 +209,7 @@ TEST_CASE("Paths from a point go everywhere, whatever is around") {
   }
 }
 
-TEST_CASE("With paths from lamps an image has the same bits for any number of threads") {
+TEST_CASE("With light paths an image has the same bits for any number of threads") {
   const Scene scene = small(lab_scenes::load("caustics"), SamplerKind::sobol);
   for (const std::optional<double> target : {std::optional<double>{}, std::optional<double>{0.3}}) {
     const Image one = render_both(scene, 1, 1, target).film.mean();
@@ -220,16 +220,16 @@ TEST_CASE("With paths from lamps an image has the same bits for any number of th
   }
 }
 
-TEST_CASE("Paths from lamps are refused where only the scalar kernel renders") {
+TEST_CASE("Light paths are refused where only the scalar kernel renders") {
   Scene scene = lab_scenes::load("caustics");
   scene.sampler = SamplerKind::stratified;
   CHECK_THROWS_AS(render_both(scene, 1, 1), Error);
 }
 
 // A path from the camera finds almost nothing of what is lit through a slit: a pilot that did not
-// choose paths from lamps there, or chose them where light sampling finds all light, would be
+// choose light paths there, or chose them where light sampling finds all light, would be
 // useless. Answers may differ between seeds; most of ten must be right.
-TEST_CASE("A pilot chooses paths from lamps where they pay") {
+TEST_CASE("A pilot chooses light paths where they pay") {
   const auto chosen = [](const char* name) {
     int count = 0;
     Scene scene = lab_scenes::load(name);
@@ -237,7 +237,7 @@ TEST_CASE("A pilot chooses paths from lamps where they pay") {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
       const auto integrator = renderer::make_path_integrator(
           scene, {.seed = seed, .technique = renderer::Technique::automatic});
-      count += integrator->lamp_paths() > 0 ? 1 : 0;
+      count += integrator->light_paths() > 0 ? 1 : 0;
     }
     return count;
   };

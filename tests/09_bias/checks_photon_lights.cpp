@@ -1,4 +1,4 @@
-// Checks of exercise 9.4: which lamp photons leave, and where they land.
+// Checks of exercise 9.4: which light photons leave, and where they land.
 
 #include "09_bias/photon_checks.h"
 
@@ -17,29 +17,29 @@ using namespace carlo::grader;
 namespace {
 
 const Diagnosis not_divided{"chance-not-divided",
-                            "the lamp was chosen with a chance: the flux is to be divided by it."};
-const Diagnosis multiplied{"chance-multiplied", "divide by the lamp's chance, do not multiply."};
-const Diagnosis evenly{"lamps-chosen-evenly",
-                       "all lamps have the same chance: half of the time world.choose() goes by "
+                            "the light was chosen with a chance: the flux is to be divided by it."};
+const Diagnosis multiplied{"chance-multiplied", "divide by the light's chance, do not multiply."};
+const Diagnosis evenly{"lights-chosen-evenly",
+                       "all lights have the same chance: half of the time world.choose() goes by "
                        "their powers."};
-const Diagnosis never_chosen{"lamp-never-chosen", "a lamp is never chosen."};
-const Diagnosis by_power{"lamps-chosen-by-power-alone",
-                         "lamps are chosen by their powers alone, and a weak one beside a strong "
-                         "one has no photons: world.choose() leaves every lamp a chance."};
+const Diagnosis never_chosen{"light-never-chosen", "a light is never chosen."};
+const Diagnosis by_power{"lights-chosen-by-power-alone",
+                         "lights are chosen by their powers alone, and a weak one beside a strong "
+                         "one has no photons: world.choose() leaves every light a chance."};
 
-using Lamps = std::span<const ColouredLamp>;
+using Lights = std::span<const ColouredLight>;
 
-PhotonVec power_of(const ColouredLamp& lamp) {
-  const auto side = static_cast<double>(lamp.side);
-  return std::numbers::pi * side * side * PhotonVec(lamp.radiance);
+PhotonVec power_of(const ColouredLight& light) {
+  const auto side = static_cast<double>(light.side);
+  return std::numbers::pi * side * side * PhotonVec(light.radiance);
 }
 
-/// Each lamp's fraction of the total power, by luminance.
-std::vector<double> shares_by_power(Lamps lamps) {
+/// Each light's fraction of the total power, by luminance.
+std::vector<double> shares_by_power(Lights lights) {
   std::vector<double> shares;
   double all = 0;
-  for (const ColouredLamp& lamp : lamps) {
-    shares.push_back(glm::dot(power_of(lamp), PhotonVec(0.2126, 0.7152, 0.0722)));
+  for (const ColouredLight& light : lights) {
+    shares.push_back(glm::dot(power_of(light), PhotonVec(0.2126, 0.7152, 0.0722)));
     all += shares.back();
   }
   for (double& share : shares)
@@ -48,10 +48,10 @@ std::vector<double> shares_by_power(Lamps lamps) {
 }
 
 /// World::choose()'s probabilities.
-std::vector<double> chances_of(Lamps lamps) {
-  std::vector<double> chances = shares_by_power(lamps);
+std::vector<double> chances_of(Lights lights) {
+  std::vector<double> chances = shares_by_power(lights);
   for (double& chance : chances)
-    chance = (chance + 1 / static_cast<double>(lamps.size())) / 2;
+    chance = (chance + 1 / static_cast<double>(lights.size())) / 2;
   return chances;
 }
 
@@ -63,19 +63,19 @@ bool look_like(const std::vector<double>& measured, const std::vector<double>& e
   return most < 0.03;
 }
 
-/// The lamp that each of many photons left, and the flux that they carry.
+/// The light that each of many photons left, and the flux that they carry.
 struct Emitted {
   static constexpr std::size_t photons = 20'000;
   std::vector<double> shares;
   std::vector<std::vector<PhotonVec>> flux;
 
-  Emitted(Lamps lamps, bool weak) : shares(lamps.size()), flux(lamps.size()) {
-    const Rows rows = probe("Lab 9.4 lamps", {.n = photons, .numbers = {{"weak", weak ? 1 : 0}}},
+  Emitted(Lights lights, bool weak) : shares(lights.size()), flux(lights.size()) {
+    const Rows rows = probe("Lab 9.4 lights", {.n = photons, .numbers = {{"weak", weak ? 1 : 0}}},
                             {.rows = photons, .columns = 4});
     for (std::size_t i = 0; i < photons; ++i) {
-      const double lamp =
-          std::clamp(rows.at(i, 0) / lamp_step, 0.0, static_cast<double>(lamps.size() - 1));
-      const auto index = static_cast<std::size_t>(lamp);
+      const double light =
+          std::clamp(rows.at(i, 0) / light_step, 0.0, static_cast<double>(lights.size() - 1));
+      const auto index = static_cast<std::size_t>(light);
       shares[index] += 1.0 / photons;
       flux[index].push_back(vec(rows, i, 1));
     }
@@ -85,11 +85,11 @@ struct Emitted {
 std::vector<Diagnosis> of_shares(const std::vector<double>& measured) {
   if (std::find(measured.begin(), measured.end(), 0) != measured.end()) return {never_chosen};
   if (look_like(measured, {1 / 3.0, 1 / 3.0, 1 / 3.0})) return {evenly};
-  if (look_like(measured, shares_by_power(coloured_lamps))) return {by_power};
+  if (look_like(measured, shares_by_power(coloured_lights))) return {by_power};
   return {};
 }
 
-/// Returns true if lamps are chosen correctly.
+/// Returns true if lights are chosen correctly.
 bool judge_shares(const std::string& what, const Emitted& emitted,
                   const std::vector<double>& chances, const std::vector<Diagnosis>& diagnoses) {
   double statistic = 0;
@@ -106,11 +106,11 @@ bool judge_shares(const std::string& what, const Emitted& emitted,
   return passed;
 }
 
-void judge_fluxes(const std::string& of, Lamps lamps, const Emitted& emitted) {
-  const std::vector<double> chances = chances_of(lamps);
-  for (std::size_t i = 0; i < lamps.size(); ++i) {
-    const PhotonVec power = power_of(lamps[i]);
-    judge_flux(fmt::format("the flux of a photon of lamp {} of {}", i + 1, of), emitted.flux[i],
+void judge_fluxes(const std::string& of, Lights lights, const Emitted& emitted) {
+  const std::vector<double> chances = chances_of(lights);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const PhotonVec power = power_of(lights[i]);
+    judge_flux(fmt::format("the flux of a photon of light {} of {}", i + 1, of), emitted.flux[i],
                power / chances[i], {{power, not_divided}, {power * chances[i], multiplied}});
   }
 }
@@ -118,20 +118,20 @@ void judge_fluxes(const std::string& of, Lamps lamps, const Emitted& emitted) {
 }  // namespace
 
 // 20 000 photons detect probabilities that are off by a fiftieth with power .999.
-TEST_CASE("Lab 9.4: lamps half by their powers, half evenly", "[lab09][ex4]") {
-  const Emitted emitted(coloured_lamps, false);
-  if (judge_shares("how often each of three lamps is chosen", emitted, chances_of(coloured_lamps),
+TEST_CASE("Lab 9.4: lights half by their powers, half evenly", "[lab09][ex4]") {
+  const Emitted emitted(coloured_lights, false);
+  if (judge_shares("how often each of three lights is chosen", emitted, chances_of(coloured_lights),
                    of_shares(emitted.shares)))
-    judge_fluxes("three", coloured_lamps, emitted);
+    judge_fluxes("three", coloured_lights, emitted);
 }
 
-// Without its photons the weak lamp's surroundings would be dark, whatever the error bar says.
-TEST_CASE("Lab 9.4: a weak lamp beside a strong one has its photons", "[lab09][ex4]") {
+// Without its photons the weak light's surroundings would be dark, whatever the error bar says.
+TEST_CASE("Lab 9.4: a weak light beside a strong one has its photons", "[lab09][ex4]") {
   const Emitted emitted(weak_and_strong, true);
   std::vector<Diagnosis> diagnoses;
   if (!look_like(emitted.shares, chances_of(weak_and_strong)))
-    diagnoses = of_shares(Emitted(coloured_lamps, false).shares);
-  if (judge_shares("how often a weak lamp and a strong one are chosen", emitted,
+    diagnoses = of_shares(Emitted(coloured_lights, false).shares);
+  if (judge_shares("how often a weak light and a strong one are chosen", emitted,
                    chances_of(weak_and_strong), diagnoses))
     judge_fluxes("two", weak_and_strong, emitted);
 }
@@ -147,7 +147,7 @@ double corner_angle(double x, double y) {
 Rows land(bool square, std::size_t photons) {
   return probe("Lab 9.4 landing",
                {.n = static_cast<std::int64_t>(photons), .numbers = {{"square", square ? 1 : 0}}},
-               {.rows = photons, .columns = 3, .of = square ? "a square lamp" : "a point lamp"});
+               {.rows = photons, .columns = 3, .of = square ? "a square light" : "a point light"});
 }
 
 /// Cells of side 1/4 of the square from (-1, -1) to (1, 1), and a last one for everything else.
@@ -160,7 +160,7 @@ std::size_t cell_of(double x, double y) {
                 : cells_across * cells_across;
 }
 
-/// The fraction of a point lamp's photons in each cell: its fraction of the solid angle.
+/// The fraction of a point light's photons in each cell: its fraction of the solid angle.
 std::vector<double> shares_below() {
   std::vector<double> shares;
   double rest = 1;
@@ -179,7 +179,7 @@ std::vector<double> shares_below() {
 
 }  // namespace
 
-TEST_CASE("Lab 9.4: the irradiance under a point lamp", "[lab09][ex4]") {
+TEST_CASE("Lab 9.4: the irradiance under a point light", "[lab09][ex4]") {
   constexpr std::size_t photons = 40'000;
   const Rows rows = land(false, photons);
   std::vector<double> expected = shares_below(), counts(expected.size());
@@ -192,14 +192,14 @@ TEST_CASE("Lab 9.4: the irradiance under a point lamp", "[lab09][ex4]") {
     statistic += difference * difference / expected[cell];
   }
   const auto freedom = static_cast<double>(counts.size() - 1);
-  Verdict verdict = chi_square_fits("photons under a point lamp, as I cos/d^2", statistic, freedom,
+  Verdict verdict = chi_square_fits("photons under a point light, as I cos/d^2", statistic, freedom,
                                     " over 65 cells");
   verdict.effect = effect_on_cells(statistic, freedom, photons);
   if (!verdict.passed) verdict.figure = counts_figure({}, counts, expected);
   judge(verdict);
 }
 
-TEST_CASE("Lab 9.4: the irradiance under a square lamp", "[lab09][ex4]") {
+TEST_CASE("Lab 9.4: the irradiance under a square light", "[lab09][ex4]") {
   // The view factor of two unit squares at distance 1.
   const double root = std::sqrt(2.0);
   const double share =
@@ -212,7 +212,7 @@ TEST_CASE("Lab 9.4: the irradiance under a square lamp", "[lab09][ex4]") {
     const bool below = std::abs(rows.at(i, 0)) < 0.5 && std::abs(rows.at(i, 1)) < 0.5;
     met.push_back(below && rows.at(i, 2) == 1 ? 1 : 0);
   }
-  judge(mean_is("the share of a square lamp's photons on the square below", met,
+  judge(mean_is("the share of a square light's photons on the square below", met,
                 {share, std::sqrt(share * (1 - share))}));
 }
 

@@ -1,11 +1,11 @@
-// Paths from lamps, joined to the camera at their vertices (lane_kernel.h, LampJob). Included once
+// Light paths, joined to the camera at their vertices (lane_kernel.h, LightPathJob). Included once
 // for each instruction set.
 
-#if defined(CARLO_LAMP_PATHS_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef CARLO_LAMP_PATHS_INL
-#undef CARLO_LAMP_PATHS_INL
+#if defined(CARLO_LIGHT_PATHS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef CARLO_LIGHT_PATHS_INL
+#undef CARLO_LIGHT_PATHS_INL
 #else
-#define CARLO_LAMP_PATHS_INL
+#define CARLO_LIGHT_PATHS_INL
 #endif
 
 #include "random/hash.h"
@@ -31,13 +31,13 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// Traces paths from lamps: `rival` is how much denser the techniques from the camera are, `pdf`
-/// the cosine at the lamp, below 0 for points, and `compressed` the largest channel that beta
+/// Traces light paths: `rival` is how much denser the techniques from the camera are, `pdf`
+/// the cosine at the light, below 0 for points, and `compressed` the largest channel that beta
 /// started with.
 template <class Needs>
-class LampWalk : Steps<Needs> {
+class LightPathWalk : Steps<Needs> {
  public:
-  HWY_INLINE LampWalk(const LampJob& job, carlo::Splats& splats, carlo::Counts& counts)
+  HWY_INLINE LightPathWalk(const LightPathJob& job, carlo::Splats& splats, carlo::Counts& counts)
       : Steps<Needs>(job.whole, counts), splats_(splats), scale_(1 / job.unit) {
     const carlo::Camera& c = job_.camera;
     eye_ = set(c.origin.x, c.origin.y, c.origin.z);
@@ -139,16 +139,16 @@ class LampWalk : Steps<Needs> {
   /// The density with which light sampling at a path's first vertex draws the path's start: per
   /// solid angle, or for a point light times distance^2.
   HWY_INLINE V by_light_sampling(const Paths& paths, const Spots& spots, V t, M point) const {
-    const U lamp = hn::IfThenZeroElse(hn::RebindMask(du_, hn::Or(point, is_nowhere(paths.from))),
-                                      paths.from.last);
-    const Numbers at_lamp(lamp, s_.surfaces);
-    V density = at_lamp(s_.light_density.data());
+    const U light = hn::IfThenZeroElse(hn::RebindMask(du_, hn::Or(point, is_nowhere(paths.from))),
+                                       paths.from.last);
+    const Numbers at_surface(light, s_.surfaces);
+    V density = at_surface(s_.light_density.data());
     if (Needs::full && s_.any_mesh_light) {
       const M first = hn::And(paths.alive, same(paths.depth, set_word(1)));
-      const M on_mesh = hn::AndNot(point, hn::And(first, is_from(s_.first_mesh, lamp)));
-      density = mesh_density(s_, spots.p, spots.n, lamp, paths.triangle, on_mesh, density);
+      const M on_mesh = hn::AndNot(point, hn::And(first, is_from(s_.first_mesh, light)));
+      density = mesh_density(s_, spots.p, spots.n, light, paths.triangle, on_mesh, density);
     }
-    V pdf = light_pdf<Needs::full>(s_, at_lamp, lamp, density, spots.p, t, paths.pdf);
+    V pdf = light_pdf<Needs::full>(s_, at_surface, light, density, spots.p, t, paths.pdf);
     if (Needs::full && s_.point_lights()) pdf = select(point, hn::Mul(t, t), pdf);
     if (s_.lights == 1) return pdf;
     alignas(64) Weights weights;
@@ -159,8 +159,8 @@ class LampWalk : Steps<Needs> {
   /// LaneScene::emission or point_emission.
   HWY_INLINE V emission_of(const Paths& paths, M point) const {
     const Numbers at_light(paths.light, s_.lights);
-    const Numbers at_lamp(at_light(s_.light_surface.data()), s_.surfaces);
-    const V emission = at_lamp(s_.emission.data());
+    const Numbers at_surface(at_light(s_.light_surface.data()), s_.surfaces);
+    const V emission = at_surface(s_.emission.data());
     if (!(Needs::full && s_.point_lights())) return emission;
     return select(point, at_light(s_.point_emission.data()), emission);
   }
@@ -198,7 +198,7 @@ class LampWalk : Steps<Needs> {
     const V from_camera =
         hn::Mul(hn::Mul(by_camera, cosine_by_area), rival(rivals, surface, cosine, bsdf.pdf));
     const V per_pixel =
-        hn::Mul(by_camera, set(job_.choices.lamp_paths * static_cast<float>(job_.width) *
+        hn::Mul(by_camera, set(job_.choices.light_paths * static_cast<float>(job_.width) *
                                static_cast<float>(job_.height)));
     const V weight = hn::Mul(hn::Mul(per_pixel, cosine_by_area), this->weigh(from_camera));
     vertex.direct = weight * (paths.beta * bsdf.f);
@@ -232,7 +232,7 @@ class LampWalk : Steps<Needs> {
   }
 
   /// Rounds to whole units, up as often as the fraction demands (`up` is uniform in [0, 1)). Next
-  /// to a lamp 1e12 times as bright, the contribution of a weak one may be less than a unit and
+  /// to a light 1e12 times as bright, the contribution of a weak one may be less than a unit and
   /// must not be lost.
   std::int64_t units(float value, double up) const {
     const double x = static_cast<double>(value) * scale_;
@@ -249,45 +249,45 @@ class LampWalk : Steps<Needs> {
   V3 eye_, forward_, right_, up_;
 };
 
-/// Starts a path at a point of the lamps in each of these lanes, which have none.
+/// Starts a path at a point of the lights in each of these lanes, which have none.
 template <class Needs>
-HWY_INLINE void start_at_lamps(const LampJob& job, U index, U key, M starts, Paths& paths) {
+HWY_INLINE void start_light_paths(const LightPathJob& job, U index, U key, M starts, Paths& paths) {
   const LaneScene& s = job.whole.scene;
   const U reversed = reverse_bits(index), k = mix(key);
   const V2 u = points(job.whole, reversed, k), v = points(job.whole, reversed, second_word(k));
-  const LightPoints lamp = sample_lamp<Needs::full>(s, u);
-  // A scene without lamps has only the image around it, where no path starts.
-  if (Needs::full && s.sky) starts = hn::AndNot(lamp.beyond, starts);
+  const LightPoints light = sample_start<Needs::full>(s, u);
+  // A scene without lights has only the image around it, where no path starts.
+  if (Needs::full && s.sky) starts = hn::AndNot(light.beyond, starts);
   // Cosine-distributed about the normal, or uniform.
   const SinCos azimuth = turn(v.y);
-  const V z = select(lamp.point, neg_mul_add(v.x, set(2), set(1)), hn::Sqrt(hn::Sub(set(1), v.x)));
-  const V r = hn::Sqrt(select(lamp.point, hn::Max(neg_mul_add(z, z, set(1)), set(0)), v.x));
+  const V z = select(light.point, neg_mul_add(v.x, set(2), set(1)), hn::Sqrt(hn::Sub(set(1), v.x)));
+  const V r = hn::Sqrt(select(light.point, hn::Max(neg_mul_add(z, z, set(1)), set(0)), v.x));
   // A point light has no normal: any axis will do.
-  const V3 axis = select(lamp.point, set(0, 0, 1), lamp.n);
+  const V3 axis = select(light.point, set(0, 0, 1), light.n);
   const V3 d = to_world(frame_about(axis), hn::Mul(r, azimuth.cos), hn::Mul(r, azimuth.sin), z);
-  const V3 beta = hn::Div(set(1), lamp.emission) * lamp.Le;
+  const V3 beta = hn::Div(set(1), light.emission) * light.Le;
   const V3 clear =
       Needs::full && s.searched()
-          ? select(lamp.point, lamp.p, off_surface(lamp.p, lamp.error, lamp.n, set(0, 0, 0)))
-          : lamp.p;
-  const U last = hn::IfThenElse(hn::RebindMask(du_, lamp.point), set_word(nothing), lamp.surface);
+          ? select(light.point, light.p, off_surface(light.p, light.error, light.n, set(0, 0, 0)))
+          : light.p;
+  const U last = hn::IfThenElse(hn::RebindMask(du_, light.point), set_word(nothing), light.surface);
   const auto starts_u = hn::RebindMask(du_, starts);
-  paths.from.o = select(starts, lamp.p, paths.from.o);
+  paths.from.o = select(starts, light.p, paths.from.o);
   paths.from.came =
-      select(starts, hn::IfThenElse(lamp.point, set(0), set(-1)) * lamp.n, paths.from.came);
+      select(starts, hn::IfThenElse(light.point, set(0), set(-1)) * light.n, paths.from.came);
   paths.from.last = hn::IfThenElse(starts_u, last, paths.from.last);
-  paths.from.plane = hn::IfThenElse(starts_u, lamp.plane, paths.from.plane);
+  paths.from.plane = hn::IfThenElse(starts_u, light.plane, paths.from.plane);
   paths.from.through = hn::AndNot(starts, paths.from.through);
   paths.from.clear = select(starts, clear, paths.from.clear);
   paths.d = select(starts, d, paths.d);
   paths.beta = select(starts, beta, paths.beta);
   paths.brought = hn::IfThenZeroElse(starts, paths.brought);
   paths.compressed = select(starts, max_element(beta), paths.compressed);
-  paths.pdf = select(starts, select(lamp.point, set(-1), z), paths.pdf);
+  paths.pdf = select(starts, select(light.point, set(-1), z), paths.pdf);
   paths.rival =
-      select(starts, hn::IfThenZeroElse(lamp.point, hn::Div(set(1), lamp.emission)), paths.rival);
-  paths.light = hn::IfThenElse(starts_u, lamp.light, paths.light);
-  paths.triangle = hn::IfThenElse(starts_u, lamp.triangle, paths.triangle);
+      select(starts, hn::IfThenZeroElse(light.point, hn::Div(set(1), light.emission)), paths.rival);
+  paths.light = hn::IfThenElse(starts_u, light.light, paths.light);
+  paths.triangle = hn::IfThenElse(starts_u, light.triangle, paths.triangle);
   paths.depth = hn::IfThenElse(starts_u, set_word(0), paths.depth);
   paths.key = hn::IfThenElse(starts_u, hn::Add(key, set_word(key_step)), paths.key);
   paths.reversed_index = hn::IfThenElse(starts_u, reversed, paths.reversed_index);
@@ -326,10 +326,11 @@ class Ties {
   std::vector<float> ties_;
 };
 
-/// trace_lamps(). Refills lanes when a quarter of them are free.
+/// trace_light_paths(). Refills lanes when a quarter of them are free.
 template <class Needs>
-HWY_ATTR void run_lamps(const LampJob& job, carlo::Splats& splats, carlo::Counts& counts) {
-  const LampWalk<Needs> walk(job, splats, counts);
+HWY_ATTR void run_light_paths(const LightPathJob& job, carlo::Splats& splats,
+                              carlo::Counts& counts) {
+  const LightPathWalk<Needs> walk(job, splats, counts);
   constexpr std::size_t most = Needs::full ? batch : 1;
   const std::size_t registers = Needs::full && !job.whole.scene.sdfs.empty() ? most : 1;
   auto paths = zeros<std::array<Paths, most>>();
@@ -355,9 +356,9 @@ HWY_ATTR void run_lamps(const LampJob& job, carlo::Splats& splats, carlo::Counts
         paths[w].number = hn::IfThenElse(hn::RebindMask(du_, starts),
                                          hn::Add(place, set_word(started)), paths[w].number);
         paths[w].ties = hn::IfThenZeroElse(starts, paths[w].ties);
-        start_at_lamps<Needs>(job, index, set_word(key), starts, paths[w]);
+        start_light_paths<Needs>(job, index, set_word(key), starts, paths[w]);
         next += taken;
-        counts.lamp_paths += taken;
+        counts.light_paths += taken;
       }
       alive = alive || !hn::AllFalse(d_, paths[w].alive);
     }
@@ -370,11 +371,11 @@ HWY_ATTR void run_lamps(const LampJob& job, carlo::Splats& splats, carlo::Counts
   }
   for (std::size_t w = 0; w < registers; ++w)
     ties.keep(paths[w], hn::FirstN(d_, lanes));
-  counts.lamp_ties += 2 * ties.sum() * walk.tie_unit();
+  counts.light_path_ties += 2 * ties.sum() * walk.tie_unit();
 }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace renderer
 HWY_AFTER_NAMESPACE();
 
-#endif  // CARLO_LAMP_PATHS_INL
+#endif  // CARLO_LIGHT_PATHS_INL

@@ -48,7 +48,7 @@ std::vector<Surface> surfaces() {
 /// The sky, with the data that the techniques need.
 struct Lit {
   std::vector<double> luminances = sky();
-  ImageLamp lamp = {luminances, width, height};
+  ImageLight light = {luminances, width, height};
 
   double radiance(Vec3 w) const {
     const Point p = place_of(w);
@@ -102,7 +102,7 @@ double by_cosine(const Lit& lit, const Frame& frame, carlo::Rng& rng) {
 }
 
 double by_image(const Lit& lit, const Frame& frame, carlo::Rng& rng) {
-  const auto [wi, pdf] = lit.lamp.sample(two(rng));
+  const auto [wi, pdf] = lit.light.sample(two(rng));
   const double cosine = cosine_with(frame, wi);
   return cosine > 0 ? lit.radiance(wi) * cosine / static_cast<double>(pdf) : 0;
 }
@@ -111,9 +111,9 @@ double by_image(const Lit& lit, const Frame& frame, carlo::Rng& rng) {
 double by_both(const Lit& lit, const Frame& frame, carlo::Rng& rng) {
   const bool image = rng.uniform_float() < 0.5f;
   const Vec3 wi =
-      image ? lit.lamp.sample(two(rng)).wi : frame.to_world(sample_cosine_hemisphere(two(rng)));
+      image ? lit.light.sample(two(rng)).wi : frame.to_world(sample_cosine_hemisphere(two(rng)));
   const double cosine = cosine_with(frame, wi);
-  const double pdf = (static_cast<double>(lit.lamp.pdf(wi)) + cosine / carlo::pi) / 2;
+  const double pdf = (static_cast<double>(lit.light.pdf(wi)) + cosine / carlo::pi) / 2;
   return over(lit.radiance(wi) * cosine, pdf);
 }
 
@@ -148,7 +148,7 @@ std::string pictures(const Lit& lit, carlo::Rng rng) {
   constexpr int drawn = 4096;
   std::vector<double> counts(width * height);
   for (int i = 0; i < drawn; ++i) {
-    const Point p = place_of(lit.lamp.sample(two(rng)).wi);
+    const Point p = place_of(lit.light.sample(two(rng)).wi);
     counts[static_cast<std::size_t>(p.y * height) * width +
            static_cast<std::size_t>(p.x * width)] += 1;
   }
@@ -165,8 +165,8 @@ std::string pictures(const Lit& lit, carlo::Rng rng) {
 
 }  // namespace
 
-void lamp_experiment(Notebook& notebook) {
-  notebook.begin("An image as a lamp");
+void light_experiment(Notebook& notebook) {
+  notebook.begin("An image as a light");
   notebook.attempt([&] {
     const Lit lit;
     notebook.say(
@@ -200,7 +200,7 @@ void lamp_experiment(Notebook& notebook) {
       }
       notebook.charts(carlo::error_charts(surface.name, "relative RMS error", curves));
     }
-    notebook.table("lamp", table, "The irradiance of three surfaces under the sky");
+    notebook.table("light", table, "The irradiance of three surfaces under the sky");
   });
 }
 

@@ -7,18 +7,18 @@
 
 namespace lab09 {
 
-/// A round lamp at height 1 that faces up, below a mirror and over a floor. Its power is pi,
+/// A round light at height 1 that faces up, below a mirror and over a floor. Its power is pi,
 /// however small it is. The floor sees it only in the mirror, and photons arrive only by way of the
 /// mirror.
-struct MirroredLamp {
+struct MirroredLight {
   static constexpr double reflectance = 0.9, albedo = 0.5;
-  static constexpr double image_height = 1.6;  ///< of the lamp's mirror image
-  static constexpr double away = 0.5;          ///< of three points, from the foot of the lamp
+  static constexpr double image_height = 1.6;  ///< of the light's mirror image
+  static constexpr double away = 0.5;          ///< of three points, from the foot of the light
 
   /// At most .1: a larger one would hide part of its image from the points.
-  explicit MirroredLamp(double radius_) : radius(radius_), world(scene()) {}
+  explicit MirroredLight(double radius_) : radius(radius_), world(scene()) {}
 
-  /// The radiance of the floor at the points, due to the lamp's mirror image alone.
+  /// The radiance of the floor at the points, due to the light's mirror image alone.
   double exact() const {
     const double a2 = radius * radius, s = away * away + image_height * image_height;
     const double root = std::sqrt((s + a2) * (s + a2) - 4 * a2 * away * away);

@@ -1,4 +1,4 @@
-#include "scene/duplicate_lamps.h"
+#include "scene/duplicate_lights.h"
 
 #include "scene/duplicate_faces.h"
 #include "scene/repeats.h"
@@ -28,7 +28,7 @@ double largest(Vec3d p) {
   return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
 }
 
-/// A point that identical lamps share, and its possible rounding error.
+/// A point that identical lights share, and its possible rounding error.
 struct Middle {
   Vec3d point;
   double error;
@@ -48,7 +48,7 @@ struct MiddleOf {
     return {center, rounding * (largest(center) + static_cast<double>(s.radius))};
   }
   Middle operator()(const Mesh&) const { return {}; }  // compared by its triangles
-  Middle operator()(const Sdf&) const { return {}; }   // no lamp
+  Middle operator()(const Sdf&) const { return {}; }   // no light
 };
 
 bool near(Vec3d a, Vec3d b, double error) {
@@ -83,20 +83,20 @@ struct SamePlace {
            near(Vec3d(a.normal), Vec3d(b.normal), 2 * rounding);
   }
   bool operator()(const Mesh&, const Mesh&) const { return false; }  // compared by their triangles
-  bool operator()(const Sdf&, const Sdf&) const { return false; }    // no lamps
+  bool operator()(const Sdf&, const Sdf&) const { return false; }    // no lights
   template <class A, class B>
   requires(!std::is_same_v<A, B>) bool operator()(const A&, const B&) const { return false; }
 };
 
-class DuplicateLamps {
+class DuplicateLights {
  public:
-  DuplicateLamps(Scene& scene, Position at) : scene_(scene), at_(at) {}
+  DuplicateLights(Scene& scene, Position at) : scene_(scene), at_(at) {}
 
   void leave_out() {
-    find_lamps();
+    find_lights();
     find_triangles();
-    if (shapes_ > 0) note(shapes_, "lamps");
-    if (triangles_ > 0) note(triangles_, "triangles of lamps");
+    if (shapes_ > 0) note(shapes_, "lights");
+    if (triangles_ > 0) note(triangles_, "triangles of lights");
     if (shapes_ + triangles_ > 0) remove();
   }
 
@@ -106,29 +106,29 @@ class DuplicateLamps {
         fmt::format("{} {} left out that lie where others lie, facing the same way", count, what));
   }
 
-  /// All but meshes. Sorted along a line that few planes of lamps are perpendicular to, only
+  /// All but meshes. Sorted along a line that few planes of lights are perpendicular to, only
   /// neighbours can coincide.
-  void find_lamps() {
+  void find_lights() {
     gone_.resize(scene_.shapes.size());
-    struct Lamp {
+    struct Light {
       double along, error;
       std::size_t shape;
     };
-    std::vector<Lamp> lamps;
+    std::vector<Light> lights;
     const Vec3d line(.36, .48, .8);
     for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
       const Shape& shape = scene_.shapes[i];
       if (!shape.emits() || std::holds_alternative<Mesh>(shape.geometry)) continue;
       const Middle middle = std::visit(MiddleOf{}, shape.geometry);
-      lamps.push_back({glm::dot(line, middle.point), middle.error, i});
+      lights.push_back({glm::dot(line, middle.point), middle.error, i});
     }
-    std::sort(lamps.begin(), lamps.end(),
-              [](const Lamp& a, const Lamp& b) { return a.along < b.along; });
-    for (std::size_t i = 0; i < lamps.size(); ++i) {
-      for (std::size_t k = i + 1; k < lamps.size(); ++k) {
-        const double error = std::max(lamps[i].error, lamps[k].error);
-        if (lamps[k].along - lamps[i].along > 2 * lamps[i].error) break;
-        const auto [first, second] = std::minmax(lamps[i].shape, lamps[k].shape);
+    std::sort(lights.begin(), lights.end(),
+              [](const Light& a, const Light& b) { return a.along < b.along; });
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+      for (std::size_t k = i + 1; k < lights.size(); ++k) {
+        const double error = std::max(lights[i].error, lights[k].error);
+        if (lights[k].along - lights[i].along > 2 * lights[i].error) break;
+        const auto [first, second] = std::minmax(lights[i].shape, lights[k].shape);
         if (!std::visit(SamePlace{error}, scene_.shapes[first].geometry,
                         scene_.shapes[second].geometry))
           continue;
@@ -139,14 +139,14 @@ class DuplicateLamps {
     }
   }
 
-  struct LampTriangle {
+  struct LightTriangle {
     std::size_t shape, triangle;
     Triangle corners;
   };
 
   /// Halves of parallelograms come before all others: those stay.
-  std::vector<LampTriangle> lamp_triangles() const {
-    std::vector<LampTriangle> out;
+  std::vector<LightTriangle> light_triangles() const {
+    std::vector<LightTriangle> out;
     for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
       const Shape& shape = scene_.shapes[i];
       const auto* p = std::get_if<Parallelogram>(&shape.geometry);
@@ -179,10 +179,10 @@ class DuplicateLamps {
 
   void find_triangles() {
     if (!may_share_triangles()) return;
-    const std::vector<LampTriangle> all = lamp_triangles();
+    const std::vector<LightTriangle> all = light_triangles();
     std::vector<std::uint64_t> keys;
     keys.reserve(all.size());
-    for (const LampTriangle& t : all)
+    for (const LightTriangle& t : all)
       keys.push_back(spread(key_of(t.corners[0]) + key_of(t.corners[1]) + key_of(t.corners[2])));
     find_repeats(
         keys,
@@ -207,7 +207,7 @@ class DuplicateLamps {
     const auto text = [](Rgb c) { return fmt::format("({:g}, {:g}, {:g})", c.r, c.g, c.b); };
     fail(
         at_,
-        "two lamps lie in one place, facing the same way, and differ in {}: shapes {} and {} of the "
+        "two lights lie in one place, facing the same way, and differ in {}: shapes {} and {} of the "
         "scene (cubes count sixfold), of radiances {} and {}",
         same_material ? "radiance" : "material", i + 1, k + 1, text(a.radiance), text(b.radiance));
   }
@@ -238,8 +238,8 @@ class DuplicateLamps {
 
 }  // namespace
 
-void leave_out_duplicate_lamps(Scene& scene, Position at) {
-  DuplicateLamps(scene, at).leave_out();
+void leave_out_duplicate_lights(Scene& scene, Position at) {
+  DuplicateLights(scene, at).leave_out();
 }
 
 }  // namespace carlo

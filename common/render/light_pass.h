@@ -10,16 +10,16 @@
 
 namespace carlo {
 
-/// The contribution of paths from lamps to all pixels of an image, in addition to some samples of
+/// The contribution of light paths to all pixels of an image, in addition to some samples of
 /// each: the part that Integrator::render() leaves to them. Nothing if there are no such paths.
-class LampPass {
+class LightPass {
  public:
   /// Traces the paths belonging to these samples of a stream, or about the share `share` of them,
   /// above 0 and at most 1, in the caller's task arena.
-  LampPass(const Integrator& integrator, std::size_t pixels, std::uint32_t stream,
-           std::uint32_t first_sample, std::uint32_t samples, double share = 1);
+  LightPass(const Integrator& integrator, std::size_t pixels, std::uint32_t stream,
+            std::uint32_t first_sample, std::uint32_t samples, double share = 1);
 
-  /// The share that was traced: Tile::lamp_share of the samples' tiles.
+  /// The share that was traced: Tile::light_path_share of the samples' tiles.
   double share() const { return share_; }
 
   const Counts& counts() const { return counts_; }

@@ -1,4 +1,4 @@
-#include "render/lamp_pass.h"
+#include "render/light_pass.h"
 
 #include "image/luminance.h"
 #include "numeric/compensated.h"
@@ -11,9 +11,9 @@
 
 namespace carlo {
 
-LampPass::LampPass(const Integrator& integrator, std::size_t pixels, std::uint32_t stream,
-                   std::uint32_t first_sample, std::uint32_t samples, double share) {
-  const std::uint64_t per_sample = integrator.lamp_paths() * pixels;
+LightPass::LightPass(const Integrator& integrator, std::size_t pixels, std::uint32_t stream,
+                     std::uint32_t first_sample, std::uint32_t samples, double share) {
+  const std::uint64_t per_sample = integrator.light_paths() * pixels;
   if (per_sample == 0) return;
   const std::uint64_t first = first_sample * per_sample, whole = samples * per_sample;
   const auto count = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(whole)));
@@ -27,19 +27,20 @@ LampPass::LampPass(const Integrator& integrator, std::size_t pixels, std::uint32
       [&](std::size_t part) {
         if (render_interrupted()) return;
         const std::uint64_t begin = part * at_once;
-        integrator.trace_lamps({first + begin, std::min(at_once, count - begin), stream, share_},
-                               *splats_, parts[part]);
+        integrator.trace_light_paths(
+            {first + begin, std::min(at_once, count - begin), stream, share_}, *splats_,
+            parts[part]);
       },
       tbb::simple_partitioner{});
-  // In order, because lamp_ties is not a whole number.
+  // In order, because light_path_ties is not a whole number.
   for (const Counts& part : parts)
     counts_ += part;
   const double per_image = share_ * static_cast<double>(pixels);
-  counts_.lamp_ties =
-      (counts_.lamp_ties - paths_ * products_of_means(pixels)) / (per_image * per_image);
+  counts_.light_path_ties =
+      (counts_.light_path_ties - paths_ * products_of_means(pixels)) / (per_image * per_image);
 }
 
-double LampPass::products_of_means(std::size_t pixels) const {
+double LightPass::products_of_means(std::size_t pixels) const {
   CompensatedSum sum, squares;
   for (std::size_t i = 0; i < pixels; ++i) {
     std::array<double, 3> mean{};
