@@ -32,7 +32,7 @@ cd "$root" || exit 1
 all=(thorough sanitizers apart tidy build calibration fuzz paths target_error shards slurm classes machines)
 
 thorough() {
-  ./carlo test --solutions -C thorough
+  ./carlo test --solutions --all -C thorough
 }
 
 sanitizers() {

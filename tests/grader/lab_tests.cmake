@@ -98,6 +98,8 @@ function(add_lab_tests folder name)
                          PROPERTIES LABELS fast TIMEOUT 600)
     set_tests_properties(${lab}.solution PROPERTIES LABELS "fast;memory")
     memory_tests_need(${lab}_judge ${lab}_worker_solution)
+    first_tests(TESTS ${lab}.consistency ${lab}.stub ${lab}.solution ${lab}.names
+                PROGRAMS ${lab}_judge ${lab}_worker ${lab}_worker_solution)
     set_tests_properties(${lab}.seeds PROPERTIES TIMEOUT 600)
     set_tests_properties(${lab}.seeds.many PROPERTIES TIMEOUT 3600)
   endif()

@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -89,7 +90,16 @@ std::string processors() {
   return said.substr(0, said.find('\n'));
 }
 
-/// Runs all tests of the suite, or those of the one lab that was named.
+/// Whether ctest's options choose among all tests.
+bool chooses(const Words& options) {
+  return std::any_of(options.begin(), options.end(), [](const std::string& word) {
+    return word.starts_with("-R") || word.starts_with("-L") || word.starts_with("-C") ||
+           word.starts_with("-I") || word.starts_with("--tests-") || word.starts_with("--label-");
+  });
+}
+
+/// Runs the tests that show that everything works; all of the suite with --all, or where ctest's
+/// options choose among them; or those of the one lab that was named.
 [[noreturn]] void test_suite(Course& course, TestWishes wishes, Words options) {
   if (!wishes.exercises.empty())
     fail({"--solutions is for a lab or for everything, got exercise ", wishes.exercises[0]});
@@ -102,9 +112,15 @@ std::string processors() {
           " labs"});
   course.tree.needs_solutions("the suite's own tests: ./carlo test N judges your work");
   const bool one = !wishes.labs.empty();
-  course.building.build({one ? wishes.labs[0].program("_tests") : "all"});
+  const auto rest = std::remove(options.begin(), options.end(), "--all");
+  const bool all = rest != options.end() || chooses(options);
+  options.erase(rest, options.end());
+  course.building.build({one ? wishes.labs[0].program("_tests") : all ? "all" : "first_tests"});
   Words command = list_of({"ctest", "--output-on-failure", "-j", processors()});
-  if (one) command += {"-R", joined({"^", wishes.labs[0].program(), "[.]"})};
+  if (one)
+    command += {"-R", joined({"^", wishes.labs[0].program(), "[.]"})};
+  else if (!all)
+    command += {"-L", "^first$"};
   throw HandOver{command += options, course.building.folder()};
 }
 
