@@ -46,18 +46,6 @@ const Diagnosis float_u{"u-in-float",
 const Diagnosis numbers_reused{
     "reused-number", "row and column come from one random number: only some texels ever occur."};
 
-const char* name_of(Sky sky) {
-  constexpr std::array<const char*, 8> names = {"one texel",
-                                                "12 x 6 texels with black ones",
-                                                "a sky over black ground",
-                                                "a sun in the first row",
-                                                "a sun in row 14 of 32",
-                                                "a sun in the last row",
-                                                "8 x 4000 texels, the first row alone bright",
-                                                "a sky with a sun of 1e9 times its radiance"};
-  return names[static_cast<std::size_t>(sky)];
-}
-
 Params of(Sky sky, std::int64_t n = 0) {
   return {.n = n, .numbers = {{"sky", static_cast<double>(sky)}}};
 }
@@ -142,17 +130,6 @@ Landed land(const SkyImage& image, const Rows& rows) {
     landed.down.push_back((top - std::cos(pi * p.y)) / (top - bottom));
   }
   return landed;
-}
-
-double chi_square(const std::vector<double>& counts, const std::vector<double>& shares, double n) {
-  double statistic = 0;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (shares[i] > 0) statistic += std::pow(counts[i] - n * shares[i], 2) / (n * shares[i]);
-    // Rounding at an edge moves one in a million.
-    else if (counts[i] > 5)
-      statistic = HUGE_VAL;
-  }
-  return statistic;
 }
 
 Verdict texels_verdict(Sky sky, const Landed& landed, double n) {

@@ -3,6 +3,7 @@
 #include "07_hemisphere/places.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -22,6 +23,18 @@ enum class Sky {
   cap = 6,         ///< the first of 4000 rows
   glare = 7        ///< 1 everywhere, and a sun of 1e9 in one texel
 };
+
+inline const char* name_of(Sky sky) {
+  constexpr std::array<const char*, 8> names = {"one texel",
+                                                "12 x 6 texels with black ones",
+                                                "a sky over black ground",
+                                                "a sun in the first row",
+                                                "a sun in row 14 of 32",
+                                                "a sun in the last row",
+                                                "8 x 4000 texels, the first row alone bright",
+                                                "a sky with a sun of 1e9 times its radiance"};
+  return names[static_cast<std::size_t>(sky)];
+}
 
 struct SkyImage {
   std::size_t width, height;

@@ -208,31 +208,6 @@ std::vector<sdf_lanes::Ray> rays_from(const Case& c, const Similarity& place, Ve
   return rays;
 }
 
-/// The part of a ray, extended to both sides, that is inside a convex solid; begin > end if there
-/// is none.
-using sdf_search::Span;
-
-Span through_ball(const sdf_search::Ray& ray, double radius) {
-  const double middle = -glm::dot(ray.o, ray.d);
-  const double off = glm::length(ray.o + middle * ray.d);
-  if (off > radius) return {1, -1};
-  const double half = std::sqrt((radius - off) * (radius + off));
-  return {middle - half, middle + half};
-}
-
-Span through_box(const sdf_search::Ray& ray, Vec3d half) {
-  Span span{-1e300, 1e300};
-  for (int k = 0; k < 3; ++k) {
-    if (ray.d[k] == 0) {
-      if (std::abs(ray.o[k]) > half[k]) return {1, -1};
-      continue;
-    }
-    const double a = (-half[k] - ray.o[k]) / ray.d[k], b = (half[k] - ray.o[k]) / ray.d[k];
-    span = {std::max(span.begin, std::min(a, b)), std::min(span.end, std::max(a, b))};
-  }
-  return span;
-}
-
 /// A ray from outside through an edge of a box that cuts off at most this much of each of the
 /// faces.
 sdf_lanes::Ray ray_through_edge(Vec3d half, double most, Rng& rng) {
@@ -251,7 +226,7 @@ sdf_lanes::Ray ray_through_edge(Vec3d half, double most, Rng& rng) {
 struct Matches {
   int hits = 0, missed = 0, wrong = 0, invented = 0, near = 0;
 
-  void add(const sdf_search::Ray& ray, Span inside, double s) {
+  void add(const sdf_search::Ray& ray, sdf_search::Span inside, double s) {
     const bool starts_inside = inside.begin <= 0 && inside.end > 0;
     const double first = starts_inside ? inside.end : inside.begin;
     const bool meets = inside.begin < inside.end && first > 0 && first < ray.end;
@@ -335,7 +310,9 @@ TEST_CASE("Lanes meet a ball and a box where closed forms say") {
       Matches matches;
       for (std::size_t i = 0; i < rays.size(); ++i) {
         const sdf_search::Ray ray = sdf_search::local(sdf, tracer, rays[i]);
-        matches.add(ray, box ? through_box(ray, half) : through_ball(ray, 0.75), s[i]);
+        matches.add(ray,
+                    box ? sdf_search::through_box(ray, half) : sdf_search::through_ball(ray, 0.75),
+                    s[i]);
       }
       INFO((box ? "box" : "ball") << ", scale " << place.scale);
       CHECK(matches.missed == 0);
@@ -347,7 +324,7 @@ TEST_CASE("Lanes meet a ball and a box where closed forms say") {
   }
 }
 
-// Rounding to floats changes how much they cut off; through_box() takes account of it.
+// Rounding to floats changes how much they cut off; sdf_search::through_box() takes account of it.
 TEST_CASE("Lanes meet edges of which rays cut off a few least steps") {
   Rng rng(6);
   const Vec3d half(0.5, 0.75, 0.375);
@@ -360,7 +337,7 @@ TEST_CASE("Lanes meet edges of which rays cut off a few least steps") {
   int longer = 0, missed = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const sdf_search::Ray ray = sdf_search::local(sdf, tracer, rays[i]);
-    const Span inside = through_box(ray, half);
+    const sdf_search::Span inside = sdf_search::through_box(ray, half);
     const double length = inside.end - inside.begin;
     // Where a ray almost lies in a face, its least step may have grown.
     const bool clear = ray.at(inside.begin + 0.5 * length) < -0.1 * length;

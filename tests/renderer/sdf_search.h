@@ -52,6 +52,29 @@ struct Span {
   double begin, end;
 };
 
+/// The part of a ray, extended to both sides, that is inside a convex solid; begin > end if there
+/// is none.
+inline Span through_ball(const Ray& ray, double radius) {
+  const double middle = -glm::dot(ray.o, ray.d);
+  const double off = glm::length(ray.o + middle * ray.d);
+  if (off > radius) return {1, -1};
+  const double half = std::sqrt((radius - off) * (radius + off));
+  return {middle - half, middle + half};
+}
+
+inline Span through_box(const Ray& ray, Vec3d half) {
+  Span span{-1e300, 1e300};
+  for (int k = 0; k < 3; ++k) {
+    if (ray.d[k] == 0) {
+      if (std::abs(ray.o[k]) > half[k]) return {1, -1};
+      continue;
+    }
+    const double a = (-half[k] - ray.o[k]) / ray.d[k], b = (half[k] - ray.o[k]) / ray.d[k];
+    span = {std::max(span.begin, std::min(a, b)), std::min(span.end, std::max(a, b))};
+  }
+  return span;
+}
+
 /// The whole span around s; its ends are found by small steps, the first one exactly.
 inline Span span_about(const Ray& ray, double side, double s) {
   const auto other = [&](double x) { return side * ray.at(x) < -ray.fine; };

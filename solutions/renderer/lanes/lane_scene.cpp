@@ -3,6 +3,7 @@
 #include "geometry/planes.h"
 #include "numeric/robust.h"
 #include "renderer/lanes/lane_boxes.h"
+#include "renderer/lanes/lane_columns.h"
 #include "renderer/lanes/lane_runs.h"
 #include "renderer/lanes/lane_shape.h"
 #include "renderer/lanes/lane_touching.h"
@@ -24,27 +25,6 @@ using carlo::Rgb;
 using carlo::Vec3;
 using Vec3d = glm::dvec3;
 
-struct Reflectances {
-  Rgb kd{0}, ks{0};
-  float exponent = 0;
-  bool specular = false;
-  float ior = 0;  ///< for glass
-};
-
-Reflectances reflectances(const carlo::Material& material) {
-  return carlo::match(
-      material.model, [](const carlo::Diffuse& m) { return Reflectances{m.reflectance}; },
-      [](const carlo::Phong& m) {
-        return Reflectances{m.kd, m.ks, m.exponent};
-      },
-      [](const carlo::Mirror& m) {
-        return Reflectances{Rgb(0), m.reflectance, 0, true};
-      },
-      [](const carlo::Dielectric& m) {
-        return Reflectances{Rgb(0), Rgb(0), 0, true, m.int_ior / m.ext_ior};
-      });
-}
-
 /// True if the sampler's points are Sobol', false if they are independent; nothing for samplers
 /// that the kernels do not know.
 std::optional<bool> sobol_points(carlo::SamplerKind kind) {
@@ -59,61 +39,6 @@ std::optional<bool> sobol_points(carlo::SamplerKind kind) {
   return std::nullopt;
 }
 
-double sum(Rgb c) {
-  return static_cast<double>(c.r) + static_cast<double>(c.g) + static_cast<double>(c.b);
-}
-
-float f(double x) {
-  return static_cast<float>(x);
-}
-
-void add_plane(LaneScene& lanes, std::size_t i, const Parallelogram& quad) {
-  const Vec3d o(quad.origin), u(quad.u), v(quad.v), n = glm::normalize(glm::cross(u, v));
-  // The dual vectors: a . u = 2, a . v = 0, and vice versa for b.
-  const Vec3d across = glm::cross(v, n), a = 2.0 * across / glm::dot(across, u);
-  const Vec3d along = glm::cross(n, u), b = 2.0 * along / glm::dot(along, v);
-  lanes.nx[i] = f(n.x), lanes.ny[i] = f(n.y), lanes.nz[i] = f(n.z);
-  lanes.d[i] = f(glm::dot(n, o));
-  lanes.ax[i] = f(a.x), lanes.ay[i] = f(a.y), lanes.az[i] = f(a.z);
-  lanes.a0[i] = f(glm::dot(a, o) + 1);
-  lanes.bx[i] = f(b.x), lanes.by[i] = f(b.y), lanes.bz[i] = f(b.z);
-  lanes.b0[i] = f(glm::dot(b, o) + 1);
-}
-
-void add_material(LaneScene& lanes, const carlo::Material& material) {
-  const std::size_t i = lanes.materials++;
-  const Reflectances r = reflectances(material);
-  const double lobe = r.specular ? 1 : (static_cast<double>(r.exponent) + 2) / (2 * carlo::pi);
-  const Vec3d kd = Vec3d(r.kd) / carlo::pi, ks = Vec3d(r.ks) * lobe;
-  lanes.kd_r[i] = f(kd.r), lanes.kd_g[i] = f(kd.g), lanes.kd_b[i] = f(kd.b);
-  lanes.ks_r[i] = f(ks.r), lanes.ks_g[i] = f(ks.g), lanes.ks_b[i] = f(ks.b);
-  lanes.exponent[i] = r.exponent;
-  const double d = sum(r.kd), s = sum(r.ks);
-  lanes.diffuse[i] = d + s > 0 ? f(d / (d + s)) : 1;
-  lanes.specular[i] = r.specular ? 1 : 0;
-  lanes.ior[i] = r.ior;
-  lanes.two_sided[i] = material.two_sided || r.ior > 0 ? 1 : 0;
-}
-
-double area(const Parallelogram& quad) {
-  return glm::length(glm::cross(Vec3d(quad.u), Vec3d(quad.v)));
-}
-double area(const carlo::Disk& disk) {
-  const double r = disk.radius;
-  return carlo::pi * r * r;
-}
-double area(const carlo::Sphere& sphere) {
-  const double r = sphere.radius;
-  return 4 * carlo::pi * r * r;
-}
-
-/// Corner and edges of a light that is a parallelogram; center and radii of a disk.
-void add_edges(LaneScene& lanes, std::size_t l, Vec3 o, Vec3 u, Vec3 v) {
-  lanes.lx[l] = o.x, lanes.ly[l] = o.y, lanes.lz[l] = o.z;
-  lanes.lux[l] = u.x, lanes.luy[l] = u.y, lanes.luz[l] = u.z;
-  lanes.lvx[l] = v.x, lanes.lvy[l] = v.y, lanes.lvz[l] = v.z;
-}
-
 /// Writes the shapes' columns one by one.
 class Writer {
  public:
@@ -121,7 +46,8 @@ class Writer {
     const auto& [points, environment, envmap] = scene.lights;
     (void)points, (void)environment;  // environment is left to rays that meet no surface
     if (!envmap) return;
-    lanes.sky_far = f(std::min(2 * carlo::diameter(scene), 1e18));  // its square fits into a float
+    lanes.sky_far =
+        rounded(std::min(2 * carlo::diameter(scene), 1e18));  // its square fits into a float
     lanes.sky.emplace(*envmap);
   }
 
@@ -231,9 +157,9 @@ class Writer {
     for (std::uint32_t l = 0; l < lanes_.lights; ++l) {
       const auto chance = static_cast<double>(lanes_.choice.start_chance[l]);
       if (l >= lanes_.first_point)
-        lanes_.point_emission[l] = f(chance / (4 * carlo::pi));
+        lanes_.point_emission[l] = rounded(chance / (4 * carlo::pi));
       else if (!lights_[l].everywhere)
-        lanes_.emission[lanes_.light_surface[l]] = f(chance / areas_[l] / carlo::pi);
+        lanes_.emission[lanes_.light_surface[l]] = rounded(chance / areas_[l] / carlo::pi);
     }
   }
 
@@ -274,7 +200,7 @@ class Writer {
              LaneLights::Light light) {
     lanes_.light_of[i] = lanes_.lights;
     lanes_.light_surface[lanes_.lights++] = static_cast<std::uint32_t>(i);
-    lanes_.light_density[i] = f(1 / measure);
+    lanes_.light_density[i] = rounded(1 / measure);
     light.strength *= sum(shape.radiance);
     light.power = carlo::pi * area * sum(shape.radiance);
     lights_.push_back(light);
