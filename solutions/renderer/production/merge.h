@@ -11,25 +11,25 @@
 
 namespace carlo {
 
-/// Parts of one render, each block of samples in at most one of them. What comes of them has the
-/// same bits in whatever order they are given and however they were merged before; where no block
-/// is missing, those of the render that was never shared out.
+/// Parts of one render, each block of samples in at most one of them. The result has the same bits
+/// in whatever order they are given and however they were merged before; if no block is missing,
+/// the bits of the render on one machine.
 class Merge {
  public:
-  /// Reads the parts' headers. Throws Error, which says which part is wrong and why: no part, cut
-  /// short or spoilt, one of another render, or of samples that another one holds.
+  /// Reads the parts' headers. Throws Error, which names the part that is wrong and says why: not a
+  /// part, truncated, corrupt, of another render, or holding samples that another part holds.
   explicit Merge(const std::vector<std::filesystem::path>& paths);
 
-  /// Of all parts together.
+  /// Returns the header of all parts together.
   const PartHeader& header() const { return header_; }
   bool complete() const { return header_.blocks.count() == header_.grid.blocks(); }
-  /// Of all samples, how much is there.
+  /// Returns the fraction of all samples that the parts hold.
   double share() const;
-  /// What is missing: "12.5 % of the samples (shards 3/8)".
+  /// Describes what is missing: "12.5 % of the samples (shards 3/8)".
   std::string missing() const;
 
-  /// Adds the parts' sums, one part after the other. Throws Error if some are spoilt, or another
-  /// file has taken a part's place.
+  /// Adds the parts' sums, one part after the other. Throws Error if some are corrupt, or if a part
+  /// has been replaced by another file.
   RenderResult run(const std::function<void(double)>& progress = {}) const;
 
  private:

@@ -34,7 +34,7 @@ std::string write_merged(const Merge& merge, const MergeOutput& how) {
   const auto reference = read_reference(how.reference, part.grid.width, part.grid.height);
   RenderSettings settings = part.settings;
   settings.erase("version");
-  // A render goes on from its first samples only.
+  // A render can only be continued from a gapless sequence of first samples.
   const ResumableOutputs outputs(output_stem(how.output, part.scene), settings,
                                  merge.complete() && how.sums);
   RenderResult result = [&] {

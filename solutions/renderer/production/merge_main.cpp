@@ -1,4 +1,4 @@
-// `./carlo merge`: parts of a render become its image, or one part.
+// `./carlo merge`: merges parts of a render into its image, or into one part.
 
 #include "course/cli/arguments.h"
 #include "course/cli/main_guard.h"

@@ -26,7 +26,8 @@ namespace fs = std::filesystem;
 constexpr std::string_view part_magic = "carlo part ", part_first_line = "carlo part 1\n";
 constexpr std::uint64_t most_header_bytes = std::uint64_t{1} << 26;
 
-/// Twice eight bytes: behind the first line of the header, at the end of the file of the sums.
+/// Two words of eight bytes: after the header's first line, and at the end of the file for the
+/// sums.
 struct Lengths {
   std::uint64_t bytes = 0, checksum = 0;
 };
@@ -50,7 +51,7 @@ Lengths lengths_at(std::istream& in, std::uint64_t byte) {
   return lengths;
 }
 
-/// A member that is text in the file.
+/// Reads or writes a member that is stored as text.
 template <class T, class Write, class Read>
 void as_words(JsonFields& json, const char* name, T& value, Write write, Read read) {
   std::string text = json.reading() ? "" : write(value);
@@ -68,7 +69,7 @@ void whole(JsonFields& json, const char* name, std::uint32_t& value) {
   value = static_cast<std::uint32_t>(number);
 }
 
-/// What a header claims must be possible: others rely on it.
+/// Throws unless a header's claims are possible, since other code relies on them.
 void require_possible(const PartHeader& part, const fs::path& path) {
   const auto fail = [&](const std::string& what) {
     throw Error("cannot read {}: {}", path.string(), what);
@@ -167,7 +168,7 @@ static void fields(JsonFields& json, PartHeader& part) {
 }
 
 std::vector<std::string> part_setting_names() {
-  // What the digest of a scene depends on comes before it, and what depends on the scene behind.
+  // Settings that the scene's digest depends on come before it; those that depend on it, after.
   return {"seed",         "sampler", "max_depth", "planned_spp",
           "scene_digest", "kernel",  "version",   "definitions"};
 }
@@ -230,7 +231,7 @@ PartFile::PartFile(fs::path path) : path_(std::move(path)) {
   header_ = from_json_text<PartHeader>(text, fmt::format("cannot read {}", path_.string()));
   require_possible(header_, path_);
   const Lengths body = lengths_at(in, size - sizeof(Lengths));
-  // What is cut short ends in no lengths, but in any bytes.
+  // A truncated file does not end in lengths, but in arbitrary bytes.
   if (!in || body.bytes != size - fixed_bytes - head.bytes) throw Error(cut);
   first_byte_ = part_first_line.size() + sizeof(Lengths) + head.bytes;
   checksum_ = body.checksum;
@@ -272,7 +273,7 @@ std::optional<PartDifference> difference_of(const PartHeader& a, const PartHeade
   for (const std::string& name : part_setting_names()) {
     if (name == "scene_digest" && a.grid != b.grid)
       return PartDifference{"film", film(a.grid), film(b.grid)};
-    // What -D defines is in the scene already.
+    // The effect of -D is already part of the scene.
     if (name == "definitions" || a.settings.at(name) == b.settings.at(name)) continue;
     return PartDifference{name == "scene_digest" ? "scene" : name, a.settings.at(name),
                           b.settings.at(name)};

@@ -10,24 +10,23 @@
 
 namespace carlo {
 
-/// Writes the files of a render, and of a render under way: with the sums in its EXR, to go on
-/// from.
+/// Writes the files of a render, and its checkpoints, whose EXR holds the sums to continue from.
 class ResumableOutputs {
  public:
-  /// Throws Error if any of them cannot be written. Without `sums` the EXR is smaller, and nothing
-  /// to go on from.
+  /// Throws Error if one of the files cannot be written. Without `sums` the EXR is smaller, and the
+  /// render cannot be continued.
   ResumableOutputs(std::filesystem::path stem, RenderSettings settings, bool sums);
 
   const std::filesystem::path& stem() const { return stem_; }
 
-  /// All that goes on needs: the image and how long it took.
+  /// Writes what continuing needs: the image, and how long it took.
   void checkpoint(const RenderResult& result, const RenderReport& report) const;
   void checkpoint(const AdaptiveResult& result, const RenderReport& report) const;
 
   void write(const RenderResult& result, const RenderReport& report) const;
   void write(const AdaptiveResult& result, const RenderReport& report) const;
 
-  /// What write() writes, for people.
+  /// Lists the files that write() writes, for a message.
   std::string names(const RenderResult&) const;
   std::string names(const AdaptiveResult&) const;
 

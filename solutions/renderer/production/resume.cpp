@@ -22,13 +22,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The order in which differences are told: the most telling first.
+/// The order in which differences are reported: the most informative first.
 constexpr std::array<const char*, 7> setting_names = {
     "scene_digest", "seed", "sampler", "max_depth", "planned_spp", "kernel", "definitions"};
 
 constexpr const char* blocks_channel = "sums.blocks";
 
-/// The channel of 32 of the bits of a sum, or of a sum of squares.
+/// Names the channel with 32 of the bits of a sum, or of a sum of squares.
 std::string channel_name(bool squares, std::size_t colour, std::size_t word) {
   return fmt::format("sums.{}{}{}", squares ? "squares." : "", "RGB"[colour], word);
 }
@@ -62,7 +62,7 @@ void add_attributes(ExrFile& file, const RenderSettings& settings, const Counts&
   file.attributes["bad_samples"] = std::to_string(counts.bad);
 }
 
-/// The driver gives all pixels of a tile as many blocks.
+/// Whether all pixels of each tile have the same number of blocks, as the driver leaves them.
 bool even_tiles(const Film& film) {
   for (int y = 0; y < film.height(); ++y) {
     for (int x = 0; x < film.width(); ++x) {
@@ -73,7 +73,7 @@ bool even_tiles(const Film& film) {
   return true;
 }
 
-/// What was given by -D.
+/// The values given by -D.
 struct Definitions {
   std::vector<std::string> list;
 };
@@ -82,7 +82,7 @@ void fields(JsonFields& json, Definitions& definitions) {
   json("definitions", definitions.list);
 }
 
-/// Of an earlier render's report.
+/// The members that are read of an earlier render's report.
 struct Spent {
   double seconds = 0;
   std::uint64_t samples = 0;
@@ -179,12 +179,7 @@ double EarlierRender::real(const std::string& name) const {
 
 std::vector<std::string> EarlierRender::definitions() const {
   const std::string place = fmt::format("cannot resume {}: its definitions", path_.string());
-  const std::string& text = setting("definitions");
-  // Renders from before this was an object have the list alone.
-  const bool bare = text.starts_with('[');
-  return from_json_text<Definitions>(bare ? fmt::format("{{\"definitions\": {}}}", text) : text,
-                                     place)
-      .list;
+  return from_json_text<Definitions>(setting("definitions"), place).list;
 }
 
 std::optional<double> EarlierRender::target_error() const {
@@ -202,7 +197,7 @@ void EarlierRender::require_same(const RenderSettings& settings) const {
   for (const std::string name : setting_names) {
     const std::string& then = setting(name);
     const std::string& now = settings.at(name);
-    // What -D defines is in the scene already.
+    // The effect of -D is already part of the scene.
     if (then == now || name == "definitions") continue;
     if (name == "scene_digest") {
       throw Error("cannot resume {}: the scene or the film is another now ({}, then {})",

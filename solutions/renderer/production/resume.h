@@ -16,16 +16,16 @@
 
 namespace carlo {
 
-/// What the bits of a render depend on besides the program: by name, as text.
+/// The settings that determine the bits of a render besides the program: by name, as text.
 using RenderSettings = std::map<std::string, std::string>;
 
 /// `planned` is the number of samples that the integrator was made for.
 RenderSettings render_settings(const Scene& scene, const std::string& kernel, std::uint64_t seed,
                                std::uint32_t planned, const std::vector<std::string>& definitions);
 
-/// Adds to an image what it takes to go on with it: the settings and counts as attributes, and the
-/// film's sums, which are whole numbers of 128 bits, in channels of 32 bits: so no bit is lost, and
-/// the film goes on as if it had never been away. `light_path_ties` as in RenderResult.
+/// Adds to an image what continuing it needs: the settings and counts as attributes, and the film's
+/// sums, which are whole numbers of 128 bits, in channels of 32 bits, so that no bit is lost.
+/// `light_path_ties` as in RenderResult.
 void add_sums(ExrFile& file, const RenderSettings& settings, const Film& film, const Counts& counts,
               const ExactSum& light_path_ties = {});
 
@@ -33,7 +33,7 @@ void add_sums(ExrFile& file, const RenderSettings& settings, const Film& film, c
 void add_sums(ExrFile& file, const RenderSettings& settings, const AdaptiveState& state,
               const Counts& counts);
 
-/// A render that was written with its sums and may be gone on with.
+/// A render that was written with its sums and can be continued.
 class EarlierRender {
  public:
   /// Throws Error if the file cannot be read or has no sums.
@@ -42,25 +42,25 @@ class EarlierRender {
   int width() const { return file_.image.width; }
   int height() const { return file_.image.height; }
   const std::string& setting(const std::string& name) const;
-  /// Of a setting that is a whole number.
+  /// Returns a setting that is a whole number.
   std::uint64_t number(const std::string& name) const;
-  /// Of one that is a finite number.
+  /// Returns one that is a finite number.
   double real(const std::string& name) const;
   std::vector<std::string> definitions() const;
-  /// Of an adaptive render.
+  /// Only for an adaptive render.
   std::optional<double> target_error() const;
 
-  /// Throws Error if the bits of a render with these settings depend on anything else.
+  /// Throws Error unless these settings give the same bits.
   void require_same(const RenderSettings& settings) const;
 
   /// Throws Error if the sums do not belong to the image.
   Film film() const;
-  /// The same of an adaptive render.
+  /// The same for an adaptive render.
   AdaptiveState adaptive_state() const;
   Counts counts() const;
-  /// As in RenderResult, of one without a target error.
+  /// As in RenderResult, for a render without a target error.
   ExactSum light_path_ties() const;
-  /// The seconds that the report beside the image tells; 0 if there is none of the same render.
+  /// Returns the seconds given in the report beside the image; 0 if there is none of this render.
   double seconds(const Film& film) const;
 
  private:

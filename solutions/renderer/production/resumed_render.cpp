@@ -10,7 +10,7 @@ namespace carlo {
 
 namespace fs = std::filesystem;
 
-/// A render goes on as it began: with its target, or without one.
+/// Throws unless both or neither have a target error.
 static void take_over_target(ProductionArguments& a, const EarlierRender& earlier) {
   const std::optional<double> target = earlier.target_error();
   if (!target) {

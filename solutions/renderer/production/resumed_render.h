@@ -8,19 +8,19 @@
 #include <cstdint>
 #include <optional>
 
-// Going on with an earlier render: `render --resume`.
+// Continuing an earlier render: `render --resume`.
 
 namespace carlo {
 
-/// What the command line leaves open is as in the earlier render. Throws Error for what a render
-/// cannot go on by.
+/// Takes options that the command line leaves open from the earlier render. Throws Error for
+/// options with which it cannot be continued.
 void take_over(ProductionArguments& a, const EarlierRender& earlier);
 
-/// What to go on from, up to `spp` samples a pixel if they are given. Throws Error where these are
-/// no way to go on.
+/// Returns the state to continue from, up to `spp` samples per pixel if given. Throws Error if the
+/// render cannot be continued to that number.
 RenderResult uniform_start(const EarlierRender& earlier, std::optional<std::uint32_t> spp);
 
-/// The same with a target error.
+/// The same for a render with a target error.
 EarlierAdaptive adaptive_start(const EarlierRender& earlier);
 
 }  // namespace carlo

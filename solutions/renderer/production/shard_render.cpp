@@ -19,7 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What -o names with the ending of parts; by default the scene's name and the share.
+/// Returns the path given by -o with the extension of parts; by default the scene's name and the
+/// share.
 fs::path part_path(const ShardRender& render) {
   fs::path given(render.output);
   if (given.extension() == part_suffix) return given;
@@ -45,7 +46,7 @@ PartHeader header_of(const Scene& scene, const Integrator& integrator, const Sha
   return part;
 }
 
-/// The part's header, of what is rendered so far.
+/// Returns the header for the samples rendered so far.
 PartHeader with(PartHeader part, const RenderResult& result, const BlockRange& share) {
   part.blocks = blocks_done(result.film, share);
   part.counts = result.counts;
@@ -55,7 +56,7 @@ PartHeader with(PartHeader part, const RenderResult& result, const BlockRange& s
   return part;
 }
 
-/// What to go on from.
+/// Reads the state to continue from.
 RenderResult result_of(const PartFile& file, const PartHeader& now, const BlockRange& share) {
   const PartHeader& then = file.header();
   const std::string where = fmt::format("cannot go on with {}", file.path().string());
@@ -79,8 +80,8 @@ RenderResult result_of(const PartFile& file, const PartHeader& now, const BlockR
   return result;
 }
 
-/// Whether a part has more of the same share by now, by another process: of a node, say, that was
-/// taken for dead.
+/// Whether another process has by now written more of the same share; a node that seemed dead, for
+/// example.
 bool is_behind(const fs::path& path, const PartHeader& part) {
   try {
     const PartFile file(path);

@@ -10,92 +10,95 @@
 #include <vector>
 
 // A render on a cluster is a folder beside its image, IMAGE.slurm, on a file system that all nodes
-// share. What is done is what its files say; what is at work is what Slurm says
-// (course/slurm/array_job.h).
+// share. Its files tell what is done; Slurm tells what is running (course/slurm/array_job.h).
 //
-//   plan.json     what is rendered, and how it was asked for last
-//   carlo_render  the program as it was then: a later build would have other bits
-//   kernel        what the first task's processor made of the scene: others must do the same
-//   I.part        of shard I, perhaps not all yet
-//   round, R.exr  with a target error: the number R of the round at work; what all know before it
-//   R.I.exr       of round R, shard I's share; R.I.begun.exr: not all of it yet
-//   submitted     how many blocks of samples there were when jobs were submitted last
-//   tasks, merge  what the jobs said
-//   done          the image is written; the parts are gone
+//   plan.json     the render, and the options of the last call
+//   carlo_render  a copy of the program, since a later build may round differently
+//   kernel        the kernel that the first task chose; all others must use the same
+//   I.part        the part of shard I, perhaps incomplete
+//   round, R.exr  with a target error: the number R of the current round; the state before it
+//   R.I.exr       shard I's share of round R; R.I.begun.exr: incomplete
+//   submitted     the number of finished blocks of samples when jobs were last submitted
+//   tasks, merge  the output of the jobs
+//   done          exists once the image is written and the parts are removed
 
 namespace carlo {
 
-/// What plan.json says.
+/// The content of plan.json.
 struct SlurmPlan {
-  RenderSettings settings;  ///< of the whole render, but for its kernel (settled by the first task)
-  std::string scene;        ///< its file
+  /// Of the whole render, except for the kernel, which the first task chooses.
+  RenderSettings settings;
+  std::string scene;  ///< its file
   int width = 0, height = 0;
-  int spp = 0;               ///< of the whole render; at most, with a target error
+  int spp = 0;               ///< samples per pixel; with a target error their largest number
   double target_error = 0;   ///< 0: none
   bool light_paths = false;  ///< whether light paths are traced: tried once, for all shards
   int shards = 1;
   std::string jobs = {};  ///< name of the array; the merge's has "_merge" behind it
-  // How it was asked for last.
+  // The options of the last call.
   std::vector<std::string> words;  ///< arguments of `render`
-  std::string start;               ///< folder from which their paths count
+  std::string start;               ///< folder that relative paths start from
   int threads = 1;
-  std::string time = {}, partition = {};  ///< empty: the cluster's
+  std::string time = {}, partition = {};  ///< empty: the cluster's default
 
   bool adaptive() const { return target_error > 0; }
-  /// The rest without a target error.
+  // Only without a target error:
   BlockGrid grid() const;
   BlockRange share(int shard) const;
-  /// What SlurmFolder::look() finds in the end, with a target error at most.
+  /// Returns the number of blocks that SlurmFolder::look() finds at the end; with a target error,
+  /// an upper bound.
   double all_blocks() const;
 };
 
 class SlurmFolder {
  public:
-  /// Of an image, by its stem.
+  /// Returns the folder of the image with this stem.
   static SlurmFolder beside(const std::filesystem::path& stem);
   explicit SlurmFolder(std::filesystem::path path) : path_(std::move(path)) {}
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path program() const { return path_ / "carlo_render"; }
   std::filesystem::path part(int shard) const;
-  /// With a target error: the round at work, from 0 on; the files of a round.
+  /// With a target error: the current round, from 0 on, and the files of a round.
   int round() const;
   std::filesystem::path round_state(int round) const;
   std::filesystem::path round_part(int round, int shard) const;
   std::filesystem::path round_part_begun(int round, int shard) const;
-  /// The state of the next round is written: goes on to it.
+  /// Starts the next round, whose state has been written.
   void next_round(const SlurmPlan& plan) const;
 
   std::filesystem::path output_of_tasks() const { return path_ / "tasks"; }
   std::filesystem::path output_of_merge() const { return path_ / "merge"; }
 
-  /// None where nothing was begun. Throws Error if it cannot be read.
+  /// Empty if no render was begun. Throws Error if it cannot be read.
   std::optional<SlurmPlan> plan() const;
-  /// Begins a render: nothing of an earlier one is left. Throws Error.
+  /// Begins a render, and removes all files of an earlier one. Throws Error.
   void begin(const SlurmPlan& plan);
-  /// Of the same render. Throws Error.
+  /// Replaces the plan of the same render. Throws Error.
   void write(const SlurmPlan& plan) const;
 
-  /// The kernel of the first task that asks, for all. Throws Error.
+  /// Returns the kernel of the first task that called this. Throws Error.
   std::string settle_kernel(const std::string& mine) const;
 
-  /// Shards that are not finished, and how many blocks of samples there are; with a target error
-  /// those of the round at work, and how many shares of rounds there are. Reads the headers of
-  /// parts that were not finished when it looked last; those that cannot be read have no blocks.
+  /// The unfinished shards, and the number of finished blocks of samples; with a target error, the
+  /// unfinished shards of the current round, and the number of finished shares of rounds. Only the
+  /// headers of parts that were unfinished at the last call are read; unreadable parts count as
+  /// empty.
   struct State {
     std::vector<int> missing;
     std::uint64_t blocks = 0;
   };
   State look(const SlurmPlan& plan);
 
-  /// What look() found when jobs were submitted last; none if none were.
+  /// The number of blocks when jobs were last submitted; empty if none were.
   std::optional<std::uint64_t> submitted() const;
   void set_submitted(std::uint64_t blocks) const;
 
-  /// Says that the image is written, and removes the parts. `report` is for people.
+  /// Records that the image is written, and removes the parts. `report` is a message for users.
   void finish(const SlurmPlan& plan, const std::filesystem::path& image,
               const std::string& report) const;
-  /// The report, where the image is there as it was written. Throws Error if it is another now.
+  /// Returns the report if the image is unchanged; empty if there is none. Throws Error if it has
+  /// changed.
   std::optional<std::string> done() const;
 
  private:
@@ -103,7 +106,7 @@ class SlurmFolder {
   void remove_round(const SlurmPlan& plan, int round) const;
 
   std::filesystem::path path_;
-  std::vector<bool> finished_;  ///< what look() knows of shards
+  std::vector<bool> finished_;  ///< the shards that look() found finished
 };
 
 }  // namespace carlo

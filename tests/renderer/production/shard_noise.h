@@ -81,7 +81,8 @@ inline carlo::PartHeader noise_header(const ShardNoise& noise, std::uint32_t spp
   part.grid = noise_grid(spp);
   part.light_paths = noise.light_paths() > 0;
   part.shard = shard;
-  part.blocks = carlo::blocks_done(result.film, carlo::share_of(shard, part.grid, part.light_paths));
+  part.blocks =
+      carlo::blocks_done(result.film, carlo::share_of(shard, part.grid, part.light_paths));
   part.counts = result.counts;
   part.light_path_ties = result.light_path_ties;
   part.microseconds = 1000 + shard.index;
