@@ -31,9 +31,9 @@ rm "$tree/solutions" "$tree/slides"
 mv "$tree/tests" "$tree/all_tests"
 expect 0 '^  render .*' --help
 [ "$(carlo | grep -cE '^  (grade|bench|starter|gradescope|fuzz|slides) |--solutions|--mine')" = 0 ] || failed "of all trees: $(carlo)"
-for verb in grade bench starter gradescope fuzz slides; do expect_error "a student's tree, without ./carlo $verb" "$verb" --help; done
+for verb in grade bench starter gradescope fuzz slides; do expect_error "there is no ./carlo $verb in this folder" "$verb" --help; done
 mv "$tree/labs/08_path_tracer" "$scratch/"
-expect_error "a student's tree, without ./carlo render" render
+expect_error "there is no ./carlo render in this folder" render
 ! carlo | grep -q 'glossy walls' || failed "a verb that is not there has a line"
 mv "$scratch/08_path_tracer" "$tree/labs/"
 mv "$tree/all_tests" "$tree/tests"
@@ -60,7 +60,7 @@ expect 0 '^carlo: everything is installed$' setup --dry-run
 for tool in bash env cat awk dirname readlink tr id sed grep uniq; do ln -sf "$(command -v "$tool")" "$scratch/"; done
 code=0
 text=$(PATH=$scratch "$tree/carlo" setup 2>&1) || code=$?
-[ "$code" = 1 ] && grep -q 'knows apt alone, which is not here; install what your system calls g++ cmake' <<<"$text" ||
+[ "$code" = 1 ] && grep -q 'needs apt, which is not on this machine. Install these with your package manager (their names may differ): g++ cmake' <<<"$text" ||
   failed "without apt: exit code $code, $text"
 
 finish

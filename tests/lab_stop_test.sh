@@ -22,7 +22,7 @@ fi
 code=0
 CARLO_COURSE=$scratch timeout --preserve-status --signal=INT 2 "$programs/lab01_solution" --n 268435456 \
   --no-predict >text 2>errors || code=$?
-if [ "$code" != 130 ] || ! grep -qxF 'If it came to no end: ./carlo test 1 says in which exercise.' errors; then
+if [ "$code" != 130 ] || ! grep -qxF 'If it did not end by itself: ./carlo test 1 names the exercise with the endless loop.' errors; then
   printf 'FAILED: no advice, exit code %s\n' "$code"
   cat errors
   exit 1

@@ -125,7 +125,7 @@ for last in 1 4 9; do
   "$source/tests/grader/release/leaks.sh" "$source" "$tree" "$last" || fail "the archive tells answers"
   formulas_are_there "$tree"
   [ "$(find "$tree/labs" -name lab.json | wc -l)" = "$last" ] || fail "labs beyond $last, or too few"
-  expect_error "$tree" "a student's tree" starter --through 1
+  expect_error "$tree" "there is no ./carlo starter in this folder" starter --through 1
   expect_error "$tree" "a student.s tree" slides --check
 done
 configured "$scratch/1" "${cmake_arguments[@]}"

@@ -164,7 +164,7 @@ if [ "${1:-}" = --dry-run ]; then dry_run=1 && shift; fi
 read -ra wanted <<<"$(wanted_packages "$@" | tr '\n' ' ')"
 [ ${#wanted[@]} != 0 ] || exit 0
 if ! have dpkg-query || ! have apt-get; then
-  printf 'carlo: set-up knows apt alone, which is not here; install what your system calls %s (Catch2: version 3)\n' "${wanted[*]}" >&2
+  printf 'carlo: automatic set-up needs apt, which is not on this machine. Install these with your package manager (their names may differ): %s (Catch2: version 3)\n' "${wanted[*]}" >&2
   exit 2
 fi
 read -ra missing <<<"$(missing_of "${wanted[@]}" | tr '\n' ' ')"

@@ -4,8 +4,8 @@
 
 namespace carlo {
 
-/// A parallelogram prepared for rays. In double, with planes and edges computed where the ray is:
-/// float products of a large one's corners would blur what lies close to it.
+/// A parallelogram with precomputed plane and edge vectors. In double: in float, the plane of a
+/// large one is too imprecise to separate it from nearby surfaces.
 struct Quad {
   glm::dvec3 origin, n;  ///< n of length 1
   glm::dvec3 a, b;       ///< dual to the edges: a u = 1, a v = 0, b u = 0, b v = 1

@@ -210,13 +210,13 @@ struct Intersector::Impl {
     }
     for (std::size_t i = 0; i < tracers.size(); ++i)
       sdfs.push_back({&tracers[i], sdf_shapes[i]});
-    tell_planes(find_planes(surfaces));
+    set_planes(find_planes(surfaces));
     for (const Flat& flat : flats)
       parallelograms.push_back({&flat, flat.shape});
   }
 
   /// Makes rays that leave a parallelogram start beyond all others in its plane.
-  void tell_planes(const Planes& planes) {
+  void set_planes(const Planes& planes) {
     std::vector<std::vector<std::uint32_t>> members(flats.size());
     for (std::uint32_t i = 0; i < flats.size(); ++i)
       members[planes.of[i].first].push_back(i);

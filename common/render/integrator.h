@@ -59,7 +59,7 @@ struct Counts {
 
 class Splats;
 
-/// Sums samples in order, in double; counts and leaves out samples that are no radiance.
+/// Sums samples in order, in double; counts and skips samples that are NaN, infinite or negative.
 class BlockSum {
  public:
   void add(const Rgb& sample, Counts& counts) {
@@ -97,8 +97,8 @@ class Integrator {
   /// The seconds it took to decide how to render; they count as rendering time.
   virtual double seconds_spent() const { return 0; }
 
-  /// The least probability with which a path asks a light that can reach its vertex (light_asks.h);
-  /// 1 if there is no choice.
+  /// The least probability with which a path asks a light that can reach its vertex
+  /// (light_coverage.h); 1 if there is no choice.
   virtual double least_light_chance() const { return 1; }
 
   /// The number of light paths that an image needs, besides its tiles, per sample of each

@@ -7,7 +7,7 @@
 
 namespace carlo {
 
-/// An image all around the scene, infinitely far away: the radiance from directions that meet no
+/// An environment map, infinitely far away: the radiance from directions that meet no
 /// shape. It is a latitude-longitude image in the convention of Mitsuba 0.6's `envmap`: in the
 /// image's own coordinates the unit direction (x, y, z) stands at
 ///

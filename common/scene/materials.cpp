@@ -111,8 +111,9 @@ Phong Materials::parse_phong(Properties& bsdf) {
   phong.ks = bsdf.reflectance("specularReflectance").value_or(Rgb(0.2f));
   phong.exponent = bsdf.number("exponent").value_or(30.0f);
   if (phong.exponent > sharpest_exponent) {
-    notes_.push_back(fmt::format("exponent {:g} is taken as {:g}: no float tells their lobes apart",
-                                 phong.exponent, sharpest_exponent));
+    notes_.push_back(
+        fmt::format("exponent {:g} is clamped to {:g}: their lobes are the same in float",
+                    phong.exponent, sharpest_exponent));
     phong.exponent = sharpest_exponent;
   }
   for (int i = 0; i < 3; ++i) {

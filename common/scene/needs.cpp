@@ -113,7 +113,7 @@ std::string describe(const Needs& n) {
   lights.add(triangle_lights, "triangle light");
   lights.add(point_lights, "point light");
   lights.add(environment, "constant environment");
-  lights.add(envmap, "image all around");
+  lights.add(envmap, "environment map");
   return fmt::format("{}; {}; {}", shapes.text("no shapes"), materials.text("no materials"),
                      lights.text("no lights"));
 }

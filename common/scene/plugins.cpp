@@ -63,7 +63,7 @@ const Rules tone_mapping = {{"gamma", any_number, none},
                             {"key", any_number, none},
                             {"burn", any_number, none}};
 
-const std::string_view other_numbers = "it changes the noise, not what the image tends to";
+const std::string_view other_numbers = "it changes the noise, not the expected image";
 
 Rules sampler_rules() {
   return {{"sampleCount", a_count},

@@ -42,7 +42,7 @@ class Converter {
     }
     for (const pugi::xml_node& child : node.children()) {
       if (child.type() != pugi::node_element) {
-        tell_text(child, out);
+        reject_text(child, out);
       } else if (depth == deepest_nesting) {
         fail(before(child.name()), "elements are nested more than {} deep", deepest_nesting);
       } else {
@@ -54,7 +54,7 @@ class Converter {
 
  private:
   /// Text here is most likely an element whose '<' is missing.
-  void tell_text(const pugi::xml_node& text, XmlElement& around) const {
+  void reject_text(const pugi::xml_node& text, XmlElement& around) const {
     around.broken = true;
     errors_.lose_names();
     errors_.guard([&] {

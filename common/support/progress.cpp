@@ -57,7 +57,7 @@ void Progress::clear() {
   erase();
 }
 
-void Progress::tell_stalls() {
+void Progress::report_stalls() {
   if (enabled_ && !watcher_.joinable()) watcher_ = std::thread([this] { watch(); });
 }
 

@@ -23,7 +23,7 @@ class Progress {
   void clear();
 
   /// From now on, if nothing is reported or cleared for some seconds, the line says for how long.
-  void tell_stalls();
+  void report_stalls();
   /// Clears the line and stops reporting stalls.
   void finish();
 

@@ -3,7 +3,7 @@
 #include "course/not_implemented.h"
 
 // Lab 01: integration. This is your file. integration.h says what each function takes and returns;
-// README.md says why. An exercise is done when its not_implemented line is gone.
+// README.md says why. Your code takes the place of the not_implemented lines.
 
 namespace lab01 {
 

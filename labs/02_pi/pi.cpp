@@ -3,7 +3,7 @@
 #include "course/not_implemented.h"
 
 // Lab 02: π by darts. This is your file. pi.h says what each function takes and returns; README.md
-// says why. An exercise is done when its not_implemented line is gone.
+// says why. Your code takes the place of the not_implemented lines.
 
 namespace lab02 {
 

@@ -5,7 +5,7 @@
 #include "stats/distributions.h"
 
 // Lab 03: random numbers. This is your file. rng.h says what each function takes and returns;
-// README.md says why. An exercise is done when its not_implemented line is gone.
+// README.md says why. Your code takes the place of the not_implemented lines.
 
 namespace lab03 {
 

@@ -3,7 +3,7 @@
 #include "course/not_implemented.h"
 
 // Lab 04: stratification. This is your file. stratification.h says what each function takes and
-// returns; README.md says why. An exercise is done when its not_implemented line is gone.
+// returns; README.md says why. Your code takes the place of the not_implemented lines.
 
 namespace lab04 {
 

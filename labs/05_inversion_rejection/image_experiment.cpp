@@ -83,7 +83,7 @@ void image_experiment(Notebook& notebook) {
     notebook.say(
         "A sky of 64 x 32 cells with a low sun over black ground and a pond. Points follow the "
         "light: where the picture is black, none falls. A sphere's rows shrink towards its poles: "
-        "with weights that know it, this table becomes a light all around a scene in Lab 7.8, and "
+        "with weights that know it, this table becomes the light around a scene in Lab 7.8, and "
         "so the reference renderer draws common/scenes/image_light.xml.");
     carlo::Table result({"N", "cells", "χ²", "p", "time a point"},
                         {"n", "cells", "chi_square", "p", "seconds"});

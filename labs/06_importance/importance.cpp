@@ -3,7 +3,7 @@
 #include "course/not_implemented.h"
 
 // Lab 06: importance sampling. This is your file. importance.h says what each function takes and
-// returns; README.md says why. An exercise is done when its not_implemented line is gone. Errors
+// returns; README.md says why. Your code takes the place of the not_implemented lines. Errors
 // for the user are carlo::Error ("support/error.h").
 
 namespace lab06 {

@@ -20,7 +20,7 @@ struct AngleFound {
 };
 
 /// One direction at a time, so that single contributions can be examined.
-AngleFound look_at(float n, std::int64_t count, carlo::Rng rng) {
+AngleFound measure(float n, std::int64_t count, carlo::Rng rng) {
   const Sampling sampling{Technique::lobe, {0, 0, 1}, n};
   const Radiance sky = [](Vec3) { return 1.0f; };
   AngleFound found;
@@ -53,7 +53,7 @@ void exponents_experiment(Notebook& notebook) {
     int done = 0;
     for (const double n : {0.0, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 6.0}) {
       notebook.progress(done++, 11);
-      const AngleFound found = look_at(static_cast<float>(n), count, notebook.rng());
+      const AngleFound found = measure(static_cast<float>(n), count, notebook.rng());
       const double exact = n < 3 ? relative_deviation(n) : INFINITY;
       table.add_row({n, count, found.mean, found.deviation,
                      n < 3 ? carlo::Cell(exact) : carlo::Cell("infinite"),

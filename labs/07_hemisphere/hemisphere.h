@@ -108,7 +108,7 @@ double irradiance(const Radiance& radiance, Vec3 normal, const Sampling& samplin
 double ambient_occlusion(const Visible& visible, Vec3 normal, const Sampling& sampling,
                          std::int64_t count, carlo::Rng& rng);
 
-/// Lab 7.8. Points of an image all around, infinitely far away, and the directions in which they
+/// Lab 7.8. Points of an environment map, infinitely far away, and the directions in which they
 /// are seen, as in scene files (<emitter type="envmap">): (x, y) in [0, 1]^2 has the angle pi y
 /// with +y, and the azimuth 2 pi x about it, counted from -z, where x = 0, by way of +x, where x =
 /// 1/4. place_of() takes any unit direction and stays below 1 in both coordinates; at the poles any

@@ -26,7 +26,7 @@ struct LobeFound {
   double seconds = 0;  ///< per direction
 };
 
-LobeFound look_at(const Sample& sample, double n, std::int64_t count, carlo::Rng rng) {
+LobeFound measure(const Sample& sample, double n, std::int64_t count, carlo::Rng rng) {
   std::vector<Vec3> directions;
   directions.reserve(static_cast<std::size_t>(count));
   const carlo::Stopwatch watch;
@@ -82,8 +82,8 @@ void lobe_experiment(Notebook& notebook) {
     for (int decade = 0; decade <= 8; ++decade) {
       notebook.progress(decade, 9);
       const double n = std::pow(10.0, decade), exact = 1 / (n + 2);
-      const LobeFound yours = look_at(sample_lobe, n, count, notebook.rng());
-      const LobeFound recipe = look_at(by_the_recipe, n, count, notebook.rng());
+      const LobeFound yours = measure(sample_lobe, n, count, notebook.rng());
+      const LobeFound recipe = measure(by_the_recipe, n, count, notebook.rng());
       table.add_row({n, exact, yours.mean / exact, recipe.mean / exact,
                      static_cast<std::int64_t>(yours.angles),
                      static_cast<std::int64_t>(recipe.angles), carlo::seconds_cell(yours.seconds),

@@ -59,10 +59,10 @@ Rgb evaluate(const carlo::Phong& phong, Vec3 normal, Vec3 wo, Vec3 wi);
 
 /// The probabilities with which sample() chooses the diffuse and the specular lobe: the largest
 /// channels of kd and of ks, both divided by their sum if that is above 1. The rest is absorption.
-struct LobeChances {
+struct LobeProbabilities {
   float diffuse = 0, specular = 0;
 };
-LobeChances lobe_chances(const carlo::Phong& phong);
+LobeProbabilities lobe_probabilities(const carlo::Phong& phong);
 
 /// A direction and its weight: multiply the radiance from wi by `weight`.
 struct BsdfSample {
@@ -149,13 +149,13 @@ Rgb trace_specular(const World& world, const Ray& ray, bool with_emission, Rng& 
 
 // Step h: steps/h_path_tracer.cpp -----------------------------------------------------------------
 
-/// The random numbers of one path, a point of [0, 1)^infinity that may be stratified. The number at
-/// one place must always serve the same decision: seek() goes to a place, next_1d() and next_2d()
-/// read there and advance by 1 and by 2.
+/// The random numbers of one path, a point of [0, 1)^infinity that may be stratified. Each
+/// dimension must always drive the same decision: seek() goes to a dimension, next_1d() and
+/// next_2d() read from there and advance by 1 and by 2.
 class Dimensions {
  public:
   virtual ~Dimensions() = default;
-  virtual void seek(unsigned place) = 0;
+  virtual void seek(unsigned dimension) = 0;
   virtual float next_1d() = 0;
   virtual Vec2 next_2d() = 0;
 };
@@ -163,11 +163,11 @@ class Dimensions {
 /// Lossless mirrors can trap a path for ever: it ends after this many segments.
 constexpr int longest_path = 1 << 16;
 
-/// The places that path vertex 0, 1, ... reads: light, point on it, lobe (or what glass does),
-/// direction, roulette. Places 0 and 1 belong to the film.
-constexpr unsigned film_places = 2, vertex_places = 7;
-constexpr unsigned light_place = 0, point_place = 1, lobe_place = 3, direction_place = 4,
-                   roulette_place = 6;
+/// Offsets of each decision within a vertex's dimensions: light, point on it, lobe (or glass's
+/// choice), direction, roulette. Dimensions 0 and 1 belong to the film.
+constexpr unsigned film_dimensions = 2, vertex_dimensions = 7;
+constexpr unsigned light_dimension = 0, point_dimension = 1, lobe_dimension = 3,
+                   direction_dimension = 4, roulette_dimension = 6;
 
 /// Lab 8.8. The weight of a sample of density p beside another technique of density q, both >= 0
 /// and not both 0: the power heuristic with exponent 2. Nothing overflows, and q may be infinite.

@@ -37,7 +37,7 @@ class Mended {
   /// One branch: a light ray with probability p_light, otherwise the direction of sample() if that
   /// is not a light ray.
   Rgb reflected(const Surface& surface, const carlo::Phong& phong) {
-    const auto [diffuse, specular] = lobe_chances(phong);
+    const auto [diffuse, specular] = lobe_probabilities(phong);
     const float goes_on = diffuse + specular;
     const float p_light = 1 - goes_on;
     if (!(p_light > 0)) {

@@ -9,7 +9,7 @@
 
 namespace renderer {
 
-/// Samples an image around the scene as a light: the density of directions is proportional to its
+/// Samples an environment map as a light: the density of directions is proportional to its
 /// luminance.
 ///
 /// The point (s, t) of the image, in [0, 1)^2, stands for the direction of azimuth phi = 2 pi s and

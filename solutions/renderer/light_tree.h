@@ -19,8 +19,8 @@ struct LightBounds {
                            ///< normals
   /// Radiant intensity along the normals, R + G + B: radiance times area for flat lights.
   double strength = 0;
-  /// Its share, relative to others, of the choices that all lights get alike (LightTree::floor): a
-  /// triangle of a light gets its part of the light's.
+  /// Its relative weight in the uniform part of the selection (LightTree::floor); the triangles of
+  /// a light split its weight.
   double floor_share = 1;
 };
 
@@ -38,8 +38,8 @@ class LightTree {
  public:
   static constexpr double floor = 1.0 / 16;
 
-  /// Needs at least one light. `everywhere` adds one more behind the others, which brings this
-  /// irradiance to every point: the surroundings of the scene.
+  /// Needs at least one light. `everywhere`, the irradiance due to the environment, becomes one
+  /// more light after the others.
   explicit LightTree(const std::vector<LightBounds>& lights,
                      std::optional<double> everywhere = std::nullopt);
 

@@ -29,7 +29,7 @@ struct Receiver : Place {
 
 /// A point of a light as seen from a surface point.
 struct LightSample {
-  Vec3 p;        ///< on the light; beyond all shapes for the image around the scene
+  Vec3 p;        ///< on the light; beyond all shapes for the environment map
   Vec3 p_error;  ///< bound on the rounding error of each coordinate of p
   Vec3 n;        ///< the light's normal there; 0 if it is no surface
   Rgb radiance;  ///< towards the surface point; for a point light intensity / distance^2
@@ -41,7 +41,7 @@ struct LightSample {
 };
 
 /// Chooses among a scene's lights by their possible contribution to a point, and samples the chosen
-/// one: rectangles and spheres by solid angle, other shapes by area, the image around the scene by
+/// one: rectangles and spheres by solid angle, other shapes by area, the environment map by
 /// its luminance. Each triangle of a mesh is a light.
 class Lights {
  public:
@@ -65,12 +65,12 @@ class Lights {
   /// shape must emit. 0 where sample() gives nothing.
   float pdf(const Receiver& from, const carlo::Hit& hit) const;
 
-  /// The radiance along direction d from the image around the scene, and the density with which
+  /// The radiance along direction d from the environment map, and the density with which
   /// sample() gives d at `from`; both 0 if there is no image.
   EnvmapTable::Texel beyond(const Receiver& from, Vec3 d) const;
 
  private:
-  /// A shape, a point or the image around the scene.
+  /// A shape, a point or the environment map.
   struct Entry {
     enum class Kind { shape, point, envmap };
     Kind kind;

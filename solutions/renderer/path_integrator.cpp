@@ -105,7 +105,7 @@ class PathIntegrator final : public carlo::Integrator {
     Rgb beta{1};
     Rgb L{0};
     float eta_scale = 1;    ///< radiance compression so far; undone when the path leaves the glass
-    bool competes = false;  ///< was next-event estimation done for the ray's direction?
+    bool nee_done = false;  ///< was next-event estimation done for the ray's direction?
     float pdf = 0;          ///< if so: the pdf of the ray's direction,
     Receiver vertex;        ///< and where it started
     std::uint32_t dimension = film_dimensions;  ///< the first dimension of the current vertex
@@ -153,27 +153,27 @@ class PathIntegrator final : public carlo::Integrator {
           return seen && scatter(path, sampler, hit, normal, bsdf, counts);
         },
         [&](const carlo::Mirror& mirror) {
-          return seen && reflect_all(path, sampler, hit, normal, mirror);
+          return seen && scatter_mirror(path, sampler, hit, normal, mirror);
         },
         [&](const carlo::Dielectric& glass) {
-          return pass_glass(path, sampler, hit, front, glass);
+          return scatter_dielectric(path, sampler, hit, front, glass);
         });
   }
 
-  /// The radiance from outside along a ray that met no shape; the image around the scene is
+  /// The radiance from outside along a ray that met no shape; the environment map is
   /// weighted against next-event estimation.
   Rgb beyond(const Path& path) const {
     const auto& [points, environment, envmap] = scene_.lights;
     (void)points;  // no ray meets a point
     if (!envmap) return environment;
     const EnvmapTable::Texel texel = lights_.beyond(path.vertex, path.ray.d);
-    const float weight = path.competes ? power_heuristic(path.pdf, texel.pdf) : 1;
+    const float weight = path.nee_done ? power_heuristic(path.pdf, texel.pdf) : 1;
     return environment + weight * texel.radiance;
   }
 
   /// Emission at the hit, weighted against next-event estimation.
   Rgb emitted(const Path& path, const Hit& hit, Rgb radiance) const {
-    if (!path.competes) return radiance;
+    if (!path.nee_done) return radiance;
     return radiance * power_heuristic(path.pdf, lights_.pdf(path.vertex, hit));
   }
 
@@ -194,9 +194,9 @@ class PathIntegrator final : public carlo::Integrator {
     path.beta *= next->weight;
     path.pdf = next->pdf;
     path.vertex = {{hit.p, hit.p_error}, normal};
-    path.competes = !lights_.empty();
+    path.nee_done = !lights_.empty();
     spawn(path, hit, next->wi);
-    return survive(path, sampler);
+    return survives_roulette(path, sampler);
   }
 
   /// Light that reaches the surface directly from a light, by sampling lights.
@@ -217,21 +217,21 @@ class PathIntegrator final : public carlo::Integrator {
     return reflected * (power_heuristic(light->pdf, value.pdf) / light->pdf);
   }
 
-  static bool reflect_all(Path& path, Sampler& sampler, const Hit& hit, Vec3 normal,
-                          const carlo::Mirror& mirror) {
+  static bool scatter_mirror(Path& path, Sampler& sampler, const Hit& hit, Vec3 normal,
+                             const carlo::Mirror& mirror) {
     path.beta *= mirror.reflectance;
-    path.competes = false;
+    path.nee_done = false;
     spawn(path, hit, glm::normalize(reflect(normal, -path.ray.d)));
-    return survive(path, sampler);
+    return survives_roulette(path, sampler);
   }
 
-  bool pass_glass(Path& path, Sampler& sampler, const Hit& hit, bool front,
-                  const carlo::Dielectric& glass) const {
+  bool scatter_dielectric(Path& path, Sampler& sampler, const Hit& hit, bool front,
+                          const carlo::Dielectric& glass) const {
     const Vec3 wo = -path.ray.d;
     const Vec3 normal = front ? hit.n : -hit.n;
     const float eta = front ? glass.ext_ior / glass.int_ior : glass.int_ior / glass.ext_ior;
     const Refraction refraction = refract(normal, wo, eta);
-    path.competes = false;
+    path.nee_done = false;
     sampler.seek(path.dimension + lobe_dimension);
     if (sampler.next_1d() < refraction.reflectance || !refraction.wt) {
       spawn(path, hit, glm::normalize(reflect(normal, wo)));
@@ -241,7 +241,7 @@ class PathIntegrator final : public carlo::Integrator {
       path.eta_scale *= refraction.eta * refraction.eta;
       spawn(path, hit, *refraction.wt);
     }
-    return survive(path, sampler);
+    return survives_roulette(path, sampler);
   }
 
   /// Makes the path's ray leave the surface in direction d.
@@ -251,7 +251,7 @@ class PathIntegrator final : public carlo::Integrator {
 
   /// Russian roulette: a path whose throughput has fallen below roulette_threshold ends with the
   /// corresponding probability.
-  static bool survive(Path& path, Sampler& sampler) {
+  static bool survives_roulette(Path& path, Sampler& sampler) {
     const float q = max_channel(path.beta) / (path.eta_scale * roulette_threshold);
     if (q >= 1) return true;
     sampler.seek(path.dimension + roulette_dimension);

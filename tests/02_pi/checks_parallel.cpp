@@ -52,8 +52,8 @@ const Diagnosis other_exception{"exception-replaced",
                                 "std::exception_ptr keeps it as it is."};
 const Diagnosis left_running{"threads-left-running",
                              "a sampler still runs after the function has ended."};
-const Diagnosis goes_on{"works-on-after-a-failure",
-                        "further chunks are begun although one has failed already."};
+const Diagnosis continues{"works-on-after-a-failure",
+                          "further chunks are begun although one has failed already."};
 const Diagnosis race{"data-race",
                      "two threads that take a chunk at the same moment get the same one: reading "
                      "the number of the next chunk and advancing it must be one step that nobody "
@@ -173,7 +173,7 @@ void judge_failure(double threads, double chunks, double failing, bool plain = f
   const double allowed = threads == 1 ? failing + 1 : failing + 1 + 100 * threads;
   judge(holds("calls of the sampler" + of, rows.at(0, 2) <= allowed,
               number_in_report(rows.at(0, 2)), "at most " + number_in_report(allowed),
-              of_failure(goes_on)));
+              of_failure(continues)));
 }
 
 }  // namespace

@@ -163,7 +163,7 @@ TEST_CASE("Lab 7.6: the density is right across the narrowest lobes, at grazing 
     std::vector<Double3> places;
     for (int step = 0; step < lobe_steps; ++step)
       places.emplace_back(
-          lobe_place(step, subject.n, {-subject.wo.x, -subject.wo.y, subject.wo.z}));
+          lobe_direction(step, subject.n, {-subject.wo.x, -subject.wo.y, subject.wo.z}));
     judge(narrow_density_is(subject, places, rows.values));
   }
 }

@@ -211,7 +211,7 @@ TEST_CASE("Lab 7.5: the density is right across the narrowest lobes", "[lab07][e
                             {.rows = lobe_steps, .finite = false, .of = subject.name});
     std::vector<Double3> places;
     for (int step = 0; step < lobe_steps; ++step) {
-      places.emplace_back(lobe_place(step, n, {0, 0, 1}));
+      places.emplace_back(lobe_direction(step, n, {0, 0, 1}));
     }
     judge(narrow_density_is(subject, places, rows.values));
   }

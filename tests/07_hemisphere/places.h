@@ -105,7 +105,7 @@ constexpr int edge_mirrors = 64, edge_streams = 48;
 /// Places across a lobe of exponent n about `axis`: from its middle to where the density has fallen
 /// to e^-16, or to the lobe's edge if that comes first.
 constexpr int lobe_steps = 160;
-inline Vec3 lobe_place(int step, double n, Vec3 axis) {
+inline Vec3 lobe_direction(int step, double n, Vec3 axis) {
   // cos^n = e^-s, s = 0 ... 16.
   const double s = 16.0 * step / lobe_steps;
   const double cosine = n > 0 ? std::exp(-s / n) : 1 - s / 16;

@@ -149,7 +149,7 @@ PROBE("Lab 7.5 to 7.6 lobe density", "pdf", "(in 160 directions, from the lobe's
   const Subject subject(params);
   RowWriter rows;
   for (int step = 0; step < lobe_steps; ++step)
-    rows.add({subject.pdf(lobe_place(step, subject.n, subject.axis()))});
+    rows.add({subject.pdf(lobe_direction(step, subject.n, subject.axis()))});
   return rows.take();
 }
 

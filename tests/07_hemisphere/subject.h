@@ -110,7 +110,7 @@ inline Verdict samples_follow(const Subject& subject, const std::vector<Double3>
 
 /// Six digits, or "NaN ...".
 inline std::string number_or_nan(double value) {
-  return std::isnan(value) ? "NaN, which is no number" : fmt::format("{:.6g}", value);
+  return std::isnan(value) ? "NaN" : fmt::format("{:.6g}", value);
 }
 
 inline bool agree(double a, double b, double relative) {

@@ -14,9 +14,10 @@ using namespace lab08_tests;
 
 namespace {
 
-const Diagnosis lobes_confused{"lobes-confused",
-                               "a lobe is taken with another chance than lobe_chances() says: "
-                               "u_lobe is compared with one chance, then with the sum of both."};
+const Diagnosis lobes_confused{
+    "lobes-confused",
+    "a lobe is taken with another chance than lobe_probabilities() says: "
+    "u_lobe is compared with one chance, then with the sum of both."};
 const Diagnosis redrawn{"below-horizon-redrawn",
                         "directions below the horizon come back as others, drawn again or turned "
                         "up: they carry nothing, and nothing is to be returned."};

@@ -77,7 +77,7 @@ PROBE("Lab 8.2 estimates", "red", "green", "blue") {
 PROBE("Lab 8.3 chances", "diffuse", "specular") {
   RowWriter rows;
   for (const auto& [kd, ks] : chance_cases()) {
-    const lab08::LobeChances chances = lab08::lobe_chances({kd, ks, 10});
+    const lab08::LobeProbabilities chances = lab08::lobe_probabilities({kd, ks, 10});
     rows.add({number(chances.diffuse), number(chances.specular)});
   }
   return rows.take();

@@ -92,7 +92,7 @@ class NotedDimensions final : public lab08::Dimensions {
  private:
   void read(unsigned place) {
     twice_ += read_[place]++ == 1 ? 1 : 0;
-    film_ += place < lab08::film_places ? 1 : 0;
+    film_ += place < lab08::film_dimensions ? 1 : 0;
   }
   carlo::Rng* rng_;
   unsigned place_ = 0;

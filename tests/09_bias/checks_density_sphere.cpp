@@ -47,9 +47,10 @@ const Diagnosis mirrored_emission_missing{
 const Diagnosis weight_twice{"albedo-in-place-of-weight",
                              "sample() absorbs paths already: its weight is what is left to "
                              "multiply, not the albedo."};
-const Diagnosis goes_on{"path-goes-on",
-                        "the path goes on after the first Phong surface: a map of all photons has "
-                        "that light already."};
+const Diagnosis continues{
+    "path-goes-on",
+    "the path goes on after the first Phong surface: a map of all photons has "
+    "that light already."};
 const Diagnosis samples_beside_map{"light-sampled-beside-the-map",
                                    "light is sampled beside the map: a map of all photons has that "
                                    "light already."};
@@ -137,7 +138,7 @@ Verdict judge_part(const std::string& what, const std::vector<double>& values, c
   return verdict;
 }
 
-bool told(const Verdict& verdict, const Diagnosis& diagnosis) {
+bool has_diagnosis(const Verdict& verdict, const Diagnosis& diagnosis) {
   return std::any_of(verdict.diagnoses.begin(), verdict.diagnoses.end(),
                      [&](const Diagnosis& one) { return one.id == diagnosis.id; });
 }
@@ -198,7 +199,8 @@ TEST_CASE("Lab 9.5: no light by two roads, and none by neither", "[lab09][ex5]")
         judge_part("the wall's radiance by its own light" + where, seen.light,
                    {weight * (glow + light.mean), weight * light.sd}, of_light);
     const Suspects of_photons =
-        seen.density_right ? times(weight, photon_suspects(told(by_light, path_ends))) : Suspects{};
+        seen.density_right ? times(weight, photon_suspects(has_diagnosis(by_light, path_ends)))
+                           : Suspects{};
     judge_part("the wall's radiance by photons" + where, seen.photons,
                {weight * photons.mean, weight * photons.sd}, of_photons);
   }
@@ -223,7 +225,7 @@ TEST_CASE("Lab 9.5: a map of all photons is all of the reflected light", "[lab09
     std::vector<Diagnosis> found;
     // If light is sampled at only one surface, the photons' part is unaffected.
     if (seen.density_right && differ(seen.light))
-      found = {differ(seen.photons) ? goes_on : samples_beside_map};
+      found = {differ(seen.photons) ? continues : samples_beside_map};
     const std::string where = mirrored ? "in a mirror" : "seen straight";
     judge(holds("rays to a wall " + where + " that bring another light of its own than it emits",
                 wrong_light == 0, fmt::format("{:g} of {}", wrong_light, rays), "0", found));
@@ -261,7 +263,7 @@ void judge_white_ball(bool caustic, bool in_glass) {
     const SphereRays in_sphere = sphere_rays(true, false, 200);
     found = {end_at_first(in_sphere.photons, 1) ? path_ends : sky_by_camera_only};
   }
-  if (!caustic && same_radiance(shown, DensityVec(sky))) found = {goes_on};
+  if (!caustic && same_radiance(shown, DensityVec(sky))) found = {continues};
   judge(holds(fmt::format("the radiance of {} under a sky, {}", name,
                           caustic ? "by a map of caustics that has none"
                                   : "by an empty map of all photons"),

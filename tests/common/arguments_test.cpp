@@ -122,9 +122,9 @@ TEST_CASE("one verb of several is chosen, with options of its own", "[arguments]
   CHECK(parse({}) == "which verb? There are hint, status (see ./carlo --help)");
   CHECK(parse({"run"}) == "there is no verb run; there are hint, status (see ./carlo --help)");
   CHECK(parse({"hint"}) == "exercise is missing: which one (see ./carlo hint --help)");
-  CHECK(parse({"hint", "1", "2"}) == "2 is one word more than expected (see ./carlo hint --help)");
+  CHECK(parse({"hint", "1", "2"}) == "unexpected argument: 2 (see ./carlo hint --help)");
   CHECK(parse({"status", "--all", "--some"}) ==
-        "--all excludes --some (see ./carlo status --help)");
+        "--all and --some cannot be used together (see ./carlo status --help)");
 }
 
 TEST_CASE("a bad command line is one line with the option, the value and what was expected",
@@ -149,5 +149,5 @@ TEST_CASE("a bad command line is one line with the option, the value and what wa
   CHECK(complaint({"--quiet=1"}) == "--quiet: takes no value, got 1" + help);
   CHECK(complaint({"--frobnicate=2"}) == "there is no option --frobnicate" + help);
   CHECK(complaint({"-x"}) == "there is no option -x" + help);
-  CHECK(complaint({"a", "b"}) == "b is one word more than expected" + help);
+  CHECK(complaint({"a", "b"}) == "unexpected argument: b" + help);
 }

@@ -49,7 +49,7 @@ bool has(const std::string& text, const char* part) {
 TEST_CASE("a line of progress that stands still says so, and for how long", "[progress]") {
   const std::string said = at_terminal([] {
     carlo::Progress progress("lab 01", true);
-    progress.tell_stalls();
+    progress.report_stalls();
     progress.update(0.5);
     std::this_thread::sleep_for(6s);
   });
@@ -60,7 +60,7 @@ TEST_CASE("a line of progress that stands still says so, and for how long", "[pr
 TEST_CASE("a line of progress that moves, or is finished, tells no stall", "[progress]") {
   const std::string said = at_terminal([] {
     carlo::Progress progress("lab 01", true);
-    progress.tell_stalls();
+    progress.report_stalls();
     for (int i = 0; i < 20; ++i) {
       progress.update(i / 20.0);
       std::this_thread::sleep_for(50ms);

@@ -60,7 +60,7 @@ std::vector<std::string> in_backticks(const std::string& text) {
 
 std::vector<Row> rows() {
   std::vector<Row> out;
-  std::istringstream lines(between(page(), "| in | written so |", "\n## "));
+  std::istringstream lines(between(page(), "| in | example |", "\n## "));
   std::string line;
   std::getline(lines, line), std::getline(lines, line);  // the table's head
   while (std::getline(lines, line) && line.starts_with("| ")) {

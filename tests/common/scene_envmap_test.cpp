@@ -1,4 +1,4 @@
-// An image around the scene as loaded; what the loader refuses is in broken_scenes/.
+// An environment map as loaded; what the loader refuses is in broken_scenes/.
 
 #include "image/exr.h"
 #include "scene/needs.h"
@@ -27,7 +27,7 @@ Scene under_image(const std::string& properties) {
   return load_scene(folder.path() / "scene.xml");
 }
 
-TEST_CASE("an image around the scene stands beside the file, is scaled and turned", "[scene]") {
+TEST_CASE("an environment map stands beside the file, is scaled and turned", "[scene]") {
   const auto red = [](const Scene& scene, Vec3 d) {
     const Envmap& map = scene.lights.envmap.value();
     return map.image.pixels[texel_at(map, glm::normalize(d))].r;
@@ -35,7 +35,7 @@ TEST_CASE("an image around the scene stands beside the file, is scaled and turne
   const Scene plain = under_image("");
   CHECK(plain.notes.empty());
   CHECK(needs(plain).envmap);
-  CHECK(describe(needs(plain)) == "no shapes; no materials; image all around");
+  CHECK(describe(needs(plain)) == "no shapes; no materials; environment map");
   // Up is +y; the left edge is towards -z, and +x is right of it.
   CHECK(red(plain, {.1f, 1, -1}) == 1);
   CHECK(red(plain, {1, 1, .1f}) == 2);

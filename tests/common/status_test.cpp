@@ -126,7 +126,7 @@ TEST_CASE("what has passed stays so until it is judged again, and says that it w
   const std::string text = status_text({status}, false);
   CHECK(has(text, "9 of 9 points, 3 of 3 exercises (3 changed since)"));
   CHECK(has(text, "✓ 1.1  First   2 of 2  changed since"));
-  CHECK(has(text, "Lab 1 is done. What was changed since is judged by ./carlo test 1"));
+  CHECK(has(text, "Lab 1 is done. To judge what has changed since: ./carlo test 1"));
   tree.judge("1.1", "failed", 0);
   CHECK(tree.stage(0) == Stage::failed);
   CHECK(tree.status().passed() == 2);
@@ -262,7 +262,7 @@ TEST_CASE("errors in the student's file come first, those it caused elsewhere ne
   CHECK(has(text, "and 2 more errors\n"));
 }
 
-TEST_CASE("a missing } is told once, where the next function begins", "[course]") {
+TEST_CASE("a missing } is explained once, where the next function begins", "[course]") {
   const std::string gcc =
       "../../labs/02_pi/pi.cpp: In function 'double lab02::f()':\n"
       "../../labs/02_pi/pi.cpp:21:9: error: a function-definition is not allowed here before '{' "
@@ -285,22 +285,22 @@ TEST_CASE("a missing } is told once, where the next function begins", "[course]"
 
 TEST_CASE("of a function of <cmath> the header is named, of a member of another class not",
           "[course]") {
-  const auto told = [](const std::string& text) {
+  const auto explained = [](const std::string& text) {
     return compiler_messages("/tree/labs/02_pi/pi.cpp:5:9: error: " + text + "\n", "/tree")
         .at(0)
         .text;
   };
   const std::string missing = "std::sqrt is not known here: #include <cmath>";
-  CHECK(told("'sqrt' is not a member of 'std'; did you mean 'sort'?") == missing);
-  CHECK(told("‘sqrt’ is not a member of ‘std’; did you mean ‘sort’?") == missing);
-  CHECK(told("no member named 'sqrt' in namespace 'std'; did you mean 'sort'?") == missing);
+  CHECK(explained("'sqrt' is not a member of 'std'; did you mean 'sort'?") == missing);
+  CHECK(explained("‘sqrt’ is not a member of ‘std’; did you mean ‘sort’?") == missing);
+  CHECK(explained("no member named 'sqrt' in namespace 'std'; did you mean 'sort'?") == missing);
   for (const char* other :
        {"'struct Point' has no member named 'log'", "'sort' is not a member of 'std'",
         "'log' is not a member of 'std::chrono'", "no member named 'exp' in 'lab02::Sums'"})
-    CHECK(told(other) == other);
+    CHECK(explained(other) == other);
 }
 
-TEST_CASE("a missing return is told before other warnings", "[course]") {
+TEST_CASE("a missing return is explained before other warnings", "[course]") {
   const std::string log =
       "/tree/labs/02_pi/pi.cpp:5:9: warning: unused variable 'x' [-Wunused-variable]\n"
       "/tree/labs/02_pi/pi.cpp:9:1: warning: no return statement in function returning non-void "
@@ -323,8 +323,9 @@ TEST_CASE("Clang's way to the student's line, and what the linker misses", "[cou
   REQUIRE(messages.size() == 3);
   CHECK(messages[0].file == "labs/02_pi/pi.cpp");
   CHECK(messages[0].line == 30);
-  CHECK(has(messages[1].text, "lab02::pi_estimate(lab02::Darts const&) is called but not defined"));
-  CHECK(has(messages[2].text, "lab02::mean_of(lab02::Sums const&) is called but not defined"));
+  CHECK(
+      has(messages[1].text, "lab02::pi_estimate(lab02::Darts const&) is called but never defined"));
+  CHECK(has(messages[2].text, "lab02::mean_of(lab02::Sums const&) is called but never defined"));
 }
 
 TEST_CASE("a log in which nothing is recognised is shown without the commands", "[course]") {

@@ -6,15 +6,15 @@
 // that absorb, trace_path()'s has. A bounce weighs at most (n + 2)/(n + 1) and is survived with
 // probability kd + ks; ((n + 2)/(n + 1))^2 (kd + ks) < 1 in all our scenes, and the radiances that
 // paths meet are bounded. Lab 08 refuses point lights, which no direction meets, and no scene has
-// them; it also refuses the image around `image_light`, which is left out here. trace_specular()
-// replaces trace_path() in three scenes: in `caustics` and `procedural`, since trace_path() does
-// not support mirrors and glass; and in `highlights`, where the variance is finite, but only one
-// path in about 10^5 meets the smallest light, so that no tile would be close to normal. It samples
-// lights by area, whose 1/d^2 has infinite variance where a surface touches a light; in these
-// scenes none does. In `rare_paths` a few bright paths make up the noise, and it takes many of them
-// for a normal sum: the loop needs 3 million in a tile at seed 2; with a quarter of them a tile's
-// skewness, .6, leads to two expected false alarms. So all three get more samples there, in larger
-// tiles; nightly runs use smaller ones, with four times the samples.
+// them; it also refuses the environment map of `image_light`, which is left out here.
+// trace_specular() replaces trace_path() in three scenes: in `caustics` and `procedural`, since
+// trace_path() does not support mirrors and glass; and in `highlights`, where the variance is
+// finite, but only one path in about 10^5 meets the smallest light, so that no tile would be close
+// to normal. It samples lights by area, whose 1/d^2 has infinite variance where a surface touches a
+// light; in these scenes none does. In `rare_paths` a few bright paths make up the noise, and it
+// takes many of them for a normal sum: the loop needs 3 million in a tile at seed 2; with a quarter
+// of them a tile's skewness, .6, leads to two expected false alarms. So all three get more samples
+// there, in larger tiles; nightly runs use smaller ones, with four times the samples.
 //
 // Error rates: a tile's channel is outside 4 standard errors with probability 6.3e-5 if it is
 // normal, the whole image outside 3 with 2.7e-3. There are 48 + 3 comparisons for each pair and

@@ -121,17 +121,17 @@ TEST_CASE("Scenes that Cycles has no exact equal of are refused with the reason"
   CHECK(obstacle([](Scene& s) {
           s.lights.points.push_back({Vec3(1), Rgb(1)});
         }) == "a point light");
-  CHECK(obstacle([](Scene& s) { s.lights.environment = Rgb(1); }) == "a light all around");
+  CHECK(obstacle([](Scene& s) { s.lights.environment = Rgb(1); }) == "a constant environment");
   CHECK(obstacle([](Scene& s) { s.camera.right = -s.camera.right; }) == "a camera that mirrors");
 }
 
-TEST_CASE("Mitsuba gets an image all around: rows from the top, and where its axes point") {
+TEST_CASE("Mitsuba gets an environment map: rows from the top, and where its axes point") {
   Scene scene = light_over_triangle();
   Envmap map{Image(2, 1), glm::dmat3({0, 0, -1}, {0, 1, 0}, {1, 0, 0})};
   map.image.pixels = {Rgb(1, 2, 3), Rgb(4, 5, 6)};
   scene.lights.envmap = map;
-  CHECK(bench::obstacle(scene, bench::Peer::cycles) == "an image all around");
-  CHECK(bench::obstacle(scene, bench::Peer::luxcore) == "an image all around");
+  CHECK(bench::obstacle(scene, bench::Peer::cycles) == "an environment map");
+  CHECK(bench::obstacle(scene, bench::Peer::luxcore) == "an environment map");
   REQUIRE(!bench::obstacle(scene, bench::Peer::mitsuba));
   const json spec = bench::peer_scene(scene, bench::Peer::mitsuba).at("envmap");
   CHECK(spec.at("width") == 2);

@@ -111,7 +111,7 @@ wait "$long" 2>/dev/null || true
 [ ! -e "$scratch/target_killed.png" ] || complain 'the render with a target ended before it was killed'
 refused 'target error is 0.01' --resume "$scratch/target_killed.exr" --target-error .02
 refused 'seed is 9' --resume "$scratch/target_killed.exr" --seed 8
-refused 'cannot go on with --spp 32' --resume "$scratch/target_killed.exr" --spp 32
+refused 'cannot continue with --spp 32' --resume "$scratch/target_killed.exr" --spp 32
 "$renderer" --quiet --resume "$scratch/target_killed.exr" || complain 'no way to go on to a target'
 cmp "$scratch/undisturbed.exr" "$scratch/target_killed.exr" ||
   complain 'a render with a target that was killed and resumed has other bits'

@@ -1,4 +1,4 @@
-// Directions drawn from an image around the scene: the density integrates to 1 and matches the
+// Directions drawn from an environment map: the density integrates to 1 and matches the
 // directions, at the poles, in black images with a sun of one texel, and in rotated images.
 
 #include "renderer/envmap_table.h"

@@ -151,7 +151,7 @@ TEST_CASE("Many lights are seen beside a sun") {
   }
 }
 
-/// A quad below the floor, with a vertex that no face uses, and a grey image all around.
+/// A quad below the floor, with a vertex that no face uses, and a grey environment map.
 Scene stray_scene(float stray, bool two_vertices) {
   Scene scene = floor_scene();
   Mesh mesh{{{-1, -1, -1}, {1, -1, -1}, {1, -1, 1}, {-1, -1, 1}}, {{3, 2, 1}, {3, 1, 0}}};
@@ -234,7 +234,7 @@ TEST_CASE("Splats of a weak light are not lost beside 1e13 times as strong a lig
 }
 
 // The square of twice the scene's diameter does not fit into a float.
-TEST_CASE("A stray vertex 1e19 away does not dim the image around") {
+TEST_CASE("A stray vertex 1e19 away does not dim the environment map") {
   check_strays({1e18f, 1e19f, 1e30f}, 1 << 16);
 }
 

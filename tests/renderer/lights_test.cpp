@@ -171,7 +171,7 @@ TEST_CASE("pdf() is the density with which sample() gives the point that a ray h
     CHECK(count > 50);
 }
 
-TEST_CASE("beyond() is the density with which sample() gives a direction to the image around") {
+TEST_CASE("beyond() is the density with which sample() gives a direction to the environment map") {
   Scene scene = lit_by({Disk{{0, 5, 1}, {0, 0, -1}, 1}});
   Envmap map{Image(8, 4)};
   for (std::size_t i = 0; i < map.image.pixels.size(); ++i)

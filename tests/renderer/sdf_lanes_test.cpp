@@ -103,7 +103,7 @@ struct Tally {
   std::string first_fault;
 };
 
-std::string told(const std::string& what, const sdf_lanes::Ray& r, double s, double scalar) {
+std::string describe(const std::string& what, const sdf_lanes::Ray& r, double s, double scalar) {
   return fmt::format("{}: o {:a} {:a} {:a} d {:a} {:a} {:a} far {} s {} scalar {}", what, r.o.x,
                      r.o.y, r.o.z, r.d.x, r.d.y, r.d.z, r.far, s, scalar);
 }
@@ -143,7 +143,7 @@ class Judge {
       tally.scalar_late += other.first || other.excused ? 0 : 1;
     }
     const bool well = lanes.root && lanes.crosses && (lanes.first || lanes.excused) && same;
-    if (!well && tally.first_fault.empty()) tally.first_fault = told(what, world, s, scalar);
+    if (!well && tally.first_fault.empty()) tally.first_fault = describe(what, world, s, scalar);
   }
 
   Sdf sdf_;

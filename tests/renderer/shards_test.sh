@@ -103,7 +103,7 @@ renderer=$this
 head -c 5000 "$two" >short.part
 merge_refused 'short.part: it is cut short' "$one" "$scratch/short.part"
 cp "$two" spoilt.part && printf 'x' | dd of=spoilt.part bs=1 seek=5000 conv=notrunc status=none
-merge_refused 'spoilt.part: it is spoilt' "$one" "$scratch/spoilt.part"
+merge_refused 'spoilt.part: corrupt' "$one" "$scratch/spoilt.part"
 
 # Merges an incomplete set on request; no part of it passes for the whole.
 "$merge" "$one" --partial -o half >stdout

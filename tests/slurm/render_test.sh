@@ -203,7 +203,7 @@ refused() {
   of 64
   "${render[@]}" -o taken --slurm --tasks 2 --no-wait
   local image=$scratch/taken
-  expect_error 'cannot go on with .*: its seed is 1, this render.s 2; remove it' "${render[@]}" -o "$image" --slurm --seed 2
+  expect_error 'cannot continue .*: its seed is 1, this render.s 2; remove it' "${render[@]}" -o "$image" --slurm --seed 2
   expect_error 'its number of tasks is 2, this render.s 3' "${render[@]}" -o "$image" --slurm --tasks 3
   expect_error 'its sampler is sobol' "${render[@]}" -o "$image" --slurm --sampler independent
   expect_error 'slurm does not go with --seconds' "$renderer" "$scene" --seconds 3 -o "$image" --slurm

@@ -147,7 +147,7 @@ Argument Argument::one_of(const std::vector<std::string>& words) {
 
 Argument Argument::existing_file() {
   option_->checks.push_back(
-      {[](const std::string& word) { return fs::is_regular_file(word); }, "a file that is there"});
+      {[](const std::string& word) { return fs::is_regular_file(word); }, "an existing file"});
   return *this;
 }
 

@@ -106,7 +106,7 @@ class Parser {
       add(option, word);
       return;
     }
-    throw Error("{} is one word more than expected", word);
+    throw Error("unexpected argument: {}", word);
   }
 
   static void add(CommandLineOption& option, const std::string& word) {
@@ -125,7 +125,8 @@ class Parser {
       return;
     }
     for (const CommandLineOption* other : option.excluded)
-      if (other->count > 0) throw Error("{} excludes {}", option.called(), other->called());
+      if (other->count > 0)
+        throw Error("{} and {} cannot be used together", option.called(), other->called());
     for (const std::string& word : option.words)
       for (const CommandLineOption::Check& check : option.checks)
         if (!check.holds(word)) fail(option, check.expected, word);

@@ -82,7 +82,7 @@ pid_t start_program(const std::vector<std::string>& words, const ProgramStart& h
 int wait_for(pid_t child) {
   int status = 0;
   while (::waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) throw Error("lost sight of a program: {}", std::strerror(errno));
+    if (errno != EINTR) throw Error("cannot wait for a program: {}", std::strerror(errno));
   }
   return status;
 }

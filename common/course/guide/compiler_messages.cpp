@@ -294,8 +294,8 @@ class Reader {
       const std::string name =
           what.back() == ' ' && what[10] == 's' ? line.substr(at + what.size()) : quoted(line, at);
       link_error(
-          fmt::format("{} is called but not defined: is it written, with the header's "
-                      "parameters and in the header's namespace?",
+          fmt::format("{} is called but never defined: is it written with exactly the "
+                      "header's parameters, and in the header's namespace?",
                       calm(name)));
       return true;
     }

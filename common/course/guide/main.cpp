@@ -79,13 +79,13 @@ void explain(const Options& options) {
 int main(int argc, char** argv) {
   return run_main([&] {
     Options options;
-    CommandLine app("The course: hints, how far you are, what the compiler means", "./carlo");
+    CommandLine app("Hints, progress, and compiler messages explained", "./carlo");
     const auto verb = [&](const char* name, const char* about) {
       CommandLine added = app.verb(name, about);
       added.option("--root", options.root, "the folder of the tree").show_default();
       return added;
     };
-    CommandLine hints = verb("hint", "the next hint for an exercise");
+    CommandLine hints = verb("hint", "show the next hint for an exercise");
     hints.option("exercise", options.exercise, "which exercise, such as 1.2").required();
     const Argument one = hints.option("step", options.step, "show this earlier hint again");
     hints.flag("--all", options.all, "show all hints that were seen").excludes(one);

@@ -20,7 +20,7 @@ struct Place {
 // NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
 extern "C" [[noreturn]] void __ubsan_handle_missing_return(void* place) {
   const Place& at = *static_cast<const Place*>(place);
-  std::fprintf(stderr, "%s:%u:%u: runtime error: a function came to its end without a return\n",
-               at.file, at.line, at.column);
+  std::fprintf(stderr, "%s:%u:%u: runtime error: a function ended without a return\n", at.file,
+               at.line, at.column);
   std::abort();
 }

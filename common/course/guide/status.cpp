@@ -108,11 +108,11 @@ std::string next_line(const std::vector<LabStatus>& labs) {
     const std::string done = labs.size() == 1
                                  ? fmt::format("Lab {} is done.", labs.front().lab->number)
                                  : "Everything is done.";
-    return coloured(Colour::green, done) +
-           (changed == labs.end() ? "\n"
-                                  : fmt::format(" What was changed since is judged by "
-                                                "./carlo test {}\n",
-                                                changed->lab->number));
+    return coloured(Colour::green, done) + (changed == labs.end()
+                                                ? "\n"
+                                                : fmt::format(" To judge what has changed since: "
+                                                              "./carlo test {}\n",
+                                                              changed->lab->number));
   }
   const std::string lab = next->number().substr(0, next->number().find('.'));
   return fmt::format("{} {}, {}: ./carlo watch {}, ./carlo hint {}\n",

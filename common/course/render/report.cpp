@@ -3,7 +3,7 @@
 #include "course/json/json_fields.h"
 #include "image/luminance.h"
 #include "numeric/compensated.h"
-#include "render/light_asks.h"
+#include "render/light_coverage.h"
 #include "scene/needs.h"
 #include "scene/sampler_kind.h"
 #include "support/progress.h"
@@ -160,7 +160,7 @@ RenderReport make_report(const RenderResult& result) {
 }
 
 void RenderReport::expect_asks(double least_light_chance) {
-  light_asks = expected_asks(least_light_chance, spp, width, height);
+  light_asks = expected_light_samples(least_light_chance, spp, width, height);
 }
 
 std::optional<ExrFile> read_reference(const std::string& path, int width, int height) {
@@ -196,8 +196,8 @@ ReportLines to_lines(const RenderReport& r) {
   line("image", fmt::format("{} x {}, {:.6g} sample{} a pixel", r.width, r.height, r.spp,
                             r.spp == 1 ? "" : "s"));
   if (r.interrupted) {
-    line("INTERRUPTED", fmt::format("{:.0f} % of the pixels have samples, the others are black; "
-                                    "means are over the former",
+    line("INTERRUPTED", fmt::format("{:.0f} % of the pixels have samples, the rest are black; "
+                                    "means are over the sampled pixels",
                                     100 * r.finished));
   }
   lines.insert(lines.end(), r.behind_image.begin(), r.behind_image.end());
@@ -217,19 +217,20 @@ ReportLines to_lines(const RenderReport& r) {
     for (const std::string& note : r.reference->notes)
       line("note", note);
   }
-  if (r.light_asks && *r.light_asks < enough_asks) {
+  if (r.light_asks && *r.light_asks < enough_light_samples) {
     line("lights",
-         fmt::format("some are asked but {:.2g} times around a pixel (expected): one of these that "
-                     "lights it where stronger ones are hidden may be missing, from the error, too",
+         fmt::format("some are sampled only about {:.2g} times in a pixel's neighbourhood; where "
+                     "stronger lights are occluded, their light may be missing from the image and "
+                     "from its error estimate",
                      *r.light_asks));
   }
   if (r.counts.cut > 0) {
-    line("WARNING",
-         fmt::format("{} paths were cut for their length: the image is too dark", r.counts.cut));
+    line("WARNING", fmt::format("{} paths were cut at the maximum length: the image is too dark",
+                                r.counts.cut));
   }
   if (r.counts.bad > 0) {
-    line("WARNING",
-         fmt::format("{} samples were not finite or negative; they count as black", r.counts.bad));
+    line("WARNING", fmt::format("{} samples were NaN, infinite or negative; they count as black",
+                                r.counts.bad));
   }
   return lines;
 }

@@ -42,7 +42,7 @@ struct RenderReport {
   Counts counts;
   MeanRadiance mean;
   double relative_error = 0;  ///< rms standard error of a pixel over the mean radiance
-  /// expected_asks() (light_asks.h) where samples are fewest; nothing if unknown.
+  /// expected_light_samples() (light_coverage.h) where samples are fewest; nothing if unknown.
   std::optional<double> light_asks;
   double finished = 1;  ///< fraction of the pixels that have samples; the means are over these
   std::optional<ReferenceReport> reference;

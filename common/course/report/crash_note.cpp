@@ -37,7 +37,7 @@ constexpr bool sanitized =
 
 }  // namespace
 
-void tell_crashes() {
+void report_crashes() {
   if (sanitized) return;
   // The handler's own stack: endless recursion has used up the other.
   stack_t own{};

@@ -7,7 +7,7 @@ namespace carlo {
 /// From now on a crash of this program (bad access, integer division by zero, abort, stack
 /// overflow) first names on stderr the experiment in which it happened. In a sanitizer build
 /// nothing is changed, since sanitizers report more.
-void tell_crashes();
+void report_crashes();
 
 /// Notes the experiment that begins.
 void note_experiment(std::string_view title);

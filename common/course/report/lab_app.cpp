@@ -90,7 +90,7 @@ std::optional<Predictions> predictions_of(const LabApp& lab, const Arguments& ar
   const bool student = of_student();
   const bool somebody = ::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1;
   if (arguments.predict && (!student || !somebody || !arguments.step.empty())) {
-    throw Error("--predict asks you at a terminal, about the whole lab on your own code");
+    throw Error("--predict works only at a terminal, and without --solutions and --step");
   }
   if (!student || arguments.no_predict) return std::nullopt;
   std::optional<Predictions> predictions(std::in_place, std::getenv("CARLO_COURSE"), lab.number);
@@ -109,7 +109,9 @@ void show_predictions(const Predictions& predictions, Notebook& notebook) {
 /// Returns advice for students who stop an experiment, perhaps in an endless loop.
 std::string advice_when_stopped(const LabApp& lab) {
   if (!of_student()) return "";
-  return fmt::format("If it came to no end: ./carlo test {} says in which exercise.\n", lab.number);
+  return fmt::format(
+      "If it did not end by itself: ./carlo test {} names the exercise with the endless loop.\n",
+      lab.number);
 }
 
 /// Returns the command as one could type it again.
@@ -134,7 +136,7 @@ void run_experiments(const Selection& lab, const std::optional<Predictions>& pre
   if (predictions) show_predictions(*predictions, notebook);
   notebook.begin("What you should see");
   if (!notebook.left_out().empty()) {
-    notebook.say("It is told here once all exercises are done.");
+    notebook.say("This section is shown once all exercises are done.");
     return;
   }
   for (const std::string& paragraph : lab.what_you_should_see)
@@ -166,8 +168,8 @@ void run(const LabApp& lab, const Arguments& arguments, const std::string& comma
   const std::optional<Predictions> predictions = predictions_of(lab, arguments);
   Page page(lab.title, lab.subtitle);
   Notebook notebook(fmt::format("lab {:02}", lab.number), arguments.options, page);
-  if (of_student()) notebook.tell_stalls();
-  tell_crashes();
+  if (of_student()) notebook.report_stalls();
+  report_crashes();
   const WallClock clock;
   run_experiments(selected(lab, arguments.step), predictions, notebook);
   const double seconds = clock.seconds();

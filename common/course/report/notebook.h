@@ -71,7 +71,7 @@ class Notebook {
   /// out.
   void set_experiment(int index, int count, int before = 0);
   /// For code that may never return: the progress line reports a standstill.
-  void tell_stalls() { bar_.tell_stalls(); }
+  void report_stalls() { bar_.report_stalls(); }
   void finish() { bar_.finish(); }
 
   /// The tags of exercises that were left out, for the last lines of the run; and everything

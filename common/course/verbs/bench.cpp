@@ -51,7 +51,7 @@ void install_peers(const Tree& tree, const fs::path& folder) {
     if (code == 0) {
       const std::ofstream done(folder / module);
     } else {
-      say({"carlo: no ", module, " for this Python, or no network\n"});
+      say({"carlo: cannot install ", module, ": no network, or no build for this Python\n"});
     }
   }
 }
@@ -106,7 +106,8 @@ static int bench(Course& course, const Words& words) {
     Words command = list_of({root / "tests/profile" / joined({what, ".sh"})});
     throw HandOver{command += rest};
   }
-  fail({"bench measures everything, or: render, peers, build, tests (got '", what, "')"});
+  fail({"bench takes options for the whole page, or one of render, peers, build, tests (got '",
+        what, "')"});
 }
 
 static const Verb bench_verb("bench", bench);

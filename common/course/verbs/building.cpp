@@ -125,14 +125,14 @@ void Building::failed(int code, const std::string& said) {
   const fs::path log = folder_ / "build.log";
   write_file(log, said);
   explain(said);
-  fail({"the code does not compile (all that the compiler said: ", from_here(log), ")"});
+  fail({"the code does not compile (the compiler's full output: ", from_here(log), ")"});
 }
 
 void Building::explain(const std::string& said) {
   const fs::path log = own().path() / "build.log", guide = program("carlo_course");
   write_file(log, said);
   if (!fs::exists(guide) || steps({"carlo_course"}) != 0) {
-    say({"carlo: building what explains the compiler's words (once) ...\n"});
+    say({"carlo: building the explainer of compiler messages (once) ...\n"});
     Words command = in_turn();
     run_silently(command += {"ninja", "-C", folder_, "carlo_course"});
   }

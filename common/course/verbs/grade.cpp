@@ -29,7 +29,7 @@ int calibrate(Course& course, const Words& words) {
     course.tree.print_help("calibrate");
     return 0;
   }
-  course.tree.needs_solutions("solutions, which calibration judges");
+  course.tree.needs_solutions("the solutions, which --calibrate judges");
   Words targets{"carlo_calibrate"};
   for (const LabFolder& lab : named_labs(course.tree, words))
     targets += {lab.program("_judge"), lab.program("_worker_solution"), lab.program("_mistakes")};

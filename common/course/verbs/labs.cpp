@@ -19,11 +19,11 @@ std::string crash_of(int code) {
   switch (code - 128) {
     case SIGSEGV:
     case SIGBUS:
-      return "a bad access to memory, or a recursion without end";
+      return "invalid memory access or infinite recursion";
     case SIGFPE:
-      return "a division of a whole number by zero";
+      return "integer division by zero";
     case SIGABRT:
-      return "abort; what led to it stands above";
+      return "abort; see the output above";
     default:
       return code - 128 > 64 ? joined({"exit code ", std::to_string(code)})
                              : joined({"signal ", std::to_string(code - 128)});
@@ -59,9 +59,9 @@ int run_students_code(Course& course, const LabFolder& lab, const std::string& v
   const int code = run(command += arguments);
   const std::string crash = crash_of(code);
   if (crash.empty()) return code;
-  fail({"the lab's program crashed: ", crash, "\n  In which exercise: ./carlo test ",
+  fail({"the lab's program crashed: ", crash, "\n  To find the exercise: ./carlo test ",
         std::to_string(lab.number()),
-        "\n  In which line (it builds for minutes, once): CARLO_PRESET=debug ./carlo ", verb});
+        "\n  To find the line (the first build takes minutes): CARLO_PRESET=debug ./carlo ", verb});
 }
 
 static int lab(Course& course, const Words& words) {
@@ -70,7 +70,7 @@ static int lab(Course& course, const Words& words) {
     return 1;
   }
   if (words[0][0] == '-')
-    fail({"first comes the lab's number, then its options: ./carlo lab N ", joined(words, " ")});
+    fail({"the lab's number comes first, then its options: ./carlo lab N ", joined(words, " ")});
   const LabFolder folder = course.tree.lab(words[0]);
   std::string program = folder.program();
   Words arguments;
@@ -104,7 +104,7 @@ static int hint(Course& course, const Words& words) {
   if (at + 1 < words.size()) {
     const std::string& which = words[at + 1];
     if (which[0] != '-' && !is_number(which, which.size()))
-      fail({"hint takes one exercise, and perhaps which of its hints, as 2; got ", exercise.text,
+      fail({"hint takes one exercise and, optionally, the number of a hint; got ", exercise.text,
             " and ", which});
   }
   course.building.build_unless_there("carlo_course");

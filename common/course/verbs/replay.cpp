@@ -60,7 +60,7 @@ void write_questions(const Tree& tree, Building& building, const ExerciseNumber&
   std::string report;
   run_gathering(command += seed, {}, report);
   if (interrupted()) throw Leave{130};
-  if (!fs::exists(file)) fail({"the judge came to no end (see above)"});
+  if (!fs::exists(file)) fail({"the judge did not finish (see above)"});
 }
 
 }  // namespace

@@ -52,13 +52,14 @@ Words with_page(const TestWishes& wishes, const std::string& name) {
 }
 
 bool test_exercises(Course& course, const TestWishes& wishes) {
-  if (wishes.labs.size() > 1) fail({"exercises of one lab, or labs: got both"});
+  if (wishes.labs.size() > 1)
+    fail({"give whole labs (1 2) or exercises of one lab (1.2 1.3), not both"});
   std::vector<ExerciseNumber> exercises;
   for (const std::string& typed : wishes.exercises) {
     exercises.push_back(course.tree.exercise(typed));
     const ExerciseNumber& last = exercises.back();
     if (!wishes.labs.empty() && wishes.labs[0].name != last.lab.name)
-      fail({"exercise ", last.text, " is none of lab ", std::to_string(wishes.labs[0].number())});
+      fail({"exercise ", last.text, " is not in lab ", std::to_string(wishes.labs[0].number())});
   }
   const bool several = exercises.size() > 1;
   if (several && !wishes.page.empty())
@@ -125,7 +126,7 @@ bool chooses(const Words& options) {
 }
 
 [[noreturn]] void hard_cases(Course& course, const Words& rest) {
-  if (!rest.empty()) fail({"--hard takes nothing else, got '", rest[0], "'"});
+  if (!rest.empty()) fail({"--hard takes no other argument, got '", rest[0], "'"});
   course.tree.needs_solutions("the hard cases");
   course.building.build({"hard_cases"});
   throw HandOver{{course.building.program("hard_cases")}};

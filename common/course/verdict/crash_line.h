@@ -9,7 +9,7 @@
 namespace carlo {
 
 /// What line_command() shows.
-constexpr const char* which_line = "In which line it crashes (it builds for minutes, once)";
+constexpr const char* which_line = "To find the line of the crash (the first build takes minutes)";
 
 /// Returns the command to type; `exercise` is a number such as "1.2".
 inline std::string line_command(const std::string& exercise) {

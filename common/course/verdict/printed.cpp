@@ -25,12 +25,12 @@ std::string harmless(std::string text) {
 
 std::string clipped(std::string text, std::size_t bytes) {
   if (text.size() <= bytes) return text;
-  const auto goes_on = [&](std::size_t at) {
+  const auto is_continuation = [&](std::size_t at) {
     return (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80;
   };
   // Invalid UTF-8 may have no end.
   std::size_t end = bytes;
-  while (end > 0 && bytes - end < 3 && goes_on(end))
+  while (end > 0 && bytes - end < 3 && is_continuation(end))
     --end;
   text.resize(end);
   return text + "...";

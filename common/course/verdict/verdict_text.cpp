@@ -164,7 +164,7 @@ std::string failed_tests(const ExerciseResult& result) {
 std::string unsound_ground(const ExerciseResult& result) {
   std::string out;
   for (const std::string& tag : result.unsound) {
-    out += fmt::format("    {} is not right yet: where your code calls it, mend that first\n", tag);
+    out += fmt::format("    {} is not right yet, and your code calls it: fix that first\n", tag);
   }
   return out;
 }
@@ -188,7 +188,7 @@ std::string right_but(const ExerciseResult& result) {
 std::string likely_causes(const ExerciseResult& result) {
   std::string out;
   for (std::size_t i = 0; i < std::min(result.diagnoses.size(), shown_diagnoses); ++i) {
-    out += fmt::format("    {} {}\n", coloured(Colour::bold, "It looks like this:"),
+    out += fmt::format("    {} {}\n", coloured(Colour::bold, "Likely cause:"),
                        result.diagnoses[i].sentence);
   }
   return out;
@@ -249,8 +249,9 @@ std::string advice(const LabResult& result) {
   }
   // Without --seed, seeds are the same each time.
   if (result.usual_seed) return "";
-  return fmt::format("The same numbers again: --seed {}, after ./carlo test and ./carlo replay\n",
-                     result.seed);
+  return fmt::format(
+      "To repeat with the same numbers: --seed {} after ./carlo test or ./carlo replay\n",
+      result.seed);
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ void FileEvents::subscribe() {
   }
 }
 
-bool FileEvents::told() const {
+bool FileEvents::has_notification() const {
   bool any = false;
   alignas(inotify_event) std::array<char, 4096> buffer{};
   while (::read(fd_, buffer.data(), buffer.size()) > 0)
@@ -70,7 +70,7 @@ bool tells_of_changes(const fs::path&) {
 
 void FileEvents::subscribe() {}
 
-bool FileEvents::told() const {
+bool FileEvents::has_notification() const {
   return false;
 }
 
@@ -110,7 +110,7 @@ std::string FileEvents::appearance() const {
 }
 
 bool FileEvents::happened() {
-  if (fd_ >= 0) return told();
+  if (fd_ >= 0) return has_notification();
   std::string now = appearance();
   const bool changed = now != seen_;
   seen_ = std::move(now);

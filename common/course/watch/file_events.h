@@ -23,7 +23,7 @@ class FileEvents {
 
   /// Readable when something may have changed; -1 if happened() must be polled every interval().
   int fd() const { return fd_; }
-  bool looks() const { return fd_ < 0; }
+  bool polls() const { return fd_ < 0; }
   static constexpr int interval_ms = 400;
 
   /// Returns whether something may have changed since the last call.
@@ -33,7 +33,7 @@ class FileEvents {
   /// Subscribes to the system's notifications; fd_ stays -1 if there are none.
   void subscribe();
   /// Returns whether the system has reported a change since the last call.
-  bool told() const;
+  bool has_notification() const;
   /// Returns names, sizes and times of the source files.
   std::string appearance() const;
 

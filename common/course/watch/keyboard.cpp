@@ -81,7 +81,7 @@ bool at_terminal() {
 
 Keyboard::Keyboard() {
   if (::tcgetattr(STDIN_FILENO, &before.terminal) != 0) {
-    throw Error("cannot ask how the terminal is: {}", std::strerror(errno));
+    throw Error("cannot read the terminal's settings: {}", std::strerror(errno));
   }
   struct sigaction action {};
   action.sa_handler = watch_crashed;

@@ -136,7 +136,7 @@ void WatchSession::judged() {
   has_run_ = true;
   std::error_code ec;
   if (!fs::exists(judged_file(), ec)) {
-    trouble_ = "the judge came to no end:\n" + plain_log(child_->output(), 30);
+    trouble_ = "the judge did not finish:\n" + plain_log(child_->output(), 30);
   } else if (OwnCode(places_.labs(), lab_).digest() == code_.digest()) {
     take_verdicts();
   }  // otherwise the files were just edited, and the next run has begun or begins at once
@@ -167,7 +167,7 @@ void WatchSession::take_verdicts() {
     book_.take(lab_result_from_text(read_file(judged_file())), lab_, code_);
     book_.save();
   } catch (const Error& error) {
-    trouble_ = fmt::format("the verdict is not kept: {}\n", error.what());
+    trouble_ = fmt::format("cannot save the verdict: {}\n", error.what());
   }
 }
 
@@ -188,7 +188,7 @@ const Exercise* WatchSession::next_open() const {
   return nullptr;
 }
 
-void WatchSession::go_on(int step) {
+void WatchSession::move_by(int step) {
   const auto place = current_ - lab_.exercises.data();
   const auto count = static_cast<std::ptrdiff_t>(lab_.exercises.size());
   go_to(&lab_.exercises[static_cast<std::size_t>((place + step + count) % count)]);
@@ -214,11 +214,11 @@ bool WatchSession::key(char pressed) {
       if (const Exercise* next = next_open(); next != nullptr && next != current_) {
         go_to(next);
       } else {
-        go_on(1);
+        move_by(1);
       }
       return true;
     case 'p':
-      go_on(-1);
+      move_by(-1);
       return true;
     case 'a':
       all_ = true;

@@ -72,7 +72,7 @@ class WatchSession {
   void go_to(const Exercise* exercise);
   /// Returns the first exercise after the current one, wrapping around, that has not passed.
   const Exercise* next_open() const;
-  void go_on(int step);
+  void move_by(int step);
   void show_hint();
 
   LabStatus status() const;
@@ -81,7 +81,7 @@ class WatchSession {
   std::string verdict_text(const Exercise& exercise) const;
   /// Names the next open exercise after the current one; the current one itself if it is open and
   /// `from_current`.
-  std::string what_next(bool from_current = false) const;
+  std::string next_text(bool from_current = false) const;
   std::string list_text(bool from_current = false) const;
   std::string verdicts_text() const;
   std::string last_run() const;

@@ -50,7 +50,7 @@ std::string WatchSession::heading() const {
   return text + "\n";
 }
 
-std::string WatchSession::what_next(bool from_current) const {
+std::string WatchSession::next_text(bool from_current) const {
   const LabStatus now = status();
   const auto is_open = [&](const ExerciseStatus& status) {
     return status.exercise == current_ && status.stage != Stage::passed;
@@ -61,7 +61,7 @@ std::string WatchSession::what_next(bool from_current) const {
     return fmt::format("{} {}, {}\n", coloured(Colour::bold, "Next:"), next->tag, next->title);
   }
   if (now.changed() > 0) {
-    return fmt::format("Lab {} was done; a judges what was changed since.\n", lab_.number);
+    return fmt::format("Lab {} was done; press a to judge what has changed since.\n", lab_.number);
   }
   return coloured(Colour::green, fmt::format("Lab {} is done.", lab_.number)) +
          fmt::format(" ./carlo lab {} runs its experiments, ./carlo status says what is next.\n",
@@ -74,7 +74,7 @@ std::string WatchSession::list_text(bool from_current) const {
   const std::size_t titles = title_width(now);
   for (const ExerciseStatus& exercise : now.exercises)
     text += status_line(exercise, titles) + "\n";
-  return text + what_next(from_current);
+  return text + next_text(from_current);
 }
 
 bool WatchSession::changed_since(const Exercise& exercise) const {
@@ -111,7 +111,7 @@ std::string WatchSession::verdicts_text() const {
     passed = passed && verdict != nullptr && verdict->passed();
     text += verdict_text(*exercise);
   }
-  return text + (passed ? what_next() : "");
+  return text + (passed ? next_text() : "");
 }
 
 std::string WatchSession::body() const {

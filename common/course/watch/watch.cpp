@@ -143,7 +143,7 @@ class Watch {
     if (keyboard_) fmt::print("\x1b[2J");
     if (!keyboard_) {
       fmt::print("watching lab {}{}; Ctrl-C ends\n", lab.number,
-                 events_.looks() ? fmt::format(" (looking every {} ms)", events_.interval_ms) : "");
+                 events_.polls() ? fmt::format(" (looking every {} ms)", events_.interval_ms) : "");
     }
   }
 
@@ -176,7 +176,7 @@ class Watch {
     }
     if (wait[0].revents != 0) handle_signals();
     if (wait[1].revents != 0 && session_.child_spoke()) display_.show(session_);
-    if (wait[2].revents != 0 || events_.looks()) look_at_files();
+    if (wait[2].revents != 0 || events_.polls()) look_at_files();
     if (wait[3].revents != 0) handle_keys();
     if (changed_ && Clock::now() - *changed_ >= calm) {
       changed_.reset();
@@ -187,7 +187,7 @@ class Watch {
 
   int timeout() const {
     if (changed_) return static_cast<int>(calm.count());
-    return events_.looks() ? FileEvents::interval_ms : -1;
+    return events_.polls() ? FileEvents::interval_ms : -1;
   }
 
   void look_at_files() {

@@ -10,7 +10,7 @@ template <class Sampler>
 class Sampled final : public Dimensions {
  public:
   explicit Sampled(const carlo::SampleId& id) : sampler_(id) {}
-  void seek(unsigned place) override { sampler_.seek(place); }
+  void seek(unsigned dimension) override { sampler_.seek(dimension); }
   float next_1d() override { return sampler_.next_1d(); }
   Vec2 next_2d() override { return sampler_.next_2d(); }
 

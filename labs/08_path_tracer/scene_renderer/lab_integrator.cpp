@@ -37,7 +37,7 @@ const Scene& checked(const Scene& scene, Method method) {
   };
   if (method == Method::recursive &&
       std::any_of(scene.shapes.begin(), scene.shapes.end(), shows_specular)) {
-    throw carlo::Error("Lab 8.4 knows no mirrors and no glass: use --method direct");
+    throw carlo::Error("Lab 8.4 does not support mirrors or glass: use --method direct");
   }
   return scene;
 }

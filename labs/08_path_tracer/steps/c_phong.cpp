@@ -22,7 +22,7 @@ Rgb evaluate(const carlo::Phong& phong, Vec3 normal, Vec3 wo, Vec3 wi) {
   carlo::not_implemented("Lab 8.3", "Reflected Ray Sampling");
 }
 
-LobeChances lobe_chances(const carlo::Phong& phong) {
+LobeProbabilities lobe_probabilities(const carlo::Phong& phong) {
   // 1. The largest channel of each of the two reflectances.
   // 2. Chances do not add up to more than 1.
   carlo::not_implemented("Lab 8.3", "Reflected Ray Sampling");

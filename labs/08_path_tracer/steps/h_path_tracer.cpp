@@ -29,8 +29,8 @@ Rgb path_radiance(const World& world, const Ray& ray, int max_depth, Dimensions&
   // 3. At a Phong surface: a point of a light with its weight, then sample()'s direction. Mirrors
   //    and glass: one direction, after which emission counts whole.
   // 4. Throughput, next ray, roulette: who survives carries more.
-  // 5. Before each read: seek() to the place of this vertex and this decision. A vertex that does
-  //    not need a number leaves its place alone.
+  // 5. Before each read, seek() to this vertex's dimension for this decision. A vertex that does
+  //    not need a number skips its dimension.
   carlo::not_implemented("Lab 8.8", "Monte Carlo Path Tracer");
 }
 

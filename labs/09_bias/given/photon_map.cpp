@@ -79,13 +79,13 @@ class Search {
       }
       // Rounding is monotonic: nothing on the other side has a rounded distance below this.
       if (!(away * away < limit2_)) return;
-      look_at(middle);
+      test(middle);
     }
     for (std::size_t i = first; i < last; ++i)
-      look_at(i);
+      test(i);
   }
 
-  void look_at(std::size_t i) {
+  void test(std::size_t i) {
     const Vec3 d = places_[i].p - p_;
     const float distance2 = d.x * d.x + d.y * d.y + d.z * d.z;
     if (distance2 < limit2_) limit2_ = found_(i, distance2);

@@ -37,7 +37,7 @@ Rgb evaluate(const carlo::Phong& phong, Vec3 normal, Vec3 wo, Vec3 wi) {
          phong.ks * (scale * cos_power(mirrored(normal, wo), wi, phong.exponent));
 }
 
-LobeChances lobe_chances(const carlo::Phong& phong) {
+LobeProbabilities lobe_probabilities(const carlo::Phong& phong) {
   const float diffuse = largest(phong.kd), specular = largest(phong.ks);
   const float sum = std::max(1.0f, diffuse + specular);
   return {diffuse / sum, specular / sum};
@@ -45,7 +45,7 @@ LobeChances lobe_chances(const carlo::Phong& phong) {
 
 std::optional<BsdfSample> sample(const carlo::Phong& phong, Vec3 normal, Vec3 wo, float u_lobe,
                                  Vec2 u) {
-  const LobeChances chances = lobe_chances(phong);
+  const LobeProbabilities chances = lobe_probabilities(phong);
   const lab07::Frame frame(normal);
   Vec3 local;
   if (u_lobe < chances.diffuse) {
@@ -65,7 +65,7 @@ std::optional<BsdfSample> sample(const carlo::Phong& phong, Vec3 normal, Vec3 wo
 float pdf(const carlo::Phong& phong, Vec3 normal, Vec3 wo, Vec3 wi) {
   const float cosine = glm::dot(normal, wi);
   if (!(cosine > 0)) return 0;
-  const LobeChances chances = lobe_chances(phong);
+  const LobeProbabilities chances = lobe_probabilities(phong);
   const float n = phong.exponent;
   const float lobe = (n + 1) / (2 * carlo::pi_f) * cos_power(mirrored(normal, wo), wi, n);
   return chances.diffuse * cosine / carlo::pi_f + chances.specular * lobe;

@@ -44,7 +44,7 @@ Rgb emitted(const World& world, const Path& path, const Surface& surface) {
 /// The direction in which the path goes on from a surface, if it does.
 std::optional<BsdfSample> scatter(const World& world, Path& path, const Surface& surface,
                                   unsigned place, Dimensions& dimensions) {
-  dimensions.seek(place + lobe_place);
+  dimensions.seek(place + lobe_dimension);
   if (const auto* mirror = std::get_if<carlo::Mirror>(surface.material)) {
     path.last.reset();
     return sample_mirror(*mirror, surface);
@@ -55,7 +55,7 @@ std::optional<BsdfSample> scatter(const World& world, Path& path, const Surface&
   }
   const float u_lobe = dimensions.next_1d();
   const Vec2 u = dimensions.next_2d();
-  dimensions.seek(place + light_place);
+  dimensions.seek(place + light_dimension);
   path.radiance += path.beta * direct(world, surface, dimensions);
   path.last = surface;
   return sample(surface.phong(), surface.n, surface.wo, u_lobe, u);
@@ -89,8 +89,8 @@ float light_pdf(const World& world, const Surface& from, const Surface& to) {
 Rgb path_radiance(const World& world, const Ray& ray, int max_depth, Dimensions& dimensions) {
   Path path;
   path.ray = ray;
-  unsigned place = film_places;
-  for (int depth = 1;; ++depth, place += vertex_places) {
+  unsigned place = film_dimensions;
+  for (int depth = 1;; ++depth, place += vertex_dimensions) {
     const auto surface = world.intersect(path.ray);
     if (!surface) return path.radiance + path.beta * world.environment();
     path.radiance += path.beta * emitted(world, path, *surface);
@@ -102,7 +102,7 @@ Rgb path_radiance(const World& world, const Ray& ray, int max_depth, Dimensions&
     path.ray = world.leave(*surface, next->wi);
     const float survival = survival_of(path.beta);
     if (survival >= 1) continue;
-    dimensions.seek(place + roulette_place);
+    dimensions.seek(place + roulette_dimension);
     if (!(dimensions.next_1d() < survival)) return path.radiance;
     path.beta /= survival;
   }

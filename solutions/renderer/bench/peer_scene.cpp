@@ -174,7 +174,7 @@ json camera(const carlo::Camera& c, float scale) {
 }
 
 /// Rows from the top, three numbers per texel; `x`, `y` and `z` are the image's axes in the scene.
-json image_around(const carlo::Envmap& map) {
+json envmap_json(const carlo::Envmap& map) {
   json radiance = json::array();
   for (const carlo::Rgb& texel : map.image.pixels) {
     for (int c = 0; c < 3; ++c)
@@ -192,12 +192,12 @@ std::optional<std::string> obstacle(const Scene& scene, Peer peer) {
   if (n.disks > 0) return "disks";
   if (n.sdfs > 0) return "signed distance functions";
   if (n.phong) return "Phong's lobes";
-  if (n.envmap && peer != Peer::mitsuba) return "an image all around";
+  if (n.envmap && peer != Peer::mitsuba) return "an environment map";
   if (peer == Peer::cycles) {
     if (n.spheres > 0) return "spheres";
     if (n.mirror || n.dielectric) return "surfaces that are not diffuse";
     if (n.point_lights > 0) return "a point light";
-    if (n.environment) return "a light all around";
+    if (n.environment) return "a constant environment";
   }
   if (peer != Peer::mitsuba && n.sphere_lights > 0) return "lights that are spheres";
   if (peer != Peer::mitsuba && n.spheres > 0 && (n.mirror || n.dielectric)) {
@@ -252,7 +252,7 @@ json peer_scene(const Scene& scene, Peer peer) {
           {"spheres", spheres},
           {"point_lights", points},
           {"environment", numbers(environment)},
-          {"envmap", envmap ? image_around(*envmap) : json()}};
+          {"envmap", envmap ? envmap_json(*envmap) : json()}};
 }
 
 }  // namespace bench

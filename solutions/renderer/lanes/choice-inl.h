@@ -63,7 +63,7 @@ HWY_INLINE V chance(const Chances& chances, V weight, V share) {
                             mul_add(hn::Mul(weight, chances.per_weight), share, chances.of_each));
 }
 
-/// The weight of the image around the scene: the same everywhere.
+/// The weight of the environment map: the same everywhere.
 HWY_INLINE V sky_weight(const LaneLights& lights) {
   return set(lights.strength[lights.sky]);
 }

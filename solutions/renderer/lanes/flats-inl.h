@@ -55,8 +55,8 @@ HWY_INLINE PlaneHit meet_plane(const LaneScene& s, std::size_t i, V3 o, V3 d) {
 /// True for rays that cross the plane that their origins touch; n is its normal. An origin's
 /// coordinates cannot tell on which side of the plane it lies, but the path came to it on that
 /// side.
-HWY_INLINE M goes_through(V3 n, V along, V3 came) {
-  return hn::Gt(hn::Mul(along, dot(n, came)), set(0));
+HWY_INLINE M goes_through(V3 n, V along, V3 arrival) {
+  return hn::Gt(hn::Mul(along, dot(n, arrival)), set(0));
 }
 
 template <bool close, Outline outline>
@@ -69,7 +69,7 @@ HWY_INLINE void meet_flat(const LaneScene& s, std::uint32_t i, const Origins& fr
   if (close && s.touching) {
     const M touches = hn::And(there, within_rounding(hit.below, of_origin, s.coordinates[i]));
     if (HWY_UNLIKELY(!hn::AllFalse(d_, touches))) {
-      ahead = select_mask(touches, goes_through(hit.n, hit.along, from.came), ahead);
+      ahead = select_mask(touches, goes_through(hit.n, hit.along, from.arrival), ahead);
       t = hn::IfThenZeroElse(touches, t);
     }
   }
@@ -93,7 +93,7 @@ HWY_INLINE M flat_blocks(const LaneScene& s, std::uint32_t i, const Segments& wa
   if (close && s.touching) {
     const M touches = hn::And(there, within_rounding(hit.below, of_origin, s.coordinates[i]));
     if (HWY_UNLIKELY(!hn::AllFalse(d_, touches)))
-      between = select_mask(touches, goes_through(hit.n, hit.along, way.from.came), between);
+      between = select_mask(touches, goes_through(hit.n, hit.along, way.from.arrival), between);
   }
   return hn::And(there, between);
 }
@@ -136,7 +136,7 @@ HWY_INLINE void meet_run(const LaneScene& s, const Run& run, const Origins& from
   M ahead = hn::And(elsewhere, hn::Gt(t, set(0)));
   if (s.touching) {
     const M touches = hn::And(elsewhere, within_rounding(hit.below, of_origin, s.coordinates[i]));
-    ahead = select_mask(touches, goes_through(hit.n, hit.along, from.came), ahead);
+    ahead = select_mask(touches, goes_through(hit.n, hit.along, from.arrival), ahead);
     t = hn::IfThenZeroElse(touches, t);
   }
   const M nearer = hn::And(ahead, hn::Lt(t, hits.t));
@@ -168,7 +168,7 @@ HWY_INLINE M run_blocks(const LaneScene& s, const Run& run, const Segments& way,
   M between = hn::Lt(hn::Mul(hit.below, below_end), set(0));
   if (s.touching) {
     const M touches = within_rounding(hit.below, of_origin, s.coordinates[i]);
-    between = select_mask(touches, goes_through(hit.n, hit.along, way.from.came), between);
+    between = select_mask(touches, goes_through(hit.n, hit.along, way.from.arrival), between);
   }
   const V3 p = add_scaled(way.from.o, hit.t, way.d);
   M within = hn::FirstN(d_, 0);

@@ -127,9 +127,9 @@ HWY_INLINE Chord meet_sphere(const LaneScene& s, std::size_t i, V3 o, V3 d) {
   return {middle, hn::Sub(middle, half), hn::Add(middle, half), met};
 }
 
-/// -1 where `came` (Origins) holds the opposite direction.
-HWY_INLINE V turned(V3 came) {
-  return select(hn::Gt(dot(came, came), set(2)), set(-1), set(1));
+/// -1 where `arrival` (Origins) holds the opposite direction.
+HWY_INLINE V turned(V3 arrival) {
+  return select(hn::Gt(dot(arrival, arrival), set(2)), set(-1), set(1));
 }
 
 /// A ray from outside meets a sphere where it enters, one from inside where it leaves. A ray that
@@ -142,8 +142,8 @@ HWY_INLINE void meet_sphere(const LaneScene& s, std::uint32_t i, const Origins& 
   const U number = set_word(i);
   const Chord chord = meet_sphere(s, std::size_t{i}, from.o, d);
   const M starts = same(from.last, number);
-  const V outwards = dot(from.came, from.o - set(s.cx[i], s.cy[i], s.cz[i]));
-  V from_inside = hn::Mul(turned(from.came), outwards);
+  const V outwards = dot(from.arrival, from.o - set(s.cx[i], s.cy[i], s.cz[i]));
+  V from_inside = hn::Mul(turned(from.arrival), outwards);
   if constexpr (full) from_inside = select(from.through, hn::Neg(from_inside), from_inside);
   const M outside = hn::AndNot(starts, hn::Gt(chord.enters, set(0)));
   V t = select(outside, chord.enters, hn::Max(chord.leaves, set(0)));
@@ -214,8 +214,8 @@ HWY_INLINE M sphere_blocks(const LaneScene& s, std::uint32_t i, const Segments& 
   const M outside = hn::AndNot(starts, hn::Gt(chord.enters, set(0)));
   M by_near =
       hn::And(outside, hn::Or(hn::Lt(chord.middle, way.distance), hn::Lt(chord.enters, nearly)));
-  const V outwards = dot(way.from.came, way.from.o - set(s.cx[i], s.cy[i], s.cz[i]));
-  const V from_inside = hn::Mul(turned(way.from.came), outwards);
+  const V outwards = dot(way.from.arrival, way.from.o - set(s.cx[i], s.cy[i], s.cz[i]));
+  const V from_inside = hn::Mul(turned(way.from.arrival), outwards);
   const M ahead = hn::Gt(select(starts, from_inside, chord.leaves), set(0));
   M by_far = hn::And(hn::AndNot(outside, ahead), hn::Lt(chord.leaves, nearly));
   if constexpr (full) {

@@ -36,7 +36,7 @@ struct LaneLights {
       double d;
     };
     std::optional<Plane> plane = std::nullopt;  ///< of flat lights
-    bool everywhere = false;                    ///< the image around the scene, whose strength is
+    bool everywhere = false;                    ///< the environment map, whose strength is
                                                 ///< irradiance
   };
 
@@ -45,7 +45,7 @@ struct LaneLights {
 
   std::uint32_t groups = 0;
   std::uint32_t first_round = 0;   ///< groups from here on have no common plane
-  std::uint32_t sky = 0xFFFFFFFF;  ///< the group of the image around the scene, if there is one
+  std::uint32_t sky = 0xFFFFFFFF;  ///< the group of the environment map, if there is one
   GroupColumn<float> middle_x{}, middle_y{}, middle_z{}, reach{}, strength{};
   GroupColumn<float> nx{}, ny{}, nz{}, d{};    ///< the common plane
   GroupColumn<std::uint32_t> first{}, size{};  ///< of a group, in the list of its members

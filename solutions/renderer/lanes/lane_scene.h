@@ -135,7 +135,7 @@ struct LaneScene {
   double splat_unit(std::uint64_t paths) const;
 
   float environment[3] = {0, 0, 0};
-  /// The image around the scene, and a distance that is beyond all surfaces.
+  /// The environment map, and a distance that is beyond all surfaces.
   std::optional<EnvmapTable> sky;
   float sky_far = 0;
   bool sobol = false;  ///< otherwise independent points

@@ -71,7 +71,7 @@ class LightPathWalk : Steps<Needs> {
     const U number = this->surface_met(vertex, met);
     const Lookups found(s_, number);
     const Spots spots = this->locate(paths, vertex, number, found);
-    if (!this->goes_on(paths, spots)) return;
+    if (!this->survives(paths, spots)) return;
     const Rivals rivals = rivals_at(paths, spots, vertex.hits.t);
     this->arrive(paths, spots, vertex);
     M specular = hn::FirstN(d_, 0);
@@ -89,7 +89,7 @@ class LightPathWalk : Steps<Needs> {
       scatter(paths, surface, vertex.u_lobe, rivals);
     }
     if (Needs::full && s_.any_specular) {
-      this->go_on(paths, specular, next, spots, vertex.error);
+      this->continue_paths(paths, specular, next, spots, vertex.error);
       paths.beta = select(specular, next.weight, paths.beta);
       paths.rival = select(specular, rival_there, paths.rival);
     }
@@ -256,7 +256,7 @@ HWY_INLINE void start_light_paths(const LightPathJob& job, U index, U key, M sta
   const U reversed = reverse_bits(index), k = mix(key);
   const V2 u = points(job.whole, reversed, k), v = points(job.whole, reversed, second_word(k));
   const LightPoints light = sample_start<Needs::full>(s, u);
-  // A scene without lights has only the image around it, where no path starts.
+  // A scene without lights has only the environment map, where no path starts.
   if (Needs::full && s.sky) starts = hn::AndNot(light.beyond, starts);
   // Cosine-distributed about the normal, or uniform.
   const SinCos azimuth = turn(v.y);
@@ -273,8 +273,8 @@ HWY_INLINE void start_light_paths(const LightPathJob& job, U index, U key, M sta
   const U last = hn::IfThenElse(hn::RebindMask(du_, light.point), set_word(nothing), light.surface);
   const auto starts_u = hn::RebindMask(du_, starts);
   paths.from.o = select(starts, light.p, paths.from.o);
-  paths.from.came =
-      select(starts, hn::IfThenElse(light.point, set(0), set(-1)) * light.n, paths.from.came);
+  paths.from.arrival =
+      select(starts, hn::IfThenElse(light.point, set(0), set(-1)) * light.n, paths.from.arrival);
   paths.from.last = hn::IfThenElse(starts_u, last, paths.from.last);
   paths.from.plane = hn::IfThenElse(starts_u, light.plane, paths.from.plane);
   paths.from.through = hn::AndNot(starts, paths.from.through);

@@ -28,7 +28,7 @@ namespace renderer {
 namespace HWY_NAMESPACE {
 
 /// Sampled points of lights: uniform over a light's area, over the directions to a sphere, or with
-/// a density of directions to the image around the scene.
+/// a density of directions to the environment map.
 struct LightPoints {
   V3 p, n, Le;
   V area;  ///< one over the density per area; finally includes the choice of the light
@@ -39,10 +39,10 @@ struct LightPoints {
   M by_direction = zeros<M>();  ///< the density is per solid angle:
   V solid_angle = zeros<V>();   ///< one over that density
   M point = zeros<M>();         ///< there is no n, and Le is intensity
-  M beyond = zeros<M>();        ///< there is no n: on the image around the scene, p beyond all
+  M beyond = zeros<M>();        ///< there is no n: on the environment map, p beyond all
                                 ///< surfaces
   V3 error = zeros<V3>();       ///< of p, if the scene has meshes
-  /// LaneScene::emission or point_emission; 0 for the image around the scene, where no path starts.
+  /// LaneScene::emission or point_emission; 0 for the environment map, where no path starts.
   /// Only with Features::light_paths.
   V emission = zeros<V>();
   U surface = zeros<U>(), light = zeros<U>(), triangle = zeros<U>();
@@ -224,7 +224,7 @@ inline HWY_NOINLINE V mesh_density(const LaneScene& s, const V3& p, const V3& n,
   return hn::Load(d_, density.data());
 }
 
-/// Samples directions to the image around the scene, as seen from p.
+/// Samples directions to the environment map, as seen from p.
 HWY_INLINE void sample_beyond(const LaneScene& s, V3 p, V2 u, LightPoints& points) {
   const SkyDirections sky = sample_sky(*s.sky, u);
   const M beyond = points.beyond;
@@ -234,7 +234,7 @@ HWY_INLINE void sample_beyond(const LaneScene& s, V3 p, V2 u, LightPoints& point
 }
 
 /// Points of the lights `index`. `on_balls` samples spheres, `on_meshes` meshes, and `on_sky` the
-/// image around the scene.
+/// environment map.
 template <bool full, bool light_paths, class OnBalls, class OnMeshes, class OnSky>
 HWY_INLINE LightPoints draw_light(const LaneScene& s, U index, V2 u, const OnBalls& on_balls,
                                   const OnMeshes& on_meshes, const OnSky& on_sky) {
@@ -332,7 +332,7 @@ HWY_INLINE U pick_start(const LaneScene& s, V& u) {
   return index;
 }
 
-/// Samples uniformly over each light's area; never the image around the scene.
+/// Samples uniformly over each light's area; never the environment map.
 template <bool full>
 HWY_INLINE LightPoints sample_start(const LaneScene& s, V2 u) {
   const U index = pick_start(s, u.x);

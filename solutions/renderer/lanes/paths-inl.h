@@ -59,7 +59,7 @@ class Walk : Steps<Needs> {
     const Lookups found(s_, number);
     const Spots spots = this->locate(paths, vertex, number, found);
     add_emission(paths, vertex, spots);
-    if (!this->goes_on(paths, spots)) return;
+    if (!this->survives(paths, spots)) return;
     this->arrive(paths, spots, vertex);
     const Rivals rivals = rivals_at(paths, spots, vertex.hits.t);
     M specular = hn::FirstN(d_, 0);
@@ -119,7 +119,7 @@ class Walk : Steps<Needs> {
     paths.L = select(lost, paths.L + paths.beta * sky, paths.L);
   }
 
-  /// The rays' radiance from the image around the scene, weighted against light sampling. No light
+  /// The rays' radiance from the environment map, weighted against light sampling. No light
   /// path starts there.
   HWY_INLINE V3 image_around(const Paths& paths, M lost) const {
     const Texels texels = sky_at(*s_.sky, paths.d, lost);
@@ -168,7 +168,7 @@ class Walk : Steps<Needs> {
 
   HWY_INLINE void pass_on(Paths& paths, M specular, const Reflections& next, const Spots& spots,
                           V3 error, V rival_there) const {
-    this->go_on(paths, specular, next, spots, error);
+    this->continue_paths(paths, specular, next, spots, error);
     paths.beta = select(specular, next.weight, paths.beta);
     paths.pdf = select(specular, set(-1), paths.pdf);
     paths.compressed = select(specular, hn::Mul(paths.compressed, next.eta2), paths.compressed);

@@ -33,11 +33,11 @@ HWY_INLINE M differs(U a, U b) {
 /// Where rays start: on surfaces, or at the camera.
 struct Origins {
   V3 o;
-  V3 came;    ///< the direction in which the path arrived; 0 for the camera
-  U last;     ///< the surface; `nothing` for the camera
-  U plane;    ///< its plane (LaneScene::plane)
-  M through;  ///< true if the ray continues behind the surface, through glass
-  V3 clear;   ///< o as moved by carlo::offset_origin(), for sdfs and meshes
+  V3 arrival;  ///< the direction in which the path arrived; 0 for the camera
+  U last;      ///< the surface; `nothing` for the camera
+  U plane;     ///< its plane (LaneScene::plane)
+  M through;   ///< true if the ray continues behind the surface, through glass
+  V3 clear;    ///< o as moved by carlo::offset_origin(), for sdfs and meshes
 
   /// The plane that the ray starts on; unless the scene is `close`, planes are the surfaces' own.
   template <bool close>

@@ -1,4 +1,4 @@
-// The image around the scene, one direction per lane. Included once for each instruction set.
+// The environment map, one direction per lane. Included once for each instruction set.
 
 #if defined(CARLO_SKY_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_SKY_INL

@@ -94,7 +94,7 @@ class Starts {
     const carlo::Vec3 o = job_.camera.origin;
     paths.from.o = select(starts, set(o.x, o.y, o.z), paths.from.o);
     if constexpr (Needs::close) {
-      paths.from.came = select(starts, set(0, 0, 0), paths.from.came);
+      paths.from.arrival = select(starts, set(0, 0, 0), paths.from.arrival);
       paths.from.plane = hn::IfThenElse(starts_u, set_word(nothing), paths.from.plane);
     }
     if constexpr (Needs::full) {

@@ -39,8 +39,8 @@ constexpr std::uint32_t key_step = 0x9E3779B1;
 
 /// The features of a scene that the code is compiled for: `phong` materials; `close`: spheres, or
 /// parallelograms that touch others or share a plane with them; `full`: mirrors, glass, disks,
-/// sdfs, meshes, emitting spheres, point lights, an image around. `light_paths`: some paths start
-/// at the lights, and others leave contributions to them (light_paths-inl.h).
+/// sdfs, meshes, emitting spheres, point lights, an environment map. `light_paths`: some paths
+/// start at the lights, and others leave contributions to them (light_paths-inl.h).
 template <bool phong_, bool close_, bool full_ = false, bool light_paths_ = false>
 struct Features {
   static constexpr bool phong = phong_, close = close_, full = full_, light_paths = light_paths_;
@@ -178,7 +178,7 @@ class Steps {
   }
 
   /// Ends paths on black sides and at the maximum length; true if any path continues.
-  HWY_INLINE bool goes_on(Paths& paths, const Spots& spots) const {
+  HWY_INLINE bool survives(Paths& paths, const Spots& spots) const {
     if (s_.one_sided) {
       const M two_sided = differs(spots.material(s_.two_sided.data()), set_word(0));
       paths.alive = hn::And(paths.alive, hn::Or(spots.front, two_sided));
@@ -229,7 +229,7 @@ class Steps {
     if constexpr (Needs::close) {
       paths.from.plane = s_.coplanar ? spots.at_surface(s_.plane.data()) : spots.number;
       const M hidden = hn::Lt(vertex.hits.t, hn::Mul(set(64 * rounding), coordinates(spots.p)));
-      paths.from.came = select(hidden, set(-2) * paths.d, paths.d);
+      paths.from.arrival = select(hidden, set(-2) * paths.d, paths.d);
     }
     if constexpr (Needs::full) paths.from.through = hn::FirstN(d_, 0);
     if (Needs::full && s_.searched())
@@ -279,8 +279,8 @@ class Steps {
   }
 
   /// Continues the paths on mirrors and glass.
-  HWY_INLINE void go_on(Paths& paths, M specular, const Reflections& next, const Spots& spots,
-                        V3 error) const {
+  HWY_INLINE void continue_paths(Paths& paths, M specular, const Reflections& next,
+                                 const Spots& spots, V3 error) const {
     paths.alive = hn::Or(paths.alive, specular);
     paths.d = select(specular, next.d, paths.d);
     paths.from.through = hn::And(specular, next.through);

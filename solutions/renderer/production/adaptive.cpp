@@ -1,7 +1,7 @@
 #include "renderer/production/adaptive.h"
 
 #include "render/interrupt.h"
-#include "render/light_asks.h"
+#include "render/light_coverage.h"
 #include "render/light_pass.h"
 #include "render/threads.h"
 #include "renderer/production/adaptive_decisions.h"
@@ -127,8 +127,8 @@ class AdaptiveJob {
           const double n = half[state_.pixel(x, y)].seen().samples();
           if (unit_of(x, y).active() && n != before && n != after) {
             throw Error(
-                "an adaptive render with {} samples in half a pixel cannot go on with --spp {}", n,
-                goal_.spp);
+                "an adaptive render with {} samples in half a pixel cannot continue with --spp {}",
+                n, goal_.spp);
           }
         }
       }
@@ -277,13 +277,14 @@ class AdaptiveJob {
   }
 
   double asks(double samples) const {
-    return expected_asks(integrator_.least_light_chance(), samples, state_.width, state_.height);
+    return expected_light_samples(integrator_.least_light_chance(), samples, state_.width,
+                                  state_.height);
   }
 
   /// Takes the decisions of the round if the lights have been asked often enough.
   void decide() {
     const double n = levels_.end(state_.level), paths = static_cast<double>(counts_.paths);
-    if (n < most_for_lights && asks(n) < enough_asks) {
+    if (n < most_for_lights && asks(n) < enough_light_samples) {
       state_.expected_paths = std::fmax(state_.expected_paths, 2 * paths);
     } else {
       state_.expected_paths = paths + decide_round(state_, goal_.target, levels_);
@@ -318,7 +319,7 @@ AdaptiveResult render_adaptively(const Integrator& integrator, int width, int he
   const InterruptGuard guard;
   AdaptiveState state = options.earlier ? options.earlier->state : AdaptiveState(width, height);
   if (state.width != width || state.height != height) {
-    throw Error("an adaptive render of {} x {} pixels cannot go on with {} x {}", state.width,
+    throw Error("an adaptive render of {} x {} pixels cannot continue with {} x {}", state.width,
                 state.height, width, height);
   }
   std::optional<AdaptiveResult> result;

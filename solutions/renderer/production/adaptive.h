@@ -25,7 +25,7 @@ struct AdaptiveSummary {
   double within = 0;  ///< expected fraction of the pixels whose error is within the target
   double capped = 0;  ///< fraction of the pixels that were cut off by spp, seconds or Ctrl-C
   std::uint64_t least = 0, median = 0, most = 0;  ///< samples per pixel
-  double asks = 0;          ///< expected_asks() (light_asks.h) where samples are fewest
+  double asks = 0;  ///< expected_light_samples() (light_coverage.h) where samples are fewest
   double decided_only = 0;  ///< fraction of the samples used only for decisions, not for the image
 };
 
@@ -68,8 +68,8 @@ struct AdaptiveOptions {
 /// errors of its pixels are within the target on average (root mean square), would be so with the
 /// noise of the surrounding blocks as well, and the worst estimate is at most 3 times the target.
 /// The neighbours find most of the bright paths that a block has missed. No block is finished
-/// before each light has been asked ten times around it (light_asks.h), unless that takes more than
-/// 1024 samples per half; the summary then shows it.
+/// before each light has been asked ten times around it (light_coverage.h), unless that takes more
+/// than 1024 samples per half; the summary then shows it.
 ///
 /// The film's bits do not depend on the number of threads. Throws Error if the target is not a
 /// finite number above 0, if spp is below 32, or if the earlier render does not fit the film or its

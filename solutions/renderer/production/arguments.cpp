@@ -16,26 +16,27 @@ void add_production_options(CommandLine& app, ProductionArguments& a) {
   app.option("--target-error", a.target_error,
              "sample each pixel until its relative error is this, such as .01, at 95 % "
              "confidence; --spp (default: 65536) and --seconds are limits then");
-  app.option("--resume", a.resume,
-             "go on with the render in this EXR, with its scene and settings, up to --spp, for "
-             "--seconds more, or to its --target-error");
-  app.option("--checkpoint", a.checkpoint, "seconds after which a long render's EXR is written")
+  app.option(
+      "--resume", a.resume,
+      "continue the render in this EXR with its scene and settings, up to --spp, for --seconds "
+      "more, or to its --target-error");
+  app.option("--checkpoint", a.checkpoint, "seconds between checkpoints of the EXR")
       .range(0.0, 1e7)
       .show_default();
   app.flag("--no-sums", a.no_sums, "a smaller EXR, which cannot be resumed");
   app.option("--shard", a.shard,
-             "the I-th of N shares of the samples alone, into a part, OUTPUT.part, for ./carlo "
-             "merge; the same command goes on with a killed one")
+             "render only shard I of N, into OUTPUT.part, for ./carlo merge; rerun to resume")
       .type_name("I/N");
   app.flag("--slurm", a.slurm,
-           "on a cluster: submits an array of shards and their merge to Slurm and waits; the same "
-           "command goes on after any failure");
-  app.option("--tasks", a.tasks, "of --slurm: shards (default: 16), each of --threads (1)")
+           "submit an array of shards and their merge to Slurm and wait; rerun to recover from any "
+           "failure");
+  app.option("--tasks", a.tasks,
+             "with --slurm: number of shards (default: 16), each with --threads (1)")
       .range(1, static_cast<int>(most_shards));
   app.option("--time", a.time,
-             "of --slurm: a task's limit, in sbatch's words; it goes on after it");
-  app.option("--partition", a.partition, "of --slurm: where tasks run");
-  app.flag("--no-wait", a.no_wait, "of --slurm: return once all is submitted");
+             "with --slurm: time limit of a task, in sbatch's format; tasks continue after it");
+  app.option("--partition", a.partition, "with --slurm: the partition for the tasks");
+  app.flag("--no-wait", a.no_wait, "with --slurm: return after submitting");
   app.option("--slurm-task", a.slurm_task).hidden();
   app.option("--slurm-merge", a.slurm_merge).hidden();
 }
@@ -69,11 +70,11 @@ void check(const ProductionArguments& a) {
     const auto refuse = [](bool given, const char* option, const char* why) {
       if (given) throw Error("--shard does not go with {}: {}", option, why);
     };
-    refuse(a.seconds.has_value(), "--seconds", "a share is of a number of samples, --spp");
+    refuse(a.seconds.has_value(), "--seconds", "shards divide a fixed --spp");
     refuse(a.target_error.has_value(), "--target-error",
-           "each pixel's number of samples would hang on those of other shards");
-    refuse(!a.resume.empty(), "--resume", "the same command goes on with a killed shard");
-    refuse(a.no_sums, "--no-sums", "a part is its sums");
+           "each pixel's number of samples would depend on other shards");
+    refuse(!a.resume.empty(), "--resume", "rerun the same command to resume a shard");
+    refuse(a.no_sums, "--no-sums", "a part consists of its sums");
     refuse(!a.reference.empty(), "--reference", "./carlo merge compares, with all the samples");
     refuse(a.page.has_value(), "--page", "a part is no image yet");
   }

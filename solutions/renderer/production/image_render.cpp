@@ -56,7 +56,7 @@ RenderReport ImageRender::report_on(const RenderResult& result) const {
 
 RenderReport ImageRender::report_on(const AdaptiveResult& result) const {
   RenderReport report = report_on(static_cast<const RenderResult&>(result));
-  tell_target(report, result.summary);
+  add_target(report, result.summary);
   return report;
 }
 

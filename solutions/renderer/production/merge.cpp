@@ -92,7 +92,7 @@ void Merge::refuse_overlap(std::size_t a, std::size_t b) const {
   std::uint64_t shared = 0;
   for (const BlockRange& range : other.blocks.ranges())
     shared += one.blocks.count_in(range);
-  throw Error("{} overlaps with {}: {} of its {} blocks of samples are in that, too",
+  throw Error("{} overlaps with {}: {} of its {} blocks of samples are in both",
               other.path.string(), one.path.string(), shared, other.blocks.count());
 }
 

@@ -25,7 +25,7 @@ static RenderReport report_of(const Merge& merge, const RenderResult& result) {
   report.sampler = part.settings.at("sampler");
   report.max_depth = number_of<int>(part.settings.at("max_depth")).value_or(0);
   report.seed = number_of<std::uint64_t>(part.settings.at("seed")).value_or(0);
-  tell_parts(report, part.parts, merge.share());
+  add_parts(report, part.parts, merge.share());
   return report;
 }
 

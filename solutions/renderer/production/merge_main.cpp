@@ -35,7 +35,7 @@ void add_options(CommandLine& app, Arguments& a) {
   app.option("--reference", a.reference, "EXR to measure the error against");
   app.flag("--no-sums", a.no_sums, "a smaller EXR, which cannot be resumed");
   app.flag("--quiet", a.quiet, "no progress bar, no report on stdout");
-  app.footer("Merged are the bits of one machine that rendered everything.");
+  app.footer("The result is bit-identical to a render on a single machine.");
 }
 
 void merge_to_part(const Merge& merge, const Arguments& a) {

@@ -75,7 +75,7 @@ void require_possible(const PartHeader& part, const fs::path& path) {
     throw Error("cannot read {}: {}", path.string(), what);
   };
   for (const std::string& name : part_setting_names()) {
-    if (!part.settings.contains(name)) fail(fmt::format("it does not tell its {}", name));
+    if (!part.settings.contains(name)) fail(fmt::format("setting '{}' is missing", name));
   }
   const BlockGrid& grid = part.grid;
   if (grid.width < 1 || grid.height < 1 || std::int64_t{grid.width} * grid.height > most_pixels ||
@@ -89,7 +89,7 @@ void require_possible(const PartHeader& part, const fs::path& path) {
                      grid.block, part.settings.at("planned_spp")));
   }
   if (!(part.least_light_chance >= 0 && part.least_light_chance <= 1)) {
-    fail(fmt::format("its chance to ask a light is {}", part.least_light_chance));
+    fail(fmt::format("least_light_chance is {}", part.least_light_chance));
   }
   if (part.blocks.end() > grid.blocks()) {
     fail(fmt::format("it has blocks up to {} of {}", part.blocks.end(), grid.blocks()));
@@ -219,14 +219,13 @@ PartFile::PartFile(fs::path path) : path_(std::move(path)) {
   if (size < fixed_bytes) throw Error(cut);
   const Lengths head = lengths_at(in, part_first_line.size());
   if (head.bytes > most_header_bytes) {
-    throw Error("cannot read {}: it is spoilt: its header has {} bytes", path_.string(),
-                head.bytes);
+    throw Error("cannot read {}: corrupt: its header claims {} bytes", path_.string(), head.bytes);
   }
   if (size < fixed_bytes + head.bytes) throw Error(cut);
   std::string text(head.bytes, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (!in || checksum_of(text) != head.checksum) {
-    throw Error("cannot read {}: it is spoilt: its header's checksum is another", path_.string());
+    throw Error("cannot read {}: corrupt: header checksum mismatch", path_.string());
   }
   header_ = from_json_text<PartHeader>(text, fmt::format("cannot read {}", path_.string()));
   require_possible(header_, path_);
@@ -240,7 +239,7 @@ PartFile::PartFile(fs::path path) : path_(std::move(path)) {
 void PartFile::add_to(Film& film) const {
   std::ifstream in(path_, std::ios::binary);
   in.seekg(static_cast<std::streamoff>(first_byte_));
-  const Error spoilt("cannot read {}: it is spoilt: its sums' checksum is another", path_.string());
+  const Error spoilt("cannot read {}: corrupt: checksum mismatch in the sums", path_.string());
   Checksum checksum;
   std::vector<unsigned char> bytes;
   for_each_tile(header_, [&](int x0, int y0, int x1, int y1, std::uint32_t blocks) {
@@ -281,7 +280,7 @@ std::optional<PartDifference> difference_of(const PartHeader& a, const PartHeade
   return std::nullopt;
 }
 
-std::string told(const PartHeader& part) {
+std::string describe(const PartHeader& part) {
   if (part.shard && part.shard->index > 0) return "shard " + part.shard->text();
   return fmt::format("{} merged parts", part.parts);
 }

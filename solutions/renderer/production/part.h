@@ -80,7 +80,7 @@ struct PartDifference {
 std::optional<PartDifference> difference_of(const PartHeader& a, const PartHeader& b);
 
 /// Describes a part: "shard 3/64", for example.
-std::string told(const PartHeader& part);
+std::string describe(const PartHeader& part);
 
 /// Returns 16 hexadecimal digits computed from the bytes of the running program's file, since a
 /// program that is compiled differently may round differently. Throws Error.

@@ -71,7 +71,7 @@ int run_to_target(const Command& command) {
 
 int run_resumed(Command command) {
   const EarlierRender earlier(command.a.resume);
-  take_over(command.a, earlier);
+  fill_from(command.a, earlier);
   const RenderTask task =
       task_of(command, static_cast<std::uint32_t>(earlier.number("planned_spp")));
   earlier.require_same(task.settings);

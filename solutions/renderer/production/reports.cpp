@@ -37,13 +37,13 @@ static void fields(JsonFields& json, const AdaptiveSummary& a) {
   json.also("spp_max", std::uint64_t{a.most});
 }
 
-void tell_target(RenderReport& report, const AdaptiveSummary& summary) {
+void add_target(RenderReport& report, const AdaptiveSummary& summary) {
   report.light_asks = summary.asks;
   report.behind_error = {{"target", target_text(summary)}, {"samples", samples_text(summary)}};
   report.fields.emplace_back([summary](JsonFields& json) { json("target", summary); });
 }
 
-void tell_parts(RenderReport& report, std::uint64_t parts, double share) {
+void add_parts(RenderReport& report, std::uint64_t parts, double share) {
   report.where = fmt::format("in {} part{}", parts, parts == 1 ? "" : "s");
   report.fields.emplace_back([parts, share](JsonFields& json) {
     json.also("parts", parts);
@@ -53,7 +53,7 @@ void tell_parts(RenderReport& report, std::uint64_t parts, double share) {
   std::string text = fmt::format("{:.4g} % of the samples are there", 100 * share);
   if (report.finished < 1) {
     text += fmt::format(
-        "; {:.4g} % of the pixels have some, the others are black; means are over the former",
+        "; {:.4g} % of the pixels have some, the rest are black; means are over the sampled pixels",
         100 * report.finished);
   }
   report.behind_image = {{"PARTIAL", text}};

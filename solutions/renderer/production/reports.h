@@ -9,9 +9,9 @@
 
 namespace carlo {
 
-void tell_target(RenderReport& report, const AdaptiveSummary& summary);
+void add_target(RenderReport& report, const AdaptiveSummary& summary);
 
 /// `share`: the fraction of all samples that is present.
-void tell_parts(RenderReport& report, std::uint64_t parts, double share);
+void add_parts(RenderReport& report, std::uint64_t parts, double share);
 
 }  // namespace carlo

@@ -158,7 +158,7 @@ EarlierRender::EarlierRender(fs::path path)
 const std::string& EarlierRender::setting(const std::string& name) const {
   const auto it = file_.attributes.find(name);
   if (it == file_.attributes.end()) {
-    throw Error("cannot resume {}: it does not tell its {}", path_.string(), name);
+    throw Error("cannot resume {}: setting '{}' is missing", path_.string(), name);
   }
   return it->second;
 }

@@ -11,7 +11,7 @@ namespace carlo {
 namespace fs = std::filesystem;
 
 /// Throws unless both or neither have a target error.
-static void take_over_target(ProductionArguments& a, const EarlierRender& earlier) {
+static void fill_from_target(ProductionArguments& a, const EarlierRender& earlier) {
   const std::optional<double> target = earlier.target_error();
   if (!target) {
     if (a.target_error)
@@ -28,8 +28,8 @@ static void take_over_target(ProductionArguments& a, const EarlierRender& earlie
   if (!a.spp) a.spp = static_cast<std::uint32_t>(earlier.number("spp_limit"));
 }
 
-void take_over(ProductionArguments& a, const EarlierRender& earlier) {
-  take_over_target(a, earlier);
+void fill_from(ProductionArguments& a, const EarlierRender& earlier) {
+  fill_from_target(a, earlier);
   if (a.scene.empty()) a.scene = earlier.setting("scene");
   if (a.definitions.empty()) a.definitions = earlier.definitions();
   if (a.size.empty()) a.size = fmt::format("{}x{}", earlier.width(), earlier.height());

@@ -14,7 +14,7 @@ namespace carlo {
 
 /// Takes options that the command line leaves open from the earlier render. Throws Error for
 /// options with which it cannot be continued.
-void take_over(ProductionArguments& a, const EarlierRender& earlier);
+void fill_from(ProductionArguments& a, const EarlierRender& earlier);
 
 /// Returns the state to continue from, up to `spp` samples per pixel if given. Throws Error if the
 /// render cannot be continued to that number.

@@ -59,14 +59,14 @@ PartHeader with(PartHeader part, const RenderResult& result, const BlockRange& s
 /// Reads the state to continue from.
 RenderResult result_of(const PartFile& file, const PartHeader& now, const BlockRange& share) {
   const PartHeader& then = file.header();
-  const std::string where = fmt::format("cannot go on with {}", file.path().string());
+  const std::string where = fmt::format("cannot continue {}", file.path().string());
   const char* const hint = "; remove it, or name another with -o";
   if (const auto difference = difference_of(then, now)) {
     throw Error("{}: its {} is {}, this render's {}{}", where, difference->name, difference->a,
                 difference->b, hint);
   }
   if (then.shard != now.shard) {
-    throw Error("{}: it is {}, not shard {}{}", where, told(then), now.shard->text(), hint);
+    throw Error("{}: it is {}, not shard {}{}", where, describe(then), now.shard->text(), hint);
   }
   RenderResult result{.film = Film(now.grid.width, now.grid.height, now.grid.block),
                       .counts = then.counts,

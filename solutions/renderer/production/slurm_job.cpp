@@ -29,7 +29,7 @@ std::string own_array() {
 
 /// Whether shards are missing; if so, submits them again, or sets `code` to 1 if the last jobs made
 /// no progress.
-bool goes_on(SlurmFolder& folder, const SlurmPlan& plan, int& code) {
+bool resubmit_missing(SlurmFolder& folder, const SlurmPlan& plan, int& code) {
   const SlurmFolder::State state = folder.look(plan);
   if (state.missing.empty()) return false;
   fmt::print("{} of {} shards are not finished\n", state.missing.size(), plan.shards);
@@ -96,7 +96,7 @@ int run_slurm_task(const SlurmFolder& folder, const Scene& scene, const Integrat
 int run_slurm_merge(SlurmFolder& folder, const MergeOutput& how) {
   if (folder.done()) return 0;
   const SlurmPlan plan = plan_of(folder);
-  if (int code = 0; goes_on(folder, plan, code)) return code;
+  if (int code = 0; resubmit_missing(folder, plan, code)) return code;
   std::vector<fs::path> parts;
   for (int i = 1; i <= plan.shards; ++i) {
     if (plan.share(i).count() > 0) parts.push_back(folder.part(i));
@@ -112,7 +112,7 @@ int run_slurm_round_merge(SlurmFolder& folder, const Scene& scene, const Integra
   const SlurmPlan plan = plan_of(folder);
   // The merge renders nothing, so its own processor does not matter.
   render.settings["kernel"] = folder.settle_kernel(integrator.name());
-  if (int code = 0; goes_on(folder, plan, code)) return code;
+  if (int code = 0; resubmit_missing(folder, plan, code)) return code;
   const AdaptiveResult result = merge_round(folder, plan, integrator, render);
   if (!all_rounds_done(*result.state, render.spp)) {
     write_round(folder.round_state(folder.round() + 1), render.settings, *result.state, result);
@@ -123,8 +123,8 @@ int run_slurm_round_merge(SlurmFolder& folder, const Scene& scene, const Integra
   const auto seed = number_of<std::uint64_t>(render.settings.at("seed")).value_or(0);
   RenderReport report = make_report(scene, plan.scene, integrator, seed, result);
   report.kernel = render.settings.at("kernel");
-  tell_target(report, result.summary);
-  tell_parts(report, static_cast<std::uint64_t>(plan.shards), 1);
+  add_target(report, result.summary);
+  add_parts(report, static_cast<std::uint64_t>(plan.shards), 1);
   if (!how.reference.empty())
     report.reference = compare_with_reference(result, how.reference, read_exr(how.reference));
   const ResumableOutputs outputs(output_stem(how.output, plan.scene), render.settings, how.sums);

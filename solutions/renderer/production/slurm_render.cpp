@@ -111,7 +111,7 @@ void require_same(const SlurmFolder& folder, const SlurmPlan& then, const SlurmR
   const auto require = [&](const std::string& name, const std::string& a, const std::string& b) {
     if (a == b) return;
     throw Error(
-        "cannot go on with {}: its {} is {}, this render's {}; remove it, or name another image "
+        "cannot continue {}: its {} is {}, this render's {}; remove it, or name another image "
         "with -o",
         folder.path().string(), name, a, b);
   };

@@ -309,7 +309,7 @@ TEST_CASE("files that are written anew, replaced or touched are noticed by looki
   const Tree tree;
   const fs::path folder = fs::temp_directory_path() / fmt::format("carlo_watched_{}", ::getpid());
   FileEvents events({folder / "labs/01_demo"}, true);
-  CHECK(events.looks());
+  CHECK(events.polls());
   CHECK_FALSE(events.happened());
   tree.edit("good 1.1", "bad");
   CHECK(events.happened());

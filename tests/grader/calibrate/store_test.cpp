@@ -54,7 +54,7 @@ ExerciseResult& only(Record& record) {
   return record.result.exercises.front();
 }
 
-std::vector<Diagnosis> told(const std::vector<std::string>& ids) {
+std::vector<Diagnosis> diagnoses_of(const std::vector<std::string>& ids) {
   std::vector<Diagnosis> list;
   for (const std::string& id : ids)
     list.push_back({id, "it is so."});
@@ -66,7 +66,7 @@ std::vector<Diagnosis> told(const std::vector<std::string>& ids) {
 TEST_CASE("a record survives its line", "[calibrate]") {
   Record made = record(3, 18'446'744'073'709'551'615U, 1e-300);
   only(made).status = Status::failed;
-  only(made).diagnoses = told({"a", "b"});
+  only(made).diagnoses = diagnoses_of({"a", "b"});
   only(made).tests[0].verdicts[0].effect->measured = std::nan("");
   const std::string line = to_line(made);
   CHECK(line.find('\n') == std::string::npos);
@@ -175,7 +175,7 @@ TEST_CASE("a cautious comparison says why", "[calibrate]") {
 TEST_CASE("findings tell a mistake's margin and what the comparisons saw of it", "[calibrate]") {
   std::vector<Record> records{record(1, 1, 1e-20, .5), record(1, 2, 1e-3, -.3)};
   only(records[0]).status = only(records[1]).status = Status::failed;
-  only(records[0]).diagnoses = told({"first", "second", "third"});
+  only(records[0]).diagnoses = diagnoses_of({"first", "second", "third"});
   Judged mistake;
   mistake.subject = {1, "wrong", "1.1", "second"};
   for (const Record& one : records)
@@ -189,7 +189,7 @@ TEST_CASE("findings tell a mistake's margin and what the comparisons saw of it",
   CHECK(std::abs(found.margin - (std::log10(1.5625e-8) + 3)) <= 1e-3);
   mistake.subject.diagnosis = "third";
   CHECK(mistake_finding(mistake).named == 0);
-  only(records[0]).diagnoses = told({"third"});
+  only(records[0]).diagnoses = diagnoses_of({"third"});
   CHECK(mistake_finding(mistake).alone == 1);
   CHECK(mistake_finding(mistake).first_missed == "seed 2: failed");
 

@@ -76,11 +76,11 @@ void conclude(Verdict& verdict, const std::string& statistic, double p) {
   if (std::isnan(p)) {
     verdict.certainty = statistic + " is no number";
   } else if (p < 1e-15) {
-    verdict.certainty = statistic + ": chance does not do that";
+    verdict.certainty = statistic + ": this cannot be chance";
   } else {
-    verdict.certainty =
-        fmt::format("{}, p = {:.2g}: chance takes a right solution this far once in {:.2g} runs",
-                    statistic, p, 1 / p);
+    verdict.certainty = fmt::format(
+        "{}, p = {:.2g}: a right solution is this far off by chance once in {:.2g} runs", statistic,
+        p, 1 / p);
   }
 }
 

@@ -48,8 +48,8 @@ std::string termination(const std::string& said) {
         type.substr(0, 100), words.empty() ? "" : ": ", words.substr(0, 100));
   }
   if (said.find(nothing_thrown) == std::string::npos) return "";
-  return "std::terminate() ended the program, as it does when a std::thread has in the end been "
-         "neither joined nor detached";
+  return "std::terminate() ended the program, as it does when a std::thread is destroyed without "
+         "join() or detach()";
 }
 
 /// Returns whether a line is the library's, before an abort.

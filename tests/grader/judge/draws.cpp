@@ -28,7 +28,8 @@ Verdict draws(double words, double expected) {
                           "one costs time, and what draws next gets other numbers."};
   std::string measured = fmt::format("{:g}", words / 2);
   std::vector<Diagnosis> diagnosis;
-  if (words < 0) measured = "not to be told: rng was restarted or exchanged, or gave far too many";
+  if (words < 0)
+    measured = "unknown: rng was reset or replaced, or far too many numbers were drawn";
   if (words == expected) {
     measured = fmt::format("{:g} of rng.uniform_float()", words);
     diagnosis = {floats};

@@ -116,7 +116,7 @@ void note(const Options& options, const Lab& lab, const OwnCode& code, const Lab
     book.take(result, lab, code);
     book.save();
   } catch (const Error& error) {
-    fmt::print(stderr, "the verdict is not kept: {}\n", error.what());
+    fmt::print(stderr, "cannot save the verdict: {}\n", error.what());
   }
 }
 

@@ -41,7 +41,7 @@ void check_rows(const Rows& rows, const Shape& shape) {
   throw ProbeFailure(
       Status::failed,
       fmt::format(
-          "it returned {}{}", std::isnan(*bad) ? "NaN, which is no number" : "an infinite value",
+          "it returned {}{}", std::isnan(*bad) ? "NaN" : "an infinite value",
           rows.count() > 1 ? fmt::format(", in answer {} of {}", row + 1, rows.count()) : ""));
 }
 
@@ -67,8 +67,9 @@ std::string question(const Params& params, const Shape& shape) {
 
 /// Says why the tests after one that ended so are not run.
 std::string why_hopeless(Status status) {
-  return status == Status::not_implemented ? "your code came upon what is not implemented yet"
-                                           : "your code took too long";
+  return status == Status::not_implemented
+             ? "your code called a function that is not implemented yet"
+             : "your code took too long";
 }
 
 /// Attempts for a probe for which the machine may have lacked resources.
@@ -97,7 +98,7 @@ ProbeFailure crashed(const Outcome& outcome) {
 std::string guess(const Outcome& outcome) {
   const double ran = std::max(outcome.ran, outcome.pressure.worked);
   if (ran >= .3 * (outcome.seconds - outcome.waited)) return ": a loop that does not end?";
-  return ", in which it hardly ran: it waits for what does not come?";
+  return ", mostly idle: is it waiting for input or a lock?";
 }
 
 /// Throws unless the worker ended properly.
@@ -113,7 +114,7 @@ void check_end(const Outcome& outcome, const Limits& limits) {
       throw crashed(outcome);
     case End::deadline:
       fail(Status::timeout,
-           fmt::format("it was not done after {:.3g} seconds{}",
+           fmt::format("it timed out after {:.3g} seconds{}",
                        std::chrono::duration<double>(limits.deadline).count(), guess(outcome)));
       break;
     case End::flooded_output:
@@ -181,13 +182,14 @@ Answer run_probe(const Worker& worker, const std::string& name, const Params& pa
     frame = decode(outcome.result);
     if (!frame || frame->status != Frame::Status::exhausted) break;
   }
-  if (!frame) throw ProbeFailure(Status::crashed, "its answer was cut short or no answer at all");
+  if (!frame) throw ProbeFailure(Status::crashed, "no complete answer came back from your code");
   if (frame->status == Frame::Status::not_implemented) {
     throw undone(*frame);
   }
   if (frame->status == Frame::Status::exhausted) {
-    throw Error("a thread could not be started, {} times: by the machine, or there are too many",
-                most_attempts);
+    throw Error(
+        "a thread could not be started in {} attempts: the code starts too many, or the machine is full",
+        most_attempts);
   }
   if (frame->status == Frame::Status::error) {
     throw printing(

@@ -227,15 +227,14 @@ std::string diagnosis(const ExerciseResult& exercise) {
   for (std::size_t i = 0; i < std::min(exercise.diagnoses.size(), shown_diagnoses); ++i)
     out += fmt::format("<p>{}</p>\n", html(exercise.diagnoses[i].sentence));
   if (out.empty()) return "";
-  return "<div class=\"diagnosis\"><p><strong>It looks like this:</strong></p>\n" + out +
-         "</div>\n";
+  return "<div class=\"diagnosis\"><p><strong>Likely cause:</strong></p>\n" + out + "</div>\n";
 }
 
 std::string unsound_ground(const ExerciseResult& exercise) {
   std::string out;
   for (const std::string& tag : exercise.unsound) {
     out += fmt::format(
-        "<p class=\"note\">{} is not right yet: where your code calls it, mend that first.</p>\n",
+        "<p class=\"note\">{} is not right yet, and your code calls it: fix that first.</p>\n",
         html(tag));
   }
   return out;

@@ -79,8 +79,9 @@ void show(const Options& options, const Exercise& exercise, const Questions& que
   const auto bad = std::find_if(asked.begin(), asked.end(),
                                 [](const Asked& one) { return one.status != Status::passed; });
   const std::size_t number = bad == asked.end() ? 1 : number_of(asked, *bad);
-  fmt::print("{}", wrapped(fmt::format("Raw values of one: {}  (--gdb: in the debugger)\n",
-                                       again(options, questions.seed, number))));
+  fmt::print("{}", wrapped(fmt::format(
+                       "To see the raw values of one question: {}  (with --gdb: in the debugger)\n",
+                       again(options, questions.seed, number))));
 }
 
 int ask(const Options& options, const Exercise& exercise, const Questions& questions) {
@@ -97,7 +98,7 @@ int ask(const Options& options, const Exercise& exercise, const Questions& quest
     std::string breaks;
     for (const std::string& function : exercise.functions)
       breaks += fmt::format("{}break {}", breaks.empty() ? "" : ", ", function);
-    fmt::print("In the debugger: {}; then run, and where after a crash.\n", breaks);
+    fmt::print("In the debugger type: {}; then run. After a crash, type where.\n", breaks);
     std::fflush(nullptr);
     debug(options.debugger, words);
   }

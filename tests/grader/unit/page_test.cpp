@@ -97,10 +97,10 @@ TEST_CASE("the page shows points, diagnosis, numbers, figure and the hint's comm
   const std::string page = grade_page({demo_lab(wrong_mean())}, {"Lab 07"});
   check_balanced(page);
   CHECK(has(page, "3 of 6 points"));
-  CHECK(has(page, "It looks like this:"));
+  CHECK(has(page, "Likely cause:"));
   CHECK(has(page, "it is too large."));
   CHECK(has(page, "0.7 ± 0.0095, the mean of 1000"));
-  CHECK(has(page, "chance does not do that"));
+  CHECK(has(page, "this cannot be chance"));
   CHECK(has(page, "<svg"));
   CHECK(has(page, "./carlo hint 7.1"));
   CHECK(has(page, "calls Lab 7.1"));
@@ -116,9 +116,10 @@ TEST_CASE("a crash stands first on the page, with how to find its line", "[page]
   crash.lacks_line = true;
   const std::string page = grade_page({{collect(lab, {wrong, crash}, "")}}, {"Lab 01"});
   CHECK(page.find("✗ empty") < page.find("✗ small"));
-  CHECK(has(page,
-            "In which line it crashes (it builds for minutes, once): <code>CARLO_PRESET=debug "
-            "./carlo test 1.1</code>"));
+  CHECK(
+      has(page,
+          "To find the line of the crash (the first build takes minutes): <code>CARLO_PRESET=debug "
+          "./carlo test 1.1</code>"));
 }
 
 TEST_CASE("nothing that a student's program says becomes markup", "[page]") {

@@ -150,7 +150,7 @@ TEST_CASE("after a deadline or a missing implementation an exercise starts no mo
   CHECK(run.records()[1].status == Status::not_implemented);
   CHECK(run.records()[1].skipped);
   CHECK(run.records()[1].problem ==
-        "not run: your code came upon what is not implemented yet in \"first\"");
+        "not run: your code called a function that is not implemented yet in \"first\"");
   run.begin_test("Lab 1.2: is quick", Aspect::efficiency);
   run.end_test(false);
   CHECK(run.records()[2].aspect == Aspect::efficiency);
@@ -171,7 +171,7 @@ TEST_CASE("the report names points, what failed and what it looks like", "[repor
 TEST_CASE("what it looks like comes before what was measured", "[report]") {
   const std::string text =
       report_text(collect(demo_lab(), {passed("Lab 1.1"), failed("Lab 1.2")}, ""));
-  CHECK(text.find("It looks like this: one is missing.") < text.find("✗ it holds"));
+  CHECK(text.find("Likely cause: one is missing.") < text.find("✗ it holds"));
   CHECK(text.find("✗ it holds") < text.find("expected 2"));
 }
 
@@ -179,7 +179,7 @@ TEST_CASE("of a crash without a line it is said how to find it", "[report]") {
   TestRecord crashed{"Lab 1.2", "it holds", {}, Status::crashed, "it crashed: division", ""};
   crashed.lacks_line = true;
   const std::string advice =
-      "In which line it crashes (it builds for minutes, once): CARLO_PRESET=debug ./carlo test 1.2";
+      "To find the line of the crash (the first build takes minutes): CARLO_PRESET=debug ./carlo test 1.2";
   CHECK(has(report_text(collect(demo_lab(), {passed("Lab 1.1"), crashed}, "")), advice));
   crashed.problem += ", in labs/01_demo/demo.cpp:3 (n = 2)";
   crashed.lacks_line = false;
@@ -194,7 +194,7 @@ TEST_CASE("a crash is shown first, and how to find its line beside it", "[report
     return test;
   };
   const std::string advice =
-      "In which line it crashes (it builds for minutes, once): CARLO_PRESET=debug ./carlo test "
+      "To find the line of the crash (the first build takes minutes): CARLO_PRESET=debug ./carlo test "
       "1.2\n";
   const LabResult result = collect(
       demo_lab(),
@@ -239,7 +239,7 @@ TEST_CASE("a seed is named once, and only when it is not the usual one", "[repor
   result.usual_seed = false;
   result.seed = 7;
   const std::string text = report_text(result);
-  CHECK(has(text, "--seed 7, after ./carlo test and ./carlo replay\n"));
+  CHECK(has(text, "--seed 7 after ./carlo test or ./carlo replay\n"));
   CHECK(text.find("--seed") == text.rfind("--seed"));
 }
 

@@ -212,7 +212,7 @@ TEST_CASE("Samples that two parts hold are refused by name") {
       render_noise(pair.noise, 64, 2, share_of({2, 3}, noise_grid(64), false));
   write_part(pair.path(3), noise_header(pair.noise, 64, {2, 3}, third), third.film);
   CHECK(complaint({pair.path(1), pair.path(3)}) ==
-        fmt::format("{} overlaps with {}: 8 of its 16 blocks of samples are in that, too",
+        fmt::format("{} overlaps with {}: 8 of its 16 blocks of samples are in both",
                     pair.path(3).string(), pair.path(1).string()));
   CHECK(complaint({}).find("which parts") != std::string::npos);
 }
@@ -228,12 +228,12 @@ TEST_CASE("A part that is none, cut short or spoilt is refused by name") {
       {[](std::string& b) { b.resize(b.size() / 2); }, "cut short"},
       {[](std::string& b) { b.pop_back(); }, "cut short"},
       {[](std::string& b) { b += "x"; }, "something was added"},
-      {[](std::string& b) { b[20] = '\x7f'; }, "its header has"},
-      {[](std::string& b) { b[60] ^= 1; }, "its header's checksum"},
-      {[](std::string& b) { b[b.size() - 1000] ^= 4; }, "its sums' checksum"},
-      {[](std::string& b) { b[b.size() - 3] ^= 4; }, "its sums' checksum"},
+      {[](std::string& b) { b[20] = '\x7f'; }, "its header claims"},
+      {[](std::string& b) { b[60] ^= 1; }, "header checksum mismatch"},
+      {[](std::string& b) { b[b.size() - 1000] ^= 4; }, "checksum mismatch in the sums"},
+      {[](std::string& b) { b[b.size() - 3] ^= 4; }, "checksum mismatch in the sums"},
       {[](std::string& b) { std::swap(b[b.size() - 999], b[b.size() - 1009]); },
-       "its sums' checksum"},
+       "checksum mismatch in the sums"},
   };
   for (const auto& [change, expected] : changes) {
     Pair pair;
@@ -251,7 +251,7 @@ TEST_CASE("A part that is none, cut short or spoilt is refused by name") {
 TEST_CASE("A part that claims what cannot be is refused by name") {
   using Change = std::function<void(PartHeader&)>;
   const std::vector<std::pair<Change, std::string>> changes = {
-      {[](PartHeader& p) { p.settings.erase("seed"); }, "does not tell its seed"},
+      {[](PartHeader& p) { p.settings.erase("seed"); }, "setting 'seed' is missing"},
       {[](PartHeader& p) { p.settings["planned_spp"] = "all"; },
        "are not the all that were planned"},
       {[](PartHeader& p) { p.settings["planned_spp"] = "65"; }, "are not the 65 that were planned"},

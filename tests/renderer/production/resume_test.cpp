@@ -105,7 +105,7 @@ TEST_CASE(
     write_exr(scratch.path() / "a.exr", file);
     CHECK_THROWS_WITH(
         read(scratch.path() / "a.exr"),
-        Catch::Matchers::ContainsSubstring(fmt::format("it does not tell its {}", lacking)));
+        Catch::Matchers::ContainsSubstring(fmt::format("setting '{}' is missing", lacking)));
   }
 }
 

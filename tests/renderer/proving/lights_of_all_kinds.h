@@ -46,7 +46,7 @@ AddedLight add_light(carlo::Scene& scene, LightKind kind, const Stand& stand, do
 /// A black square half way to the light, which hides all of it; returns what it covers, as above.
 double add_card(carlo::Scene& scene, const Stand& stand);
 
-/// An image around the scene of 8 x 4 texels, each with the radiance of its column and row.
+/// An environment map of 8 x 4 texels, each with the radiance of its column and row.
 carlo::Envmap image_of(carlo::Rgb (*radiance)(int column, int row));
 
 }  // namespace proving

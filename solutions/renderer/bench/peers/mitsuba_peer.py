@@ -57,7 +57,7 @@ def mesh(spec, name):
 FINER = {"columns": 8, "rows": 32}  # Mitsuba texels per texel of ours
 
 
-def image_around(spec):
+def envmap_json(spec):
     """Mitsuba interpolates between texels, but ours are constant: each of ours becomes many, so that only
     a narrow rim is interpolated. Mitsuba's columns are at the middles of equal parts, as ours; its rows
     are at 0, 1/(n - 1), ..., 1 of the way down, and each is the mean of the nearest part. With a quarter
@@ -111,7 +111,7 @@ def scene_of(spec):
     if any(spec["environment"]):
         scene["environment"] = {"type": "constant", "radiance": rgb(spec["environment"])}
     if spec["envmap"]:
-        scene["environment"] = image_around(spec["envmap"])
+        scene["environment"] = envmap_json(spec["envmap"])
     return scene
 
 
