@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Mitsuba 3.9.1: a white principled BSDF in a room that shines with radiance 1 from everywhere.
 # Expected: at most 1 comes back, as from a white diffuse wall.
-# Seen: more comes back, head-on and at grazing angles. Roughness 0.5 (the default): 1.04 head-on, 1.19 at 85 degrees.
-# Roughness 1: 1.05 and 1.44. So a closed white scene gains light at every bounce.
+# Seen: more comes back. Roughness 0.5 (the default): 1.04 head-on, 1.19 at 85 degrees. Roughness 1:
+# 1.05 and 1.44. So a closed white scene gains light at every bounce.
 # Do: expect it with near-white base colours; for furnace tests take diffuse, which gives 1.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
