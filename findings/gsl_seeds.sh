@@ -36,5 +36,6 @@ int main() {
     hold(same(gsl_rng_mt19937, 1, (1UL << 32) + 1), "mt19937 and seed 2^32 + 1");
 }
 CPP
-g++ -std=c++17 -O1 -Iroot/usr/include seeds.cpp -o seeds root/usr/lib/*/libgsl.so root/usr/lib/*/libgslcblas.so
+g++ -std=c++17 -O1 -Iroot/usr/include seeds.cpp -o seeds \
+    root/usr/lib/*/libgsl.so root/usr/lib/*/libgslcblas.so
 LD_LIBRARY_PATH=$(echo root/usr/lib/*-linux-gnu) ./seeds

@@ -19,7 +19,8 @@ import { readFileSync } from "node:fs";
 import { Triangle } from "three";
 import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 console.log(["face1.obj", "face2.obj"].map((name) => {
-  const corners = new OBJLoader().parse(readFileSync(name, "utf8")).children[0].geometry.attributes.position;
+  const mesh = new OBJLoader().parse(readFileSync(name, "utf8")).children[0];
+  const corners = mesh.geometry.attributes.position;
   let area = 0;
   for (let i = 0; i < corners.count; i += 3)
     area += new Triangle().setFromAttributeAndIndices(corners, i, i + 1, i + 2).getArea();

@@ -18,8 +18,10 @@ cat > read.mjs <<'JS'
 import { readFileSync } from "node:fs";
 import { FloatType } from "three";
 import { RGBELoader } from "three/examples/jsm/loaders/RGBELoader.js";
-for (const name of ["rgbe.hdr", "xyze.hdr"])
-  console.log(new RGBELoader().setDataType(FloatType).parse(new Uint8Array(readFileSync(name)).buffer).data[0]);
+for (const name of ["rgbe.hdr", "xyze.hdr"]) {
+  const bytes = new Uint8Array(readFileSync(name));
+  console.log(new RGBELoader().setDataType(FloatType).parse(bytes.buffer).data[0]);
+}
 JS
 node read.mjs > three.txt
 venv/bin/python - <<'PY'
