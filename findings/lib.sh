@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Shared by the scripts here: a temporary folder that goes away, and pinned packages inside it.
 # Sourcing it changes into that folder.
 set -euo pipefail

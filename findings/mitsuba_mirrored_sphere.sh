@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Mitsuba 3.9.1: a sphere with a reflection, <scale x="-1"/>, in its to_world.
 # Expected: a sphere mirrored at its centre's plane is the same sphere; or all shapes change alike.
-# Seen: its normals point inwards. As a lamp it is black from outside, and so is a diffuse sphere in
+# Seen: its normals point inwards. As a light it is black from outside, and so is a diffuse sphere in
 # a white room. A rectangle, a disk and a cube with the same transform look as before.
 # Do: take the reflection out of spheres, or add <boolean name="flip_normals" value="true"/>.
 set -euo pipefail
@@ -24,16 +24,16 @@ def mean(kind, x, inside, extra=""):
       {extra}</scene>''')
     return float(np.array(mi.render(scene, spp=64)).mean())
 
-lamp = '<emitter type="area"><rgb name="radiance" value="1"/></emitter>'
+light = '<emitter type="area"><rgb name="radiance" value="1"/></emitter>'
 wall, room = '<bsdf type="diffuse"/>', '<emitter type="constant"/>'
 for kind in ("rectangle", "disk", "cube"):
     for x in (1, -1):
-        hold(mean(kind, x, lamp) > 0.99, f"{kind} lamp with x scaled by {x} is dark")
+        hold(mean(kind, x, light) > 0.99, f"{kind} light with x scaled by {x} is dark")
         hold(mean(kind, x, wall, room) > 0.4, f"diffuse {kind} with x scaled by {x} is dark")
-hold(mean("sphere", 1, lamp) > 0.99, "the plain sphere lamp is dark")
-hold(mean("sphere", -1, lamp) == 0, "the mirrored sphere lamp shines outwards")
+hold(mean("sphere", 1, light) > 0.99, "the plain sphere light is dark")
+hold(mean("sphere", -1, light) == 0, "the mirrored sphere light shines outwards")
 hold(mean("sphere", -1, wall, room) == 0, "the mirrored diffuse sphere is lit")
 flip = '<boolean name="flip_normals" value="true"/>'
-hold(mean("sphere", -1, flip + lamp) > 0.99, "flip_normals no longer repairs it")
-print("mirrored sphere: black as a lamp and as a wall; rectangle, disk and cube: as before")
+hold(mean("sphere", -1, flip + light) > 0.99, "flip_normals no longer repairs it")
+print("mirrored sphere: black as a light and as a wall; rectangle, disk and cube: as before")
 PY

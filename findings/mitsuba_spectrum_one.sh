@@ -23,11 +23,11 @@ def pixel(shape, rest=""):
       <shape type="rectangle">{shape}</shape>{rest}</scene>''')
     return np.array(mi.render(scene, spp=1024)).mean((0, 1))
 
-lamp = lambda x: pixel(f'<emitter type="area">{x}</emitter>')
+light = lambda x: pixel(f'<emitter type="area">{x}</emitter>')
 wall = lambda x: pixel(f'<bsdf type="diffuse">{x}</bsdf>',
                        '<emitter type="constant"><rgb name="radiance" value="1"/></emitter>')
-red = lamp('<spectrum name="radiance" value="1"/>')
-hold(np.allclose(lamp('<rgb name="radiance" value="1"/>'), 1, atol=1e-4), "rgb light is not white")
+red = light('<spectrum name="radiance" value="1"/>')
+hold(np.allclose(light('<rgb name="radiance" value="1"/>'), 1, atol=1e-4), "rgb light is not white")
 hold(np.allclose(red, (1.205, 0.948, 0.909), atol=2e-3), f"spectrum light is {red}")
 grey = wall('<spectrum name="reflectance" value="1"/>') / wall('<rgb name="reflectance" value="1"/>')
 hold(np.allclose(grey, 1, atol=1e-4), f"reflectance 1: spectrum/rgb is {grey}")

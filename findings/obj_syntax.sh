@@ -11,8 +11,8 @@ source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 python_with trimesh==5.2.0 mitsuba==3.9.1 tinyobjloader==2.0.0rc13 numpy==2.2.6
 
 corners='v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n'
-printf "$corners"'f 1 2 \\\n 3 4\n' > continued.obj
-printf "$corners"'f -4 -3 -2 -1\n' > relative.obj
+printf '%b' "$corners"'f 1 2 \\\n 3 4\n' > continued.obj
+printf '%b' "$corners"'f -4 -3 -2 -1\n' > relative.obj
 venv/bin/python - <<'PY'
 from hold import hold
 import mitsuba as mi, tinyobjloader, trimesh
