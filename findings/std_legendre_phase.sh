@@ -20,7 +20,7 @@ int main() {
             const double norm = std::sqrt((2 * l + 1) / (4 * M_PI) * ratio);
             const double sph = std::sph_legendre(l, m, theta);
             const double assoc = std::assoc_legendre(l, m, std::cos(theta));
-            hold(std::fabs(sph - (m % 2 ? -1 : 1) * norm * assoc) < 1e-12, "sph_legendre against assoc_legendre");
+            hold(std::fabs(sph - (m % 2 ? -1 : 1) * norm * assoc) < 1e-12, "the phase of sph_legendre");
             std::printf("%u %u %.17g\n", l, m, sph);
         }
     }
