@@ -126,7 +126,7 @@ for last in 1 4 9; do
   formulas_are_there "$tree"
   [ "$(find "$tree/labs" -name lab.json | wc -l)" = "$last" ] || fail "labs beyond $last, or too few"
   expect_error "$tree" "there is no ./carlo starter in this folder" starter --through 1
-  expect_error "$tree" "a student.s tree" slides --check
+  expect_error "$tree" "there is no ./carlo slides in this folder" slides --check
 done
 configured "$scratch/1" "${cmake_arguments[@]}"
 configured "$scratch/9" "${cmake_arguments[@]}"
