@@ -75,11 +75,13 @@ double noncentral_lower(double x, double dof, double noncentrality) {
   const double mean = noncentrality / 2, half = x / 2;
   const double last = std::ceil(mean + 12 * std::sqrt(mean) + 40);
   double tail = gamma_lower(dof / 2 + last, half), sum = 0;
-  for (double j = last; j >= 0; --j) {
+  double j = last;
+  while (j >= 0) {
     const double weight = j > 0 ? std::exp(log_poisson(j, mean)) : std::exp(-mean);
     sum += weight * tail;
     if (j < mean && weight < 1e-18 * sum) break;
     if (j > 0) tail += std::exp(log_poisson(dof / 2 + j - 1, half));
+    j -= 1;
   }
   return sum;
 }

@@ -36,8 +36,9 @@ double stirling_error(double a) {
 
 /// P(a, x) over its first term, for x < a + 1.
 double lower_series(double a, double x) {
-  double term = 1, sum = 1;
-  for (double k = a + 1; term > epsilon * sum; ++k) {
+  double term = 1, sum = 1, k = a;
+  while (term > epsilon * sum) {
+    k += 1;
     term *= x / k;
     sum += term;
   }
@@ -47,7 +48,9 @@ double lower_series(double a, double x) {
 /// Q(a, x) over a times the same term, for x >= a + 1: the continued fraction by Lentz's method.
 double upper_fraction(double a, double x) {
   double b = x + 1 - a, c = 1 / std::numeric_limits<double>::min(), d = 1 / b, value = d;
-  for (double i = 1;; ++i) {
+  double i = 0;
+  while (true) {
+    i += 1;
     const double numerator = i * (a - i);
     b += 2;
     d = 1 / (numerator * d + b);
