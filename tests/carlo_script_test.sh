@@ -74,6 +74,16 @@ expect 0 '^lab01_judge .* --seed 7 .*--exercise 1.2$' test 1.2 --seed 7
 expect 0 '^lab01_judge .* --page x.html$' test 1 --page x.html
 expect 0 '^carlo_watch --root .* --poll 1$' watch 1 --poll
 expect 0 '^lab08_render --default-scene .*cornell_phong.xml --spp 4$' render --mine --spp 4
+stand_in "$tools/ctest"
+expect 0 '^ctest --output-on-failure -j [0-9]+ -L .first.$' test --solutions
+expect 0 '^ctest --output-on-failure -j [0-9]+ -L .first. -j 4$' test --solutions -j 4
+expect 0 '^ctest --output-on-failure -j [0-9]+$' test --solutions --all
+expect 0 '^ctest --output-on-failure -j [0-9]+ -LE slow$' test --solutions --all -LE slow
+for choice in '-R renderer' --rerun-failed '-C thorough'; do
+  # shellcheck disable=SC2086
+  expect 0 "^ctest --output-on-failure -j [0-9]+ $choice\$" test --solutions $choice
+done
+expect 0 '^ctest --output-on-failure -j [0-9]+ -R .lab01[[]..$' test 1 --solutions
 program "$tree/build/release/bin/lab01_judge" 'while [ $# != 0 ]; do [ "$1" != --probes ] || : >"$2"; shift; done'
 expect 0 '^carlo_replay 1.2 --lab .*lab01_worker$' replay 1.2
 program "$tree/build/release/bin/lab01_judge" 'exit 1'

@@ -95,7 +95,8 @@ std::string processors() {
 bool chooses(const Words& options) {
   return std::any_of(options.begin(), options.end(), [](const std::string& word) {
     return word.starts_with("-R") || word.starts_with("-L") || word.starts_with("-C") ||
-           word.starts_with("-I") || word.starts_with("--tests-") || word.starts_with("--label-");
+           word.starts_with("-I") || word.starts_with("--tests-") || word.starts_with("--label-") ||
+           word == "--rerun-failed";
   });
 }
 
