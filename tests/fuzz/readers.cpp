@@ -113,7 +113,7 @@ void read_part(std::string_view bytes) {
   const std::string_view sums = bytes.substr(std::min(end + 1, bytes.size()));
   Checksum checksum;
   checksum.add({reinterpret_cast<const unsigned char*>(header.data()), header.size()});
-  std::string file = "carlo part 1\n";
+  std::string file = "carlo part 2\n";
   const auto add = [&file](std::uint64_t number) {
     file.append(reinterpret_cast<const char*>(&number), sizeof number);
   };

@@ -166,6 +166,8 @@ class Starts {
     pixel_key_ = key_of_pixel();
   }
 
+  /// Words of 32 bits, so of n pixels about n^2 / 2^33 pairs share all their random numbers (of
+  /// 384 x 384, two or three): their errors are alike, while each pixel's error bar still holds.
   std::uint32_t key_of_pixel() const {
     const std::uint64_t number =
         static_cast<std::uint64_t>(y_) * static_cast<std::uint64_t>(job_.width) +

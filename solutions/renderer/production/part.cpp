@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view part_magic = "carlo part ", part_first_line = "carlo part 1\n";
+constexpr std::string_view part_magic = "carlo part ", part_first_line = "carlo part 2\n";
 constexpr std::uint64_t most_header_bytes = std::uint64_t{1} << 26;
 
 /// Two words of eight bytes: after the header's first line, and at the end of the file for the

@@ -42,9 +42,9 @@ constexpr const char* part_suffix = ".part";
 
 /// Writes a part atomically, with those of the film's tiles that have blocks. Throws Error.
 ///
-/// Format: a line "carlo part 1"; the lengths of the following sections and their checksums; the
-/// header as JSON; the sums of each tile that has any, in planes of as many bytes as the tile's
-/// numbers need (part_tile.h).
+/// Format, little-endian: the line "carlo part 2"; length and checksum of the header; the header as
+/// JSON; for each tile that has blocks a length of 32 bits and its sums (part_tile.h); length and
+/// checksum of all tiles.
 void write_part(const std::filesystem::path& path, const PartHeader& header, const Film& film);
 
 /// Reads a part from a file, section by section.

@@ -222,7 +222,7 @@ TEST_CASE("A part that is none, cut short or spoilt is refused by name") {
   const std::vector<std::pair<Spoil, std::string>> changes = {
       {[](std::string& b) { b.clear(); }, "it is no part"},
       {[](std::string& b) { b = "P6 1 1 255 abc and so on"; }, "it is no part"},
-      {[](std::string& b) { b.replace(11, 1, "2"); }, "another version of Carlo ('carlo part 2')"},
+      {[](std::string& b) { b.replace(11, 1, "1"); }, "another version of Carlo ('carlo part 1')"},
       {[](std::string& b) { b.resize(20); }, "cut short"},
       {[](std::string& b) { b.resize(200); }, "cut short"},
       {[](std::string& b) { b.resize(b.size() / 2); }, "cut short"},
