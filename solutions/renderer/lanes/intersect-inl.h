@@ -10,6 +10,7 @@
 #include "renderer/lanes/flats-inl.h"
 #include "renderer/lanes/lane_scene.h"
 #include "renderer/lanes/rays-inl.h"
+#include "renderer/lanes/tree-inl.h"
 #include "renderer/lanes/vector_math-inl.h"
 
 #include <hwy/highway.h>
@@ -162,10 +163,34 @@ HWY_INLINE void meet_sphere(const LaneScene& s, std::uint32_t i, const Origins& 
   take(hits, hn::And(hn::And(met, ahead), hn::Lt(t, hits.t)), t, number);
 }
 
-/// The first surface along rays, without sdfs and meshes; d has length 1.
+/// closest() for scenes with hierarchies; `wanted`: the lanes that have a ray.
+inline HWY_NOINLINE void closest_in_trees(const LaneScene& s, const Origins& from, const V3& d,
+                                          M wanted, Hits& hits) {
+  const V of_origin = coordinates(from.o);
+  const auto far = [&]() HWY_ATTR { return hits.t; };
+  for_shapes_near(s.quad_tree, from.o, d, wanted, far, [&](std::uint32_t i) HWY_ATTR {
+    meet_flat<true, Outline::quad>(s, i, from, d, of_origin, hits);
+    return true;
+  });
+  for_shapes_near(s.disk_tree, from.o, d, wanted, far, [&](std::uint32_t i) HWY_ATTR {
+    meet_flat<true, Outline::disk>(s, i, from, d, of_origin, hits);
+    return true;
+  });
+  for_shapes_near(s.sphere_tree, from.o, d, wanted, far, [&](std::uint32_t i) HWY_ATTR {
+    meet_sphere<true>(s, i, from, d, of_origin, hits);
+    return true;
+  });
+}
+
+/// The first surface along rays, without sdfs and meshes; d has length 1. Only those of `wanted`
+/// are sure to be found.
 template <bool close, bool full>
-HWY_INLINE Hits closest(const LaneScene& s, const Origins& from, V3 d) {
+HWY_INLINE Hits closest(const LaneScene& s, const Origins& from, V3 d, M wanted) {
   Hits hits{set(longest), set_word(nothing)};
+  if (full && s.many) {
+    closest_in_trees(s, from, d, wanted, hits);
+    return hits;
+  }
   if (s.enclosed) hits = leave_enclosure(s, from.o, d, from.last);
   V of_origin = set(0);
   if (close) of_origin = coordinates(from.o);
@@ -227,10 +252,31 @@ HWY_INLINE M sphere_blocks(const LaneScene& s, std::uint32_t i, const Segments& 
   return hn::And(met, hn::Or(by_near, by_far));
 }
 
+/// unoccluded() for scenes with hierarchies.
+inline HWY_NOINLINE M unoccluded_by_trees(const LaneScene& s, const Segments& way, M asked) {
+  M clear = asked;
+  const V of_origin = coordinates(way.from.o);
+  const auto far = [&]() HWY_ATTR { return way.distance; };
+  const auto block = [&](M blocks) HWY_ATTR {
+    clear = hn::AndNot(blocks, clear);
+    return !hn::AllFalse(d_, clear);
+  };
+  for_shapes_near(s.quad_tree, way.from.o, way.d, clear, far, [&](std::uint32_t i) HWY_ATTR {
+    return block(flat_blocks<true, Outline::quad>(s, i, way, of_origin));
+  });
+  for_shapes_near(s.disk_tree, way.from.o, way.d, clear, far, [&](std::uint32_t i) HWY_ATTR {
+    return block(flat_blocks<true, Outline::disk>(s, i, way, of_origin));
+  });
+  for_shapes_near(s.sphere_tree, way.from.o, way.d, clear, far,
+                  [&](std::uint32_t i) HWY_ATTR { return block(sphere_blocks<true>(s, i, way)); });
+  return clear;
+}
+
 /// Those of `asked` that reach their end, a point of a light or the camera, without meeting
 /// anything in between; sdfs and meshes are not tested.
 template <bool close, bool full, bool to_camera = false>
 HWY_INLINE M unoccluded(const LaneScene& s, const Segments& way, M asked) {
+  if (full && s.many) return unoccluded_by_trees(s, way, asked);
   M clear = asked;
   const U from_box = box_of(way.from.last);
   for (std::uint32_t i = 0; i < s.solids.size(); ++i) {

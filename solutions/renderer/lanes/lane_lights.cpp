@@ -16,12 +16,6 @@ float as_float(double x) {
   return static_cast<float>(x);
 }
 
-LightBounds bounds(const Light& light) {
-  const Vec3d half(light.reach);
-  const Vec3d axis = light.plane ? light.plane->normal : Vec3d(0);
-  return {light.middle - half, light.middle + half, axis, light.plane ? 1.0 : -1.0, light.strength};
-}
-
 /// The plane that all of them share, if there is one.
 std::optional<Light::Plane> plane_of(const std::vector<Light>& lights, const Members& members) {
   const auto& first = lights[members[0]].plane;
@@ -66,6 +60,11 @@ std::vector<double> running(const std::vector<double>& shares) {
 
 LaneLights::LaneLights(const std::vector<Light>& lights) {
   if (lights.empty()) return;
+  share_out_starts(lights);
+  if (lights.size() > few) {
+    tree = LaneLightTree(lights);
+    return;
+  }
   // Groups by kind, with the lights of one plane together, so that it is known what lies in front
   // of it.
   std::vector<LightBounds> placed;
@@ -76,7 +75,7 @@ LaneLights::LaneLights(const std::vector<Light>& lights) {
       groups_of.push_back({i});
       continue;
     }
-    placed.push_back(bounds(lights[i]));
+    placed.push_back(bounds_of(lights[i]));
     placed_as.push_back(i);
   }
   if (!placed.empty()) {
@@ -95,7 +94,6 @@ LaneLights::LaneLights(const std::vector<Light>& lights) {
     brightest = std::max(brightest, light.strength);
   for (const Members& group : groups_of)
     add_group(lights, group, brightest);
-  share_out_starts(lights);
 }
 
 void LaneLights::add_group(const std::vector<Light>& lights, const Members& members,
@@ -142,6 +140,7 @@ void LaneLights::share_out_starts(const std::vector<Light>& lights) {
   for (const Light& light : lights)
     powers.push_back(light.power);
   const std::vector<double> sums = running(none_left_out(shares(powers)));
+  start_upto = start_chance = Column<float>(sums.size());
   for (std::size_t l = 0; l < sums.size(); ++l) {
     start_upto[l] = as_float(sums[l]);
     start_chance[l] = start_upto[l] - (l == 0 ? 0 : start_upto[l - 1]);

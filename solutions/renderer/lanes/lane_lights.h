@@ -1,11 +1,11 @@
 #pragma once
 
-#include <glm/glm.hpp>
+#include "renderer/lanes/column.h"
+#include "renderer/lanes/lane_light_tree.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace renderer {
@@ -17,31 +17,19 @@ namespace renderer {
 /// estimated together, in `groups`; within a group they are chosen by their strength. One sixteenth
 /// of the choices is shared equally by all lights that can contribute.
 struct LaneLights {
-  static constexpr std::size_t most = 128;        ///< lights
+  static constexpr std::size_t few = 128;         ///< more lights are chosen by a tree
   static constexpr std::size_t most_groups = 24;  ///< up to this number, every light is a group of
                                                   ///< its own
   template <class T>
-  using Column = std::array<T, most>;
-  template <class T>
   using GroupColumn = std::array<T, most_groups>;
 
-  /// The description of a light that the scene's writer provides.
-  struct Light {
-    glm::dvec3 middle{0};  ///< of a sphere around it,
-    double reach = 0;      ///< and its radius
-    double strength = 0;   ///< radiance x area for flat lights, intensity for others; R + G + B
-    double power = 0;      ///< power of paths that start here; 0 if none do
-    struct Plane {
-      glm::dvec3 normal;
-      double d;
-    };
-    std::optional<Plane> plane = std::nullopt;  ///< of flat lights
-    bool everywhere = false;                    ///< the environment map, whose strength is
-                                                ///< irradiance
-  };
+  using Light = LaneLight;
 
   LaneLights() = default;
   explicit LaneLights(const std::vector<Light>& lights);
+
+  LaneLightTree tree;  ///< its nodes, if there are more than a few lights; then there are no groups
+  bool many() const { return !tree.nodes.empty(); }
 
   std::uint32_t groups = 0;
   std::uint32_t first_round = 0;   ///< groups from here on have no common plane
@@ -53,11 +41,11 @@ struct LaneLights {
   Column<std::uint32_t> member{};              ///< the list: lights
   Column<float> upto{};  ///< running sum of strengths within the group, 1 at the end
 
-  // For each light:
+  // For each of a few lights:
   Column<std::uint32_t> group{};
   Column<float> share{};  ///< fraction of its group's strength
-  /// The running sum of the probabilities with which light paths start there, in multiples of
-  /// 2^-24, the step of the u's, so that they are exact; and each probability.
+  /// For each light: the running sum of the probabilities with which light paths start there, in
+  /// multiples of 2^-24, the step of the u's, so that they are exact; and each probability.
   Column<float> start_upto{}, start_chance{};
 
  private:

@@ -42,7 +42,8 @@ std::optional<bool> sobol_points(carlo::SamplerKind kind) {
 /// Writes the shapes' columns one by one.
 class Writer {
  public:
-  Writer(LaneScene& lanes, const carlo::Scene& scene) : lanes_(lanes), scene_(scene) {
+  Writer(LaneScene& lanes, const carlo::Scene& scene)
+      : lanes_(lanes), scene_(scene), close_(carlo::diameter(scene) / 1000) {
     const auto& [points, environment, envmap] = scene.lights;
     (void)points, (void)environment;  // environment is left to rays that meet no surface
     if (!envmap) return;
@@ -141,8 +142,7 @@ class Writer {
     lights_.push_back({.middle = Vec3d(light.position),
                        .strength = sum(light.intensity),
                        .power = 4 * carlo::pi * sum(light.intensity)});
-    const double close = carlo::diameter(scene_) / 1000;
-    brighten(light.intensity, close * close);
+    brighten(light.intensity, close_ * close_);
   }
 
   /// Called after all lights and planes.
@@ -232,18 +232,73 @@ class Writer {
 
   LaneScene& lanes_;
   const carlo::Scene& scene_;
+  double close_;  ///< a thousandth of the scene
   std::vector<LaneLights::Light> lights_;
   std::vector<double> areas_;  ///< of the lights that are surfaces, which come first
   std::vector<Parallelogram> quads_;
   std::vector<std::size_t> numbers_;  ///< their numbers
 };
 
-/// How many numbers the scene's surfaces take.
-std::size_t numbers(const carlo::Scene& scene) {
-  const LaneBoxes boxes = find_boxes(scene);
+std::size_t numbers(const LaneBoxes& boxes, const carlo::Scene& scene) {
   const auto others = std::count_if(scene.shapes.begin(), scene.shapes.end(), in_no_box);
   return boxes.solids.size() * LaneScene::sides + (boxes.enclosure ? LaneScene::sides_used : 0) +
          boxes.others.size() + static_cast<std::size_t>(others);
+}
+
+/// How many tests find the nearest surface if all are tried.
+std::size_t tries(const LaneBoxes& boxes, const carlo::Scene& scene) {
+  std::vector<Parallelogram> quads;
+  for (const std::size_t i : boxes.others)
+    quads.push_back(std::get<Parallelogram>(scene.shapes[i].geometry));
+  std::size_t planes = 0;
+  const std::vector<carlo::Planes::Entry> of = carlo::find_planes(quads).of;
+  for (std::size_t i = 0; i < of.size(); ++i)
+    planes += of[i].first == i;
+  const auto others = std::count_if(scene.shapes.begin(), scene.shapes.end(), in_no_box);
+  return boxes.solids.size() + planes + static_cast<std::size_t>(others);
+}
+
+/// The boxes of a scene, if all of its surfaces are tried.
+std::optional<LaneBoxes> boxes_to_try(const carlo::Scene& scene) {
+  if (scene.shapes.size() > LaneScene::few) return std::nullopt;
+  LaneBoxes boxes = find_boxes(scene);
+  if (numbers(boxes, scene) > LaneScene::few) return std::nullopt;
+  if (tries(boxes, scene) > LaneScene::most_tried) return std::nullopt;
+  return boxes;
+}
+
+LaneBoxes no_boxes(const carlo::Scene& scene) {
+  LaneBoxes none;
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i)
+    if (!in_no_box(scene.shapes[i])) none.others.push_back(i);
+  return none;
+}
+
+/// Entries for this many surfaces or lights and for the rest of the last register.
+std::size_t room_for(std::size_t entries) {
+  return entries + 16;
+}
+
+std::size_t emitters(const carlo::Scene& scene) {
+  const auto surfaces = std::count_if(scene.shapes.begin(), scene.shapes.end(),
+                                      [](const carlo::Shape& s) { return s.emits(); });
+  return static_cast<std::size_t>(surfaces) + scene.lights.points.size() +
+         (scene.lights.envmap ? 1 : 0);
+}
+
+/// Builds a tree over shapes that get numbers from `first` on, and sorts them by these.
+template <class Shape, class ShapeOf>
+LaneTree tree_over(std::vector<Shape>& shapes, std::uint32_t first, const ShapeOf& shape_of) {
+  std::vector<Extent> extents;
+  for (const Shape& shape : shapes)
+    extents.push_back(extent_of(shape_of(shape)));
+  std::vector<std::size_t> order;
+  LaneTree tree(extents, first, order);
+  std::vector<Shape> sorted;
+  for (const std::size_t i : order)
+    sorted.push_back(shapes[i]);
+  shapes = std::move(sorted);
+  return tree;
 }
 
 template <class Kind>
@@ -281,11 +336,9 @@ bool LaneScene::suits(const carlo::Needs& needs, const carlo::Scene& scene) {
   others.diffuse = others.phong = others.mirror = others.dielectric = false;
   others.one_sided = others.two_sided = false;
   others.environment = others.envmap = others.depth_limit = false;
-  const auto surfaces = static_cast<std::size_t>(std::count_if(
-      scene.shapes.begin(), scene.shapes.end(), [](const carlo::Shape& s) { return s.emits(); }));
   return others == carlo::Needs{} && sobol_points(scene.sampler) && scene.shapes.size() <= most &&
-         surfaces + needs.point_lights + (needs.envmap ? 1 : 0) <= most &&
-         scene.materials.size() <= most_materials && numbers(scene) <= most;
+         needs.sdfs + needs.meshes <= few && emitters(scene) <= most &&
+         scene.materials.size() <= most_materials;
 }
 
 double LaneScene::splat_unit(std::uint64_t paths) const {
@@ -295,7 +348,8 @@ double LaneScene::splat_unit(std::uint64_t paths) const {
   return std::ldexp(1.0, above - 50);
 }
 
-LaneScene::LaneScene(const carlo::Scene& scene) {
+LaneScene::LaneScene(const carlo::Scene& scene)
+    : room(room_for(std::max(scene.shapes.size(), few))), light_room(room_for(emitters(scene))) {
   sobol = sobol_points(scene.sampler).value();
   const auto& [points, around, envmap] = scene.lights;
   (void)envmap;  // Writer
@@ -303,7 +357,9 @@ LaneScene::LaneScene(const carlo::Scene& scene) {
   for (const carlo::Material& m : scene.materials)
     add_material(*this, m);
   Writer write(*this, scene);
-  const LaneBoxes boxes = find_boxes(scene);
+  const std::optional<LaneBoxes> to_try = boxes_to_try(scene);
+  many = !to_try;
+  const LaneBoxes boxes = many ? no_boxes(scene) : *to_try;
   for (const FoundBox& solid : boxes.solids) {
     solids.push_back(solid.box);
     write.box(solid, sides);
@@ -315,15 +371,23 @@ LaneScene::LaneScene(const carlo::Scene& scene) {
     write.box(*boxes.enclosure, sides_used);
   }
   first_quad = surfaces;
-  const std::vector<std::size_t> others = in_patches(scene, boxes.others);
+  std::vector<std::size_t> others = boxes.others;
+  if (many)
+    quad_tree = tree_over(others, surfaces,
+                          [&](std::size_t i) -> const carlo::Shape& { return scene.shapes[i]; });
+  else
+    others = in_patches(scene, others);
   for (const std::size_t i : others)
     write.quad(surfaces++, i);
   // Parallelograms already have their numbers.
-  const Sorted sorted = sort(scene);
+  Sorted sorted = sort(scene);
+  const auto shape_of = [](const auto& found) -> const carlo::Shape& { return *found.first; };
   first_disk = surfaces;
+  if (many) disk_tree = tree_over(sorted.disks, surfaces, shape_of);
   for (const auto& [shape, disk] : sorted.disks)
     write.disk(*shape, *disk);
   first_sphere = surfaces;
+  if (many) sphere_tree = tree_over(sorted.spheres, surfaces, shape_of);
   for (const auto& [shape, sphere] : sorted.spheres)
     write.sphere(*shape, *sphere);
   first_sdf = surfaces;
@@ -342,10 +406,11 @@ LaneScene::LaneScene(const carlo::Scene& scene) {
     write.point(light);
   write.share_planes();
   write.choices();
+  touching = many || any_touches(scene, boxes.others);
+  if (many) return;
   for (std::uint32_t i = first_disk; i-- > first_quad;)
     run_end[i] = i + 1 < first_disk && plane[i] == plane[i + 1] ? run_end[i + 1] : i + 1;
   bound_patches(scene, others, *this);
-  touching = any_touches(scene, boxes.others);
 }
 
 }  // namespace renderer

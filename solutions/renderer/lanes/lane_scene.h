@@ -2,8 +2,10 @@
 
 #include "geometry/mesh_tracer.h"
 #include "renderer/envmap_table.h"
+#include "renderer/lanes/column.h"
 #include "renderer/lanes/lane_lights.h"
 #include "renderer/lanes/lane_sdf.h"
+#include "renderer/lanes/lane_tree.h"
 #include "renderer/mesh_light.h"
 #include "scene/needs.h"
 #include "scene/scene.h"
@@ -37,13 +39,14 @@ struct LaneBox {
 ///   shadow;
 /// - all others.
 struct LaneScene {
-  static constexpr std::size_t most = 128;  ///< largest number of surfaces, and of lights
-  static_assert(most == LaneLights::most);
+  static constexpr std::size_t most = 1 << 14;  ///< largest number of surfaces, and of lights
+  static constexpr std::size_t few = 128;       ///< largest number of sdfs and meshes
+  /// Scenes of up to `few` surfaces try all of them, one after the other, if they are no more than
+  /// this when each box and each plane counts once. Beyond, a tree takes less time.
+  static constexpr std::size_t most_tried = 48;
   static constexpr std::size_t most_materials = 32;
   static constexpr std::uint32_t sides = 8;       ///< numbers reserved for a solid
   static constexpr std::uint32_t sides_used = 6;  ///< numbers that it uses
-  template <class T>
-  using Column = std::array<T, most>;
   template <class T>
   using MaterialColumn = std::array<T, most_materials>;
 
@@ -54,6 +57,12 @@ struct LaneScene {
   static bool suits(const carlo::Needs& needs, const carlo::Scene& scene);
 
   explicit LaneScene(const carlo::Scene& scene);
+
+  /// True if there are too many surfaces to try each. Then the trees find parallelograms, disks and
+  /// spheres, and there are no boxes.
+  bool many = false;
+  LaneTree quad_tree, disk_tree, sphere_tree;
+  std::size_t room, light_room;  ///< entries of a column of surfaces, and of lights
 
   /// Solid i has the numbers from i * sides on, one for each side in the order of LaneBox::faces.
   /// The enclosure, if there is one, follows with the numbers that it uses; then other
@@ -68,42 +77,42 @@ struct LaneScene {
   std::vector<std::optional<MeshLight>> mesh_lights;  ///< for each mesh: points on it if it emits
 
   /// For a parallelogram, or the square around a disk: the plane n p = d with unit normal n.
-  Column<float> nx{}, ny{}, nz{}, d{};
+  Column<float> nx{room}, ny{room}, nz{room}, d{room};
   /// a p - a0 and b p - b0 run from -1 to 1 across it.
-  Column<float> ax{}, ay{}, az{}, a0{}, bx{}, by{}, bz{}, b0{};
+  Column<float> ax{room}, ay{room}, az{room}, a0{room}, bx{room}, by{room}, bz{room}, b0{room};
   /// For a sphere; its normal is (p - center) / radius, where radius < 0 if it is flipped.
-  Column<float> cx{}, cy{}, cz{}, radius{};
-  Column<float> width{};  ///< twice |radius|
+  Column<float> cx{room}, cy{room}, cz{room}, radius{room};
+  Column<float> width{room};  ///< twice |radius|
   /// What rounding is relative to: |d|, or |center|_1 + |radius| for a sphere.
-  Column<float> coordinates{};
+  Column<float> coordinates{room};
   /// Parallelograms of one plane have the same number here, and the same n and d but for a sign;
   /// each sphere has its own. A ray never meets the plane that it starts on. These differ from the
   /// surfaces' numbers only if some plane (`coplanar`) is shared by a light or by something that is
   /// not a side of a box.
-  Column<std::uint32_t> plane{};
+  Column<std::uint32_t> plane{room};
   bool coplanar = false;
   /// For a parallelogram outside boxes: one past the last of the consecutive numbers from here on
   /// that share its plane.
-  Column<std::uint32_t> run_end{};
+  Column<std::uint32_t> run_end{room};
   /// Patches: a few parallelograms of a row that lie together (lane_runs.h). For the first of each:
   /// one past the last number, and the middle and half size of a rectangle around the patch, in the
   /// coordinates (a, b) of the row's first.
-  Column<std::uint32_t> patch_end{};
-  Column<float> patch_a{}, patch_b{}, patch_half_a{}, patch_half_b{};
+  Column<std::uint32_t> patch_end{room};
+  Column<float> patch_a{room}, patch_b{room}, patch_half_a{room}, patch_half_b{room};
   /// True if a parallelogram or a sphere outside boxes comes so close to another surface that
   /// rounding may put an origin on one beyond the other.
   bool touching = false;
-  Column<std::uint32_t> material{};
-  Column<float> le_r{}, le_g{}, le_b{};
+  Column<std::uint32_t> material{room};
+  Column<float> le_r{room}, le_g{room}, le_b{room};
   /// The density per area of the points that light sampling draws there once it has chosen this
   /// light; 0: no light. For a sphere that emits outwards (`by_direction`) 1 / (2 pi), since
   /// directions are drawn instead. For a mesh only if it is one triangle; otherwise MeshLight knows
   /// it.
-  Column<float> light_density{};
-  Column<std::uint32_t> light_of{};  ///< the number of the light that a surface is
+  Column<float> light_density{room};
+  Column<std::uint32_t> light_of{room};  ///< the number of the light that a surface is
   /// The density, per area and pi, of the points where light paths start: uniform over each
   /// light's area.
-  Column<float> emission{};
+  Column<float> emission{room};
 
   /// Reflection properties of the surface: kd / pi, ks (n + 2) / (2 pi). `diffuse` is the share of
   /// kd in kd + ks.
@@ -122,10 +131,12 @@ struct LaneScene {
   LaneLights choice;              ///< how they are chosen
   /// Light i: its surface's number; corner and edges of a parallelogram, center and radii of a
   /// disk, position of a point.
-  Column<float> lx{}, ly{}, lz{}, lux{}, luy{}, luz{}, lvx{}, lvy{}, lvz{};
-  Column<std::uint32_t> light_surface{};
+  Column<float> lx{light_room}, ly{light_room}, lz{light_room}, lux{light_room}, luy{light_room},
+      luz{light_room}, lvx{light_room}, lvy{light_room}, lvz{light_room};
+  Column<std::uint32_t> light_surface{light_room};
   /// For a point light: its intensity, and the probability that a path starts there over 4 pi.
-  Column<float> intensity_r{}, intensity_g{}, intensity_b{}, point_emission{};
+  Column<float> intensity_r{light_room}, intensity_g{light_room}, intensity_b{light_room},
+      point_emission{light_room};
   /// The radiance of the brightest light; for a point, its irradiance on a surface a thousandth of
   /// the scene away.
   double brightest = 0;
@@ -155,7 +166,8 @@ struct LaneScene {
   /// True if the scene needs Features::close, or Features::full.
   bool close() const { return spheres() || touching || coplanar; }
   bool full() const {
-    return any_specular || sphere_lights || disks() || other_lights() || searched();
+    return any_specular || sphere_lights || disks() || other_lights() || searched() || many ||
+           choice.many();
   }
 };
 

@@ -12,10 +12,6 @@ using carlo::Parallelogram;
 using carlo::Vec3;
 using Vec3d = glm::dvec3;
 
-struct Extent {
-  Vec3d lower, upper;
-};
-
 Extent extent_of(const carlo::Mesh& mesh) {
   Extent extent{Vec3d(std::numeric_limits<double>::infinity()),
                 Vec3d(-std::numeric_limits<double>::infinity())};
@@ -25,6 +21,17 @@ Extent extent_of(const carlo::Mesh& mesh) {
   }
   return extent;
 }
+
+/// True if two extents are no further apart than a few roundings of their coordinates.
+bool touch(const Extent& a, const Extent& b) {
+  const Vec3d blur = 1e-5 * (glm::max(glm::abs(a.lower), glm::abs(a.upper)) +
+                             glm::max(glm::abs(b.lower), glm::abs(b.upper)));
+  const double margin = blur.x + blur.y + blur.z;
+  return glm::all(glm::lessThanEqual(a.lower, b.upper + margin)) &&
+         glm::all(glm::lessThanEqual(b.lower, a.upper + margin));
+}
+
+}  // namespace
 
 Extent extent_of(const carlo::Shape& shape) {
   const auto of_quad = [](const Parallelogram& quad) -> Extent {
@@ -45,17 +52,6 @@ Extent extent_of(const carlo::Shape& shape) {
         return {box.lower, box.upper};
       });
 }
-
-/// True if two extents are no further apart than a few roundings of their coordinates.
-bool touch(const Extent& a, const Extent& b) {
-  const Vec3d blur = 1e-5 * (glm::max(glm::abs(a.lower), glm::abs(a.upper)) +
-                             glm::max(glm::abs(b.lower), glm::abs(b.upper)));
-  const double margin = blur.x + blur.y + blur.z;
-  return glm::all(glm::lessThanEqual(a.lower, b.upper + margin)) &&
-         glm::all(glm::lessThanEqual(b.lower, a.upper + margin));
-}
-
-}  // namespace
 
 bool in_no_box(const carlo::Shape& shape) {
   return carlo::match(

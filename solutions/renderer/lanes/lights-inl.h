@@ -11,6 +11,7 @@
 #include "renderer/lanes/choice-inl.h"
 #include "renderer/lanes/intersect-inl.h"
 #include "renderer/lanes/lane_scene.h"
+#include "renderer/lanes/light_tree-inl.h"
 #include "renderer/lanes/lookup-inl.h"
 #include "renderer/lanes/mesh_hits-inl.h"
 #include "renderer/lanes/sky-inl.h"
@@ -18,6 +19,7 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -293,13 +295,15 @@ HWY_INLINE LightPoints draw_light(const LaneScene& s, U index, V2 u, const OnBal
 
 /// Chooses lights for points p of surfaces with normals n and samples them as seen from there;
 /// `chances` receives the probabilities of the choice if there are several. `seed`: a random word
-/// for each lane.
+/// for each lane. Lanes that are not alive may be left out.
 template <bool full, bool light_paths>
-HWY_INLINE LightPoints sample_light(const LaneScene& s, V3 p, V3 n, V2 u, U seed,
+HWY_INLINE LightPoints sample_light(const LaneScene& s, V3 p, V3 n, V2 u, U seed, M alive,
                                     Chances& chances) {
   if (!full && s.lights == 1) return sample_only_light<light_paths>(s, u);
   Picked picked{set_word(0), set(1)};
-  if (s.lights > 1) {
+  if (full && s.choice.many()) {
+    picked = pick_in_tree(s.choice.tree, p, n, seed, alive, u.x);
+  } else if (s.lights > 1) {
     alignas(64) Weights weights;
     chances = weigh_lights(s.choice, p, n, weights);
     picked = pick_light(s.choice, weights, chances, seed, u.x);
@@ -312,14 +316,32 @@ HWY_INLINE LightPoints sample_light(const LaneScene& s, V3 p, V3 n, V2 u, U seed
           HWY_ATTR { sample_meshes(s, p, n, place, chosen, light); },
       [&](V2 place, LightPoints& light) HWY_ATTR { sample_beyond(s, p, place, light); });
   if (s.lights == 1) return points;
-  const V per_chance = hn::Div(set(1), picked.chance);
+  V per_chance = hn::Div(set(1), picked.chance);
+  if (full && s.choice.many())
+    per_chance = hn::IfThenElseZero(hn::Gt(picked.chance, set(0)), per_chance);
   points.area = hn::Mul(points.area, per_chance);
   points.solid_angle = hn::Mul(points.solid_angle, per_chance);
   return points;
 }
 
+inline HWY_NOINLINE U pick_start_among_many(const LaneScene& s, V& u) {
+  alignas(64) std::array<float, lanes> x;
+  alignas(64) std::array<std::uint32_t, lanes> index;
+  hn::Store(u, d_, x.data());
+  const float* upto = s.choice.start_upto.data();
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const float* at = std::upper_bound(upto, upto + s.lights - 1, x[i]);
+    const float lower = at == upto ? 0 : at[-1];
+    index[i] = static_cast<std::uint32_t>(at - upto);
+    x[i] = std::min((x[i] - lower) / (*at - lower), 0x1.fffffep-1f);
+  }
+  u = hn::Load(d_, x.data());
+  return hn::Load(du_, index.data());
+}
+
 /// Picks a light by u in [0, 1) and LaneLights::start_upto; u becomes uniform again.
 HWY_INLINE U pick_start(const LaneScene& s, V& u) {
+  if (s.choice.many()) return pick_start_among_many(s, u);
   U index = set_word(0);
   V lower = set(0), upper = set(s.choice.start_upto[0]);
   for (std::uint32_t i = 1; i < s.lights; ++i) {
@@ -349,6 +371,15 @@ HWY_INLINE LightPoints sample_start(const LaneScene& s, V2 u) {
       [&](V2 place, M chosen, LightPoints& points)
           HWY_ATTR { start_on_meshes(s, place, chosen, points); },
       [](V2, LightPoints&) HWY_ATTR {});
+}
+
+/// The probability with which sample_light() chooses a light at points p of surfaces with normals
+/// n, where `chances` is what it returned.
+template <bool full>
+HWY_INLINE V chance_of_light(const LaneScene& s, const Chances& chances, U light, const V3& p,
+                             const V3& n, M asked) {
+  if (full && s.choice.many()) return chances_in_tree(s.choice.tree, light, p, n, asked);
+  return chance_of(s.choice, chances, light, p, n);
 }
 
 /// The density per solid angle with which sample_light() draws, at p, the point that the ray from

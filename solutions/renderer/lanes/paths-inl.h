@@ -123,7 +123,11 @@ class Walk : Steps<Needs> {
   /// path starts there.
   HWY_INLINE V3 image_around(const Paths& paths, M lost) const {
     const Texels texels = sky_at(*s_.sky, paths.d, lost);
-    const V chosen = s_.lights < 2 ? set(1) : chance(paths.chances, sky_weight(s_.choice), set(1));
+    V chosen = set(1);
+    if (s_.choice.many())
+      chosen = chances_in_tree(s_.choice.tree, set_word(s_.sky_light), paths.from.o, paths.n, lost);
+    else if (s_.lights > 1)
+      chosen = chance(paths.chances, sky_weight(s_.choice), set(1));
     const V by_light = hn::Div(hn::Mul(chosen, texels.pdf), paths.pdf);
     const M whole = hn::Lt(paths.pdf, set(0));
     return select(whole, set(1), this->weigh(by_light)) * texels.radiance;
@@ -151,7 +155,8 @@ class Walk : Steps<Needs> {
                                    vertex.hits.t, spots.cosine);
     if (s_.lights > 1) {
       const U light = at_surface(s_.light_of.data());
-      pdf = hn::Mul(pdf, chance_of(s_.choice, paths.chances, light, paths.from.o, paths.n));
+      pdf = hn::Mul(pdf, chance_of_light<Needs::full>(s_, paths.chances, light, paths.from.o,
+                                                      paths.n, hn::AndNot(whole, bright)));
     }
     V weight;
     if constexpr (Needs::light_paths) {
@@ -195,7 +200,7 @@ class Walk : Steps<Needs> {
     if (s_.lights > 1 || s_.any_mesh_light) paths.n = each(surface.n);
     const LightPoints light = sample_light<Needs::full, Needs::light_paths>(
         s_, surface.p, surface.n, vertex.u_light, hn::Xor(paths.key, paths.reversed_index),
-        paths.chances);
+        paths.alive, paths.chances);
     const V3 to_light = light.p - surface.p;
     const V distance2 = dot(to_light, to_light), inverse = hn::Div(set(1), hn::Sqrt(distance2));
     const V3 wi = inverse * to_light;

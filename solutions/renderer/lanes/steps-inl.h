@@ -136,7 +136,7 @@ class Steps {
     const U k = mix(paths.key);
     vertex.u_light = points(job_, paths.reversed_index, k);
     vertex.u_lobe = points(job_, paths.reversed_index, second_word(k));
-    vertex.hits = closest<Needs::close, Needs::full>(s_, paths.from, paths.d);
+    vertex.hits = closest<Needs::close, Needs::full>(s_, paths.from, paths.d, paths.alive);
   }
 
   /// The MIS weight of a sample against another technique whose density is `ratio` times as large.
