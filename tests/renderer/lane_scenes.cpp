@@ -1,6 +1,7 @@
 #include "lane_scenes.h"
 
 #include "lab_scenes.h"
+#include "random/rng.h"
 #include "renderer/lanes/lane_scene.h"
 #include "scene/needs.h"
 #include "scene_tools.h"
@@ -198,10 +199,43 @@ Scene skylit() {
   return scene;
 }
 
+/// More shapes and more lights than are tried one by one, of all kinds and materials: over a floor
+/// and under a sky, some in the floor's plane, some touching each other.
+Scene crowded() {
+  Scene scene = skylit();
+  carlo::Rng rng(4, 0);
+  const auto between = [&](float low, float high) {
+    return low + (high - low) * static_cast<float>(rng.uniform());
+  };
+  const auto place = [&](float low) {
+    const float x = between(-2.5f, 2.5f), y = between(-2.5f, 2.5f);
+    return Vec3(x, y, between(low, 1.5f));
+  };
+  for (std::uint32_t i = 0; i < 150; ++i) {
+    const std::uint32_t material = i % 5;
+    const bool emits = i % 3 == 0 && material < 4;
+    const Rgb radiance = emits ? between(1, 30) * Rgb(1, 0.8f, 0.6f) : Rgb(0);
+    const float size = between(0.03f, 0.12f);
+    scene.shapes.push_back({carlo::Sphere{place(0.2f), size}, material, radiance});
+    const Vec3 at = place(0.2f), normal = glm::normalize(place(-1.5f));
+    scene.shapes.push_back({carlo::Disk{at, normal, size}, material, radiance});
+    Vec3 corner = place(0.2f);
+    if (i % 7 == 0) corner.z = 0;
+    scene.shapes.push_back(
+        {Parallelogram{corner, {size, 0, 0}, {0, -size, 0}}, material, radiance});
+    if (i % 4 == 0) scene.lights.points.push_back({place(0.3f), between(0.01f, 0.1f) * Rgb(1)});
+  }
+  return scene;
+}
+
 std::vector<Named> all() {
-  std::vector<Named> scenes{{"assorted", assorted()},         {"boxes", boxes()},
-                            {"polished", polished()},         {"modelled", modelled()},
-                            {"triangulated", triangulated()}, {"skylit", skylit()}};
+  std::vector<Named> scenes{{"assorted", assorted()},
+                            {"boxes", boxes()},
+                            {"polished", polished()},
+                            {"modelled", modelled()},
+                            {"triangulated", triangulated()},
+                            {"skylit", skylit()},
+                            {"crowded", crowded()}};
   for (const std::string& name : lab_scenes::names()) {
     Scene scene = lab_scenes::load(name);
     if (renderer::LaneScene::suits(needs(scene), scene)) scenes.push_back({name, std::move(scene)});

@@ -14,13 +14,14 @@ carlo::Scene polished();
 carlo::Scene modelled();
 carlo::Scene triangulated();
 carlo::Scene skylit();
+carlo::Scene crowded();
 
 struct Named {
   std::string name;
   carlo::Scene scene;
 };
 
-/// The scenes of the tree that the kernel supports, and the six above.
+/// The scenes of the tree that the kernel supports, and those above.
 std::vector<Named> all();
 
 }  // namespace lane_scenes

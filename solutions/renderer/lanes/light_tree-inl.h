@@ -90,10 +90,13 @@ class LightNode {
     return weight;
   }
 
-  /// Running sums within every four lanes.
+  /// Running sums within every four lanes, each one the last plus a number: another order of
+  /// additions might let them fall.
   static HWY_INLINE V sums_of_four(V v) {
-    v = hn::Add(v, hn::ShiftLeftLanes<1>(d_, v));
-    return hn::Add(v, hn::ShiftLeftLanes<2>(d_, v));
+    V sum = v;
+    for (int k = 0; k < 3; ++k)
+      sum = hn::Add(v, hn::ShiftLeftLanes<1>(d_, sum));
+    return sum;
   }
 
   alignas(64) std::array<float, LaneLightTree::width> upto_;
