@@ -10,8 +10,8 @@
 
 namespace renderer {
 
-/// The path tracer for scenes that suit LaneScene, with Sobol' or independent points: brute force
-/// over all surfaces, one path in each lane of a vector register. If `pilot_spp`, the planned
+/// The path tracer for scenes that suit LaneScene, with Sobol' or independent points: one path in
+/// each lane of a vector register. If `pilot_spp`, the planned
 /// number of samples, is given, a pilot decides whether light paths pay (lane_pilot.h);
 /// otherwise the choices decide.
 std::unique_ptr<carlo::Integrator> make_lane_integrator(
