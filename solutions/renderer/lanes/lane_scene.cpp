@@ -282,8 +282,9 @@ std::size_t room_for(std::size_t entries) {
 std::size_t emitters(const carlo::Scene& scene) {
   const auto surfaces = std::count_if(scene.shapes.begin(), scene.shapes.end(),
                                       [](const carlo::Shape& s) { return s.emits(); });
-  return static_cast<std::size_t>(surfaces) + scene.lights.points.size() +
-         (scene.lights.envmap ? 1 : 0);
+  const auto& [points, environment, envmap] = scene.lights;
+  (void)environment;  // is not sampled
+  return static_cast<std::size_t>(surfaces) + points.size() + (envmap ? 1 : 0);
 }
 
 /// Builds a tree over shapes that get numbers from `first` on, and sorts them by these.
