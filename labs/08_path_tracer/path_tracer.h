@@ -59,6 +59,8 @@ Rgb evaluate(const carlo::Phong& phong, Vec3 normal, Vec3 wo, Vec3 wi);
 
 /// The probabilities with which sample() chooses the diffuse and the specular lobe: the largest
 /// channels of kd and of ks, both divided by their sum if that is above 1. The rest is absorption.
+/// So a diffuse surface multiplies no channel by more than 1. Any rule is unbiased that gives each
+/// lobe that reflects a chance; the reference renderer's goes by the channels' mean.
 struct LobeProbabilities {
   float diffuse = 0, specular = 0;
 };
