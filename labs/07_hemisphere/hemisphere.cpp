@@ -134,7 +134,7 @@ ImageLight::ImageLight(std::span<const double> luminances, std::size_t width, st
 }
 
 ImageLight::Sample ImageLight::sample(glm::dvec2 u) const {
-  // 1. A point of the table; its row (bin_of in lab 05's bins.h), and how far down that row it is.
+  // 1. A point of the table; its row (bin_of in lab 5's bins.h), and how far down that row it is.
   // 2. Within the row the direction's height w.y is uniform, not the angle.
   carlo::not_implemented("Lab 7.8", "Importance Sampling");
 }

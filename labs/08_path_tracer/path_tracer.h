@@ -6,7 +6,7 @@
 // Directions are unit vectors that point away from the surface: wo to where the light goes, wi to
 // where it comes from. Normals are on wo's side. Densities (pdfs) are per solid angle unless stated
 // otherwise. Radiance and BRDFs have three channels, red, green and blue. The results of earlier
-// labs (frames, directions: lab 07) are available; see hemisphere.h.
+// labs (frames, directions: lab 7) are available; see hemisphere.h.
 
 #include "given/cone.h"
 #include "given/world.h"
@@ -46,7 +46,7 @@ using Brdf = std::function<Rgb(Vec3 wi)>;
 /// form: one light, by world.choose(), one point of it, one shadow ray.
 Rgb direct_by_area(const World& world, const Surface& surface, const Brdf& f, Rng& rng);
 
-/// Lab 8.2. The same integral in its hemisphere form: one cosine-weighted direction (lab 07), one
+/// Lab 8.2. The same integral in its hemisphere form: one cosine-weighted direction (lab 7), one
 /// ray, and the emission of the surface that it meets.
 Rgb direct_by_hemisphere(const World& world, const Surface& surface, const Brdf& f, Rng& rng);
 
@@ -59,6 +59,8 @@ Rgb evaluate(const carlo::Phong& phong, Vec3 normal, Vec3 wo, Vec3 wi);
 
 /// The probabilities with which sample() chooses the diffuse and the specular lobe: the largest
 /// channels of kd and of ks, both divided by their sum if that is above 1. The rest is absorption.
+/// So a diffuse surface multiplies no channel by more than 1. Any rule is unbiased that gives each
+/// lobe that reflects a chance; the reference renderer's goes by the channels' mean.
 struct LobeProbabilities {
   float diffuse = 0, specular = 0;
 };
@@ -72,7 +74,7 @@ struct BsdfSample {
 };
 
 /// Lab 8.3. Draws a direction: u_lobe decides between cosine-weighted directions, the lobe around
-/// the mirror direction, and absorption; u makes the direction, as in lab 07. weight = f cos(theta)
+/// the mirror direction, and absorption; u makes the direction, as in lab 7. weight = f cos(theta)
 /// / pdf. Returns nothing for an absorbed path, and for a direction below the horizon, which is not
 /// drawn again.
 std::optional<BsdfSample> sample(const carlo::Phong& phong, Vec3 normal, Vec3 wo, float u_lobe,

@@ -3,7 +3,7 @@
 // Lab 09: bias for noise, in seven steps. The contract: what each exercise takes and returns. Do
 // not edit this file; your work goes into steps/, one file per step.
 //
-// Directions, surfaces and BRDFs are lab 08's: see path_tracer.h. Radiance, irradiance and flux
+// Directions, surfaces and BRDFs are lab 8's: see path_tracer.h. Radiance, irradiance and flux
 // have three channels, red, green and blue.
 
 #include "given/feature_image.h"
@@ -136,7 +136,7 @@ Emission emit_photon(const World& world, Rng& rng);
 
 /// Lab 9.4. Follows a photon until it leaves the world or is absorbed, and stores it at every Phong
 /// surface that it meets, including the first, as it arrives: the flux that it still carries, and
-/// everything that it has met before. Directions, mirrors and glass are those of lab 08; but flux
+/// everything that it has met before. Directions, mirrors and glass are those of lab 8; but flux
 /// is not radiance. At most lab08::longest_path segments.
 void trace_photon(const World& world, const Emission& emission, Rng& rng,
                   const std::function<void(const Photon&)>& store);
@@ -161,7 +161,7 @@ Rgb radiance_nearest(const PhotonMap& map, const Surface& surface, const Brdf& f
 Rgb photon_radiance(const World& world, const Ray& ray, const PhotonMap& all, float radius,
                     Rng& rng);
 
-/// Lab 9.5. The same with lab 08's paths for all light but caustics, which come from a map of
+/// Lab 9.5. The same with lab 8's paths for all light but caustics, which come from a map of
 /// caustic photons, at every Phong surface of the path. All light must come by exactly one of the
 /// two ways.
 Rgb caustic_radiance(const World& world, const Ray& ray, const PhotonMap& caustics, float radius,

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-// Step e: a caustic by photons beside lab 08's path tracer, in about the same time.
+// Step e: a caustic by photons beside lab 8's path tracer, in about the same time.
 
 namespace lab09 {
 namespace {

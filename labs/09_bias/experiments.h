@@ -33,7 +33,7 @@ void progressive_image_experiment(Notebook& notebook);
 void irradiance_cache_experiment(Notebook& notebook);
 /// Step g, Lab 9.7: irradiance where it does not belong.
 void leak_experiment(Notebook& notebook);
-/// All of them beside lab 08's path tracer: error against time.
+/// All of them beside lab 8's path tracer: error against time.
 void practice_experiment(Notebook& notebook);
 /// The options of practice_experiment().
 struct PracticeOptions {

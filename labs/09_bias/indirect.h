@@ -7,7 +7,7 @@
 namespace lab09 {
 
 /// The hit of a record's ray, for irradiance by indirect light alone: light that was reflected
-/// before it arrives, or came through mirrors or glass. By lab 08's paths.
+/// before it arrives, or came through mirrors or glass. By lab 8's paths.
 inline Arrival indirect_arrival(const World& world, const Ray& ray, Rng& rng) {
   const auto met = world.intersect(ray);
   const double distance = met ? static_cast<double>(glm::length(met->p - ray.o)) : INFINITY;

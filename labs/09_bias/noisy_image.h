@@ -6,7 +6,7 @@
 
 namespace lab09 {
 
-/// Renders a scene with `samples` >= 2 of lab 08's paths per pixel, with the features of its
+/// Renders a scene with `samples` >= 2 of lab 8's paths per pixel, with the features of its
 /// pixels: means over up to 16 rays. Mirrors and glass have albedo 1 and their own normals. Runs on
 /// all cores.
 FeatureImage noisy_image(const PracticeScene& scene, int samples, std::uint64_t seed);

@@ -48,7 +48,7 @@ PracticeMethod by_passes(std::string name, Trend trend, const Pass& pass) {
           }};
 }
 
-/// Sample `index` of `samples` of lab 08's path tracer.
+/// Sample `index` of `samples` of lab 8's path tracer.
 template <class Sampler>
 Rgb path_sample(const PracticeScene& s, int x, int y, std::uint64_t seed, int index, int samples) {
   lab08::Sampled<Sampler> numbers({seed, static_cast<std::uint32_t>(y * s.reference.width + x),

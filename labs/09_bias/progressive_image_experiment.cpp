@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-// Step f: pictures of a caustic, pass by pass: error against time beside lab 08's path tracer.
+// Step f: pictures of a caustic, pass by pass: error against time beside lab 8's path tracer.
 
 namespace lab09 {
 namespace {

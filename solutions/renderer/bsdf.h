@@ -44,7 +44,7 @@ class ModifiedPhong {
  private:
   Rgb kd_, ks_;
   float exponent_;
-  float diffuse_probability_;  ///< probability of drawing from the diffuse lobe
+  float diffuse_probability_;  ///< of drawing from the diffuse lobe: mean kd / mean (kd + ks)
 };
 
 /// Smooth glass. Both directions point away from the surface.

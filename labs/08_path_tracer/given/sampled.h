@@ -5,7 +5,7 @@
 
 namespace lab08 {
 
-/// Adapts one of the samplers of common/sampling to lab 08's Dimensions.
+/// Adapts one of the samplers of common/sampling to lab 8's Dimensions.
 template <class Sampler>
 class Sampled final : public Dimensions {
  public:

@@ -64,7 +64,7 @@ class Light {
 /// The scene in which rays are traced.
 class World {
  public:
-  /// Throws carlo::Error for what lab 08 does not support: point lights and images as lights.
+  /// Throws carlo::Error for what lab 8 does not support: point lights and images as lights.
   explicit World(carlo::Scene scene);
   World(const World&) = delete;
   World& operator=(const World&) = delete;

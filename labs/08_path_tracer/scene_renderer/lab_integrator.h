@@ -8,7 +8,7 @@
 
 namespace lab08 {
 
-/// The one of lab 08's tracers that makes the image.
+/// The one of lab 8's tracers that makes the image.
 enum class Method {
   iterative,  ///< path_radiance(), 8.8
   recursive,  ///< trace_path(), 8.4: worlds of Phong surfaces

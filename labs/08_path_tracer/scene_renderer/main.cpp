@@ -1,4 +1,4 @@
-// `./carlo render` in a student's tree, and `./carlo render --mine`: scenes by lab 08's tracers.
+// `./carlo render` in a student's tree, and `./carlo render --mine`: scenes by lab 8's tracers.
 
 #include "course/cli/arguments.h"
 #include "course/cli/main_guard.h"

@@ -31,7 +31,7 @@ LobeProbabilities lobe_probabilities(const carlo::Phong& phong) {
 std::optional<BsdfSample> sample(const carlo::Phong& phong, Vec3 normal, Vec3 wo, float u_lobe,
                                  Vec2 u) {
   // 1. u_lobe decides: diffuse, specular or absorbed, each with its chance.
-  // 2. Make the direction by lab 07, in the normal's frame: its lobe wants wo there too.
+  // 2. Make the direction by lab 7, in the normal's frame: its lobe wants wo there too.
   // 3. Back to the world, of length 1. Below the horizon: nothing.
   // 4. The weight divides by the density with which this direction is drawn by either lobe.
   carlo::not_implemented("Lab 8.3", "Reflected Ray Sampling");
@@ -39,7 +39,7 @@ std::optional<BsdfSample> sample(const carlo::Phong& phong, Vec3 normal, Vec3 wo
 
 float pdf(const carlo::Phong& phong, Vec3 normal, Vec3 wo, Vec3 wi) {
   // 1. Below the horizon: 0.
-  // 2. Each lobe's own density (lab 07) times the chance of the lobe; add them. Mind n + 1 and n +
+  // 2. Each lobe's own density (lab 7) times the chance of the lobe; add them. Mind n + 1 and n +
   //    2.
   carlo::not_implemented("Lab 8.3", "Reflected Ray Sampling");
 }
