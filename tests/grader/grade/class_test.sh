@@ -138,7 +138,9 @@ done
 ! pgrep -fa "$scratch" || fail "processes outlived the grader"
 "${grade[@]}" "$scratch/killed" | tee "$scratch/log"
 grep -q 'as before' "$scratch/log" || fail "what was graded was graded again"
-cmp "$scratch/whole/class.csv" "$scratch/killed/class.csv" || fail "the interrupted run's CSV differs"
+for file in class.csv class.html; do
+  cmp "$scratch/whole/$file" "$scratch/killed/$file" || fail "the interrupted run's $file differs"
+done
 [ -z "$(ls -A "$TMPDIR")" ] || fail "left behind: $(ls "$TMPDIR")"
 
 # Unchanged: nothing to do. A changed file: only that one is graded again.

@@ -1,3 +1,4 @@
+#include "grader/grade/class_page.h"
 #include "grader/grade/outputs.h"
 #include "grader/grade/recipe.h"
 #include "grader/grade/record.h"
@@ -164,4 +165,38 @@ TEST_CASE("a record is read back as it was written", "[grade]") {
   CHECK_THROWS_AS(record_from_json("{}"), Error);
   CHECK_THROWS_AS(record_from_json("nothing"), Error);
   CHECK(has(report_text(before), "notes.txt"));
+}
+
+TEST_CASE("The class's page counts who is right, and what builds on what is not right", "[grade]") {
+  const Record right = record("zoe", judged(demo_lab(), verdict(2, 3)));
+  LabResult both = verdict(0, 0);
+  both.exercises[0].diagnoses = {{"off-by-one", "one < too many"}, {"other", "unlikely"}};
+  both.exercises[1].unsound = {"Lab 1.1"};
+  const Record wrong = record("wrong<b>", judged(demo_lab(), both));
+  const Record broken = record("broken", unjudged(demo_lab(), Status::does_not_compile, ""));
+  const std::string page = class_page({right, wrong, broken}, true).html();
+  CHECK(page == class_page({broken, wrong, right}, true).html());
+  CHECK(has(page, "3 submissions, 3 with all marks, at most 5 points"));
+  CHECK(has(page, "33 %"));
+  CHECK(has(page, "one &lt; too many"));
+  CHECK_FALSE(has(page, "unlikely"));
+  CHECK(has(page, "wrong&lt;b&gt;"));
+  CHECK_FALSE(has(page, "<b>"));
+  CHECK(has(page, "<td class=\"wrong\" title=\"1.1: no points\">0</td><td class=\"follows\""));
+  CHECK(has(page, "<td class=\"undone\""));
+  // Best first.
+  CHECK(page.find(">zoe</th>") < page.find(">broken</th>"));
+
+  const std::string nameless = class_page({right, wrong, broken}, false).html();
+  CHECK_FALSE(has(nameless, ">zoe</th>"));
+  CHECK(has(nameless, ">student 3</th>"));
+}
+
+TEST_CASE("The class's page shows that marks are missing", "[grade]") {
+  const Record failed = record("a", unjudged(demo_lab(), Status::grader_error, "no space"));
+  const std::string page =
+      class_page({failed, record("b", judged(demo_lab(), verdict(2, 3)))}, true).html();
+  CHECK(has(page, "2 submissions, 1 with all marks"));
+  CHECK(has(page, "<td class=\"unjudged\""));
+  CHECK(has(page, "100 %"));
 }

@@ -34,7 +34,7 @@ struct Options {
   std::vector<int> labs;
   int workers = 0;
   double deadline = 10;
-  bool one = false, check_machine = false;
+  bool one = false, no_names = false, check_machine = false;
   bool slurm = false, no_wait = false;
   int tasks = 0;
   std::string time, partition, task;
@@ -49,6 +49,7 @@ void add_options(CommandLine& app, Options& options) {
       .range(1, 1024);
   app.option("--labs", options.labs, "only these labs, such as 1,2").list(',', false);
   app.flag("--one", options.one, "each PATH is one submission, whatever it looks like");
+  app.flag("--no-names", options.no_names, "students are numbered in class.html");
   app.flag("--check-machine", options.check_machine,
            "grade nothing: which sandbox works here, what it lacks, how many jobs are good");
   app.option("--secret-file", options.secret_file,
@@ -116,7 +117,7 @@ int run_here(const Options& options, const Settings& settings, const std::vector
   const CleanTree clean(settings.tree, settings.build, labs);
   const Course course = course_of(settings, labs, clean, sandbox_of(settings, clean));
   return finish_class(labs, grade_here(course, submissions.sources, options), submissions,
-                      options.out);
+                      options.out, !options.no_names);
 }
 
 int run_on_cluster(const Options& options, const Settings& settings,
@@ -133,7 +134,8 @@ int run_on_cluster(const Options& options, const Settings& settings,
   const ClusterOptions asked{options.tasks, options.time, options.partition,
                              std::max(options.workers, 1), !options.no_wait};
   const auto graded = grade_on_cluster(course, settings, submissions.sources, asked);
-  return graded ? finish_class(labs, graded->records, submissions, options.out) : 0;
+  return graded ? finish_class(labs, graded->records, submissions, options.out, !options.no_names)
+                : 0;
 }
 
 /// Rejects options that contradict each other or lack what they need.

@@ -1,6 +1,7 @@
 #include "grader/grade/summary.h"
 
 #include "course/verdict/printed.h"
+#include "grader/grade/class_page.h"
 #include "grader/grade/outputs.h"
 #include "support/atomic_file.h"
 #include "support/error.h"
@@ -71,9 +72,11 @@ std::string line_of(const Finished& finished) {
 }
 
 int finish_class(const std::vector<CourseLab>& labs, const std::vector<Record>& records,
-                 const Submissions& submissions, const fs::path& out) {
+                 const Submissions& submissions, const fs::path& out, bool names) {
   write_file(out / "class.csv", class_csv(records));
   write_file(out / "timing.csv", timing_csv(records));
+  const bool page = records.size() > 1;
+  if (page) class_page(records, names).write(out / "class.html");
   const auto failures = std::count_if(records.begin(), records.end(),
                                       [](const Record& record) { return !record.complete(); });
   fmt::print("{} submissions, {} without all marks; compiling and judging took\n", records.size(),
@@ -81,6 +84,7 @@ int finish_class(const std::vector<CourseLab>& labs, const std::vector<Record>& 
   for (const CourseLab& lab : labs)
     fmt::print("{}", costs(records, lab));
   fmt::print("marks: {}\n", (out / "class.csv").string());
+  if (page) fmt::print("what the class did not understand: {}\n", (out / "class.html").string());
   const std::size_t renamed = tell_renamed(submissions.sources);
   const std::size_t left_out = tell_left_out(submissions.left_out);
   if (failures == 0 && renamed > 0) {
