@@ -82,6 +82,7 @@ void bench_scenes(Context& context);
 void bench_equal_time(Context& context);
 void bench_threads(Context& context);
 void bench_triangles(Context& context);
+void bench_shapes(Context& context);
 void bench_lights(Context& context);
 void bench_depth(Context& context);
 void bench_needs(Context& context);

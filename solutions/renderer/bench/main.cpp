@@ -24,8 +24,9 @@ struct Part {
 const std::vector<Part> parts = {
     {"scenes", 75, bench::bench_scenes},  {"equal-time", 6, bench::bench_equal_time},
     {"threads", 4, bench::bench_threads}, {"triangles", 8, bench::bench_triangles},
-    {"lights", 5, bench::bench_lights},   {"depth", 3, bench::bench_depth},
-    {"needs", 3, bench::bench_needs},     {"peers", 900, bench::bench_peers}};
+    {"shapes", 20, bench::bench_shapes},  {"lights", 5, bench::bench_lights},
+    {"depth", 3, bench::bench_depth},     {"needs", 3, bench::bench_needs},
+    {"peers", 900, bench::bench_peers}};
 
 int run(int argc, char** argv) {
   bench::Options options;

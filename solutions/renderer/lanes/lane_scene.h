@@ -39,7 +39,7 @@ struct LaneBox {
 ///   shadow;
 /// - all others.
 struct LaneScene {
-  static constexpr std::size_t most = 1 << 14;  ///< largest number of surfaces, and of lights
+  static constexpr std::size_t most = 1 << 16;  ///< largest number of surfaces, and of lights
   static constexpr std::size_t few = 128;       ///< largest number of sdfs and meshes
   /// Scenes of up to `few` surfaces try all of them, one after the other, if they are no more than
   /// this when each box and each plane counts once. Beyond, a tree takes less time.
