@@ -151,14 +151,13 @@ class LightPathWalk : Steps<Needs> {
     V pdf = light_pdf<Needs::full>(s_, at_surface, light, density, spots.p, t, paths.pdf);
     if (Needs::full && s_.point_lights()) pdf = select(point, hn::Mul(t, t), pdf);
     if (s_.lights == 1) return pdf;
-    Chances chances = zeros<Chances>();
-    if (!s_.choice.many()) {
-      alignas(64) Weights weights;
-      chances = weigh_lights(s_.choice, spots.p, spots.n, weights);
+    if (Needs::full && s_.choice.many()) {
+      const M first = hn::And(paths.alive, same(paths.depth, set_word(1)));
+      return hn::Mul(pdf, chances_in_tree(s_.choice.tree, paths.light, spots.p, spots.n, first));
     }
-    const M first = hn::And(paths.alive, same(paths.depth, set_word(1)));
-    return hn::Mul(pdf,
-                   chance_of_light<Needs::full>(s_, chances, paths.light, spots.p, spots.n, first));
+    alignas(64) Weights weights;
+    const Chances chances = weigh_lights(s_.choice, spots.p, spots.n, weights);
+    return hn::Mul(pdf, chance_of(s_.choice, chances, paths.light, spots.p, spots.n));
   }
   HWY_INLINE static M is_nowhere(const Origins& from) { return same(from.last, set_word(nothing)); }
   /// LaneScene::emission or point_emission.

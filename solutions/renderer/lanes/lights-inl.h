@@ -340,8 +340,9 @@ inline HWY_NOINLINE U pick_start_among_many(const LaneScene& s, V& u) {
 }
 
 /// Picks a light by u in [0, 1) and LaneLights::start_upto; u becomes uniform again.
+template <bool full>
 HWY_INLINE U pick_start(const LaneScene& s, V& u) {
-  if (s.choice.many()) return pick_start_among_many(s, u);
+  if (full && s.choice.many()) return pick_start_among_many(s, u);
   U index = set_word(0);
   V lower = set(0), upper = set(s.choice.start_upto[0]);
   for (std::uint32_t i = 1; i < s.lights; ++i) {
@@ -357,7 +358,7 @@ HWY_INLINE U pick_start(const LaneScene& s, V& u) {
 /// Samples uniformly over each light's area; never the environment map.
 template <bool full>
 HWY_INLINE LightPoints sample_start(const LaneScene& s, V2 u) {
-  const U index = pick_start(s, u.x);
+  const U index = pick_start<full>(s, u.x);
   return draw_light<full, true>(
       s, index, u,
       [&](const Balls& ball, V2 place, M chosen, LightPoints& points) HWY_ATTR {
