@@ -125,7 +125,8 @@ Mesh parse_mesh(Properties& shape, std::vector<std::string>& notes) {
   const MeshFile file = read_mesh_file(shape, *filename);
   check_normals(shape, file);
   if (file.triangles.empty()) {
-    fail(shape.at("filename"), "the mesh {} is empty: it has no faces", in_quotes(*filename));
+    fail(shape.at("filename"), "the mesh {} is empty: it has no faces{}", in_quotes(*filename),
+         file.notes.empty() ? "" : fmt::format(" ({})", fmt::join(file.notes, "; ")));
   }
 
   std::vector<Vec3> positions;
