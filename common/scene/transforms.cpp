@@ -5,6 +5,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -41,14 +42,18 @@ glm::dmat4 translation(const XmlElement& step) {
 }
 
 glm::dmat4 rotation(const XmlElement& step) {
-  const glm::dvec3 axis = vector_of(step, 0);
-  if (!(glm::length(axis) > 0)) fail(step.at, "<rotate> needs an axis: x, y, z are all 0");
-  return glm::rotate(glm::dmat4(1), glm::radians(number_of(step.get("angle"))), axis);
+  const glm::dvec3 axis = vector_of(step, 0), size = glm::abs(axis);
+  const double largest = std::max({size.x, size.y, size.z});
+  if (!(largest > 0)) fail(step.at, "<rotate> needs an axis: x, y, z are all 0");
+  // glm::rotate gives the axis the length 1. Divided first, since squares of tiny numbers are 0.
+  return glm::rotate(glm::dmat4(1), glm::radians(number_of(step.get("angle"))), axis / largest);
 }
 
 glm::dmat4 scaling(const XmlElement& step) {
   if (step.attributes.empty()) fail(step.at, "<scale> needs the attribute value, or x, y, z");
   const XmlAttribute* value = step.find("value");
+  if (value != nullptr && words(value->value, ",").size() == 2)
+    fail(value->value_at, "value must be one finite number or three, got {}", found(*value));
   const bool alike = value != nullptr && !is_triple(*value) && step.attributes.size() == 1;
   const glm::dvec3 factors = alike ? glm::dvec3(number_of(*value)) : vector_of(step, 1);
   for (const XmlAttribute& a : step.attributes) {
@@ -189,6 +194,19 @@ glm::dmat4 parse_transform(const XmlElement& element) {
     all = step_of(step).matrix(step) * all;
   check_invertible(all, element.at);
   return all;
+}
+
+std::optional<std::string> note_on_axes(const XmlElement& transform) {
+  if (transform.at.source->dialect != Dialect::mitsuba3) return std::nullopt;
+  for (const XmlElement& step : transform.children) {
+    const double length = step.name == "rotate" ? glm::length(vector_of(step, 0)) : 1;
+    if (std::abs(length - 1) <= 1e-3) continue;
+    return fmt::format(
+        "<rotate> about an axis of length {:.3g} only turns, as in Mitsuba 0.6; Mitsuba 3 scales as "
+        "well",
+        length);
+  }
+  return std::nullopt;
 }
 
 bool mirrors(const glm::dmat4& transform) {

@@ -329,12 +329,11 @@ TEST_CASE("a conductor without material is a mirror in 3, copper in 0.6", "[scen
 }
 
 TEST_CASE("a mirrored sphere is turned inside out in 3, not in 0.6", "[scene]") {
-  const auto flipped = [](const std::string& version, const std::string& more) {
+  const auto flipped = [](const std::string& version, const std::string& more,
+                          const std::string& steps = "<scale x=\"-1\"/>") {
     const Scene scene =
-        load_text(scene_of(version,
-                           "<shape type=\"sphere\"><transform name=\"toWorld\"><scale x=\"-1\"/>"
-                           "</transform>" +
-                               more + "</shape>"));
+        load_text(scene_of(version, "<shape type=\"sphere\"><transform name=\"toWorld\">" + steps +
+                                        "</transform>" + more + "</shape>"));
     return std::get<Sphere>(scene.shapes.at(0).geometry).flipped;
   };
   const std::string flip = "<boolean name=\"flipNormals\" value=\"true\"/>";
@@ -342,6 +341,9 @@ TEST_CASE("a mirrored sphere is turned inside out in 3, not in 0.6", "[scene]") 
   CHECK(flipped("0.6.0", flip));
   CHECK(flipped("3.0.0", ""));
   CHECK_FALSE(flipped("3.0.0", flip));
+  // Three reflections are one; two are a rotation.
+  CHECK(flipped("3.0.0", "", "<scale value=\"-2\"/>"));
+  CHECK_FALSE(flipped("3.0.0", "", "<scale x=\"-1\" y=\"-1\"/>"));
 }
 
 TEST_CASE("an srgb colour is decoded by sRGB's curve", "[scene]") {
@@ -355,4 +357,22 @@ TEST_CASE("an srgb colour is decoded by sRGB's curve", "[scene]") {
   CHECK(sky("#bc0000") == Catch::Approx(std::pow((188 / 255.0 + .055) / 1.055, 2.4)));
   CHECK(sky("0.5, 0, 0") == Catch::Approx(std::pow((.5 + .055) / 1.055, 2.4)));
   CHECK(sky("0.03") == Catch::Approx(.03 / 12.92));
+}
+
+TEST_CASE("a long axis of a rotation is noted in files of Mitsuba 3, which scales by it",
+          "[scene]") {
+  const auto notes = [](const std::string& version, const std::string& axis) {
+    return load_text(scene_of(version,
+                              "<emitter type=\"constant\"/><shape type=\"cube\"><transform "
+                              "name=\"toWorld\"><rotate " +
+                                  axis + " angle=\"30\"/></transform></shape>"))
+        .notes;
+  };
+  const std::string note =
+      "<rotate> about an axis of length 2 only turns, as in Mitsuba 0.6; Mitsuba 3 scales as well";
+  CHECK(notes("3.0.0", "z=\"2\"") == std::vector{note});
+  CHECK(notes("3.0.0", "value=\"0, -2, 0\"") == std::vector{note});
+  CHECK(notes("0.6.0", "z=\"2\"").empty());
+  CHECK(notes("3.0.0", "z=\"1\"").empty());
+  CHECK(notes("3.0.0", "x=\"0.577\" y=\"0.577\" z=\"0.577\"").empty());
 }
