@@ -110,7 +110,8 @@ class Grammar {
     rule->check(property);
     if (rule->treatment == Treatment::noted) note("{} has no effect: {}", written, rule->why);
     if (property.name != "transform") return;
-    if (const auto text = note_on_axes(property)) note("{}", *text);
+    for (const std::string& text : notes_on_steps(property))
+      note("{}", text);
   }
 
   [[noreturn]] static void fail_unknown(const XmlElement& property, const XmlElement& object,

@@ -196,17 +196,25 @@ glm::dmat4 parse_transform(const XmlElement& element) {
   return all;
 }
 
-std::optional<std::string> note_on_axes(const XmlElement& transform) {
-  if (transform.at.source->dialect != Dialect::mitsuba3) return std::nullopt;
+std::vector<std::string> notes_on_steps(const XmlElement& transform) {
+  std::vector<std::string> notes;
+  const bool mitsuba3 = transform.at.source->dialect == Dialect::mitsuba3;
   for (const XmlElement& step : transform.children) {
-    const double length = step.name == "rotate" ? glm::length(vector_of(step, 0)) : 1;
-    if (std::abs(length - 1) <= 1e-3) continue;
-    return fmt::format(
-        "<rotate> about an axis of length {:.3g} only turns, as in Mitsuba 0.6; Mitsuba 3 scales as "
-        "well",
-        length);
+    const bool turns = step.name == "rotate", looks = step.find("target") != nullptr;
+    const double length = turns ? glm::length(vector_of(step, 0)) : 1;
+    if (mitsuba3 && std::abs(length - 1) > 1e-3) {
+      notes.push_back(fmt::format(
+          "<rotate> about an axis of length {:.3g} only turns, as in Mitsuba 0.6; Mitsuba 3 scales "
+          "as well",
+          length));
+    }
+    if (looks && step.find("up") == nullptr) {
+      notes.push_back(fmt::format(
+          "<{}> without up: (0, 1, 0) is up; Mitsuba takes any direction across the view",
+          step.name));
+    }
   }
-  return std::nullopt;
+  return notes;
 }
 
 bool mirrors(const glm::dmat4& transform) {

@@ -3,8 +3,8 @@
 #include "numeric/vec.h"
 #include "scene/xml_source.h"
 
-#include <optional>
 #include <string>
+#include <vector>
 
 namespace carlo {
 
@@ -17,8 +17,8 @@ bool check_steps(const XmlElement& transform, SceneErrors& errors);
 /// Points are column vectors; <matrix> is written row by row.
 glm::dmat4 parse_transform(const XmlElement& element);
 
-/// A note if a checked <transform> of a Mitsuba 3 file turns about an axis whose length is not 1.
-std::optional<std::string> note_on_axes(const XmlElement& transform);
+/// What the steps of a checked <transform> mean here and do not mean in Mitsuba.
+std::vector<std::string> notes_on_steps(const XmlElement& transform);
 
 /// True if the transform mirrors: a counter-clockwise triangle becomes a clockwise one.
 bool mirrors(const glm::dmat4& transform);

@@ -358,21 +358,3 @@ TEST_CASE("an srgb colour is decoded by sRGB's curve", "[scene]") {
   CHECK(sky("0.5, 0, 0") == Catch::Approx(std::pow((.5 + .055) / 1.055, 2.4)));
   CHECK(sky("0.03") == Catch::Approx(.03 / 12.92));
 }
-
-TEST_CASE("a long axis of a rotation is noted in files of Mitsuba 3, which scales by it",
-          "[scene]") {
-  const auto notes = [](const std::string& version, const std::string& axis) {
-    return load_text(scene_of(version,
-                              "<emitter type=\"constant\"/><shape type=\"cube\"><transform "
-                              "name=\"toWorld\"><rotate " +
-                                  axis + " angle=\"30\"/></transform></shape>"))
-        .notes;
-  };
-  const std::string note =
-      "<rotate> about an axis of length 2 only turns, as in Mitsuba 0.6; Mitsuba 3 scales as well";
-  CHECK(notes("3.0.0", "z=\"2\"") == std::vector{note});
-  CHECK(notes("3.0.0", "value=\"0, -2, 0\"") == std::vector{note});
-  CHECK(notes("0.6.0", "z=\"2\"").empty());
-  CHECK(notes("3.0.0", "z=\"1\"").empty());
-  CHECK(notes("3.0.0", "x=\"0.577\" y=\"0.577\" z=\"0.577\"").empty());
-}
