@@ -117,6 +117,10 @@ std::string_view number_wanted(std::string_view text) {
   return is_written_as_number(trimmed(text)) ? "a number within float's range" : "a finite number";
 }
 
+std::string_view numbers_wanted(std::string_view text) {
+  return is_written_as_number(trimmed(text)) ? "numbers within float's range" : "finite numbers";
+}
+
 std::optional<int> parse_integer(std::string_view text) {
   return number_of<int>(without_plus(trimmed(text)));
 }

@@ -30,5 +30,7 @@ std::optional<int> parse_integer(std::string_view text);
 /// What a text that parse_number() refuses should have been, for messages: "a finite number", or
 /// for one that is too large or too small "a number within float's range".
 std::string_view number_wanted(std::string_view text);
+/// The same for one of several.
+std::string_view numbers_wanted(std::string_view text);
 
 }  // namespace carlo

@@ -98,7 +98,7 @@ glm::dmat4 matrix(const XmlElement& step) {
     const auto row = static_cast<int>(i / side), column = static_cast<int>(i % side);
     const auto number = parse_number(parts[i]);
     if (!number) {
-      fail(value.value_at, "a matrix has finite numbers, got {} in row {}, column {}",
+      fail(value.value_at, "a matrix has {}, got {} in row {}, column {}", numbers_wanted(parts[i]),
            in_quotes(parts[i]), row + 1, column + 1);
     }
     out[column][row] = *number;

@@ -70,8 +70,9 @@ glm::dvec3 numbers_of(const XmlElement& property, const XmlAttribute& value) {
   }
   glm::dvec3 out{0};
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto number = parse_number(parts[parts.size() == 3 ? i : 0]);
-    if (!number) fail(value.value_at, "expected finite numbers, got {}", found(value));
+    const std::string_view part = parts[parts.size() == 3 ? i : 0];
+    const auto number = parse_number(part);
+    if (!number) fail(value.value_at, "expected {}, got {}", numbers_wanted(part), found(value));
     out[static_cast<int>(i)] = *number;
   }
   return out;
@@ -115,8 +116,8 @@ glm::dvec3 triple_of(const XmlAttribute& attribute) {
   for (std::size_t i = 0; i < 3; ++i) {
     const auto number = parts.size() == 3 ? parse_number(parts[i]) : std::nullopt;
     if (!number) {
-      fail(attribute.value_at, "{} must be three finite numbers, got {}", attribute.name,
-           found(attribute));
+      fail(attribute.value_at, "{} must be three {}, got {}", attribute.name,
+           numbers_wanted(parts.size() == 3 ? parts[i] : ""), found(attribute));
     }
     out[static_cast<int>(i)] = *number;
   }
