@@ -43,8 +43,7 @@ std::string_view take_word(std::string_view& line) {
 /// next one. Lines end in LF or CR LF; in CR where there is no LF, as old Macintoshes wrote them.
 class ObjLines {
  public:
-  explicit ObjLines(std::string_view text)
-      : rest_(text), end_of_line_(text.find('\n') == std::string_view::npos ? '\r' : '\n') {}
+  explicit ObjLines(std::string_view text) : rest_(text), end_of_line_(end_of_line(text)) {}
 
   /// Returns the next statement; line() is then its first line. Nothing after the last one.
   std::optional<std::string_view> next() {

@@ -94,6 +94,10 @@ std::string suggest(std::string_view text, const std::vector<std::string>& candi
                      fmt::join(candidates, ", "));
 }
 
+char end_of_line(std::string_view text) {
+  return text.find('\n') == std::string_view::npos ? '\r' : '\n';
+}
+
 std::vector<std::string_view> words(std::string_view text, std::string_view separators) {
   const std::string between = std::string(white_space) + std::string(separators);
   std::vector<std::string_view> out;

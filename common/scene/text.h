@@ -17,6 +17,9 @@ bool is_near(std::string_view text, std::string_view name);
 /// candidates if none is near and they are few, or nothing.
 std::string suggest(std::string_view text, const std::vector<std::string>& candidates);
 
+/// The byte that ends the lines of a text: LF, or CR if there is no LF, as old Macintoshes wrote.
+char end_of_line(std::string_view text);
+
 /// The words of `text`, separated by white space or by any character of `separators`.
 std::vector<std::string_view> words(std::string_view text, std::string_view separators = "");
 
