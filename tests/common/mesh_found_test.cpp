@@ -122,7 +122,7 @@ TEST_CASE("errors in the text of a PLY name their line and the property", "[scen
             "mesh.ply:15: expected a count or an index for vertex_indices, got -3");
   check_has(error_of(good + "4 0 1\n2"), "mesh.ply:16: the file ends too early");
   check_has(error_of(good + "4 0 1 2 3\n5\n"), "mesh.ply:16: there is more data");
-  check_has(error_of(good + "4 0 1 2 4\n"), "mesh.ply: vertex 4 is out of range: there are 4");
+  check_has(error_of(good + "4 0 1 2 4\n"), "mesh.ply:15: vertex 4 is out of range: there are 4");
 }
 
 /// The bytes of a number, big- or little-endian.
@@ -186,7 +186,7 @@ TEST_CASE("a PLY's strips of triangles turn every other one, and begin anew afte
   CHECK(area(mesh_of(load_mesh("ply", ply_text("", both, square_places + "3 0 1 3\n3 1 2 3\n")))) ==
         4);
   check_has(mesh_error("ply", ply_text("", strips, square_places + "3 0 1 7\n")),
-            "vertex 7 is out of range");
+            "mesh.ply:14: vertex 7 is out of range: there are 4");
   check_has(mesh_error("ply", ply_text("", strips, square_places + "3 0 1 -2\n")), "got -2");
   check_has(mesh_error("ply", ply_text("", "", square_places)),
             "expected one list vertex_indices of the");
