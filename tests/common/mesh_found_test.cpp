@@ -210,8 +210,9 @@ TEST_CASE("an OBJ's relative numbers count back from the vertices above", "[scen
 TEST_CASE("a corner of an OBJ's face is one to three numbers", "[scene]") {
   for (const std::string corner : {"3/x", "3/x/", "3/1.5", "3/1/1/1", "3///", "3/x/1", "3//1/"}) {
     check_has(
-        mesh_error("obj", unit_square + "vn 0 0 1\nf 1 2 " + corner + "\n", face_normals),
-        "mesh.obj:6: expected v, v/vt, v//vn or v/vt/vn, all numbers, got \"" + corner + "\"");
+        mesh_error("obj", fmt::format("{}vn 0 0 1\nf 1 2 {}\n", unit_square, corner), face_normals),
+        fmt::format("mesh.obj:6: expected v, v/vt, v//vn or v/vt/vn, all numbers, got \"{}\"",
+                    corner));
   }
   // Texture coordinates that are not there do no harm.
   CHECK(area(mesh_of(load_obj(unit_square + "f 1/7 2/8 3/9 4/-1\n"))) == 1);
