@@ -1,13 +1,19 @@
 #!/usr/bin/env bash
-# Mitsuba 3.9.1: a sphere with a reflection, <scale x="-1"/>, in its to_world.
+# Mitsuba 3.9.1: a shape with a reflection, <scale x="-1"/>, in its to_world.
 # Expected: a sphere mirrored at its centre's plane is the same sphere; or all shapes change alike.
-# Seen: its normals point inwards. As a light it is black from outside, and so is a diffuse sphere in
-# a white room. A rectangle, a disk and a cube with the same transform look as before.
-# Do: take the reflection out of spheres, or add <boolean name="flip_normals" value="true"/>.
+# Seen: a sphere's normals point inwards. As a light it is black from outside, and so is a diffuse
+# sphere in a white room. The same holds for a mesh from an OBJ or PLY file, but not if the file has
+# vertex normals and they are used. A rectangle, a disk and a cube look as before.
+# Do: take the reflection out of spheres and meshes, or add <boolean name="flip_normals" value="true"/>.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 python_with mitsuba==3.9.1 numpy==2.2.6
 
+printf '%s\n' 'v -1 -1 0' 'v 1 -1 0' 'v 1 1 0' 'v -1 1 0' 'f 1 2 3 4' > square.obj
+sed 's/f .*/vn 0 0 1\nf 1\/\/1 2\/\/1 3\/\/1 4\/\/1/' square.obj > normals.obj
+printf '%s\n' ply 'format ascii 1.0' 'element vertex 4' 'property float x' 'property float y' \
+    'property float z' 'element face 2' 'property list uchar int vertex_indices' end_header \
+    '-1 -1 0' '1 -1 0' '1 1 0' '-1 1 0' '3 0 1 2' '3 0 2 3' > square.ply
 venv/bin/python - <<'PY'
 from hold import hold
 import mitsuba as mi, numpy as np
@@ -35,5 +41,15 @@ hold(mean("sphere", -1, light) == 0, "the mirrored sphere light shines outwards"
 hold(mean("sphere", -1, wall, room) == 0, "the mirrored diffuse sphere is lit")
 flip = '<boolean name="flip_normals" value="true"/>'
 hold(mean("sphere", -1, flip + light) > 0.99, "flip_normals no longer repairs it")
-print("mirrored sphere: black as a light and as a wall; rectangle, disk and cube: as before")
+def mesh(name, x, extra=""):
+    return mean(name[-3:], x, f'<string name="filename" value="{name}"/>{extra}{light}')
+face_normals = '<boolean name="face_normals" value="true"/>'
+for name in ("square.obj", "square.ply"):
+    for extra in ("", face_normals):
+        hold(mesh(name, 1, extra) > 0.99, f"the plain light {name} is dark")
+        hold(mesh(name, -1, extra) == 0, f"the mirrored light {name} shines to its front")
+        hold(mesh(name, -1, extra + flip) > 0.99, f"flip_normals no longer repairs {name}")
+hold(mesh("normals.obj", -1) > 0.99, "the mirrored light with vertex normals is dark")
+hold(mesh("normals.obj", -1, face_normals) == 0, "face_normals: the mirrored light shines to its front")
+print("mirrored sphere and meshes from files: black as lights; rectangle, disk and cube: as before")
 PY

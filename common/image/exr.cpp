@@ -114,6 +114,22 @@ std::vector<T> read_channels(OIIO::ImageInput& in, const OIIO::ImageSpec& spec, 
   return data;
 }
 
+/// OpenImageIO turns whole numbers into fractions of the largest; in an EXR file 1 means 1.
+void put_whole_numbers(OIIO::ImageInput& in, const OIIO::ImageSpec& spec, const ExrWindow& window,
+                       const std::array<std::size_t, 3>& places, const std::filesystem::path& path,
+                       Image& image) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (spec.channelformat(static_cast<int>(places.at(c))) != OIIO::TypeDesc::UINT32) continue;
+    const auto data = read_channels<std::uint32_t>(in, spec, places.at(c), 1, path);
+    for (int y = 0; y < image.height; ++y) {
+      for (int x = 0; x < image.width; ++x) {
+        if (const auto pixel = window.find(x, y))
+          image.at(x, y)[static_cast<int>(c)] = static_cast<float>(data[*pixel]);
+      }
+    }
+  }
+}
+
 /// Reads three channels, and besides them only those that lie between.
 Image read_colours(OIIO::ImageInput& in, const OIIO::ImageSpec& spec, const ExrWindow& window,
                    const std::array<std::size_t, 3>& places, const std::filesystem::path& path) {
@@ -128,6 +144,7 @@ Image read_colours(OIIO::ImageInput& in, const OIIO::ImageSpec& spec, const ExrW
         image.at(x, y)[c] = data[*pixel * count + places[static_cast<std::size_t>(c)] - *first];
     }
   }
+  put_whole_numbers(in, spec, window, places, path, image);
   return image;
 }
 

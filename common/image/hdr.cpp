@@ -5,6 +5,7 @@
 #include "support/byte_order_mark.h"
 #include "support/error.h"
 #include "support/number.h"
+#include "support/quotes.h"
 
 #include <fmt/format.h>
 
@@ -76,28 +77,31 @@ class HdrReader {
   T number(std::string_view text, std::string_view what) const {
     text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
     const std::optional<T> value = number_of<T>(text);
-    if (!value || !(*value > 0)) fail(fmt::format("{} must be a number > 0", what));
+    if (!value || !(*value > 0))
+      fail(fmt::format("{} must be a number > 0, got {}", what, in_quotes(text)));
     return *value;
   }
 
   /// Exactly `count` numbers, separated by blanks.
   template <std::size_t count>
   std::array<double, count> numbers(std::string_view text, std::string_view what) const {
+    const std::string_view whole = text;
     std::array<double, count> values{};
     for (double& value : values) {
       text = trimmed(text);
       const std::size_t end = std::min(text.find_first_of(blanks), text.size());
       const auto number = number_of<double>(text.substr(0, end));
-      if (!number || !std::isfinite(*number)) break_off(count, what);
+      if (!number || !std::isfinite(*number)) break_off(count, what, whole);
       value = *number;
       text.remove_prefix(end);
     }
-    if (!text.empty()) break_off(count, what);
+    if (!text.empty()) break_off(count, what, whole);
     return values;
   }
 
-  [[noreturn]] void break_off(std::size_t count, std::string_view what) const {
-    fail(fmt::format("{} must be {} numbers", what, count));
+  [[noreturn]] void break_off(std::size_t count, std::string_view what,
+                              std::string_view text) const {
+    fail(fmt::format("{} must be {} numbers, got {}", what, count, in_quotes(text)));
   }
 
   void read_header() {
@@ -111,9 +115,10 @@ class HdrReader {
 
   /// Other variables (SOFTWARE, CAPDATE, ...) and lines of programs only describe the origin.
   void read_variable(std::string_view name, std::string_view value) {
-    if (name == "FORMAT" && value != "32-bit_rle_rgbe") fail("its FORMAT is not 32-bit_rle_rgbe");
+    if (name == "FORMAT" && value != "32-bit_rle_rgbe")
+      fail(fmt::format("its FORMAT is not 32-bit_rle_rgbe, but {}", in_quotes(value)));
     if (name == "EXPOSURE") divide_by(glm::dvec3(number<double>(value, "its EXPOSURE")));
-    if (name == "COLORCORR") read_correction(numbers<3>(value, "its COLORCORR"));
+    if (name == "COLORCORR") read_correction(numbers<3>(value, "its COLORCORR"), value);
     if (name == "PRIMARIES") {
       const auto xy = numbers<8>(value, "its PRIMARIES");
       primaries_ = {{xy[0], xy[1]}, {xy[2], xy[3]}, {xy[4], xy[5]}, {xy[6], xy[7]}};
@@ -123,14 +128,15 @@ class HdrReader {
       }
     }
     if (name == "GAMMA" && number_of<double>(value) != 1)
-      fail("its GAMMA is not 1: expected linear values");
+      fail(fmt::format("its GAMMA is not 1, but {}: expected linear values", in_quotes(value)));
     if (name == "PIXASPECT" && number_of<double>(value) != 1) note("its PIXASPECT is not used");
     if (name == "VIEW") note("its VIEW is not used");
   }
 
-  void read_correction(const std::array<double, 3>& factors) {
+  void read_correction(const std::array<double, 3>& factors, std::string_view text) {
     for (const double factor : factors) {
-      if (!(factor > 0)) fail("its COLORCORR must be three numbers > 0");
+      if (!(factor > 0))
+        fail(fmt::format("its COLORCORR must be three numbers > 0, got {}", in_quotes(text)));
     }
     divide_by({factors[0], factors[1], factors[2]});
   }
@@ -168,7 +174,8 @@ class HdrReader {
     const std::string_view text = line();
     const std::size_t x = text.find(" +X ");
     if (!text.starts_with("-Y ") || x == std::string_view::npos)
-      fail("its size is not told as -Y height +X width, the top row first");
+      fail(fmt::format("its size is not told as -Y height +X width, the top row first, but as {}",
+                       in_quotes(text)));
     const auto height = number<int>(text.substr(3, x - 3), "its height");
     const auto width = number<int>(text.substr(x + 4), "its width");
     if (std::int64_t{width} * height > most_pixels)

@@ -30,7 +30,11 @@ void anything(const XmlElement& /*property*/) {}
 
 void above_zero(const XmlElement& property) {
   const float value = number_value(property);
-  if (!(value > 0)) wrong(property, "must be > 0, got {}", value);
+  if (value > 0) return;
+  const XmlAttribute& written = property.get("value");
+  if (number_of(written) > 0)
+    wrong(property, "must be a number > 0 that a float can hold, got {}", found(written));
+  wrong(property, "must be > 0, got {}", value);
 }
 
 void zero_or_above(const XmlElement& property) {

@@ -42,7 +42,11 @@ ImageFile read_image(const fs::path& path) {
     HdrFile file = read_hdr(path);
     return {std::move(file.image), std::move(file.notes), ""};
   }
-  throw Error("{} is no image of radiances, expected OpenEXR or Radiance HDR", path.string());
+  const bool is_pfm = start.starts_with("PF\n") || start.starts_with("Pf\n");
+  throw Error("{} {}, expected OpenEXR or Radiance HDR", path.string(),
+              is_pfm                     ? "is a PFM image, which is not read"
+              : fs::file_size(path) == 0 ? "is empty"
+                                         : "is no image of radiances");
 }
 
 // Errors inside an image are reported where the scene names it.

@@ -4,6 +4,7 @@
 #include "scene/names.h"
 #include "scene/plugins.h"
 #include "scene/text.h"
+#include "scene/transforms.h"
 
 #include <algorithm>
 #include <array>
@@ -58,13 +59,19 @@ class Grammar {
       if (plugin.element == object.name && (plugin.within.empty() || plugin.within == within))
         known.emplace_back(plugin.type);
     }
-    const char* what = within == "sdf"     ? "cannot stand inside an sdf"
-                       : within == "shape" ? "cannot stand inside a <shape>"
-                                           : "is not supported";
-    const bool loose = object.name == "emitter" && within == "scene";
-    fail(type.value_at, "{} {} {}{}{}", object.name, in_quotes(type.value),
-         object.name == "bsdf" ? "is not supported" : what, loose ? " outside a <shape>" : "",
-         suggest(type.value, known));
+    fail(type.value_at, "{} {} {}{}", object.name, in_quotes(type.value),
+         what_is_wrong(object.name, type.value, within), suggest(type.value, known));
+  }
+
+  /// Only what may stand elsewhere is out of place; anything else is unknown everywhere.
+  static std::string_view what_is_wrong(std::string_view element, std::string_view type,
+                                        std::string_view within) {
+    const auto fits = [&](const Plugin& p) { return p.element == element && p.type == type; };
+    if (std::none_of(plugins().begin(), plugins().end(), fits)) return "is not supported";
+    if (within == "sdf") return "cannot stand inside an sdf";
+    if (within == "shape") return "cannot stand inside a <shape>";
+    return element == "shape" ? "is not supported outside an sdf"
+                              : "is not supported outside a <shape>";
   }
 
   void check_required(XmlElement& object, const std::set<std::string>& given) {
@@ -102,6 +109,9 @@ class Grammar {
     if (!check_parts(property, errors_) || property.broken) return;
     rule->check(property);
     if (rule->treatment == Treatment::noted) note("{} has no effect: {}", written, rule->why);
+    if (property.name != "transform") return;
+    for (const std::string& text : notes_on_steps(property))
+      note("{}", text);
   }
 
   [[noreturn]] static void fail_unknown(const XmlElement& property, const XmlElement& object,

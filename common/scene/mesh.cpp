@@ -125,7 +125,8 @@ Mesh parse_mesh(Properties& shape, std::vector<std::string>& notes) {
   const MeshFile file = read_mesh_file(shape, *filename);
   check_normals(shape, file);
   if (file.triangles.empty()) {
-    fail(shape.at("filename"), "the mesh {} is empty: it has no faces", in_quotes(*filename));
+    fail(shape.at("filename"), "the mesh {} is empty: it has no faces{}", in_quotes(*filename),
+         file.notes.empty() ? "" : fmt::format(" ({})", fmt::join(file.notes, "; ")));
   }
 
   std::vector<Vec3> positions;
@@ -133,7 +134,9 @@ Mesh parse_mesh(Properties& shape, std::vector<std::string>& notes) {
   for (const glm::dvec3& p : file.positions)
     positions.push_back(transform_point(to_world, p, shape.at("toWorld")));
   MeshBuilder builder(file, std::move(positions));
-  Mesh mesh = builder.build(mirrors(to_world) != flipped);
+  // A mirrored mesh keeps its outside in 0.6 files; Mitsuba 3 turns it inside out, as a sphere.
+  const bool mirrored = mirrors(to_world), kept = shape.dialect() == Dialect::mitsuba06;
+  Mesh mesh = builder.build((mirrored && kept) != flipped);
   if (mesh.triangles.empty()) {
     fail(shape.at("filename"), "all {} triangles of {} are degenerate (no area)",
          builder.degenerate(), in_quotes(*filename));
@@ -146,6 +149,12 @@ Mesh parse_mesh(Properties& shape, std::vector<std::string>& notes) {
   if (builder.duplicates() > 0)
     notes.push_back(
         fmt::format("{}: {} duplicate faces left out", *filename, builder.duplicates()));
+  if (mirrored) {
+    notes.push_back(fmt::format("{}: its toWorld mirrors it; {}", *filename,
+                                kept
+                                    ? "its outside stays outside, where Mitsuba turns it inside out"
+                                    : "this turns it inside out, as in Mitsuba 3"));
+  }
   if (const auto note = note_on_normals(file, flipped))
     notes.push_back(fmt::format("{}: {}", *filename, *note));
   return mesh;

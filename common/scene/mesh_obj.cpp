@@ -40,10 +40,10 @@ std::string_view take_word(std::string_view& line) {
 }
 
 /// Splits the file into statements. Text after # is a comment; a \ at the end of a line joins the
-/// next one.
+/// next one. Lines end in LF or CR LF; in CR where there is no LF, as old Macintoshes wrote them.
 class ObjLines {
  public:
-  explicit ObjLines(std::string_view text) : rest_(text) {}
+  explicit ObjLines(std::string_view text) : rest_(text), end_of_line_(end_of_line(text)) {}
 
   /// Returns the next statement; line() is then its first line. Nothing after the last one.
   std::optional<std::string_view> next() {
@@ -65,7 +65,7 @@ class ObjLines {
 
  private:
   std::string_view take_line() {
-    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    const std::size_t end = std::min(rest_.find(end_of_line_), rest_.size());
     std::string_view line = rest_.substr(0, end);
     rest_.remove_prefix(std::min(end + 1, rest_.size()));
     ++taken_;
@@ -76,6 +76,7 @@ class ObjLines {
   static bool ends_in_backslash(std::string_view line) { return line.ends_with('\\'); }
 
   std::string_view rest_;
+  char end_of_line_;
   std::string joined_;
   std::size_t line_ = 1, taken_ = 0;
 };
@@ -137,7 +138,8 @@ class ObjReader {
     const std::size_t count = read_numbers(line, numbers);
     if (count != 3 && count != 4 && count != 6)
       wrong(fmt::format("a vertex has 3 numbers, got {}", count));
-    if (count == 4 && numbers[3] != 1) wrong("a vertex with w other than 1");
+    if (count == 4 && numbers[3] != 1)
+      wrong(fmt::format("the fourth number of a vertex, w, must be 1, got {}", numbers[3]));
     mesh_.positions.emplace_back(numbers[0], numbers[1], numbers[2]);
   }
 
@@ -154,7 +156,7 @@ class ObjReader {
     std::size_t count = 0;
     for (std::string_view word; !(word = take_word(line)).empty(); ++count) {
       const auto number = parse_number(word);
-      if (!number) wrong(fmt::format("expected a finite number, got {}", in_quotes(word)));
+      if (!number) wrong(fmt::format("expected {}, got {}", number_wanted(word), in_quotes(word)));
       if (count < most) numbers.at(count) = *number;
     }
     return count;
@@ -174,9 +176,14 @@ class ObjReader {
   // "v", "v/vt", "v//vn" or "v/vt/vn", where vt and vn may be missing.
   void read_corner(std::string_view word) {
     const std::size_t slash = std::min(word.find('/'), word.size());
-    corners_.push_back(index(word, word.substr(0, slash), "vertex", mesh_.positions.size()));
-    const std::size_t last = word.rfind('/');
-    if (last == slash || last == std::string_view::npos || last + 1 == word.size()) return;
+    corners_.push_back(index(word, word.substr(0, slash), mesh_.positions.size()));
+    if (slash == word.size()) return;
+    const std::size_t last = std::min(word.find('/', slash + 1), word.size());
+    const std::string_view texture = word.substr(slash + 1, last - slash - 1);
+    if (word.find('/', last + 1) < word.size() || (!texture.empty() && !parse_integer(texture)))
+      wrong(
+          fmt::format("expected v, v/vt, v//vn or v/vt/vn, all numbers, got {}", in_quotes(word)));
+    if (last + 1 >= word.size()) return;
     mesh_.vertex_normals = true;
     // Exporters refer to normals that they leave out. They are not used for shading.
     const auto number = parse_integer(word.substr(last + 1));
@@ -189,12 +196,12 @@ class ObjReader {
   }
 
   /// Negative numbers count back from the latest.
-  std::uint32_t index(std::string_view word, std::string_view number, std::string_view what,
-                      std::size_t size) const {
+  std::uint32_t index(std::string_view word, std::string_view number, std::size_t size) const {
     const auto index = parse_integer(number);
-    if (!index) wrong(fmt::format("expected a {} number, got {}", what, in_quotes(word)));
+    if (!index) wrong(fmt::format("expected a vertex number, got {}", in_quotes(word)));
+    if (*index == 0) wrong("vertex 0 is out of range: the first is 1");
     const auto place = place_of(*index, size);
-    if (!place) wrong(fmt::format("{} {} is out of range: {} stand above", what, *index, size));
+    if (!place) wrong(fmt::format("vertex {} is out of range: {} stand above", *index, size));
     return *place;
   }
 

@@ -42,7 +42,10 @@ Use use_of(const PlyElement& element, const PlyProperty& p) {
 class PlyReader {
  public:
   PlyReader(std::string_view text, const std::string& name)
-      : name_(name), header_(parse_ply_header(text, name)), data_(text, header_, name) {}
+      : name_(name), header_(parse_ply_header(text, name)), data_(text, header_, name) {
+    for (const PlyElement& element : header_.elements)
+      vertices_ += element.name == "vertex" ? element.count : 0;
+  }
 
   MeshFile read() {
     check_header();
@@ -56,7 +59,6 @@ class PlyReader {
         read_item(element, uses);
     }
     if (const auto note = data_.finish()) mesh_.notes.push_back(*note);
-    check_indices();
     // In a binary file the places of faces are their numbers.
     cut_polygons(mesh_, name_, data_.has_lines() ? ":" : ": face ");
     if (mesh_.vertex_normals) compare_normals();
@@ -126,7 +128,7 @@ class PlyReader {
     if (length < 3) data_.wrong(fmt::format("a face has 3 corners or more, got {}", length));
     corners_.clear();
     for (std::size_t i = 0; i < length; ++i)
-      corners_.push_back(data_.whole(p, p.type));
+      corners_.push_back(checked(data_.whole(p, p.type)));
     ++faces_;
     add_face(mesh_, corners_, data_.has_lines() ? data_.line() : faces_);
   }
@@ -143,7 +145,7 @@ class PlyReader {
         corners = 0;
         continue;
       }
-      last = {last[1], last[2], *corner};
+      last = {last[1], last[2], checked(*corner)};
       if (++corners < 3) continue;
       if (corners % 2 == 0) {
         mesh_.triangles.emplace_back(last[1], last[0], last[2]);
@@ -153,13 +155,11 @@ class PlyReader {
     }
   }
 
-  void check_indices() const {
-    const std::size_t count = mesh_.positions.size();
-    for (const glm::uvec3& t : mesh_.triangles) {
-      const std::uint32_t largest = std::max({t.x, t.y, t.z});
-      if (largest < count) continue;
-      wrong(fmt::format("vertex {} is out of range: there are {}", largest, count));
-    }
+  /// Faces may stand before the vertices: the header says how many there will be.
+  std::uint32_t checked(std::uint32_t corner) const {
+    if (corner >= vertices_)
+      data_.wrong(fmt::format("vertex {} is out of range: there are {}", corner, vertices_));
+    return corner;
   }
 
   void compare_normals() {
@@ -187,7 +187,7 @@ class PlyReader {
   PlyHeader header_;
   PlyData data_;
   MeshFile mesh_;
-  std::size_t faces_ = 0;
+  std::size_t vertices_ = 0, faces_ = 0;
   std::vector<glm::dvec3> normals_;
   std::vector<std::uint32_t> corners_;
 };

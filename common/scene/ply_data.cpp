@@ -43,6 +43,7 @@ PlyData::PlyData(std::string_view text, const PlyHeader& header, const std::stri
       swapped_(binary_ && (header.format == PlyFormat::big_endian) !=
                               (std::endian::native == std::endian::big)),
       line_(header.lines + 1),
+      end_of_line_(header.end_of_line),
       name_(name) {}
 
 void PlyData::wrong(const std::string& message) const {
@@ -55,7 +56,8 @@ double PlyData::number(const PlyProperty& property, PlyType type) {
   const std::string_view word = next_word();
   const auto number = parse_number(word);
   if (!number) {
-    wrong(fmt::format("expected a finite number for {}, got {}", property.name, in_quotes(word)));
+    wrong(fmt::format("expected {} for {}, got {}", number_wanted(word), property.name,
+                      in_quotes(word)));
   }
   return *number;
 }
@@ -98,7 +100,7 @@ void PlyData::skip(const PlyProperty& property) {
 
 std::optional<std::string> PlyData::finish() {
   if (!binary_) skip_space();
-  const bool end_of_line = data_ == "\n" || data_ == "\r\n";
+  const bool end_of_line = data_ == "\n" || data_ == "\r\n" || data_ == "\r";
   if (data_.empty()) return std::nullopt;
   if (!end_of_line) wrong("there is more data than the header announces");
   return fmt::format("{}: an end of line follows the last value and is not used", name_);
@@ -147,7 +149,7 @@ std::string_view PlyData::next_word() {
 void PlyData::skip_space() {
   const std::size_t length = std::min(data_.find_first_not_of(space), data_.size());
   line_ += static_cast<std::size_t>(
-      std::count(data_.begin(), data_.begin() + static_cast<std::ptrdiff_t>(length), '\n'));
+      std::count(data_.begin(), data_.begin() + static_cast<std::ptrdiff_t>(length), end_of_line_));
   data_.remove_prefix(length);
 }
 

@@ -50,6 +50,7 @@ class PlyData {
   std::string_view data_;
   bool binary_, swapped_;  ///< swapped: the bytes of a value are in the other order
   std::size_t line_;
+  char end_of_line_;
   const std::string& name_;
 };
 

@@ -37,6 +37,7 @@ class HeaderParser {
   HeaderParser(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
   PlyHeader parse() {
+    if (text_.starts_with("ply\r") && !text_.starts_with("ply\r\n")) header_.end_of_line = '\r';
     if (next_line() != Words{"ply"}) wrong("not a PLY file: the first line must be \"ply\"");
     read_format(next_line());
     while (true) {
@@ -59,7 +60,7 @@ class HeaderParser {
  private:
   Words next_line() {
     if (position_ >= text_.size()) wrong("the header ends before \"end_header\"");
-    const std::size_t end = std::min(text_.find('\n', position_), text_.size());
+    const std::size_t end = std::min(text_.find(header_.end_of_line, position_), text_.size());
     const std::string_view line = text_.substr(position_, end - position_);
     position_ = std::min(end + 1, text_.size());
     ++line_;

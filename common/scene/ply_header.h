@@ -28,6 +28,7 @@ struct PlyHeader {
   PlyFormat format = PlyFormat::ascii;
   std::vector<PlyElement> elements;
   std::size_t size = 0, lines = 0;  ///< up to and including the line end_header
+  char end_of_line = '\n';          ///< the last byte of a line: \r as old Macintoshes wrote them
 };
 
 /// Reads the header of a PLY file. Throws Error "FILE:LINE: what is wrong"; `name` is the file's.

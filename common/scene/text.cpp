@@ -26,6 +26,33 @@ std::string_view without_plus(std::string_view text) {
   return plus ? text.substr(1) : text;
 }
 
+void skip_sign(std::string_view& text) {
+  if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
+}
+
+/// Returns how many there were.
+std::size_t skip_digits(std::string_view& text) {
+  const std::size_t count = std::min(text.find_first_not_of("0123456789"), text.size());
+  text.remove_prefix(count);
+  return count;
+}
+
+/// True for a decimal number, however large or small.
+bool is_written_as_number(std::string_view text) {
+  skip_sign(text);
+  std::size_t digits = skip_digits(text);
+  if (text.starts_with('.')) {
+    text.remove_prefix(1);
+    digits += skip_digits(text);
+  }
+  if (digits == 0) return false;
+  if (text.empty()) return true;
+  const bool exponent = text.starts_with('e') || text.starts_with('E');
+  text.remove_prefix(1);
+  skip_sign(text);
+  return exponent && skip_digits(text) > 0 && text.empty();
+}
+
 // Levenshtein distance, row by row of its table.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -42,35 +69,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-constexpr std::size_t longest = 60;
-
-/// `text` with its control characters escaped.
-std::string printable(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (code < 0x20 || code == 0x7f) {
-      out += fmt::format("\\x{:02x}", code);
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
-
 }  // namespace
-
-std::string in_quotes(std::string_view text) {
-  return '"' + printable(text.substr(0, longest)) + (text.size() > longest ? "...\"" : "\"");
-}
-
-std::string path_in_quotes(const std::filesystem::path& path) {
-  const std::string text = path.string();
-  std::size_t cut = text.size() > longest ? text.size() - longest : 0;
-  while (cut < text.size() && (static_cast<unsigned char>(text[cut]) & 0xc0) == 0x80)
-    ++cut;  // not inside a UTF-8 character
-  return (cut > 0 ? "\"..." : "\"") + printable(std::string_view(text).substr(cut)) + '"';
-}
 
 bool is_near(std::string_view text, std::string_view name) {
   const std::size_t distance = edit_distance(text.substr(0, 100), name);
@@ -95,6 +94,10 @@ std::string suggest(std::string_view text, const std::vector<std::string>& candi
                      fmt::join(candidates, ", "));
 }
 
+char end_of_line(std::string_view text) {
+  return text.find('\n') == std::string_view::npos ? '\r' : '\n';
+}
+
 std::vector<std::string_view> words(std::string_view text, std::string_view separators) {
   const std::string between = std::string(white_space) + std::string(separators);
   std::vector<std::string_view> out;
@@ -112,6 +115,14 @@ std::optional<double> parse_number(std::string_view text) {
   constexpr double most = std::numeric_limits<float>::max();
   // Written so that NaN fails.
   return value && std::abs(*value) <= most ? value : std::nullopt;
+}
+
+std::string_view number_wanted(std::string_view text) {
+  return is_written_as_number(trimmed(text)) ? "a number within float's range" : "a finite number";
+}
+
+std::string_view numbers_wanted(std::string_view text) {
+  return is_written_as_number(trimmed(text)) ? "numbers within float's range" : "finite numbers";
 }
 
 std::optional<int> parse_integer(std::string_view text) {

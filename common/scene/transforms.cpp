@@ -5,6 +5,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -41,14 +42,18 @@ glm::dmat4 translation(const XmlElement& step) {
 }
 
 glm::dmat4 rotation(const XmlElement& step) {
-  const glm::dvec3 axis = vector_of(step, 0);
-  if (!(glm::length(axis) > 0)) fail(step.at, "<rotate> needs an axis: x, y, z are all 0");
-  return glm::rotate(glm::dmat4(1), glm::radians(number_of(step.get("angle"))), axis);
+  const glm::dvec3 axis = vector_of(step, 0), size = glm::abs(axis);
+  const double largest = std::max({size.x, size.y, size.z});
+  if (!(largest > 0)) fail(step.at, "<rotate> needs an axis: x, y, z are all 0");
+  // glm::rotate gives the axis the length 1. Divided first, since squares of tiny numbers are 0.
+  return glm::rotate(glm::dmat4(1), glm::radians(number_of(step.get("angle"))), axis / largest);
 }
 
 glm::dmat4 scaling(const XmlElement& step) {
   if (step.attributes.empty()) fail(step.at, "<scale> needs the attribute value, or x, y, z");
   const XmlAttribute* value = step.find("value");
+  if (value != nullptr && words(value->value, ",").size() == 2)
+    fail(value->value_at, "value must be one finite number or three, got {}", found(*value));
   const bool alike = value != nullptr && !is_triple(*value) && step.attributes.size() == 1;
   const glm::dvec3 factors = alike ? glm::dvec3(number_of(*value)) : vector_of(step, 1);
   for (const XmlAttribute& a : step.attributes) {
@@ -93,7 +98,7 @@ glm::dmat4 matrix(const XmlElement& step) {
     const auto row = static_cast<int>(i / side), column = static_cast<int>(i % side);
     const auto number = parse_number(parts[i]);
     if (!number) {
-      fail(value.value_at, "a matrix has finite numbers, got {} in row {}, column {}",
+      fail(value.value_at, "a matrix has {}, got {} in row {}, column {}", numbers_wanted(parts[i]),
            in_quotes(parts[i]), row + 1, column + 1);
     }
     out[column][row] = *number;
@@ -189,6 +194,27 @@ glm::dmat4 parse_transform(const XmlElement& element) {
     all = step_of(step).matrix(step) * all;
   check_invertible(all, element.at);
   return all;
+}
+
+std::vector<std::string> notes_on_steps(const XmlElement& transform) {
+  std::vector<std::string> notes;
+  const bool mitsuba3 = transform.at.source->dialect == Dialect::mitsuba3;
+  for (const XmlElement& step : transform.children) {
+    const bool turns = step.name == "rotate", looks = step.find("target") != nullptr;
+    const double length = turns ? glm::length(vector_of(step, 0)) : 1;
+    if (mitsuba3 && std::abs(length - 1) > 1e-3) {
+      notes.push_back(fmt::format(
+          "<rotate> about an axis of length {:.3g} only turns, as in Mitsuba 0.6; Mitsuba 3 scales "
+          "as well",
+          length));
+    }
+    if (looks && step.find("up") == nullptr) {
+      notes.push_back(fmt::format(
+          "<{}> without up: (0, 1, 0) is up; Mitsuba takes any direction across the view",
+          step.name));
+    }
+  }
+  return notes;
 }
 
 bool mirrors(const glm::dmat4& transform) {

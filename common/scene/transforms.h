@@ -3,6 +3,9 @@
 #include "numeric/vec.h"
 #include "scene/xml_source.h"
 
+#include <string>
+#include <vector>
+
 namespace carlo {
 
 /// Reports all errors in the steps of a <transform> (translate, rotate, scale, lookat, matrix),
@@ -13,6 +16,9 @@ bool check_steps(const XmlElement& transform, SceneErrors& errors);
 /// result is affine and invertible; if the steps together are not, throws Error at the element.
 /// Points are column vectors; <matrix> is written row by row.
 glm::dmat4 parse_transform(const XmlElement& element);
+
+/// What the steps of a checked <transform> mean here and do not mean in Mitsuba.
+std::vector<std::string> notes_on_steps(const XmlElement& transform);
 
 /// True if the transform mirrors: a counter-clockwise triangle becomes a clockwise one.
 bool mirrors(const glm::dmat4& transform);

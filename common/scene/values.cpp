@@ -10,6 +10,7 @@
 #include <charconv>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <optional>
 
 namespace carlo {
@@ -69,8 +70,9 @@ glm::dvec3 numbers_of(const XmlElement& property, const XmlAttribute& value) {
   }
   glm::dvec3 out{0};
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto number = parse_number(parts[parts.size() == 3 ? i : 0]);
-    if (!number) fail(value.value_at, "expected finite numbers, got {}", found(value));
+    const std::string_view part = parts[parts.size() == 3 ? i : 0];
+    const auto number = parse_number(part);
+    if (!number) fail(value.value_at, "expected {}, got {}", numbers_wanted(part), found(value));
     out[static_cast<int>(i)] = *number;
   }
   return out;
@@ -102,8 +104,8 @@ std::string found(const XmlAttribute& attribute) {
 double number_of(const XmlAttribute& attribute) {
   const auto number = parse_number(attribute.value);
   if (!number) {
-    fail(attribute.value_at, "{} must be a finite number, got {}", attribute.name,
-         found(attribute));
+    fail(attribute.value_at, "{} must be {}, got {}", attribute.name,
+         number_wanted(attribute.value), found(attribute));
   }
   return *number;
 }
@@ -114,8 +116,8 @@ glm::dvec3 triple_of(const XmlAttribute& attribute) {
   for (std::size_t i = 0; i < 3; ++i) {
     const auto number = parts.size() == 3 ? parse_number(parts[i]) : std::nullopt;
     if (!number) {
-      fail(attribute.value_at, "{} must be three finite numbers, got {}", attribute.name,
-           found(attribute));
+      fail(attribute.value_at, "{} must be three {}, got {}", attribute.name,
+           numbers_wanted(parts.size() == 3 ? parts[i] : ""), found(attribute));
     }
     out[static_cast<int>(i)] = *number;
   }
@@ -126,7 +128,7 @@ float number_value(const XmlElement& property) {
   require_kind(property, {"float"});
   const XmlAttribute& value = property.get("value");
   const auto number = parse_number(value.value);
-  if (!number) wrong(property, "must be a finite number, got {}", found(value));
+  if (!number) wrong(property, "must be {}, got {}", number_wanted(value.value), found(value));
   return static_cast<float>(*number);
 }
 
@@ -134,8 +136,13 @@ int integer_value(const XmlElement& property) {
   require_kind(property, {"integer"});
   const XmlAttribute& value = property.get("value");
   const auto number = parse_integer(value.value);
-  if (!number) wrong(property, "must be an integer, got {}", found(value));
-  return *number;
+  if (number) return *number;
+  // A whole number that no int holds is an integer, too.
+  const auto real = parse_number(value.value);
+  if (!real || std::abs(*real) <= std::numeric_limits<int>::max() || *real != std::floor(*real))
+    wrong(property, "must be an integer, got {}", found(value));
+  wrong(property, "must be an integer from {} to {}, got {}", std::numeric_limits<int>::min(),
+        std::numeric_limits<int>::max(), found(value));
 }
 
 bool boolean_value(const XmlElement& property) {

@@ -139,8 +139,9 @@ bool XmlElement::allow_nothing_inside(SceneErrors& errors) const {
 void fail_at(Position at, const std::string& message) {
   const std::string_view text =
       std::string_view(at.source->text).substr(0, std::min(at.offset, at.source->text.size()));
-  const auto line = static_cast<std::size_t>(1 + std::count(text.begin(), text.end(), '\n'));
-  const std::size_t newline = text.rfind('\n');
+  const char end = end_of_line(at.source->text);
+  const auto line = static_cast<std::size_t>(1 + std::count(text.begin(), text.end(), end));
+  const std::size_t newline = text.rfind(end);
   const std::string_view last = newline == std::string_view::npos ? text : text.substr(newline + 1);
   const auto column =
       static_cast<std::size_t>(1 + std::count_if(last.begin(), last.end(), starts_character));

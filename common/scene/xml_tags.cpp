@@ -76,7 +76,8 @@ class Tags {
 };
 
 auto line_of(std::string_view text, std::size_t offset) {
-  return 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset), '\n');
+  return 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset),
+                        end_of_line(text));
 }
 
 /// A tag's name for a message; in files that are not XML it may have any length.

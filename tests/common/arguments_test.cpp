@@ -141,7 +141,8 @@ TEST_CASE("a bad command line is one line with the option, the value and what wa
         "--sampler: expected one of sobol, stratified, got best" + help);
   for (const char* seed : {"--seed=-1", "--seed=x", "--seed=1.5", "--seed=18446744073709551616"}) {
     INFO(seed);
-    CHECK(complaint({seed}).starts_with("--seed: expected a whole number from 0, got "));
+    CHECK(complaint({seed}).starts_with(
+        "--seed: expected a whole number from 0 to 18446744073709551615, got "));
   }
   CHECK(complaint({"--seed"}) == "--seed: expected a value, got none" + help);
   CHECK(complaint({"--seed", "--quiet"}) == "--seed: expected a value, got none" + help);

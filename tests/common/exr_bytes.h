@@ -45,13 +45,19 @@ inline std::string exr_floats(const std::string& name, const std::string& type,
   return exr_attribute(name, type, value);
 }
 
-/// `pixels`: R, G, B of each pixel of the data window.
-inline std::string exr_bytes(Box display, Box data, const std::vector<std::array<float, 3>>& pixels,
-                             const std::string& more = "") {
+/// What a channel's numbers are, as OpenEXR counts them.
+enum class ExrType { whole = 0, half = 1, single = 2 };
+
+/// `pixels`: R, G, B of each pixel of the data window, as the words that stand in the file.
+/// `names`: of the channels with B, G and R, in the alphabet's order.
+inline std::string exr_bytes_of(ExrType type, Box display, Box data,
+                                const std::vector<std::array<std::uint32_t, 3>>& pixels,
+                                const std::string& more = "", const std::string& names = "BGR") {
   std::string channels;
-  for (const char* name : {"B", "G", "R"})
-    channels +=
-        name + std::string(1, '\0') + little(2, 4) + little(0, 4) + little(1, 4) + little(1, 4);
+  for (const char name : names) {
+    channels += std::string{name, '\0'} + little(static_cast<std::uint32_t>(type), 4) +
+                little(0, 4) + little(1, 4) + little(1, 4);
+  }
   std::string out = little(20000630, 4) + little(2, 4) +
                     exr_attribute("channels", "chlist", channels + '\0') +
                     exr_attribute("compression", "compression", std::string(1, '\0')) +
@@ -62,17 +68,30 @@ inline std::string exr_bytes(Box display, Box data, const std::vector<std::array
                     exr_floats("screenWindowWidth", "float", {1}) + more + '\0';
   const auto width = static_cast<std::size_t>(data.right - data.left + 1);
   const auto height = static_cast<std::size_t>(data.bottom - data.top + 1);
-  const std::size_t lines = out.size() + 8 * height, bytes = 8 + 12 * width;
+  const int bytes_of_number = type == ExrType::half ? 2 : 4;
+  const std::size_t bytes_of_line = 3 * static_cast<std::size_t>(bytes_of_number) * width;
+  const std::size_t lines = out.size() + 8 * height;
   for (std::size_t y = 0; y < height; ++y)
-    out += little(lines + y * bytes, 8);
+    out += little(lines + y * (8 + bytes_of_line), 8);
   for (std::size_t y = 0; y < height; ++y) {
-    out += little(static_cast<std::uint32_t>(data.top) + y, 4) + little(12 * width, 4);
+    out += little(static_cast<std::uint32_t>(data.top) + y, 4) + little(bytes_of_line, 4);
     for (const std::size_t channel : {2u, 1u, 0u}) {
       for (std::size_t x = 0; x < width; ++x)
-        out += little(pixels.at(y * width + x).at(channel));
+        out += little(pixels.at(y * width + x).at(channel), bytes_of_number);
     }
   }
   return out;
+}
+
+/// The same with floats.
+inline std::string exr_bytes(Box display, Box data, const std::vector<std::array<float, 3>>& pixels,
+                             const std::string& more = "") {
+  std::vector<std::array<std::uint32_t, 3>> words;
+  for (const auto& [r, g, b] : pixels) {
+    words.push_back({std::bit_cast<std::uint32_t>(r), std::bit_cast<std::uint32_t>(g),
+                     std::bit_cast<std::uint32_t>(b)});
+  }
+  return exr_bytes_of(ExrType::single, display, data, words, more);
 }
 
 }  // namespace common_test

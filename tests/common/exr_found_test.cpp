@@ -215,4 +215,30 @@ TEST_CASE("What an EXR says of its white and its pixels' shape is noted") {
   CHECK(notes("").empty());
 }
 
+TEST_CASE("An EXR's halves are read exactly, and its whole numbers as they are") {
+  const Box box{0, 0, 1, 0};
+  // The least half, 2^-24; the largest; 2050, a tie's neighbour; infinity; 1/3 rounded; -0.
+  const Image halves =
+      read_bytes(exr_bytes_of(ExrType::half, box, box,
+                              {{0x0001, 0x7bff, 0x6801}, {0x7c00, 0x3555, 0x8000}}))
+          .image;
+  CHECK(halves.at(0, 0) == Rgb(0x1p-24f, 65504, 2050));
+  CHECK(std::isinf(halves.at(1, 0).r));
+  CHECK(halves.at(1, 0).g == 1365 / 4096.f);
+  CHECK((halves.at(1, 0).b == 0 && std::signbit(halves.at(1, 0).b)));
+  // OpenImageIO 2.4.7 itself gives 1 / (2^32 - 1) for 1: such a sky was black.
+  const Image whole = read_bytes(exr_bytes_of(ExrType::whole, box, box,
+                                              {{0, 1, 2}, {1'000'000, 1u << 31, 0xffffffff}}))
+                          .image;
+  CHECK(whole.at(0, 0) == Rgb(0, 1, 2));
+  CHECK(whole.at(1, 0) == Rgb(1e6f, 0x1p31f, 0x1p32f));
+}
+
+TEST_CASE("An EXR's channels X, Y, Z are not taken for colours") {
+  // Mitsuba 3.9.1 converts channels of these names from CIE XYZ; they may be vectors as well.
+  const Box box{0, 0, 0, 0};
+  CHECK_THAT(read_error(exr_bytes_of(ExrType::single, box, box, {{0, 0, 0}}, "", "XYZ")),
+             ContainsSubstring("it has no channels R, G, B, but X, Y, Z"));
+}
+
 }  // namespace

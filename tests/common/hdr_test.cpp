@@ -162,4 +162,36 @@ TEST_CASE("A Radiance picture that is broken anywhere is an error") {
   CHECK_THROWS_AS(read_hdr(scratch.path() / "nowhere.hdr"), Error);
 }
 
+TEST_CASE("A Radiance picture's mantissas are 256ths, and nothing is added to them") {
+  // three.js 0.170.0 divides by 255. Radiance itself adds 1/2 to each mantissa, since it cuts off
+  // when it writes; OpenImageIO, OpenCV and Mitsuba do not, and black would be no longer black.
+  const TemporaryFolder scratch;
+  const fs::path path = scratch.path() / "a.hdr";
+  const std::vector<int> exponents = {1, 100, 128, 129, 136, 200, 255};
+  for (const int exponent : exponents) {
+    const std::string bytes = {'\x80', '\1', '\0', static_cast<char>(exponent)};
+    write_file(path, "#?RADIANCE\n\n-Y 1 +X 1\n" + bytes);
+    const float unit = std::ldexp(1.f, exponent - 136);
+    CHECK(read_hdr(path).image.at(0, 0) == Rgb(128 * unit, unit, 0));
+  }
+}
+
+TEST_CASE("What is wrong with a Radiance picture's header is told with its value") {
+  const auto check_tells = [](const std::string& line, const std::string& message) {
+    CHECK_THROWS_WITH(with_header(line), ContainsSubstring(message));
+  };
+  check_tells("EXPOSURE=-2\n", "its EXPOSURE must be a number > 0, got \"-2\"");
+  check_tells("COLORCORR=1 0 1\n", "its COLORCORR must be three numbers > 0, got \"1 0 1\"");
+  check_tells("COLORCORR=1 1\n", "its COLORCORR must be 3 numbers, got \"1 1\"");
+  check_tells("PRIMARIES=.3 .3\n", "its PRIMARIES must be 8 numbers, got \".3 .3\"");
+  check_tells("GAMMA=2.2\n", "its GAMMA is not 1, but \"2.2\": expected linear values");
+  // three.js 0.170.0 takes CIE XYZ for RGB.
+  check_tells("FORMAT=32-bit_rle_xyze\n",
+              "its FORMAT is not 32-bit_rle_rgbe, but \"32-bit_rle_xyze\"");
+  const TemporaryFolder scratch;
+  const fs::path path = scratch.path() / "a.hdr";
+  write_file(path, "#?RADIANCE\n\n+Y 1 +X 1\n1234");
+  CHECK_THROWS_WITH(read_hdr(path), ContainsSubstring("but as \"+Y 1 +X 1\""));
+}
+
 }  // namespace

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -231,6 +232,27 @@ TEST_CASE("so are those of PLY files", "[scene]") {
   CHECK(notes_with(load_mesh("ply", ply("nan nan nan"), face_normals), "normals") == 0);
   CHECK(notes_with(load_mesh("ply", ply("0 0 -1"), face_normals),
                    "mesh.ply: the vertex normals of all 1 faces point against") == 1);
+}
+
+TEST_CASE("a PLY's polygons have any number of corners", "[scene]") {
+  // three.js 0.187.0 leaves out those with more than four.
+  for (const int corners : {3, 4, 5, 6, 7, 255, 256, 1000}) {
+    std::string places, face = std::to_string(corners);
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2 * std::numbers::pi * i / corners;
+      places += fmt::format("{} {} 0\n", std::cos(angle), std::sin(angle));
+      face += fmt::format(" {}", i);
+    }
+    const Scene scene = load_mesh(
+        "ply", fmt::format("ply\nformat ascii 1.0\nelement vertex {}\nproperty float x\nproperty "
+                           "float y\nproperty float z\nelement face 1\nproperty list ushort int "
+                           "vertex_indices\nend_header\n{}{}\n",
+                           corners, places, face));
+    INFO(corners);
+    CHECK(mesh_of(scene).triangles.size() == static_cast<std::size_t>(corners) - 2);
+    CHECK(vector_area(mesh_of(scene)).z ==
+          Catch::Approx(corners / 2.0 * std::sin(2 * std::numbers::pi / corners)).epsilon(1e-5));
+  }
 }
 
 }  // namespace

@@ -122,7 +122,7 @@ TEST_CASE("errors in the text of a PLY name their line and the property", "[scen
             "mesh.ply:15: expected a count or an index for vertex_indices, got -3");
   check_has(error_of(good + "4 0 1\n2"), "mesh.ply:16: the file ends too early");
   check_has(error_of(good + "4 0 1 2 3\n5\n"), "mesh.ply:16: there is more data");
-  check_has(error_of(good + "4 0 1 2 4\n"), "mesh.ply: vertex 4 is out of range: there are 4");
+  check_has(error_of(good + "4 0 1 2 4\n"), "mesh.ply:15: vertex 4 is out of range: there are 4");
 }
 
 /// The bytes of a number, big- or little-endian.
@@ -186,10 +186,84 @@ TEST_CASE("a PLY's strips of triangles turn every other one, and begin anew afte
   CHECK(area(mesh_of(load_mesh("ply", ply_text("", both, square_places + "3 0 1 3\n3 1 2 3\n")))) ==
         4);
   check_has(mesh_error("ply", ply_text("", strips, square_places + "3 0 1 7\n")),
-            "vertex 7 is out of range");
+            "mesh.ply:14: vertex 7 is out of range: there are 4");
   check_has(mesh_error("ply", ply_text("", strips, square_places + "3 0 1 -2\n")), "got -2");
   check_has(mesh_error("ply", ply_text("", "", square_places)),
             "expected one list vertex_indices of the");
+}
+
+TEST_CASE("an OBJ's relative numbers count back from the vertices above", "[scene]") {
+  // Mitsuba 3.9.1 refuses them ("invalid vertex 4294967292"), meshio 5.3.5 reads them one off.
+  const std::string away = "v 9 9 9\n";
+  CHECK(area(mesh_of(load_obj(unit_square + "f -4 -3 -2 -1\n" + away))) == 1);
+  CHECK(area(mesh_of(load_obj(unit_square + away + "f -5 -4 -3 -2\n"))) == 1);
+  CHECK(area(mesh_of(load_obj(unit_square + "f 1 -3 3 -1\n"))) == 1);
+  const Scene shining = load_obj(
+      unit_square + "vt 0 0\nvn 0 0 1\nf -4/-1/-1 -3/-1/-1 -2/-1/-1 -1/-1/-1\n", face_normals);
+  CHECK(vector_area(mesh_of(shining)).z == 1);
+  check_has(mesh_error("obj", unit_square + "f -5 -2 -1\n"),
+            "mesh.obj:5: vertex -5 is out of range: 4 stand above");
+  check_has(mesh_error("obj", unit_square + "f 0 1 2\n"),
+            "mesh.obj:5: vertex 0 is out of range: the first is 1");
+}
+
+TEST_CASE("a corner of an OBJ's face is one to three numbers", "[scene]") {
+  for (const std::string corner : {"3/x", "3/x/", "3/1.5", "3/1/1/1", "3///", "3/x/1", "3//1/"}) {
+    check_has(
+        mesh_error("obj", fmt::format("{}vn 0 0 1\nf 1 2 {}\n", unit_square, corner), face_normals),
+        fmt::format("mesh.obj:6: expected v, v/vt, v//vn or v/vt/vn, all numbers, got \"{}\"",
+                    corner));
+  }
+  // Texture coordinates that are not there do no harm.
+  CHECK(area(mesh_of(load_obj(unit_square + "f 1/7 2/8 3/9 4/-1\n"))) == 1);
+}
+
+TEST_CASE("lines and points of an OBJ leave its polygons alone, and are no mesh", "[scene]") {
+  // three.js 0.170.0 turns an object's triangles into lines for one line among them.
+  const Scene scene = load_obj("p 1\n" + unit_square + "l 1 2\nf 1 2 3 4\nl 1/1 2/2\np 1 2\n");
+  CHECK(area(mesh_of(scene)) == 1);
+  CHECK(notes_with(scene, "mesh.obj: 4 lines and points left out") == 1);
+  check_has(mesh_error("obj", unit_square + "l 1 2 3 4\n"),
+            "is empty: it has no faces (mesh.obj: 1 lines and points left out)");
+}
+
+TEST_CASE("what is wrong with a number of an OBJ or PLY is told as it is", "[scene]") {
+  check_has(mesh_error("obj", "v 0 0 0 2\n"),
+            "mesh.obj:1: the fourth number of a vertex, w, must be 1, got 2");
+  check_has(mesh_error("obj", "v 0 0,5 0\n"), "mesh.obj:1: expected a finite number, got \"0,5\"");
+  check_has(mesh_error("obj", "v 0 -1e39 0\n"),
+            "mesh.obj:1: expected a number within float's range, got \"-1e39\"");
+  check_has(mesh_error("ply", ply_text("", one_face_element, "0 0 1e400\n")),
+            "mesh.ply:10: expected a number within float's range for z, got \"1e400\"");
+  // Bytes that are no UTF-8 are shown as such; a long word is not cut inside a character.
+  check_has(mesh_error("obj", "v 0 \xff\xfe\xc3 0\n"), "got \"\\xff\\xfe\\xc3\"");
+  std::string umlauts = "x";
+  for (int i = 0; i < 40; ++i)
+    umlauts += "\xc3\xa4";
+  check_has(mesh_error("obj", "v 0 " + umlauts + " 0\n"),
+            "got \"" + umlauts.substr(0, 59) + "...\"");
+}
+
+TEST_CASE("lines may end as old Macintoshes ended them", "[scene]") {
+  const auto with_returns = [](std::string text) {
+    std::replace(text.begin(), text.end(), '\n', '\r');
+    return text;
+  };
+  const std::string square = unit_square + "# f 1 2 3\nf 1 2 3 4\n";
+  CHECK(area(mesh_of(load_obj(with_returns(square)))) == 1);
+  CHECK(area(mesh_of(load_obj(with_returns(unit_square + "f 1 2 \\\n3 4\n")))) == 1);
+  check_has(mesh_error("obj", with_returns(square + "f 1 2 9\n")), "mesh.obj:7: vertex 9 is out");
+  const std::string ascii = ply_text("", one_face_element, square_places);
+  CHECK(area(mesh_of(load_mesh("ply", with_returns(ascii + "4 0 1 2 3\n")))) == 4);
+  check_has(mesh_error("ply", with_returns(ascii + "4 0 1 2 x\n")), "mesh.ply:14: expected a");
+  // The data begin behind one end of line, even if their first byte is a line feed.
+  std::string header =
+      "ply\nformat binary_little_endian 1.0\nelement skipped 1\nproperty uchar a\n"
+      "element vertex 3\nproperty uchar x\nproperty uchar y\nproperty uchar z\n" +
+      one_face_element + "end_header\n";
+  const std::string data("\n\0\0\0\2\0\0\0\2\0\3\0\0\0\0\1\0\0\0\2\0\0\0", 23);
+  CHECK(area(mesh_of(load_mesh("ply", with_returns(header) + data))) == 2);
+  CHECK(area(mesh_of(load_mesh("ply", header + data))) == 2);
 }
 
 }  // namespace

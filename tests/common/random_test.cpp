@@ -66,4 +66,26 @@ TEST_CASE("A stream repeats itself, and another stream or seed differs") {
   CHECK(first != d.next_u64());
 }
 
+TEST_CASE("Each of the 64 bits of a seed and of a stream counts") {
+  // NumPy 2.2.6 takes the seeds [7, 3, 0] and [7, 3] as one, and 2^32 + 5 as [5, 1].
+  std::set<std::uint64_t> first{Rng(7).next_u64()};
+  for (int bit = 0; bit < 64; ++bit) {
+    first.insert(Rng(7 ^ std::uint64_t{1} << bit).next_u64());
+    first.insert(Rng(7, std::uint64_t{1} << bit).next_u64());
+  }
+  CHECK(first.size() == 129);
+}
+
+TEST_CASE("A stream begins with its counter at 0") {
+  // NumPy 2.2.6's Philox begins with its counter + 1.
+  const std::uint64_t key = mix(7);
+  Rng rng(7, 3);
+  for (std::uint32_t block = 0; block < 3; ++block) {
+    for (const std::uint32_t word :
+         philox4x32({block, 0, 3, 0},
+                    {static_cast<std::uint32_t>(key), static_cast<std::uint32_t>(key >> 32)}))
+      CHECK(rng.next_u32() == word);
+  }
+}
+
 }  // namespace

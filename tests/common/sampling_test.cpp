@@ -244,4 +244,16 @@ TEST_CASE("Stratified and scrambled points converge at their theoretical rates")
   CHECK(slope(rmse<SobolSampler>(16), rmse<SobolSampler>(256)) <= -1.3);
 }
 
+TEMPLATE_TEST_CASE("Each of the 64 bits of a seed changes a sampler's coordinates", "",
+                   IndependentSampler, StratifiedSampler, SobolSampler) {
+  std::set<std::pair<float, float>> points;
+  for (int bit = 0; bit <= 64; ++bit) {
+    const std::uint64_t seed = bit < 64 ? 7 ^ std::uint64_t{1} << bit : 7;
+    TestType sampler({.seed = seed, .pixel = 9, .index = 5, .spp = 16});
+    const Vec2 p = sampler.next_2d();
+    points.insert({p.x, p.y});
+  }
+  CHECK(points.size() == 65);
+}
+
 }  // namespace

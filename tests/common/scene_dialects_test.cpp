@@ -329,12 +329,11 @@ TEST_CASE("a conductor without material is a mirror in 3, copper in 0.6", "[scen
 }
 
 TEST_CASE("a mirrored sphere is turned inside out in 3, not in 0.6", "[scene]") {
-  const auto flipped = [](const std::string& version, const std::string& more) {
+  const auto flipped = [](const std::string& version, const std::string& more,
+                          const std::string& steps = "<scale x=\"-1\"/>") {
     const Scene scene =
-        load_text(scene_of(version,
-                           "<shape type=\"sphere\"><transform name=\"toWorld\"><scale x=\"-1\"/>"
-                           "</transform>" +
-                               more + "</shape>"));
+        load_text(scene_of(version, "<shape type=\"sphere\"><transform name=\"toWorld\">" + steps +
+                                        "</transform>" + more + "</shape>"));
     return std::get<Sphere>(scene.shapes.at(0).geometry).flipped;
   };
   const std::string flip = "<boolean name=\"flipNormals\" value=\"true\"/>";
@@ -342,6 +341,9 @@ TEST_CASE("a mirrored sphere is turned inside out in 3, not in 0.6", "[scene]") 
   CHECK(flipped("0.6.0", flip));
   CHECK(flipped("3.0.0", ""));
   CHECK_FALSE(flipped("3.0.0", flip));
+  // Three reflections are one; two are a rotation.
+  CHECK(flipped("3.0.0", "", "<scale value=\"-2\"/>"));
+  CHECK_FALSE(flipped("3.0.0", "", "<scale x=\"-1\" y=\"-1\"/>"));
 }
 
 TEST_CASE("an srgb colour is decoded by sRGB's curve", "[scene]") {

@@ -204,6 +204,20 @@ TEST_CASE("columns count characters, not bytes", "[scene]") {
   CHECK(error_of(folder.path() / "utf8.xml").find("utf8.xml:2:12: error: ") != std::string::npos);
 }
 
+TEST_CASE("lines of a file that end in CR alone are counted", "[scene]") {
+  const TemporaryFolder folder;
+  const auto error = [&](const std::string& text) {
+    write_bytes(folder.path() / "mac.xml", text);
+    return error_of(folder.path() / "mac.xml");
+  };
+  CHECK(error("<scene version=\"0.6.0\">\r <!-- -->\r  <nothing/>\r</scene>")
+            .find("mac.xml:3:3: error: ") != std::string::npos);
+  const std::string open = error("<scene version=\"0.6.0\">\r\r<shape>\r</scene>");
+  INFO(open);
+  CHECK(open.find("mac.xml:3:1: error: ") != std::string::npos);
+  CHECK(open.find("<shape> is not closed before </scene> in line 4") != std::string::npos);
+}
+
 TEST_CASE("an override that names no parameter is an error", "[scene]") {
   const fs::path scene = source_dir / "common/scenes/cornell_phong.xml";
   const std::string message = error_of(scene, {{"sppp", "4"}});

@@ -83,3 +83,14 @@ TEST_CASE("more errors than anybody reads are counted", "[scene]") {
     CHECK(text.ends_with("scene.xml:52:50: error: and 20 more errors"));
   }
 }
+
+TEST_CASE("a scale in a point light's toWorld changes its place, not its intensity", "[scene]") {
+  // Mitsuba 3.9.1 multiplies a directional emitter's irradiance by the scale of its to_world.
+  for (const std::string scale : {"3", "0.01", "-1"}) {
+    const Scene scene = load_elements(
+        "<emitter type=\"point\"><transform name=\"toWorld\"><scale value=\"" + scale +
+        "\"/><translate y=\"4\"/></transform><rgb name=\"intensity\" value=\"5\"/></emitter>");
+    CHECK(scene.lights.points.at(0).intensity == Rgb(5));
+    CHECK(scene.lights.points.at(0).position == Vec3(0, 4, 0));
+  }
+}

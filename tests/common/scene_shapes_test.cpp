@@ -117,6 +117,7 @@ TEST_CASE("a disk keeps its normal under scale, rotation and mirroring", "[scene
   CHECK(close(turned.center, Vec3(0, 5, 0)));
   CHECK(turned.radius == Catch::Approx(3));
   CHECK(close(only<Disk>("disk", to_world("<scale x=\"-1\"/>")).normal, Vec3(0, 0, 1)));
+  CHECK(close(only<Disk>("disk", to_world("<scale z=\"-1\"/>")).normal, Vec3(0, 0, -1)));
   CHECK(close(only<Disk>("disk", flip).normal, Vec3(0, 0, -1)));
 }
 
@@ -147,4 +148,16 @@ TEST_CASE("small and large objects are no degenerate ones", "[scene]") {
   CHECK(area(only<Parallelogram>("rectangle", to_world("<scale value=\"1e-8\"/>"))) ==
         Catch::Approx(4e-16));
   CHECK(only<Sphere>("sphere", to_world("<scale value=\"1e15\"/>")).radius == Catch::Approx(1e15));
+}
+
+TEST_CASE("a rotation's axis is a direction, however long it is", "[scene]") {
+  // Mitsuba 3.9.1 takes the axis as it is: z="2" also makes an area of 4 one of 16.
+  for (const char* z : {"1", "2", "-2", "0.1", "1e-200", "1e30"}) {
+    const std::string turn = "<rotate z=\"" + std::string(z) + "\" angle=\"90\"/>";
+    INFO(turn);
+    CHECK(close(image_of_x(turn), Vec3(0, z[0] == '-' ? -1 : 1, 0)));
+    CHECK(area(only<Parallelogram>("rectangle", to_world(turn))) == Catch::Approx(4));
+  }
+  const std::string diagonal = "<rotate value=\"3, 3, 0\" angle=\"180\"/>";
+  CHECK(close(image_of_x(diagonal), Vec3(0, 1, 0)));
 }

@@ -62,6 +62,8 @@ TEST_CASE("Packed floats differ where the upper 24 bits of the floats do") {
   const float infinity = std::numeric_limits<float>::infinity();
   CHECK(text(infinity) != text(std::numeric_limits<float>::quiet_NaN()));
   CHECK(text(infinity) != text(-infinity));
+  CHECK(text(infinity) != text(std::numeric_limits<float>::max()));
+  CHECK(text(-infinity) != text(std::numeric_limits<float>::lowest()));
   CHECK(text(-std::numeric_limits<float>::quiet_NaN()) ==
         text(std::numeric_limits<float>::quiet_NaN()));
   CHECK(packed(std::vector<float>{}).size() % 4 == 0);

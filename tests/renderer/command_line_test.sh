@@ -41,8 +41,10 @@ refused 'NAME=VALUE' "$good" -D nonsense
 refused 'bogus' "$good" -D bogus=1
 refused 'sampler' "$good" --sampler best
 refused 'missing.exr' "$good" --reference missing.exr
-refused 'differ in size' "$good" --size 8x8 --spp 1 \
-  --reference "$source/tests/references/peer_cornell_phong.exr"
+refused 'peer_cornell_phong.exr has 256 x 256 pixels, expected those of the film, 8 x 8' "$good" --size 8x8 \
+  --spp 1 --reference "$source/tests/references/peer_cornell_phong.exr"
+refused 'nan.exr has B nan in column 2, row 2, expected finite radiances' "$good" --size 4x2 --spp 1 \
+  --reference "$scratch/scenes/parts/nan.exr"
 refused 'frobnicate' "$good" --frobnicate
 refused 'ends in .html, got .page.txt' "$good" --page page.txt
 refused 'cannot write .*: ' "$good" --page no/such/folder/page.html

@@ -81,12 +81,14 @@ TEST_CASE("Files as other programs write them have the radiance of their closed 
 }
 
 /// The floor of found_files.txt's under_light.xml under these lights.
-Scene under(const FoundFiles& found, const std::string& lights) {
+Scene under(const FoundFiles& found, const std::string& lights,
+            const std::string& version = "0.6.0") {
   std::ifstream in(found.path / "under_light.xml");
   std::stringstream text;
   text << in.rdbuf();
   std::string scene = text.str();
   scene.resize(scene.find("  <shape type=\"obj\">"));
+  scene.replace(scene.find("0.6.0"), 5, version);
   std::ofstream(found.path / "scene.xml") << scene << lights << "</scene>";
   return load_scene(found.path / "scene.xml");
 }
@@ -155,6 +157,35 @@ TEST_CASE("A sky is black outside of its image's data window") {
     check_radiance(load_scene(found.path / "under_sky.xml", {{"file", "sky.exr"}}),
                    {c.exact, c.exact, c.exact});
   }
+}
+
+TEST_CASE("A sky of halves or of whole numbers is as bright as its numbers say") {
+  // OpenImageIO 3.2.2 reads whole numbers as fractions of the largest: 1 would be 2.3e-10.
+  using common_test::ExrType;
+  constexpr common_test::Box box{0, 0, 3, 1};
+  const FoundFiles found;
+  struct Case {
+    ExrType type;
+    std::array<std::uint32_t, 3> words;
+    std::array<double, 3> exact;  ///< half of their numbers
+  };
+  const std::vector<Case> cases = {{ExrType::half, {0x3c00, 0x3800, 0x6801}, {.5, .25, 1025}},
+                                   {ExrType::whole, {1, 2, 1000}, {.5, 1, 500}}};
+  for (const Case& c : cases) {
+    std::ofstream(found.path / "sky.exr", std::ios::binary)
+        << common_test::exr_bytes_of(c.type, box, box, {8, c.words});
+    check_radiance(load_scene(found.path / "under_sky.xml", {{"file", "sky.exr"}}), c.exact);
+  }
+}
+
+TEST_CASE("A mirrored mesh shines to its front in 0.6, and to its back in Mitsuba 3") {
+  const FoundFiles found;
+  const std::string mirrored =
+      "<shape type=\"obj\"><string name=\"filename\" value=\"once.obj\"/><transform "
+      "name=\"toWorld\"><scale x=\"-1\"/></transform><emitter type=\"area\"><rgb "
+      "name=\"radiance\" value=\"1\"/></emitter></shape>";
+  check_radiance(under(found, mirrored), {.119725, .119725, .119725});
+  check_radiance(under(found, mirrored, "3.0.0"), {0, 0, 0});
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ merge_refused 'one.part is given twice' "$one" "$two" "$one"
 merge_refused '^error: 50 % of the samples \(shards 2/2\) are missing; --partial' "$one"
 merge_refused 'cannot write .*: ' "$one" "$two" -o no/such/folder/image
 merge_refused 'missing.exr' "$one" "$two" --reference missing.exr
-merge_refused 'differ in size' "$one" "$two" --reference "$scratch/whole.exr"
+merge_refused 'expected those of the film' "$one" "$two" --reference "$scratch/whole.exr"
 merge_refused 'are for images' "$one" --partial -o "$scratch/x.part"
 # other PATTERN SCENE SIZE SPP ARGUMENTS...: the second half of another render.
 other() {

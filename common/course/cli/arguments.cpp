@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <type_traits>
 
 namespace carlo {
@@ -81,6 +82,15 @@ struct Held<std::vector<T>> {
   using type = T;
 };
 
+template <class One>
+std::string expected() {
+  if constexpr (std::is_floating_point_v<One>) return "a number";
+  // What is beyond the largest is a whole number from 0 as well.
+  if constexpr (std::is_unsigned_v<One>)
+    return fmt::format("a whole number from 0 to {}", std::numeric_limits<One>::max());
+  return std::is_integral_v<One> ? "a whole number" : "text";
+}
+
 template <class T>
 CommandLineOption::Variable variable(T& value) {
   using One = typename Held<T>::type;
@@ -91,10 +101,7 @@ CommandLineOption::Variable variable(T& value) {
   };
   result.shown = [](const void* place) { return shown(*static_cast<const T*>(place)); };
   result.type = std::is_floating_point_v<One> ? "NUMBER" : std::is_integral_v<One> ? "N" : "TEXT";
-  result.expected = std::is_floating_point_v<One> ? "a number"
-                    : std::is_unsigned_v<One>     ? "a whole number from 0"
-                    : std::is_integral_v<One>     ? "a whole number"
-                                                  : "text";
+  result.expected = expected<One>();
   return result;
 }
 

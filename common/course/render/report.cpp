@@ -6,6 +6,7 @@
 #include "render/light_coverage.h"
 #include "scene/needs.h"
 #include "scene/sampler_kind.h"
+#include "support/error.h"
 #include "support/progress.h"
 
 #include <fmt/core.h>
@@ -163,10 +164,28 @@ void RenderReport::expect_asks(double least_light_chance) {
   light_asks = expected_light_samples(least_light_chance, spp, width, height);
 }
 
+/// Before anything is rendered: an image of another size, or one that makes all errors NaN.
+static void check_reference(const Image& image, const std::string& path, int width, int height) {
+  if (image.width != width || image.height != height) {
+    throw Error("the reference {} has {} x {} pixels, expected those of the film, {} x {}", path,
+                image.width, image.height, width, height);
+  }
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        const float value = image.at(x, y)[c];
+        if (std::isfinite(value)) continue;
+        throw Error("the reference {} has {} {} in column {}, row {}, expected finite radiances",
+                    path, "RGB"[c], value, x + 1, y + 1);
+      }
+    }
+  }
+}
+
 std::optional<ExrFile> read_reference(const std::string& path, int width, int height) {
   if (path.empty()) return std::nullopt;
   ExrFile reference = read_exr(path);
-  compare(reference.image, Image(width, height));
+  check_reference(reference.image, path, width, height);
   return reference;
 }
 

@@ -17,7 +17,10 @@ namespace {
 std::uint32_t upper_bits(float value) {
   if (std::isnan(value)) return 0x7FC000;
   const auto bits = std::bit_cast<std::uint32_t>(value);
-  return std::isinf(value) ? bits >> 8 : (bits + 0x80) >> 8;
+  if (std::isinf(value)) return bits >> 8;
+  const std::uint32_t nearest = (bits + 0x80) >> 8;
+  // The largest finite floats would become infinite.
+  return (nearest & 0x7FFFFF) == 0x7F8000 ? nearest - 1 : nearest;
 }
 
 std::string deflated(const std::vector<Bytef>& bytes) {
