@@ -17,6 +17,7 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -188,6 +189,37 @@ inline HWY_NOINLINE V chance_of(const LaneLights& lights, const Chances& chances
     weight = select(is_flat, weight, round_weight(of, p, n));
   }
   return chance(chances, weight, gather(lights.share.data(), light));
+}
+
+inline HWY_NOINLINE U pick_start_among_many(const LaneLights& lights, std::uint32_t count, V& u) {
+  alignas(64) std::array<float, lanes> x;
+  alignas(64) std::array<std::uint32_t, lanes> index;
+  hn::Store(u, d_, x.data());
+  const float* upto = lights.start_upto.data();
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const float* at = std::upper_bound(upto, upto + count - 1, x[i]);
+    const float lower = at == upto ? 0 : at[-1];
+    index[i] = static_cast<std::uint32_t>(at - upto);
+    x[i] = std::min((x[i] - lower) / (*at - lower), 0x1.fffffep-1f);
+  }
+  u = hn::Load(d_, x.data());
+  return hn::Load(du_, index.data());
+}
+
+/// Picks one of `count` lights by u in [0, 1) and LaneLights::start_upto; u becomes uniform again.
+template <bool full>
+HWY_INLINE U pick_start(const LaneLights& lights, std::uint32_t count, V& u) {
+  if (full && lights.many()) return pick_start_among_many(lights, count, u);
+  U index = set_word(0);
+  V lower = set(0), upper = set(lights.start_upto[0]);
+  for (std::uint32_t i = 1; i < count; ++i) {
+    const M beyond = hn::Ge(u, set(lights.start_upto[i - 1]));
+    lower = select(beyond, set(lights.start_upto[i - 1]), lower);
+    upper = select(beyond, set(lights.start_upto[i]), upper);
+    index = hn::IfThenElse(hn::RebindMask(du_, beyond), set_word(i), index);
+  }
+  u = hn::Min(hn::Div(hn::Sub(u, lower), hn::Sub(upper, lower)), set(0x1.fffffep-1f));
+  return index;
 }
 
 }  // namespace HWY_NAMESPACE

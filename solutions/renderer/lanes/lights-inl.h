@@ -19,7 +19,6 @@
 
 #include <hwy/highway.h>
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -324,41 +323,10 @@ HWY_INLINE LightPoints sample_light(const LaneScene& s, V3 p, V3 n, V2 u, U seed
   return points;
 }
 
-inline HWY_NOINLINE U pick_start_among_many(const LaneScene& s, V& u) {
-  alignas(64) std::array<float, lanes> x;
-  alignas(64) std::array<std::uint32_t, lanes> index;
-  hn::Store(u, d_, x.data());
-  const float* upto = s.choice.start_upto.data();
-  for (std::size_t i = 0; i < lanes; ++i) {
-    const float* at = std::upper_bound(upto, upto + s.lights - 1, x[i]);
-    const float lower = at == upto ? 0 : at[-1];
-    index[i] = static_cast<std::uint32_t>(at - upto);
-    x[i] = std::min((x[i] - lower) / (*at - lower), 0x1.fffffep-1f);
-  }
-  u = hn::Load(d_, x.data());
-  return hn::Load(du_, index.data());
-}
-
-/// Picks a light by u in [0, 1) and LaneLights::start_upto; u becomes uniform again.
-template <bool full>
-HWY_INLINE U pick_start(const LaneScene& s, V& u) {
-  if (full && s.choice.many()) return pick_start_among_many(s, u);
-  U index = set_word(0);
-  V lower = set(0), upper = set(s.choice.start_upto[0]);
-  for (std::uint32_t i = 1; i < s.lights; ++i) {
-    const M beyond = hn::Ge(u, set(s.choice.start_upto[i - 1]));
-    lower = select(beyond, set(s.choice.start_upto[i - 1]), lower);
-    upper = select(beyond, set(s.choice.start_upto[i]), upper);
-    index = hn::IfThenElse(hn::RebindMask(du_, beyond), set_word(i), index);
-  }
-  u = hn::Min(hn::Div(hn::Sub(u, lower), hn::Sub(upper, lower)), set(0x1.fffffep-1f));
-  return index;
-}
-
 /// Samples uniformly over each light's area; never the environment map.
 template <bool full>
 HWY_INLINE LightPoints sample_start(const LaneScene& s, V2 u) {
-  const U index = pick_start<full>(s, u.x);
+  const U index = pick_start<full>(s.choice, s.lights, u.x);
   return draw_light<full, true>(
       s, index, u,
       [&](const Balls& ball, V2 place, M chosen, LightPoints& points) HWY_ATTR {
