@@ -26,9 +26,9 @@ struct PathOptions {
 
 /// The iterative path tracer: emission added at every hit, next-event estimation and BRDF sampling
 /// combined by the power heuristic, Russian roulette on the throughput (so absorption ends paths),
-/// mirrors and glass by their deterministic directions. Scenes of up to 65536 shapes go to the vector
-/// kernel (lanes/), unless options ask for the scalar one. Keeps a reference to `scene`, which must
-/// outlive the integrator.
+/// mirrors and glass by their deterministic directions. Scenes of up to 65536 shapes go to the
+/// vector kernel (lanes/), unless options ask for the scalar one. Keeps a reference to `scene`,
+/// which must outlive the integrator.
 std::unique_ptr<carlo::Integrator> make_path_integrator(const carlo::Scene& scene,
                                                         const PathOptions& options);
 

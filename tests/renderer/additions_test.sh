@@ -32,6 +32,8 @@ common/scene/load_scene.cpp|lights.environment = |<emitter type="constant">
 common/scene/load_scene.cpp|lights.envmap = |<emitter type="envmap">
 common/scene/load_scene.cpp|lights.points.push_back|<emitter type="point">
 solutions/renderer/lights.cpp|lights.points[entry.index]|the entry is that of a point light
+solutions/renderer/bench/shapes.cpp|lights.environment = |makes a scene
+solutions/renderer/bench/shapes.cpp|lights.points.push_back|makes a scene
 solutions/renderer/bench/triangles.cpp|get_if<carlo::Mesh>|the memory of meshes is what is asked for
 solutions/renderer/bench/peer_scene.cpp|get_if<carlo::Sphere>|all other shapes go to mesh(), which matches every kind
 solutions/renderer/bench/scaling.cpp|holds_alternative<carlo::Parallelogram>|looks for a light to cut, an error if there is none

@@ -1,5 +1,6 @@
 // One to 1e5 lights over a spot of a floor, few of which matter. The numbers lie on both
-// sides of those at which the renderer changes its method (128 and 65536 lights in the vector kernel).
+// sides of those at which the renderer changes its method (128 and 65536 lights in the vector
+// kernel).
 //
 // Each light has a direction of its own, spread evenly over the sphere, so none hides another.
 // Exact: albedo / pi times the sum of the contributions of those above the horizon: I cos / d^2 for
