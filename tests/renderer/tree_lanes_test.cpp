@@ -212,14 +212,25 @@ struct Agreement {
 
 }  // namespace
 
+namespace {
+
+struct Placement {
+  Vec3 at;
+  float scale;
+};
+const std::array placements = {Placement{Vec3(0), 1}, Placement{Vec3(0), 1e-4f},
+                               Placement{{3e5f, -1e6f, 2e5f}, 1e5f}, Placement{{100, 0, -300}, 1}};
+
+}  // namespace
+
 TEST_CASE("Rays find in a tree of shapes what they find among all shapes") {
   constexpr std::size_t tried = 1200;
   for (const auto arrangement : {Arrangement::cloud, Arrangement::plane, Arrangement::row,
                                  Arrangement::heap, Arrangement::scales}) {
     for (const std::size_t count : {150UL, 3000UL}) {
-      for (const auto& [at, scale] :
-           {std::pair{Vec3(0), 1.0f}, std::pair{Vec3(0), 1e-4f},
-            std::pair{Vec3(3e5f, -1e6f, 2e5f), 1e5f}, std::pair{Vec3(100, 0, -300), 1.0f}}) {
+      for (const Placement& where : placements) {
+        const Vec3 at = where.at;
+        const float scale = where.scale;
         const carlo::Scene of_shapes = shapes(arrangement, count, at, scale);
         const LaneScene scene(of_shapes);
         REQUIRE(scene.many);

@@ -88,7 +88,8 @@ Scene lit_floor(int count, bool points) {
   add_rectangle(scene, {-far, 0, far}, {2 * far, 0, 0}, {0, 0, -2 * far});
   Rng rng(2, static_cast<std::uint64_t>(count));
   for (int i = 0; i < count; ++i) {
-    const auto column = static_cast<float>(i % side), row = static_cast<float>(i / side);
+    const int rows_before = i / side;
+    const auto column = static_cast<float>(i % side), row = static_cast<float>(rows_before);
     const Vec3 p(column - half + between(rng, 0.2f, 0.8f), between(rng, 0.2f, 0.5f),
                  row - half + between(rng, 0.2f, 0.8f));
     const float power = between(rng, 0.5f, 2);
