@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 // This file is compiled once for each instruction set.
@@ -90,13 +91,14 @@ HWY_ATTR void try_all(const LaneScene& s, const Register& r, const Segments& way
 HWY_ATTR void find_both(const LaneScene& s, Found& found) {
   for (std::size_t i = 0; i < found.by_tree.size(); i += lanes) {
     const Register r = load(&found.by_tree[i]);
-    const M all = hn::FirstN(d_, lanes);
+    // Lanes without a ray hold numbers that are none.
+    const M wanted = hn::Eq(r.d.x, r.d.x);
     const Segments way{r.from, r.d, add_scaled(r.from.o, r.length, r.d), r.length,
                        set_word(nothing)};
-    store(closest<true, true>(s, r.from, r.d, all), unoccluded<true, true>(s, way, all),
+    store(closest<true, true>(s, r.from, r.d, wanted), unoccluded<true, true>(s, way, wanted),
           &found.by_tree[i]);
     Hits hits{set(longest), set_word(nothing)};
-    M clear = all;
+    M clear = wanted;
     try_all(s, r, way, hits, clear);
     store(hits, clear, &found.by_all[i]);
   }
@@ -159,7 +161,7 @@ void set_vector(std::array<float, 3>& to, Vec3 from) {
 }
 
 /// Rays from anywhere, a few at a time from one place; some along axes, some from far away, half of
-/// them aimed at a shape.
+/// them aimed at a shape; some lanes have none.
 std::vector<TriedRay> rays(const carlo::Scene& scene, std::size_t count, Vec3 at, float scale) {
   Rng rng(7, count);
   std::vector<TriedRay> result;
@@ -174,6 +176,7 @@ std::vector<TriedRay> rays(const carlo::Scene& scene, std::size_t count, Vec3 at
     set_vector(ray.o, o), set_vector(ray.d, glm::normalize(d));
     ray.length = scale * std::pow(10.0f, between(rng, -2, 1));
     ray.last = ray.plane = 0xFFFFFFFF;
+    if (i % 17 == 0) ray.d.fill(std::numeric_limits<float>::quiet_NaN());
     result.push_back(ray);
   }
   return result;
@@ -184,10 +187,14 @@ std::vector<TriedRay> onwards(const LaneScene& s, const std::vector<TriedRay>& b
   Rng rng(8, 0);
   std::vector<TriedRay> result = before;
   for (TriedRay& ray : result) {
-    if (ray.surface == 0xFFFFFFFF) continue;
+    if (ray.surface == 0xFFFFFFFF || std::isnan(ray.d[0])) continue;
     ray.arrival = ray.d, ray.last = ray.surface, ray.plane = s.plane[ray.surface];
     for (std::size_t k = 0; k < 3; ++k)
       ray.o[k] += ray.t * ray.d[k];
+    if (const std::uint32_t i = ray.surface; i >= s.first_sphere) {
+      const Vec3 center(s.cx[i], s.cy[i], s.cz[i]), o(ray.o[0], ray.o[1], ray.o[2]);
+      set_vector(ray.o, center + std::abs(s.radius[i]) * glm::normalize(o - center));
+    }
     set_vector(ray.d, glm::normalize(in_cube(rng)));
   }
   return result;
@@ -204,6 +211,7 @@ struct Agreement {
   explicit Agreement(const Found& found) {
     for (std::size_t i = 0; i < found.by_tree.size(); ++i) {
       const TriedRay &a = found.by_tree[i], &b = found.by_all[i];
+      if (std::isnan(a.d[0])) continue;
       hits += b.surface != 0xFFFFFFFF, blocked += b.blocked;
       different += a.t != b.t || a.surface != b.surface || a.blocked != b.blocked;
     }

@@ -167,18 +167,26 @@ HWY_INLINE void meet_sphere(const LaneScene& s, std::uint32_t i, const Origins& 
 inline HWY_NOINLINE void closest_in_trees(const LaneScene& s, const Origins& from, const V3& d,
                                           M wanted, Hits& hits) {
   const V of_origin = coordinates(from.o);
+  const TreeSearch search(from.o, d, wanted);
   const auto far = [&]() HWY_ATTR { return hits.t; };
-  for_shapes_near(s.quad_tree, from.o, d, wanted, far, [&](std::uint32_t i) HWY_ATTR {
-    meet_flat<true, Outline::quad>(s, i, from, d, of_origin, hits);
+  const auto take_for = [&](M rays, const Hits& found) HWY_ATTR {
+    take(hits, rays, found.t, found.surface);
     return true;
+  };
+  for_shapes_near(s.quad_tree, search, wanted, far, [&](std::uint32_t i, M rays) HWY_ATTR {
+    Hits found = hits;
+    meet_flat<true, Outline::quad>(s, i, from, d, of_origin, found);
+    return take_for(rays, found);
   });
-  for_shapes_near(s.disk_tree, from.o, d, wanted, far, [&](std::uint32_t i) HWY_ATTR {
-    meet_flat<true, Outline::disk>(s, i, from, d, of_origin, hits);
-    return true;
+  for_shapes_near(s.disk_tree, search, wanted, far, [&](std::uint32_t i, M rays) HWY_ATTR {
+    Hits found = hits;
+    meet_flat<true, Outline::disk>(s, i, from, d, of_origin, found);
+    return take_for(rays, found);
   });
-  for_shapes_near(s.sphere_tree, from.o, d, wanted, far, [&](std::uint32_t i) HWY_ATTR {
-    meet_sphere<true>(s, i, from, d, of_origin, hits);
-    return true;
+  for_shapes_near(s.sphere_tree, search, wanted, far, [&](std::uint32_t i, M rays) HWY_ATTR {
+    Hits found = hits;
+    meet_sphere<true>(s, i, from, d, of_origin, found);
+    return take_for(rays, found);
   });
 }
 
@@ -256,19 +264,21 @@ HWY_INLINE M sphere_blocks(const LaneScene& s, std::uint32_t i, const Segments& 
 inline HWY_NOINLINE M unoccluded_by_trees(const LaneScene& s, const Segments& way, M asked) {
   M clear = asked;
   const V of_origin = coordinates(way.from.o);
+  const TreeSearch search(way.from.o, way.d, asked);
   const auto far = [&]() HWY_ATTR { return way.distance; };
   const auto block = [&](M blocks) HWY_ATTR {
     clear = hn::AndNot(blocks, clear);
     return !hn::AllFalse(d_, clear);
   };
-  for_shapes_near(s.quad_tree, way.from.o, way.d, clear, far, [&](std::uint32_t i) HWY_ATTR {
-    return block(flat_blocks<true, Outline::quad>(s, i, way, of_origin));
+  for_shapes_near(s.quad_tree, search, clear, far, [&](std::uint32_t i, M rays) HWY_ATTR {
+    return block(hn::And(rays, flat_blocks<true, Outline::quad>(s, i, way, of_origin)));
   });
-  for_shapes_near(s.disk_tree, way.from.o, way.d, clear, far, [&](std::uint32_t i) HWY_ATTR {
-    return block(flat_blocks<true, Outline::disk>(s, i, way, of_origin));
+  for_shapes_near(s.disk_tree, search, clear, far, [&](std::uint32_t i, M rays) HWY_ATTR {
+    return block(hn::And(rays, flat_blocks<true, Outline::disk>(s, i, way, of_origin)));
   });
-  for_shapes_near(s.sphere_tree, way.from.o, way.d, clear, far,
-                  [&](std::uint32_t i) HWY_ATTR { return block(sphere_blocks<true>(s, i, way)); });
+  for_shapes_near(s.sphere_tree, search, clear, far, [&](std::uint32_t i, M rays) HWY_ATTR {
+    return block(hn::And(rays, sphere_blocks<true>(s, i, way)));
+  });
   return clear;
 }
 

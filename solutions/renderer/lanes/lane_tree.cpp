@@ -138,9 +138,12 @@ struct BoxBuilder {
     return node;
   }
 
+  /// Wider than the shape by more than the rounding of planes and spheres there, which is relative
+  /// to all of its coordinates.
   static void bound(LaneTree::Node& node, std::size_t c, const Extent& e) {
+    const Vec3d size = glm::max(glm::abs(e.lower), glm::abs(e.upper));
+    const double wider = 0x1p-18 * (size.x + size.y + size.z);
     for (int k = 0; k < 3; ++k) {
-      const double wider = 0x1p-19 * std::max(std::abs(e.lower[k]), std::abs(e.upper[k]));
       const auto axis = static_cast<std::size_t>(k);
       node.lower.at(axis).at(c) = static_cast<float>(e.lower[k] - wider);
       node.upper.at(axis).at(c) = static_cast<float>(e.upper[k] + wider);

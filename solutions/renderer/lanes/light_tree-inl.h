@@ -8,6 +8,7 @@
 #define CARLO_LIGHT_TREE_INL
 #endif
 
+#include "numeric/vec.h"
 #include "renderer/lanes/choice-inl.h"
 #include "renderer/lanes/lane_light_tree.h"
 #include "renderer/lanes/points-inl.h"
@@ -66,26 +67,22 @@ class LightNode {
   using V4 = hn::Vec<D4>;
   static constexpr D4 d4_{};
 
-  /// Estimates of the irradiance at p; 0 where children cannot contribute. As flat_weight() and
-  /// round_weight() in choice-inl.h.
+  /// Estimates of the irradiance at p; 0 where children cannot contribute.
   static HWY_INLINE V weights(const LaneLightTree& tree, std::uint32_t number, std::size_t c,
                               const V3& p, const V3& n) {
     const LaneLightTree::Node& node = tree.nodes[number];
     const auto load = [&](const auto& column) HWY_ATTR { return hn::Load(d_, column.data() + c); };
-    const V3 d = V3{load(node.middle_x), load(node.middle_y), load(node.middle_z)} - p;
-    const V reach = load(node.reach), strength = load(node.strength);
-    const V distance2 = dot(d, d);
-    const V inwards = hn::Add(dot(n, d), reach);
+    const Emitters of{{load(node.middle_x), load(node.middle_y), load(node.middle_z)},
+                      load(node.reach),
+                      load(node.strength)};
+    const V3 d = of.middle - p;
     const V in_front = hn::Sub(dot({load(node.nx), load(node.ny), load(node.nz)}, p), load(node.d));
     const V height = select(hn::Gt(load(node.round), set(0)),
-                            hn::Sqrt(hn::Max(distance2, set(1e-30f))), in_front);
-    const V per = hn::Div(set(1), hn::Max(mul_add(reach, reach, distance2), set(1e-30f)));
-    const V brings =
-        hn::Mul(hn::Mul(strength, hn::Mul(inwards, per)), hn::Mul(hn::Add(height, reach), per));
-    V weight = hn::IfThenElseZero(hn::Gt(hn::Min(inwards, height), set(0)), brings);
+                            hn::Sqrt(hn::Max(dot(d, d), set(1e-30f))), in_front);
+    V weight = hn::Max(flat_weight(of, p, n, height), set(0));
     if (number == 0 && tree.sky < LaneLightTree::width) {
       const U child = hn::Iota(du_, static_cast<std::uint32_t>(c));
-      weight = select(hn::RebindMask(d_, hn::Eq(child, set_word(tree.sky))), strength, weight);
+      weight = select(hn::RebindMask(d_, hn::Eq(child, set_word(tree.sky))), of.strength, weight);
     }
     return weight;
   }
@@ -104,17 +101,23 @@ class LightNode {
   bool some_;
 };
 
-/// The point and normal of one lane, in all of them.
+/// Points and normals, for code that takes the lanes one by one.
 struct LanePoints {
-  HWY_INLINE LanePoints(const V3& p, const V3& n) {
+  LanePoints() = default;
+  HWY_INLINE LanePoints(const V3& p, const V3& n) { set_point(p, n); }
+  HWY_INLINE void set_point(const V3& p, const V3& n) {
     hn::Store(p.x, d_, px.data()), hn::Store(p.y, d_, py.data()), hn::Store(p.z, d_, pz.data());
     hn::Store(n.x, d_, nx.data()), hn::Store(n.y, d_, ny.data()), hn::Store(n.z, d_, nz.data());
   }
-  HWY_INLINE V3 p(std::size_t i) const { return set(px[i], py[i], pz[i]); }
-  HWY_INLINE V3 n(std::size_t i) const { return set(nx[i], ny[i], nz[i]); }
+  carlo::Vec3 p(std::size_t i) const { return {px[i], py[i], pz[i]}; }
+  carlo::Vec3 n(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }
 
   alignas(64) std::array<float, lanes> px, py, pz, nx, ny, nz;
 };
+/// The same in all lanes.
+HWY_INLINE V3 set(carlo::Vec3 v) {
+  return set(v.x, v.y, v.z);
+}
 
 /// Where x lies between `lower` and lower + width, as a fraction below 1.
 inline double within(double x, float lower, float width) {
@@ -147,7 +150,7 @@ inline HWY_NOINLINE V chances_in_tree(const LaneLightTree& tree, U light, const 
   hn::Store(light, du_, number.data());
   for (std::uint32_t left = bits(asked); left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(left));
-    chance[i] = chance_in_tree(tree, number[i], lane.p(i), lane.n(i));
+    chance[i] = chance_in_tree(tree, number[i], set(lane.p(i)), set(lane.n(i)));
   }
   return hn::Load(d_, chance.data());
 }
@@ -163,8 +166,9 @@ inline HWY_NOINLINE Picked pick_in_tree(const LaneLightTree& tree, const V3& p, 
   hn::Store(u, d_, digits.data());
   hn::Store(mix(seed), du_, more.data());
   const auto count = static_cast<double>(tree.leaf_of.size());
+  const std::uint32_t wanted = bits(asked);
   std::uint32_t descends = 0;
-  for (std::uint32_t left = bits(asked); left != 0; left &= left - 1) {
+  for (std::uint32_t left = wanted; left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(left));
     x[i] = static_cast<double>(digits[i]) + more[i] * 0x1p-56;
     constexpr double uniform = LightTree::floor;
@@ -173,7 +177,7 @@ inline HWY_NOINLINE Picked pick_in_tree(const LaneLightTree& tree, const V3& p, 
       light[i] = std::min(static_cast<std::uint32_t>(x[i]),
                           static_cast<std::uint32_t>(tree.leaf_of.size() - 1));
       x[i] -= light[i];
-      chance[i] = chance_in_tree(tree, light[i], lane.p(i), lane.n(i));
+      chance[i] = chance_in_tree(tree, light[i], set(lane.p(i)), set(lane.n(i)));
     } else {
       x[i] = (x[i] - uniform) / (1 - uniform);
       chance[i] = 1 - uniform_part;
@@ -184,7 +188,7 @@ inline HWY_NOINLINE Picked pick_in_tree(const LaneLightTree& tree, const V3& p, 
   while (descends != 0) {
     for (std::uint32_t left = descends; left != 0; left &= left - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(left));
-      const LightNode here(tree, node[i], lane.p(i), lane.n(i));
+      const LightNode here(tree, node[i], set(lane.p(i)), set(lane.n(i)));
       const auto step = static_cast<float>(static_cast<std::int32_t>(x[i] * 0x1p24)) * 0x1p-24f;
       const std::size_t c = here.at(step);
       const float share = here.some() ? here.chance(c) : 0;
@@ -201,7 +205,7 @@ inline HWY_NOINLINE Picked pick_in_tree(const LaneLightTree& tree, const V3& p, 
     }
   }
   for (std::size_t i = 0; i < lanes; ++i)
-    digits[i] = (bits(asked) >> i & 1) != 0 ? below_one(x[i]) : 0;
+    digits[i] = (wanted >> i & 1) != 0 ? below_one(x[i]) : 0;
   u = hn::Load(d_, digits.data());
   return {hn::Load(du_, light.data()), hn::Load(d_, chance.data())};
 }

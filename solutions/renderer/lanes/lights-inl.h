@@ -147,18 +147,10 @@ HWY_INLINE void sample_balls(const Balls& ball, V3 p, V2 u, M chosen, LightPoint
 }
 
 /// Values that only scalar code can compute, for some lanes.
-struct LaneColumns {
-  template <class T>
-  using Column = std::array<T, lanes>;
-  alignas(64) Column<float> px, py, pz, nx, ny, nz, ux, uy;
-  alignas(64) Column<std::uint32_t> surface, triangle;
+struct LaneColumns : LanePoints {
+  alignas(64) std::array<float, lanes> ux, uy;
+  alignas(64) std::array<std::uint32_t, lanes> surface, triangle;
 
-  HWY_INLINE void set_point(const V3& p, const V3& n) {
-    hn::Store(p.x, d_, px.data()), hn::Store(p.y, d_, py.data()), hn::Store(p.z, d_, pz.data());
-    hn::Store(n.x, d_, nx.data()), hn::Store(n.y, d_, ny.data()), hn::Store(n.z, d_, nz.data());
-  }
-  carlo::Vec3 p(std::size_t i) const { return {px[i], py[i], pz[i]}; }
-  carlo::Vec3 n(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }
   const MeshLight& mesh(const LaneScene& s, std::size_t i) const {
     return *s.mesh_lights[surface[i] - s.first_mesh];
   }

@@ -36,11 +36,6 @@ HWY_INLINE void store(V3 o, V3 d, V t, carlo::MeshRays& rays) {
   hn::Store(t, d_, rays.t.data());
 }
 
-HWY_INLINE M mask_of(std::uint32_t bits) {
-  const U of_lane = hn::Shl(set_word(1), hn::Iota(du_, 0));
-  return differs(hn::And(of_lane, set_word(bits)), set_word(0));
-}
-
 /// Updates `hits` with nearer triangles, for the wanted rays o + t d.
 inline HWY_NOINLINE void meet_meshes(const LaneScene& s, const V3& o, const V3& d, M wanted,
                                      carlo::MeshRays& rays, Hits& hits) {

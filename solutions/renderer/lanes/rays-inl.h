@@ -30,6 +30,12 @@ HWY_INLINE M differs(U a, U b) {
   return hn::RebindMask(d_, hn::Ne(a, b));
 }
 
+/// The lanes with these bits().
+HWY_INLINE M mask_of(std::uint32_t bits) {
+  const U of_lane = hn::Shl(set_word(1), hn::Iota(du_, 0));
+  return differs(hn::And(of_lane, set_word(bits)), set_word(0));
+}
+
 /// Where rays start: on surfaces, or at the camera.
 struct Origins {
   V3 o;

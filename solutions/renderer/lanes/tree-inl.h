@@ -102,7 +102,7 @@ class Beams {
 /// one of them against all children of a node.
 class TreeRays {
  public:
-  HWY_INLINE TreeRays(const V3& o, const V3& d, M wanted) : wanted_(bits(wanted)) {
+  HWY_INLINE TreeRays(const V3& o, const V3& d) {
     const V tiny = set(0x1p-63f);  // replaces 0
     inverse_ = {hn::Div(set(1), hn::Or(d.x, tiny)), hn::Div(set(1), hn::Or(d.y, tiny)),
                 hn::Div(set(1), hn::Or(d.z, tiny))};
@@ -115,7 +115,6 @@ class TreeRays {
       hn::Store(all[k], d_, lane_[k].data());
   }
 
-  std::uint32_t wanted() const { return wanted_; }
   V3 inverse() const { return inverse_; }
 
   /// The rays that meet child c of a node before the distance `far`: one bit for each.
@@ -150,7 +149,6 @@ class TreeRays {
   static HWY_INLINE M overlap(V from, V to) { return hn::Le(hn::Mul(from, set(1 - 0x1p-20f)), to); }
 
   V3 inverse_, offset_, wider_;
-  std::uint32_t wanted_;
   alignas(64) std::array<std::array<float, lanes>, 9> lane_;
 };
 
@@ -198,19 +196,29 @@ struct TreeVisit {
   }
 };
 
-/// Calls `meet` with the number of each shape that one of the `wanted` rays may meet, in the order
-/// of the numbers. `far`: a function of the distances up to which rays are followed. Ends early
+/// Rays that look for shapes in the trees of a scene.
+struct TreeSearch {
+  HWY_INLINE TreeSearch(const V3& o, const V3& d, M wanted)
+      : each(o, d), together(o, d, each.inverse(), wanted) {}
+
+  TreeRays each;
+  Beams together;
+};
+
+/// Calls `meet` with the number of each shape whose box one of the `wanted` rays meets, and with
+/// the mask of those that do, in the order of the numbers. What a ray meets depends on no other ray
+/// in its register. `far`: a function of the distances up to which rays are followed. Ends early
 /// when `meet` returns false.
 template <class Far, class Meet>
-HWY_INLINE void for_shapes_near(const LaneTree& tree, const V3& o, const V3& d, M wanted,
+HWY_INLINE void for_shapes_near(const LaneTree& tree, const TreeSearch& search, M wanted,
                                 const Far& far, const Meet& meet) {
   if (tree.nodes.empty() || hn::AllFalse(d_, wanted)) return;
-  const TreeRays each(o, d, wanted);
-  const Beams together(o, d, each.inverse(), wanted);
+  const TreeRays& each = search.each;
+  const Beams& together = search.together;
   const auto reach = [&]() HWY_ATTR { return hn::IfThenElseZero(wanted, far()); };
   std::array<TreeVisit, LaneTree::deepest> visits;
   std::size_t depth = 0;
-  visits[0].start(tree, 0, each.wanted(), each, together, reach());
+  visits[0].start(tree, 0, bits(wanted), each, together, reach());
   for (;;) {
     TreeVisit& visit = visits[depth];
     if (visit.children == 0) {
@@ -221,12 +229,13 @@ HWY_INLINE void for_shapes_near(const LaneTree& tree, const V3& o, const V3& d, 
     const auto c = static_cast<std::size_t>(std::countr_zero(visit.children));
     visit.children &= visit.children - 1;
     const std::uint32_t child = tree.nodes[visit.node].child[c];
-    if ((child & LaneTree::leaf) != 0) {
-      if (!meet(child & ~LaneTree::leaf)) return;
-      continue;
-    }
     const std::uint32_t rays = visit.entering(tree, c, each, far());
-    if (rays != 0) visits[++depth].start(tree, child, rays, each, together, reach());
+    if (rays == 0) continue;
+    if ((child & LaneTree::leaf) != 0) {
+      if (!meet(child & ~LaneTree::leaf, mask_of(rays))) return;
+    } else {
+      visits[++depth].start(tree, child, rays, each, together, reach());
+    }
   }
 }
 
