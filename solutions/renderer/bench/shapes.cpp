@@ -160,17 +160,22 @@ void bench_clouds(Context& context) {
 }
 
 void bench_small_lights(Context& context) {
-  carlo::Table table({"lights", "number", "processor time a path [range]", "1 / (variance s)"},
-                     {"lights", "number", "seconds_a_path", "efficiency"});
+  carlo::Table table({"lights", "number", "processor time a path [range]", "1 / (variance s)",
+                      "scalar [range]", "scalar 1 / (variance s)"},
+                     {"lights", "number", "seconds_a_path", "efficiency", "scalar_seconds_a_path",
+                      "scalar_efficiency"});
   std::vector<carlo::Series> series;
   double done = 0;
   for (const bool points : {false, true}) {
     const std::string name = points ? "points" : "rectangles";
     series.push_back({name, {}});
     for (const int count : counts(context)) {
-      const Cost ours = cost(context, lit_floor(count, points), Method::best);
-      table.add_row(
-          {name, count, seconds_spread_cell(ours.seconds), carlo::number_cell(ours.efficiency)});
+      const Scene scene = lit_floor(count, points);
+      const Cost ours = cost(context, scene, Method::best),
+                 scalar = cost(context, scene, Method::scalar);
+      table.add_row({name, count, seconds_spread_cell(ours.seconds),
+                     carlo::number_cell(ours.efficiency), seconds_spread_cell(scalar.seconds),
+                     carlo::number_cell(scalar.efficiency)});
       series.back().points.push_back({static_cast<double>(count), ours.seconds.median});
       context.progress(0.6 + 0.4 * ++done / static_cast<double>(2 * counts(context).size()));
     }
