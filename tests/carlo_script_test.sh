@@ -89,6 +89,29 @@ expect 0 '^carlo_replay 1.2 --lab .*lab01_worker$' replay 1.2
 program "$tree/build/release/bin/lab01_judge" 'exit 1'
 expect 1 '' test 1
 
+# A stub is answered before there is a judge; what somebody has begun is not.
+labs=0
+rm "$tree/build/release/bin/lab01_judge"
+for folder in "$tree"/labs/0*; do
+  labs=$((labs + 1))
+  cp -R "$source/labs/${folder##*/}"/* "$folder/"
+  expect 1 "^Lab $labs compiles, and all its [1-9][0-9]* exercises are not implemented yet: 0 points\$" test "$labs"
+done
+[ "$labs" = 9 ] || failed "$labs labs"
+# Without a judge to copy, the stand-in's build is a failure.
+expect_no_answer() { expect 1 'the code does not compile' test "$@"; }
+own=$tree/labs/01_integration/integration.cpp
+cp "$own" "$scratch/stub.cpp"
+expect_no_answer 1.1
+expect_no_answer 1 --verbose
+expect_no_answer 1 2
+sed 's|^  // 2. Add up the values of f.$|  return 1;|' "$scratch/stub.cpp" >"$own"
+expect_no_answer 1
+sed '0,/^  carlo::not_implemented.*/s|||' "$scratch/stub.cpp" >"$own"
+expect_no_answer 1
+mv "$scratch/stub.cpp" "$own"
+stand_in "$tree/build/release/bin/lab01_judge"
+
 # How a program ended.
 program "$tree/build/release/bin/lab01" 'kill -SEGV $$'
 expect 1 'crashed: invalid memory access' lab 1
@@ -111,13 +134,13 @@ expect 0 '^lab01$' lab 1
 rm -r "${run:?}/$$"
 [ -z "$(ls "$run")" ] || failed "these stay: $(ls "$run")"
 
-# Who is to wait long is told, at once and then each half minute.
+# Who is to wait long is told, at once and then each ten seconds.
 program "$tools/ninja" 'case " $* " in
   *" -n "*) for step in {1..21}; do printf "[%d] c++\n" "$step"; done ;;
-  *) printf "@1/21 1.0 c++\n@10/21 31.5 c++\n@11/21 32.5 c++\n" ;;
+  *) printf "@1/21 1.0 c++\n@10/21 11.5 c++\n@11/21 20.5 c++\n" ;;
 esac'
 expect 0 'building .a minute or more' lab 1
-expect 0 '^carlo: building 10/21, about 40 s left$' lab 1
+expect 0 '^carlo: building 10/21, about 20 s left$' lab 1
 ! carlo lab 1 2>&1 | grep -q '1[/]21 \|11/21' || failed "progress on a pipe at every step"
 program "$tools/ninja" 'echo "a.cpp:1:1: error: x"; exit 1'
 expect_error_in_build() { expect 1 'the code does not compile .the compiler.s full output: .*build.log' lab 1; }

@@ -52,10 +52,10 @@ function(carlo_lab_implementation target folder sources)
     list(REMOVE_ITEM uses carlo::strict)
     target_link_libraries(${target} PRIVATE carlo::strict)
   endif()
-  target_link_libraries(${target} PUBLIC carlo::build carlo::course ${uses})
+  target_link_libraries(${target} PUBLIC carlo::build carlo::missing_return ${uses})
   if(NOT CARLO_SANITIZE)
     # A function that ends without returning its value reports the line
-    # (common/course/missing_return.cpp).
+    # (common/course/guide/missing_return.cpp).
     target_compile_options(${target} PRIVATE -fsanitize=return)
   endif()
 endfunction()

@@ -36,7 +36,7 @@ bool BuildProgress::takes(const std::string& line) {
   if (terminal_) {
     shown_ = true;
     say({"\r\x1b[K", told});
-  } else if (second - told_ >= 30) {
+  } else if (second - told_ >= 10) {
     told_ = second;
     say({told, "\n"});
   }

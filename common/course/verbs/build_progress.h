@@ -5,7 +5,7 @@
 namespace carlo::verbs {
 
 /// Shows a build's progress as reported by ninja ("@done/total seconds ..."): in one line on a
-/// terminal, elsewhere as one line every half minute.
+/// terminal, elsewhere as one line every ten seconds.
 class BuildProgress {
  public:
   BuildProgress();
