@@ -56,7 +56,7 @@ grade=("$build/bin/carlo_grade" --tree "$source" --build "$build" "$class" --lab
 expected() {
   cat <<'EOF'
 linked,0,20,lab 1 not submitted
-mistaken,16,20,graded
+mistaken,18,20,1.2 right by itself
 nothing,0,20,lab 1 not submitted
 packed,20,20,graded
 relative,0,20,lab 1 does not compile
