@@ -104,7 +104,7 @@ void feature_filter_experiment(Notebook& notebook) {
       notebook.progress(static_cast<double>(i + 1), static_cast<double>(sample_counts.size()));
     }
     notebook.say(
-        "The soft shadows of a room by lab 08's paths, and the same images filtered. Bias and noise "
+        "The soft shadows of a room by lab 8's paths, and the same images filtered. Bias and noise "
         "are relative, dark pixels counted as .1. Albedo, normal and depth know of corners and of "
         "the balls' outlines, but not of a shadow's edge: that is left to the colours, and k says "
         "how many standard errors they may differ by.");

@@ -1,4 +1,4 @@
-// Probes of lab 03's exercises that use random words: 3.5 to 3.8.
+// Probes of lab 3's exercises that use random words: 3.5 to 3.8.
 
 #include "03_rng/divisions.h"
 #include "03_rng/words.h"

@@ -42,7 +42,7 @@ const Diagnosis never_absorbs{"never-absorbs",
 
 const Diagnosis wo_not_local{
     "wo-not-local",
-    "the lobe is drawn for wo as it is in the world: lab 07 has the normal along z, and wo has to "
+    "the lobe is drawn for wo as it is in the world: lab 7 has the normal along z, and wo has to "
     "be brought into that frame first."};
 const Diagnosis not_turned{"direction-not-turned",
                            "the direction stays in the frame in which the normal is z: it has to "

@@ -1,4 +1,4 @@
-// The probabilities with which World::choose() takes lab 08's lights. Exact: of all 2^24 numbers
+// The probabilities with which World::choose() takes lab 8's lights. Exact: of all 2^24 numbers
 // that Rng::uniform_float() gives, a light gets as many as its chance() says.
 
 #include "08_path_tracer/scenes.h"

@@ -174,7 +174,7 @@ TEST_CASE("Recursive, iterative and reference integrator agree on every tile of 
   REQUIRE(lab_scenes::names().size() >= 13);
   for (const std::string& name : scene_names()) {
     const Scene scene = lab_scenes::load(name);
-    if (needs(scene).envmap) continue;  // lab 08 does not support an image as a light
+    if (needs(scene).envmap) continue;  // lab 8 does not support an image as a light
     const Estimates e = estimate(scene, plan_of(name));
     check_agreement(name, "recursive, iterative", e.recursive, e.iterative);
     check_agreement(name, "recursive, reference", e.recursive, e.reference);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# lab_render_test.sh SOLUTION STUB SOURCE: `./carlo render` with lab 08: the solution's program
-# renders each kind of scene; the stub's program, and scenes that lab 08 does not support, give one
+# lab_render_test.sh SOLUTION STUB SOURCE: `./carlo render` with lab 8: the solution's program
+# renders each kind of scene; the stub's program, and scenes that lab 8 does not support, give one
 # line, exit code 1, and no file.
 set -euo pipefail
 solution=$1 stub=$2 scenes=$3/common/scenes

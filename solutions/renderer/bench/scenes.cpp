@@ -182,7 +182,7 @@ void bench_scenes(Context& context) {
   const Plan p = plan(context.options());
   context.begin("Scenes: integrators and samplers");
   context.page().prose(
-      "The same scenes by the lecture's recursive tracer, lab 08's iterative one, and the "
+      "The same scenes by the lecture's recursive tracer, lab 8's iterative one, and the "
       "reference renderer's scalar and vector kernels. Efficiency 1 / (MSE x s) is what a method "
       "gives for its time: twice as much is the same error in half the time. The runs of all rows "
       "take turns; ratios are within this run. Errors are against reference images, whose own "
