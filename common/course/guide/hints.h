@@ -42,7 +42,8 @@ struct Hint {
 /// Error if the exercise has none.
 Hint next_hint(const Exercise& exercise, HintState& state);
 
-/// Returns hint `number` (from 1) again. Throws Error if it has not been seen yet or does not exist.
+/// Returns hint `number` (from 1) again. Throws Error if it has not been seen yet or does not
+/// exist.
 Hint seen_hint(const Exercise& exercise, int number, const HintState& state);
 
 /// Returns all hints that have been seen. Throws Error if none has.
