@@ -107,11 +107,12 @@ void sweep(Notebook& notebook) {
       {"way", "height", "estimates", "mean/exact", "z", "sd of one sample", "time of an estimate",
        "efficiency"},
       {"way", "height", "estimates", "estimate", "z", "relative_sd", "seconds", "efficiency"});
-  carlo::Chart chart{"Spread against the light's distance",
-                     "left the light's peak rules, right the fog; for two samples times √2",
-                     {"distance of the light from the ray"},
-                     {"relative standard deviation of one sample"},
-                     {}};
+  carlo::Chart chart{
+      "Spread against the light's distance",
+      "on the left the light's peak dominates, on the right the fog; for two samples times √2",
+      {"distance of the light from the ray"},
+      {"relative standard deviation of one sample"},
+      {}};
   for (const FogWay& way : fog_ways()) {
     carlo::Series series{way.name, {}};
     notebook.attempt([&] {
@@ -132,9 +133,9 @@ void sweep(Notebook& notebook) {
   notebook.table("fog", table,
                  "Single scattering; efficiency is 1/(relative variance × time), in 1/s");
   notebook.say(
-      "Choosing one technique by chance keeps half of what it is uncertain about: even where the "
-      "light's angle is all but exact, half of the samples go elsewhere and bring nothing. One "
-      "sample of each, with the same weights, does not have that chance left in it.");
+      "Choosing one technique at random adds the variance of the choice: even where sampling the "
+      "light's angle is almost exact, half of the samples go elsewhere and contribute almost "
+      "nothing. One sample of each, with the same weights, avoids that variance.");
 }
 
 void vacuum(Notebook& notebook) {

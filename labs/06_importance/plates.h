@@ -6,8 +6,8 @@
 
 namespace lab06 {
 
-// Veach's plates on the line. Directions are numbers x; four lights of equal power stand along the
-// line, from a point to a panel; four plates reflect, from nearly mirror-like to nearly matt. A
+// Veach's plates in one dimension. Directions are numbers x; four lights of equal power lie along
+// the line, from a point to a panel; four plates reflect, from nearly mirror-like to nearly matt. A
 // pixel looks in the mirror direction m and sees the lights blurred by the plate's lobe around m.
 
 struct Light {

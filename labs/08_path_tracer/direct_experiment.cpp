@@ -108,7 +108,7 @@ void direct_experiment(Notebook& notebook) {
       "A square light over a floor, and a black square between them. Every point of the floor has a "
       "closed form: the light's irradiance less that of the part which the square hides. Both forms "
       "of the rendering equation integrate the same light; with the same number of samples one "
-      "asks points of the light, the other directions of the hemisphere.");
+      "samples points of the light, the other directions of the hemisphere.");
   notebook.raw_html(carlo::tiles(pictures_of(reference, "closed form", results, 1.1)));
   carlo::Table table = results_table();
   add_rows(table, "soft shadow", results);

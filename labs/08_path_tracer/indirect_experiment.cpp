@@ -80,8 +80,8 @@ void indirect_experiment(Notebook& notebook) {
     });
     notebook.say(
         "The Cornell box. Light straight from the light source, what comes by way of other surfaces, and "
-        "both. Lab 8.4's paths have to meet the light by chance; Lab 8.6 asks it at every vertex. "
-        "The reference is a long run of Lab 8.6; errors are less its own.");
+        "both. Lab 8.4's paths have to meet the light by chance; Lab 8.6 samples it at each vertex. "
+        "The reference is a long run of Lab 8.6; its own error is subtracted.");
     constexpr double white = 1.2;
     std::vector<std::string> row =
         pictures_of(reference, fmt::format("direct and indirect, {} samples a pixel", 2 * many),

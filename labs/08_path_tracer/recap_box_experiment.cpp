@@ -128,7 +128,7 @@ void recap_box_experiment(Notebook& notebook) {
         "light rays come out hundreds of times too bright, and non-light rays are multiplied by a "
         "negative number. A light ray that meets a block is one more path, of two calls a vertex. "
         "How bright the picture is depends on where the calls are cut off. Mended, its error is "
-        "below that of Lab 8.6, which asks points of the whole ball, half of which face away: light "
+        "below that of Lab 8.6, which samples points of the whole ball, half of which face away: light "
         "rays are uniform in the cone in which the ball is seen.");
     std::vector<std::string> pictures;
     how_many_calls(notebook, view, mean_value(reference.image), pictures);

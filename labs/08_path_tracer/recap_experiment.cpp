@@ -96,7 +96,7 @@ void recap_experiment(Notebook& notebook) {
       "A ball of light in a round room, where what the wall shows has a closed form. The lecture's "
       "TracePath divides by p_emit, but not by the density of its direction d'. With one direction "
       "d' at random each bounce is too dark by 2 pi. The Recap's two rays are off by factors of "
-      "their own, which hang on the light's solid angle. Where the walls do not emit its light rays "
+      "their own, which depend on the light's solid angle. Where the walls do not emit its light rays "
       "end at the light, and nothing ends its non-light rays: every path here is cut off.");
   carlo::Table table(
       {"room", "method", "exact", "mean", "in theory", "mean / exact", "std. error", "calls a path",

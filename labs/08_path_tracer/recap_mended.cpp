@@ -42,8 +42,8 @@ class Mended {
     const float p_light = 1 - goes_on;
     if (!(p_light > 0)) {
       throw carlo::Error(
-          "the mended Recap looks at the light with the chance that a surface "
-          "absorbs; this one reflects everything");
+          "the mended Recap samples the light with the probability of absorption; "
+          "this surface absorbs nothing");
     }
     const Cone light = light_.seen_from(surface.p);
     const float u_branch = rng_.uniform_float();

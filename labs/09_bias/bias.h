@@ -181,8 +181,8 @@ Rgb progressive_mean(int passes, double first_radius, double alpha,
 
 // Step g: steps/g_irradiance_cache.cpp ------------------------------------------------------------
 
-/// What a ray from a surface meets: the radiance that arrives along it, and the distance; infinite
-/// where it meets nothing.
+/// The radiance that arrives along a ray from a surface, and the distance to what it hits; infinite
+/// if it hits nothing.
 struct Arrival {
   Rgb radiance{0};
   double distance = 0;  ///< > 0

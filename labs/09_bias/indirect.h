@@ -6,7 +6,7 @@
 
 namespace lab09 {
 
-/// The hit of a record's ray, for irradiance by indirect light alone: light that was reflected
+/// The result of a record's ray, for irradiance by indirect light alone: light that was reflected
 /// before it arrives, or came through mirrors or glass. By lab 8's paths.
 inline Arrival indirect_arrival(const World& world, const Ray& ray, Rng& rng) {
   const auto met = world.intersect(ray);

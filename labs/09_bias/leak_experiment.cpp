@@ -117,7 +117,7 @@ void thin_wall(Notebook& notebook) {
   carlo::Table table({"most", "nearest", "records", "leaked"});
   std::vector<std::string> pictures;
   const auto add = [&](const LeakSetting& setting, bool shown) {
-    // How much leaks depends on where records happen to be made: take the mean of several runs.
+    // The leak depends on where records happen to be made: take the mean of several runs.
     const int runs = notebook.repetitions(64);
     FloorImage image;
     double leaked = 0, records = 0;

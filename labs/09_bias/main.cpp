@@ -12,7 +12,7 @@ std::vector<carlo::Step> steps() {
        {lab09::error_experiment},
        "a. The best clamp moves: the more samples, the less bias is worth. A clamp that was chosen for "
        "16 samples lowers the error there to less than half; from some 180 samples on whoever does not clamp is "
-       "ahead, as estimates by 16 samples foretold."},
+       "ahead, as estimates by 16 samples predicted."},
       {"b",
        {lab09::pixel_filter_experiment},
        "b. Spokes that are too fine come through the box as rings and other spokes; through the "

@@ -84,7 +84,7 @@ struct PracticeCurve {
   /// steeper one cannot continue.
   double slope() const;
   /// Its square error after t seconds, by its trend; an upper bound if bias_is_bounded().
-  double foretold(double t) const;
+  double predicted(double t) const;
   /// It has a permanent bias, but these runs are too short to distinguish it from 0.
   bool bias_is_bounded() const { return trend == Trend::biased && !longest().parts.bias_is_seen(); }
 };
