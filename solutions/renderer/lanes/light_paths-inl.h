@@ -31,9 +31,8 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// Traces light paths: `rival` is how much denser the techniques from the camera are, `pdf`
-/// the cosine at the light, below 0 for points, and `compressed` the largest channel that beta
-/// started with.
+/// Traces light paths. In Paths, `pdf` is then the cosine at the light (below 0 for point lights),
+/// and `compressed` the largest channel of beta at the start.
 template <class Needs>
 class LightPathWalk : Steps<Needs> {
  public:
@@ -72,26 +71,26 @@ class LightPathWalk : Steps<Needs> {
     const Lookups found(s_, number);
     const Spots spots = this->locate(paths, vertex, number, found);
     if (!this->survives(paths, spots)) return;
-    const Rivals rivals = rivals_at(paths, spots, vertex.hits.t);
+    const MisRatios ratios = mis_ratios_at(paths, spots, vertex.hits.t);
     this->arrive(paths, spots, vertex);
     M specular = hn::FirstN(d_, 0);
     Reflections next = zeros<Reflections>();
-    V rival_there = zeros<V>();
+    V next_mis_ratio = zeros<V>();
     if (Needs::full && s_.any_specular) {
       specular = this->reflect_some(paths, spots, vertex.u_lobe.x, next);
       // Power, unlike radiance, is not compressed.
       next.weight = hn::Div(set(1), next.eta2) * (paths.beta * next.weight);
-      rival_there = this->turn_rival(paths.rival, spots, next);
+      next_mis_ratio = this->mis_ratio_after_specular(paths.mis_ratio, spots, next);
     }
     if (!Needs::full || !hn::AllFalse(d_, paths.alive)) {
       const Surfaces surface = this->surface_at(paths.d, spots);
-      join_camera(paths, surface, vertex, rivals);
-      scatter(paths, surface, vertex.u_lobe, rivals);
+      join_camera(paths, surface, vertex, ratios);
+      scatter(paths, surface, vertex.u_lobe, ratios);
     }
     if (Needs::full && s_.any_specular) {
       this->continue_paths(paths, specular, next, spots, vertex.error);
       paths.beta = select(specular, next.weight, paths.beta);
-      paths.rival = select(specular, rival_there, paths.rival);
+      paths.mis_ratio = select(specular, next_mis_ratio, paths.mis_ratio);
     }
     this->roulette(paths, paths.compressed);
   }
@@ -119,13 +118,13 @@ class LightPathWalk : Steps<Needs> {
   using Base = Steps<Needs>;
   using Base::counts_, Base::job_, Base::s_;
 
-  /// How much denser the techniques from the camera are for which this vertex precedes the one that
-  /// the path came from: `factor` times the density of that way back by the vertex's BRDF, plus, at
-  /// the first vertex, the density of light sampling.
-  struct Rivals {
+  /// The density of camera paths that go from this vertex to the one that the light path came from,
+  /// over that of the light path: `factor` times the BRDF's pdf of that direction, plus, at the
+  /// first vertex, the density of light sampling.
+  struct MisRatios {
     V factor, of_lights, cosine;
   };
-  HWY_INLINE Rivals rivals_at(const Paths& paths, const Spots& spots, V t) const {
+  HWY_INLINE MisRatios mis_ratios_at(const Paths& paths, const Spots& spots, V t) const {
     const V per = hn::Div(set(1), spots.cosine);
     const M first = same(paths.depth, set_word(1)), point = hn::Lt(paths.pdf, set(0));
     V of_lights = set(0);
@@ -134,7 +133,7 @@ class LightPathWalk : Steps<Needs> {
                               emission_of(paths, point));
       of_lights = hn::IfThenElseZero(first, hn::Mul(there, per));
     }
-    return {hn::Mul(paths.rival, per), of_lights, spots.cosine};
+    return {hn::Mul(paths.mis_ratio, per), of_lights, spots.cosine};
   }
   /// The density with which light sampling at a path's first vertex draws the path's start: per
   /// solid angle, or for a point light times distance^2.
@@ -169,14 +168,14 @@ class LightPathWalk : Steps<Needs> {
     return select(point, at_light(s_.point_emission.data()), emission);
   }
 
-  HWY_INLINE V rival(const Rivals& rivals, const Surfaces& surface, V cosine, V pdf) const {
-    const V back = this->way_back(surface, rivals.cosine, cosine, pdf);
-    return this->together(hn::Mul(rivals.factor, back), rivals.of_lights);
+  HWY_INLINE V mis_ratio(const MisRatios& ratios, const Surfaces& surface, V cosine, V pdf) const {
+    const V back = this->way_back(surface, ratios.cosine, cosine, pdf);
+    return this->together(hn::Mul(ratios.factor, back), ratios.of_lights);
   }
 
   /// Adds the path's contribution to the pixel in which the camera sees its vertex.
   HWY_INLINE void join_camera(Paths& paths, const Surfaces& surface, Vertex& vertex,
-                              const Rivals& rivals) const {
+                              const MisRatios& ratios) const {
     const V3 way = eye_ - surface.p;
     const V distance2 = dot(way, way), inverse = hn::Div(set(1), hn::Sqrt(distance2));
     const V3 wi = inverse * way;
@@ -200,7 +199,7 @@ class LightPathWalk : Steps<Needs> {
     const V by_camera = camera_density(job_, set(-1) * wi);
     const V cosine_by_area = hn::Mul(cosine, hn::Mul(inverse, inverse));
     const V from_camera =
-        hn::Mul(hn::Mul(by_camera, cosine_by_area), rival(rivals, surface, cosine, bsdf.pdf));
+        hn::Mul(hn::Mul(by_camera, cosine_by_area), mis_ratio(ratios, surface, cosine, bsdf.pdf));
     const V per_pixel =
         hn::Mul(by_camera, set(job_.choices.light_paths * static_cast<float>(job_.width) *
                                static_cast<float>(job_.height)));
@@ -215,7 +214,8 @@ class LightPathWalk : Steps<Needs> {
         hn::Add(hn::Mul(inside_y, set_word(static_cast<std::uint32_t>(job_.width))), inside_x);
   }
 
-  HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, V2 u, const Rivals& rivals) const {
+  HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, V2 u,
+                          const MisRatios& ratios) const {
     const V3 wi = this->drawn(surface, u);
     const V cosine = dot(surface.n, wi);
     const Bsdfs bsdf = this->reflected(surface, wi, cosine);
@@ -223,7 +223,7 @@ class LightPathWalk : Steps<Needs> {
     paths.alive = hn::And(paths.alive, above);
     const V weight = hn::Div(cosine, bsdf.pdf);
     paths.beta = paths.beta * (weight * bsdf.f);
-    paths.rival = hn::Mul(rival(rivals, surface, cosine, bsdf.pdf), weight);
+    paths.mis_ratio = hn::Mul(mis_ratio(ratios, surface, cosine, bsdf.pdf), weight);
     paths.d = wi;
   }
 
@@ -288,8 +288,8 @@ HWY_INLINE void start_light_paths(const LightPathJob& job, U index, U key, M sta
   paths.brought = hn::IfThenZeroElse(starts, paths.brought);
   paths.compressed = select(starts, max_element(beta), paths.compressed);
   paths.pdf = select(starts, select(light.point, set(-1), z), paths.pdf);
-  paths.rival =
-      select(starts, hn::IfThenZeroElse(light.point, hn::Div(set(1), light.emission)), paths.rival);
+  paths.mis_ratio = select(starts, hn::IfThenZeroElse(light.point, hn::Div(set(1), light.emission)),
+                           paths.mis_ratio);
   paths.light = hn::IfThenElse(starts_u, light.light, paths.light);
   paths.triangle = hn::IfThenElse(starts_u, light.triangle, paths.triangle);
   paths.depth = hn::IfThenElse(starts_u, set_word(0), paths.depth);

@@ -61,24 +61,25 @@ class Walk : Steps<Needs> {
     add_emission(paths, vertex, spots);
     if (!this->survives(paths, spots)) return;
     this->arrive(paths, spots, vertex);
-    const Rivals rivals = rivals_at(paths, spots, vertex.hits.t);
+    const MisRatios ratios = mis_ratios_at(paths, spots, vertex.hits.t);
     M specular = hn::FirstN(d_, 0);
     Reflections next = zeros<Reflections>();
-    V rival_there = zeros<V>();
+    V next_mis_ratio = zeros<V>();
     if (Needs::full && s_.any_specular) {
       specular = this->reflect_some(paths, spots, vertex.u_lobe.x, next);
       next.weight = paths.beta * next.weight;
       // No light path has its second to last vertex on these surfaces.
       if constexpr (Needs::light_paths)
-        rival_there = hn::IfThenZeroElse(rivals.first, this->turn_rival(paths.rival, spots, next));
+        next_mis_ratio = hn::IfThenZeroElse(
+            ratios.first, this->mis_ratio_after_specular(paths.mis_ratio, spots, next));
     }
     if (!Needs::full || !hn::AllFalse(d_, paths.alive)) {
       const Surfaces surface = this->surface_at(paths.d, spots);
-      if (s_.lights > 0) add_direct(paths, surface, vertex, rivals);
-      scatter(paths, surface, vertex.u_lobe, rivals);
+      if (s_.lights > 0) add_direct(paths, surface, vertex, ratios);
+      scatter(paths, surface, vertex.u_lobe, ratios);
     }
     if (Needs::full && s_.any_specular)
-      pass_on(paths, specular, next, spots, vertex.error, rival_there);
+      pass_on(paths, specular, next, spots, vertex.error, next_mis_ratio);
     if (Needs::full && s_.any_specular)
       this->roulette(paths, paths.compressed);
     else
@@ -94,23 +95,23 @@ class Walk : Steps<Needs> {
   using Base = Steps<Needs>;
   using Base::counts_, Base::job_, Base::s_;
 
-  /// How much denser than this path's technique is that of light paths for which this vertex
-  /// is the second to last: `factor` times the density of the way back by the vertex's BRDF, or
-  /// `factor` alone at the first vertex (lane_kernel.h, "Light paths").
-  struct Rivals {
+  /// The density of light paths whose second to last vertex is this one, over that of this path:
+  /// `factor` times the BRDF's pdf of the reverse direction, or `factor` alone at the first vertex
+  /// (lane_kernel.h, LightPathJob).
+  struct MisRatios {
     V factor;
     M first;
     V cosine;  ///< of arrival
   };
-  HWY_INLINE Rivals rivals_at(const Paths& paths, const Spots& spots, V t) const {
+  HWY_INLINE MisRatios mis_ratios_at(const Paths& paths, const Spots& spots, V t) const {
     if constexpr (!Needs::light_paths) return {set(0), hn::FirstN(d_, 0), set(0)};
     const M first = same(paths.depth, set_word(1));
-    const V factor = hn::Div(paths.rival, spots.cosine);
+    const V factor = hn::Div(paths.mis_ratio, spots.cosine);
     return {select(first, hn::Mul(factor, hn::Mul(t, t)), factor), first, spots.cosine};
   }
-  HWY_INLINE V rival(const Rivals& rivals, const Surfaces& surface, V cosine, V pdf) const {
-    const V back = this->way_back(surface, rivals.cosine, cosine, pdf);
-    return select(rivals.first, rivals.factor, hn::Mul(rivals.factor, back));
+  HWY_INLINE V mis_ratio(const MisRatios& ratios, const Surfaces& surface, V cosine, V pdf) const {
+    const V back = this->way_back(surface, ratios.cosine, cosine, pdf);
+    return select(ratios.first, ratios.factor, hn::Mul(ratios.factor, back));
   }
 
   HWY_INLINE void add_sky(Paths& paths, M lost) const {
@@ -161,7 +162,7 @@ class Walk : Steps<Needs> {
     V weight;
     if constexpr (Needs::light_paths) {
       const V by_light = hn::IfThenZeroElse(whole, hn::Div(pdf, paths.pdf));
-      const V from_light = hn::Mul(paths.rival, at_surface(s_.emission.data()));
+      const V from_light = hn::Mul(paths.mis_ratio, at_surface(s_.emission.data()));
       const M straight = same(paths.depth, set_word(1));
       weight = this->weigh(by_light, hn::IfThenZeroElse(straight, from_light));
     } else {
@@ -172,15 +173,17 @@ class Walk : Steps<Needs> {
   }
 
   HWY_INLINE void pass_on(Paths& paths, M specular, const Reflections& next, const Spots& spots,
-                          V3 error, V rival_there) const {
+                          V3 error, V next_mis_ratio) const {
     this->continue_paths(paths, specular, next, spots, error);
     paths.beta = select(specular, next.weight, paths.beta);
     paths.pdf = select(specular, set(-1), paths.pdf);
     paths.compressed = select(specular, hn::Mul(paths.compressed, next.eta2), paths.compressed);
-    if constexpr (Needs::light_paths) paths.rival = select(specular, rival_there, paths.rival);
+    if constexpr (Needs::light_paths)
+      paths.mis_ratio = select(specular, next_mis_ratio, paths.mis_ratio);
   }
 
-  HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, V2 u, const Rivals& rivals) const {
+  HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, V2 u,
+                          const MisRatios& ratios) const {
     const V3 wi = this->drawn(surface, u);
     const V cosine = dot(surface.n, wi);
     const Bsdfs bsdf = this->reflected(surface, wi, cosine);
@@ -191,12 +194,13 @@ class Walk : Steps<Needs> {
     paths.pdf = s_.lights > 0 ? bsdf.pdf : set(-1);
     paths.d = wi;
     if constexpr (Needs::light_paths)
-      paths.rival = hn::Mul(rival(rivals, surface, cosine, bsdf.pdf), hn::Div(cosine, bsdf.pdf));
+      paths.mis_ratio =
+          hn::Mul(mis_ratio(ratios, surface, cosine, bsdf.pdf), hn::Div(cosine, bsdf.pdf));
   }
 
   /// Adds light that arrives directly from points drawn on the lights.
   HWY_INLINE void add_direct(Paths& paths, const Surfaces& surface, Vertex& vertex,
-                             const Rivals& rivals) const {
+                             const MisRatios& ratios) const {
     if (s_.lights > 1 || s_.any_mesh_light) paths.n = each(surface.n);
     const LightPoints light = sample_light<Needs::full, Needs::light_paths>(
         s_, surface.p, surface.n, vertex.u_light, hn::Xor(paths.key, paths.reversed_index),
@@ -229,7 +233,7 @@ class Walk : Steps<Needs> {
     if (Needs::full && s_.point_lights()) ratio = hn::IfThenZeroElse(light.point, ratio);
     V share;
     if constexpr (Needs::light_paths) {
-      const V before = rival(rivals, surface, cosine, bsdf.pdf);
+      const V before = mis_ratio(ratios, surface, cosine, bsdf.pdf);
       share = this->weigh(ratio,
                           hn::Mul(hn::Mul(before, cosine), hn::Mul(solid_angle, light.emission)));
     } else {

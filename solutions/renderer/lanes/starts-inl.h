@@ -104,7 +104,8 @@ class Starts {
     }
     paths.d = select(starts, {floats(dx_.data()), floats(dy_.data()), floats(dz_.data())}, paths.d);
     if constexpr (Needs::light_paths)
-      paths.rival = select(starts, hn::Div(set(1), camera_density(job_, paths.d)), paths.rival);
+      paths.mis_ratio =
+          select(starts, hn::Div(set(1), camera_density(job_, paths.d)), paths.mis_ratio);
     paths.beta = select(starts, set(1, 1, 1), paths.beta);
     paths.L = select(starts, set(0, 0, 0), paths.L);
     paths.pdf = select(starts, set(-1), paths.pdf);

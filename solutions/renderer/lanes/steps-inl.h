@@ -59,7 +59,7 @@ struct Paths {
   V3 n;             ///< of the surface that d leaves, on its side,
   Chances chances;  ///< and the probabilities with which lights were chosen there, if there are
                     ///< several
-  V rival;          ///< for Features::light_paths (lane_kernel.h, "Light paths")
+  V mis_ratio;      ///< for Features::light_paths (lane_kernel.h, LightPathJob)
   // For a light path:
   U light, triangle;  ///< where it started
   U pixel;            ///< the pixel in which the camera sees its vertex
@@ -151,10 +151,11 @@ class Steps {
     return job_.choices.power_heuristic ? hn::Sqrt(mul_add(a, a, hn::Mul(b, b))) : hn::Add(a, b);
   }
 
-  /// Paths::rival after mirrors and glass: the probability of the way taken is that of the way
-  /// back.
-  HWY_INLINE V turn_rival(V rival, const Spots& spots, const Reflections& next) const {
-    return hn::Div(hn::Mul(rival, hn::Abs(dot(spots.n, next.d))), spots.cosine);
+  /// Paths::mis_ratio after mirrors and glass, which choose a direction and its reverse with the
+  /// same probability.
+  HWY_INLINE V mis_ratio_after_specular(V mis_ratio, const Spots& spots,
+                                        const Reflections& next) const {
+    return hn::Div(hn::Mul(mis_ratio, hn::Abs(dot(spots.n, next.d))), spots.cosine);
   }
 
   /// Lanes that missed read surface 0 and ignore it.
