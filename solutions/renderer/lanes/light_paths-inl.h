@@ -69,26 +69,26 @@ class LightPathWalk : Steps<Needs> {
     if (hn::AllFalse(d_, paths.alive)) return;
     const U number = this->surface_met(vertex, met);
     const Lookups found(s_, number);
-    const Spots spots = this->locate(paths, vertex, number, found);
-    if (!this->survives(paths, spots)) return;
-    const MisRatios ratios = mis_ratios_at(paths, spots, vertex.hits.t);
-    this->arrive(paths, spots, vertex);
+    const ShadingPoints shading = this->locate(paths, vertex, number, found);
+    if (!this->survives(paths, shading)) return;
+    const MisRatios ratios = mis_ratios_at(paths, shading, vertex.hits.t);
+    this->arrive(paths, shading, vertex);
     M specular = hn::FirstN(d_, 0);
     Reflections next = zeros<Reflections>();
     V next_mis_ratio = zeros<V>();
     if (Needs::full && s_.any_specular) {
-      specular = this->reflect_some(paths, spots, vertex.u_lobe.x, next);
+      specular = this->reflect_some(paths, shading, vertex.u_lobe.x, next);
       // Power, unlike radiance, is not compressed.
       next.weight = hn::Div(set(1), next.eta2) * (paths.beta * next.weight);
-      next_mis_ratio = this->mis_ratio_after_specular(paths.mis_ratio, spots, next);
+      next_mis_ratio = this->mis_ratio_after_specular(paths.mis_ratio, shading, next);
     }
     if (!Needs::full || !hn::AllFalse(d_, paths.alive)) {
-      const Surfaces surface = this->surface_at(paths.d, spots);
+      const Surfaces surface = this->surface_at(paths.d, shading);
       join_camera(paths, surface, vertex, ratios);
       scatter(paths, surface, vertex.u_lobe, ratios);
     }
     if (Needs::full && s_.any_specular) {
-      this->continue_paths(paths, specular, next, spots, vertex.error);
+      this->continue_paths(paths, specular, next, shading, vertex.error);
       paths.beta = select(specular, next.weight, paths.beta);
       paths.mis_ratio = select(specular, next_mis_ratio, paths.mis_ratio);
     }
@@ -124,20 +124,21 @@ class LightPathWalk : Steps<Needs> {
   struct MisRatios {
     V factor, of_lights, cosine;
   };
-  HWY_INLINE MisRatios mis_ratios_at(const Paths& paths, const Spots& spots, V t) const {
-    const V per = hn::Div(set(1), spots.cosine);
+  HWY_INLINE MisRatios mis_ratios_at(const Paths& paths, const ShadingPoints& shading, V t) const {
+    const V per = hn::Div(set(1), shading.cosine);
     const M first = same(paths.depth, set_word(1)), point = hn::Lt(paths.pdf, set(0));
     V of_lights = set(0);
     if (!hn::AllFalse(d_, first)) {
-      const V there = hn::Div(by_light_sampling(paths, spots, t, hn::And(first, point)),
+      const V there = hn::Div(by_light_sampling(paths, shading, t, hn::And(first, point)),
                               emission_of(paths, point));
       of_lights = hn::IfThenElseZero(first, hn::Mul(there, per));
     }
-    return {hn::Mul(paths.mis_ratio, per), of_lights, spots.cosine};
+    return {hn::Mul(paths.mis_ratio, per), of_lights, shading.cosine};
   }
   /// The density with which light sampling at a path's first vertex draws the path's start: per
   /// solid angle, or for a point light times distance^2.
-  HWY_INLINE V by_light_sampling(const Paths& paths, const Spots& spots, V t, M point) const {
+  HWY_INLINE V by_light_sampling(const Paths& paths, const ShadingPoints& shading, V t,
+                                 M point) const {
     const U light = hn::IfThenZeroElse(hn::RebindMask(du_, hn::Or(point, is_nowhere(paths.from))),
                                        paths.from.last);
     const Numbers at_surface(light, s_.surfaces);
@@ -145,18 +146,19 @@ class LightPathWalk : Steps<Needs> {
     if (Needs::full && s_.any_mesh_light) {
       const M first = hn::And(paths.alive, same(paths.depth, set_word(1)));
       const M on_mesh = hn::AndNot(point, hn::And(first, is_from(s_.first_mesh, light)));
-      density = mesh_density(s_, spots.p, spots.n, light, paths.triangle, on_mesh, density);
+      density = mesh_density(s_, shading.p, shading.n, light, paths.triangle, on_mesh, density);
     }
-    V pdf = light_pdf<Needs::full>(s_, at_surface, light, density, spots.p, t, paths.pdf);
+    V pdf = light_pdf<Needs::full>(s_, at_surface, light, density, shading.p, t, paths.pdf);
     if (Needs::full && s_.point_lights()) pdf = select(point, hn::Mul(t, t), pdf);
     if (s_.lights == 1) return pdf;
     if (Needs::full && s_.choice.many()) {
       const M first = hn::And(paths.alive, same(paths.depth, set_word(1)));
-      return hn::Mul(pdf, chances_in_tree(s_.choice.tree, paths.light, spots.p, spots.n, first));
+      return hn::Mul(pdf,
+                     chances_in_tree(s_.choice.tree, paths.light, shading.p, shading.n, first));
     }
     alignas(64) Weights weights;
-    const Chances chances = weigh_lights(s_.choice, spots.p, spots.n, weights);
-    return hn::Mul(pdf, chance_of(s_.choice, chances, paths.light, spots.p, spots.n));
+    const Chances chances = weigh_lights(s_.choice, shading.p, shading.n, weights);
+    return hn::Mul(pdf, chance_of(s_.choice, chances, paths.light, shading.p, shading.n));
   }
   HWY_INLINE static M is_nowhere(const Origins& from) { return same(from.last, set_word(nothing)); }
   /// LaneScene::emission or point_emission.

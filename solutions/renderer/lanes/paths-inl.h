@@ -57,29 +57,29 @@ class Walk : Steps<Needs> {
     if (hn::AllFalse(d_, paths.alive)) return;
     const U number = this->surface_met(vertex, met);
     const Lookups found(s_, number);
-    const Spots spots = this->locate(paths, vertex, number, found);
-    add_emission(paths, vertex, spots);
-    if (!this->survives(paths, spots)) return;
-    this->arrive(paths, spots, vertex);
-    const MisRatios ratios = mis_ratios_at(paths, spots, vertex.hits.t);
+    const ShadingPoints shading = this->locate(paths, vertex, number, found);
+    add_emission(paths, vertex, shading);
+    if (!this->survives(paths, shading)) return;
+    this->arrive(paths, shading, vertex);
+    const MisRatios ratios = mis_ratios_at(paths, shading, vertex.hits.t);
     M specular = hn::FirstN(d_, 0);
     Reflections next = zeros<Reflections>();
     V next_mis_ratio = zeros<V>();
     if (Needs::full && s_.any_specular) {
-      specular = this->reflect_some(paths, spots, vertex.u_lobe.x, next);
+      specular = this->reflect_some(paths, shading, vertex.u_lobe.x, next);
       next.weight = paths.beta * next.weight;
       // No light path has its second to last vertex on these surfaces.
       if constexpr (Needs::light_paths)
         next_mis_ratio = hn::IfThenZeroElse(
-            ratios.first, this->mis_ratio_after_specular(paths.mis_ratio, spots, next));
+            ratios.first, this->mis_ratio_after_specular(paths.mis_ratio, shading, next));
     }
     if (!Needs::full || !hn::AllFalse(d_, paths.alive)) {
-      const Surfaces surface = this->surface_at(paths.d, spots);
+      const Surfaces surface = this->surface_at(paths.d, shading);
       if (s_.lights > 0) add_direct(paths, surface, vertex, ratios);
       scatter(paths, surface, vertex.u_lobe, ratios);
     }
     if (Needs::full && s_.any_specular)
-      pass_on(paths, specular, next, spots, vertex.error, next_mis_ratio);
+      pass_on(paths, specular, next, shading, vertex.error, next_mis_ratio);
     if (Needs::full && s_.any_specular)
       this->roulette(paths, paths.compressed);
     else
@@ -103,11 +103,11 @@ class Walk : Steps<Needs> {
     M first;
     V cosine;  ///< of arrival
   };
-  HWY_INLINE MisRatios mis_ratios_at(const Paths& paths, const Spots& spots, V t) const {
+  HWY_INLINE MisRatios mis_ratios_at(const Paths& paths, const ShadingPoints& shading, V t) const {
     if constexpr (!Needs::light_paths) return {set(0), hn::FirstN(d_, 0), set(0)};
     const M first = same(paths.depth, set_word(1));
-    const V factor = hn::Div(paths.mis_ratio, spots.cosine);
-    return {select(first, hn::Mul(factor, hn::Mul(t, t)), factor), first, spots.cosine};
+    const V factor = hn::Div(paths.mis_ratio, shading.cosine);
+    return {select(first, hn::Mul(factor, hn::Mul(t, t)), factor), first, shading.cosine};
   }
   HWY_INLINE V mis_ratio(const MisRatios& ratios, const Surfaces& surface, V cosine, V pdf) const {
     const V back = this->way_back(surface, ratios.cosine, cosine, pdf);
@@ -135,25 +135,26 @@ class Walk : Steps<Needs> {
   }
 
   /// Adds emission at the hits, weighted against light sampling and light paths.
-  HWY_INLINE void add_emission(Paths& paths, const Vertex& vertex, const Spots& spots) const {
+  HWY_INLINE void add_emission(Paths& paths, const Vertex& vertex,
+                               const ShadingPoints& shading) const {
     if (s_.lights == 0) return;
-    M bright = hn::And(spots.front, paths.alive);
+    M bright = hn::And(shading.front, paths.alive);
     if (s_.lights == 1 && !(Needs::full && s_.other_lights())) {
-      bright = hn::And(bright, same(spots.number, set_word(s_.light_surface[0])));
+      bright = hn::And(bright, same(shading.number, set_word(s_.light_surface[0])));
       if (hn::AllFalse(d_, bright)) return;
     }
-    const Numbers& at_surface = spots.at_surface;
+    const Numbers& at_surface = shading.at_surface;
     V density = at_surface(s_.light_density.data());
     bright = hn::And(bright, hn::Gt(density, set(0)));
     if (hn::AllFalse(d_, bright)) return;
     const M whole = hn::Lt(paths.pdf, set(0));
     if (Needs::full && s_.any_mesh_light) {
-      const M on_mesh = hn::AndNot(whole, hn::And(bright, is_from(s_.first_mesh, spots.number)));
-      density = mesh_density(s_, paths.from.o, paths.n, spots.number,
+      const M on_mesh = hn::AndNot(whole, hn::And(bright, is_from(s_.first_mesh, shading.number)));
+      density = mesh_density(s_, paths.from.o, paths.n, shading.number,
                              hn::Load(du_, vertex.of_mesh.triangle.data()), on_mesh, density);
     }
-    V pdf = light_pdf<Needs::full>(s_, at_surface, spots.number, density, paths.from.o,
-                                   vertex.hits.t, spots.cosine);
+    V pdf = light_pdf<Needs::full>(s_, at_surface, shading.number, density, paths.from.o,
+                                   vertex.hits.t, shading.cosine);
     if (s_.lights > 1) {
       const U light = at_surface(s_.light_of.data());
       pdf = hn::Mul(pdf, chance_of_light<Needs::full>(s_, paths.chances, light, paths.from.o,
@@ -172,9 +173,9 @@ class Walk : Steps<Needs> {
     paths.L = select(bright, paths.L + weight * (paths.beta * Le), paths.L);
   }
 
-  HWY_INLINE void pass_on(Paths& paths, M specular, const Reflections& next, const Spots& spots,
-                          V3 error, V next_mis_ratio) const {
-    this->continue_paths(paths, specular, next, spots, error);
+  HWY_INLINE void pass_on(Paths& paths, M specular, const Reflections& next,
+                          const ShadingPoints& shading, V3 error, V next_mis_ratio) const {
+    this->continue_paths(paths, specular, next, shading, error);
     paths.beta = select(specular, next.weight, paths.beta);
     paths.pdf = select(specular, set(-1), paths.pdf);
     paths.compressed = select(specular, hn::Mul(paths.compressed, next.eta2), paths.compressed);

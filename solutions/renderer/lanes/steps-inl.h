@@ -75,9 +75,9 @@ struct Lookups {
   Numbers at_surface, material;
 };
 
-/// The points where paths arrived, on the side that they came from. The lookups are kept apart:
-/// their masks are an array, which would force all of this into memory.
-struct Spots {
+/// The shading points, on the side that the paths came from. The lookups are kept apart: their
+/// masks are an array, which would force all of this into memory.
+struct ShadingPoints {
   U number;  ///< of the surface
   const Numbers &at_surface, &material;
   V3 p, n;
@@ -153,9 +153,9 @@ class Steps {
 
   /// Paths::mis_ratio after mirrors and glass, which choose a direction and its reverse with the
   /// same probability.
-  HWY_INLINE V mis_ratio_after_specular(V mis_ratio, const Spots& spots,
+  HWY_INLINE V mis_ratio_after_specular(V mis_ratio, const ShadingPoints& shading,
                                         const Reflections& next) const {
-    return hn::Div(hn::Mul(mis_ratio, hn::Abs(dot(spots.n, next.d))), spots.cosine);
+    return hn::Div(hn::Mul(mis_ratio, hn::Abs(dot(shading.n, next.d))), shading.cosine);
   }
 
   /// Lanes that missed read surface 0 and ignore it.
@@ -163,8 +163,8 @@ class Steps {
     return hn::IfThenElseZero(hn::RebindMask(du_, met), vertex.hits.surface);
   }
 
-  HWY_INLINE Spots locate(const Paths& paths, Vertex& vertex, U number,
-                          const Lookups& found) const {
+  HWY_INLINE ShadingPoints locate(const Paths& paths, Vertex& vertex, U number,
+                                  const Lookups& found) const {
     V3 p, normal;
     place(paths, vertex.hits.t, number, found.at_surface, p, normal);
     if (Needs::full && s_.searched()) place_searched(vertex, paths.alive, number, p, normal);
@@ -179,10 +179,10 @@ class Steps {
   }
 
   /// Ends paths on black sides and at the maximum length; true if any path continues.
-  HWY_INLINE bool survives(Paths& paths, const Spots& spots) const {
+  HWY_INLINE bool survives(Paths& paths, const ShadingPoints& shading) const {
     if (s_.one_sided) {
-      const M two_sided = differs(spots.material(s_.two_sided.data()), set_word(0));
-      paths.alive = hn::And(paths.alive, hn::Or(spots.front, two_sided));
+      const M two_sided = differs(shading.material(s_.two_sided.data()), set_word(0));
+      paths.alive = hn::And(paths.alive, hn::Or(shading.front, two_sided));
     }
     end_long_paths(paths);
     return !hn::AllFalse(d_, paths.alive);
@@ -224,25 +224,26 @@ class Steps {
   }
 
   /// Starts the next rays here.
-  HWY_INLINE void arrive(Paths& paths, const Spots& spots, const Vertex& vertex) const {
-    paths.from.o = each(spots.p);
-    paths.from.last = spots.number;
+  HWY_INLINE void arrive(Paths& paths, const ShadingPoints& shading, const Vertex& vertex) const {
+    paths.from.o = each(shading.p);
+    paths.from.last = shading.number;
     if constexpr (Needs::close) {
-      paths.from.plane = s_.coplanar ? spots.at_surface(s_.plane.data()) : spots.number;
-      const M hidden = hn::Lt(vertex.hits.t, hn::Mul(set(64 * rounding), coordinates(spots.p)));
+      paths.from.plane = s_.coplanar ? shading.at_surface(s_.plane.data()) : shading.number;
+      const M hidden = hn::Lt(vertex.hits.t, hn::Mul(set(64 * rounding), coordinates(shading.p)));
       paths.from.arrival = select(hidden, set(-2) * paths.d, paths.d);
     }
     if constexpr (Needs::full) paths.from.through = hn::FirstN(d_, 0);
     if (Needs::full && s_.searched())
-      paths.from.clear = off_surface(spots.p, vertex.error, spots.n, paths.d);
+      paths.from.clear = off_surface(shading.p, vertex.error, shading.n, paths.d);
     paths.key = hn::Add(paths.key, set_word(key_step));
   }
 
   /// Splits off the paths on mirrors and glass, and computes where they go.
-  HWY_INLINE M reflect_some(Paths& paths, const Spots& spots, V u, Reflections& next) const {
-    const Numbers& material = spots.material;
+  HWY_INLINE M reflect_some(Paths& paths, const ShadingPoints& shading, V u,
+                            Reflections& next) const {
+    const Numbers& material = shading.material;
     const M specular = hn::And(paths.alive, differs(material(s_.specular.data()), set_word(0)));
-    next = reflect(paths.d, spots.n, spots.front, material(s_.ks_r, s_.ks_g, s_.ks_b),
+    next = reflect(paths.d, shading.n, shading.front, material(s_.ks_r, s_.ks_g, s_.ks_b),
                    material(s_.ior.data()), u);
     paths.alive = hn::AndNot(specular, paths.alive);
     return specular;
@@ -264,29 +265,29 @@ class Steps {
                    : pdf_back<false>(surface, arrival, cosine, pdf);
   }
 
-  HWY_INLINE Surfaces surface_at(V3 d, const Spots& spots) const {
-    const Numbers& material = spots.material;
+  HWY_INLINE Surfaces surface_at(V3 d, const ShadingPoints& shading) const {
+    const Numbers& material = shading.material;
     Surfaces surface = zeros<Surfaces>();
-    surface.p = each(spots.p);
-    surface.n = each(spots.n);
+    surface.p = each(shading.p);
+    surface.n = each(shading.n);
     surface.kd = each(material(s_.kd_r, s_.kd_g, s_.kd_b));
     if (lobes()) {
       surface.exponent = material(s_.exponent.data());
       surface.diffuse = material(s_.diffuse.data());
       surface.ks = material(s_.ks_r, s_.ks_g, s_.ks_b);
-      surface.mirror = add_scaled(d, hn::Mul(set(-2), dot(spots.n, d)), spots.n);
+      surface.mirror = add_scaled(d, hn::Mul(set(-2), dot(shading.n, d)), shading.n);
     }
     return surface;
   }
 
   /// Continues the paths on mirrors and glass.
   HWY_INLINE void continue_paths(Paths& paths, M specular, const Reflections& next,
-                                 const Spots& spots, V3 error) const {
+                                 const ShadingPoints& shading, V3 error) const {
     paths.alive = hn::Or(paths.alive, specular);
     paths.d = select(specular, next.d, paths.d);
     paths.from.through = hn::And(specular, next.through);
     if (s_.searched() && !hn::AllFalse(d_, paths.from.through)) {
-      const V3 beyond = off_surface(spots.p, error, set(-1) * spots.n, set(0, 0, 0));
+      const V3 beyond = off_surface(shading.p, error, set(-1) * shading.n, set(0, 0, 0));
       paths.from.clear = select(paths.from.through, beyond, paths.from.clear);
     }
   }
