@@ -57,8 +57,8 @@ class LightPathWalk : Steps<Needs> {
   /// The same for one register of paths, or `batch` of them where there are sdfs.
   HWY_NOINLINE void extend_batch(std::span<Paths> paths) const { this->step_batch(*this, paths); }
 
-  /// The unit of Paths::ties, squared luminances of splats.
-  double tie_unit() const { return large_ * large_; }
+  /// The unit of Paths::splat_products, squared luminances of splats.
+  double product_unit() const { return large_ * large_; }
 
   // For step_batch().
 
@@ -98,7 +98,7 @@ class LightPathWalk : Steps<Needs> {
   HWY_INLINE void gather(Paths& paths, const Vertex& vertex) const {
     const M clear = vertex.to_light.clear;
     if (hn::AllFalse(d_, clear)) return;
-    tie(paths, vertex.direct, clear);
+    add_splat_products(paths, vertex.direct, clear);
     alignas(64) std::array<float, lanes> r, g, b;
     alignas(64) std::array<std::uint32_t, lanes> pixel, word;
     hn::Store(mix(hn::Add(hn::Xor(paths.key, paths.reversed_index), paths.depth)), du_,
@@ -229,12 +229,13 @@ class LightPathWalk : Steps<Needs> {
     paths.d = wi;
   }
 
-  /// Records the correlation between the pixels that a path reaches.
-  HWY_INLINE void tie(Paths& paths, const V3& splat, M clear) const {
+  /// Adds the products of this splat and the path's earlier ones, from which the covariance of the
+  /// pixels that it reaches follows.
+  HWY_INLINE void add_splat_products(Paths& paths, const V3& splat, M clear) const {
     const V luminance = hn::Mul(dot(splat, set(0.2126f, 0.7152f, 0.0722f)), set(small_));
     const V more = hn::IfThenElseZero(hn::And(clear, hn::Lt(luminance, set(0x1p12f))), luminance);
-    paths.ties = mul_add(paths.brought, more, paths.ties);
-    paths.brought = hn::Add(paths.brought, more);
+    paths.splat_products = mul_add(paths.splat_luminance, more, paths.splat_products);
+    paths.splat_luminance = hn::Add(paths.splat_luminance, more);
   }
 
   /// Rounds to whole units, up as often as the fraction demands (`up` is uniform in [0, 1)). Next
@@ -287,7 +288,7 @@ HWY_INLINE void start_light_paths(const LightPathJob& job, U index, U key, M sta
   paths.from.clear = select(starts, clear, paths.from.clear);
   paths.d = select(starts, d, paths.d);
   paths.beta = select(starts, beta, paths.beta);
-  paths.brought = hn::IfThenZeroElse(starts, paths.brought);
+  paths.splat_luminance = hn::IfThenZeroElse(starts, paths.splat_luminance);
   paths.compressed = select(starts, max_element(beta), paths.compressed);
   paths.pdf = select(starts, select(light.point, set(-1), z), paths.pdf);
   paths.mis_ratio = select(starts, hn::IfThenZeroElse(light.point, hn::Div(set(1), light.emission)),
@@ -300,36 +301,36 @@ HWY_INLINE void start_light_paths(const LightPathJob& job, U index, U key, M sta
   paths.alive = hn::Or(paths.alive, starts);
 }
 
-/// Sums Paths::ties over a call's paths in the order of the paths, since the order in which they
-/// end depends on the number of lanes.
-class Ties {
+/// Sums Paths::splat_products over a call's paths in the order of the paths, since the order in
+/// which they end depends on the number of lanes.
+class SplatProducts {
  public:
-  explicit Ties(std::uint64_t paths) : ties_(paths + 1) {}
+  explicit SplatProducts(std::uint64_t paths) : products_(paths + 1) {}
 
   /// Marks lanes that have had no path yet.
-  std::uint32_t no_path() const { return static_cast<std::uint32_t>(ties_.size() - 1); }
+  std::uint32_t no_path() const { return static_cast<std::uint32_t>(products_.size() - 1); }
 
-  /// Stores the ties of the lanes whose paths have ended.
+  /// Stores those of the lanes whose paths have ended.
   HWY_INLINE void keep(const Paths& paths, M ended) {
-    alignas(64) std::array<float, lanes> ties;
+    alignas(64) std::array<float, lanes> products;
     alignas(64) std::array<std::uint32_t, lanes> number;
-    hn::Store(paths.ties, d_, ties.data());
+    hn::Store(paths.splat_products, d_, products.data());
     hn::Store(paths.number, du_, number.data());
     for (std::uint32_t left = bits(ended); left != 0; left &= left - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      ties_[number[lane]] = ties[lane];
+      products_[number[lane]] = products[lane];
     }
   }
 
   double sum() const {
     double sum = 0;
-    for (const float tie : ties_)
-      sum += static_cast<double>(tie);
+    for (const float product : products_)
+      sum += static_cast<double>(product);
     return sum;
   }
 
  private:
-  std::vector<float> ties_;
+  std::vector<float> products_;
 };
 
 /// trace_light_paths(). Refills lanes when a quarter of them are free.
@@ -340,9 +341,9 @@ HWY_ATTR void run_light_paths(const LightPathJob& job, carlo::Splats& splats,
   constexpr std::size_t most = Needs::full ? batch : 1;
   const std::size_t registers = Needs::full && !job.whole.scene.sdfs.empty() ? most : 1;
   auto paths = zeros<std::array<Paths, most>>();
-  Ties ties(job.count);
+  SplatProducts products(job.count);
   for (Paths& some : paths)
-    some.alive = hn::FirstN(d_, 0), some.number = set_word(ties.no_path());
+    some.alive = hn::FirstN(d_, 0), some.number = set_word(products.no_path());
   std::uint64_t next = job.first;
   const std::uint64_t end = job.first + job.count;
   for (std::uint64_t round = 0;; ++round) {
@@ -357,11 +358,11 @@ HWY_ATTR void run_light_paths(const LightPathJob& job, carlo::Splats& splats,
         // Every block of 2^32 paths has a key of its own.
         const auto key = static_cast<std::uint32_t>(carlo::hash(job.whole.seed, ~(next >> 32)));
         const U index = hn::Add(place, set_word(static_cast<std::uint32_t>(next)));
-        ties.keep(paths[w], starts);
+        products.keep(paths[w], starts);
         const auto started = static_cast<std::uint32_t>(next - job.first);
         paths[w].number = hn::IfThenElse(hn::RebindMask(du_, starts),
                                          hn::Add(place, set_word(started)), paths[w].number);
-        paths[w].ties = hn::IfThenZeroElse(starts, paths[w].ties);
+        paths[w].splat_products = hn::IfThenZeroElse(starts, paths[w].splat_products);
         start_light_paths<Needs>(job, index, set_word(key), starts, paths[w]);
         next += taken;
         counts.light_paths += taken;
@@ -376,8 +377,8 @@ HWY_ATTR void run_light_paths(const LightPathJob& job, carlo::Splats& splats,
       walk.extend(paths[0]);
   }
   for (std::size_t w = 0; w < registers; ++w)
-    ties.keep(paths[w], hn::FirstN(d_, lanes));
-  counts.light_path_ties += 2 * ties.sum() * walk.tie_unit();
+    products.keep(paths[w], hn::FirstN(d_, lanes));
+  counts.light_path_ties += 2 * products.sum() * walk.product_unit();
 }
 
 }  // namespace HWY_NAMESPACE

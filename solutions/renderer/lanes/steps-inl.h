@@ -63,8 +63,8 @@ struct Paths {
   // For a light path:
   U light, triangle;  ///< where it started
   U pixel;            ///< the pixel in which the camera sees its vertex
-  V brought;          ///< the luminance of its splats
-  V ties;             ///< the sum of the products of all pairs of splats
+  V splat_luminance;  ///< the luminance of its splats
+  V splat_products;   ///< the sum of the products of all pairs of splats
 };
 
 /// The column entries of a surface and its material.
