@@ -88,7 +88,8 @@ class Job {
   /// Fills in the results that follow from the others.
   void settle() {
     result_.seconds = earlier_seconds_ + clock_.seconds();
-    result_.counts.light_path_ties = result_.light_path_ties.value() / static_cast<double>(tiles());
+    result_.counts.splat_covariance =
+        result_.splat_covariance.value() / static_cast<double>(tiles());
   }
 
   /// Passes the current result to the checkpoint callback if it is due.
@@ -129,13 +130,13 @@ class Job {
     // A pass that is rendered in several runs traces its light paths in each; they are counted
     // once, with tile 0.
     if (number == 0) counts += light_pass.counts();
-    finish_tile(counts, light_pass.counts().light_path_ties);
+    finish_tile(counts, light_pass.counts().splat_covariance);
   }
 
-  void finish_tile(const Counts& counts, double light_path_ties) {
+  void finish_tile(const Counts& counts, double splat_covariance) {
     const std::lock_guard lock(mutex_);
     result_.counts += counts;
-    result_.light_path_ties.add(light_path_ties);
+    result_.splat_covariance.add(splat_covariance);
     ++blocks_done_;
     progress_.update(options_.seconds
                          ? clock_.seconds() / *options_.seconds

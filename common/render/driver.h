@@ -31,14 +31,14 @@ struct RenderOptions {
 struct RenderResult {
   Film film;
   Counts counts{};
-  /// The sum over all blocks of all tiles (blocks.h) of the Counts::light_path_ties of the block's
+  /// The sum over all blocks of all tiles (blocks.h) of the Counts::splat_covariance of the block's
   /// pass; exact, so that it does not depend on how the blocks were shared out.
-  ExactSum light_path_ties{};
+  ExactSum splat_covariance{};
   double seconds = 0;
   int threads = 1;
   bool interrupted = false;  ///< by Ctrl-C; the film holds the finished blocks
   /// The covariances of the pixels caused by light paths, summed over all pairs; nothing if
-  /// they follow from light_path_ties.
+  /// they follow from splat_covariance.
   std::optional<double> light_path_covariance = {};
 };
 

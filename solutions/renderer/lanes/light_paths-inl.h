@@ -378,7 +378,7 @@ HWY_ATTR void run_light_paths(const LightPathJob& job, carlo::Splats& splats,
   }
   for (std::size_t w = 0; w < registers; ++w)
     products.keep(paths[w], hn::FirstN(d_, lanes));
-  counts.light_path_ties += 2 * products.sum() * walk.product_unit();
+  counts.splat_covariance += 2 * products.sum() * walk.product_unit();
 }
 
 }  // namespace HWY_NAMESPACE

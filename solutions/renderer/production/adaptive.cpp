@@ -86,8 +86,8 @@ class AdaptiveJob {
     // calls for.
     const double pixels = 1.0 * state_.width * state_.height;
     result.light_path_covariance =
-        counts_.light_path_ties / (static_cast<double>(result.film.samples()) * pixels *
-                                   static_cast<double>(result.summary.most));
+        counts_.splat_covariance / (static_cast<double>(result.film.samples()) * pixels *
+                                    static_cast<double>(result.summary.most));
     return result;
   }
 

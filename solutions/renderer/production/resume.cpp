@@ -57,7 +57,7 @@ void add_attributes(ExrFile& file, const RenderSettings& settings, const Counts&
   file.attributes["paths"] = std::to_string(counts.paths);
   file.attributes["rays"] = std::to_string(counts.rays);
   file.attributes["light_paths"] = std::to_string(counts.light_paths);
-  file.attributes["light_path_ties"] = fmt::format("{}", counts.light_path_ties);
+  file.attributes["light_path_ties"] = fmt::format("{}", counts.splat_covariance);
   file.attributes["cut_paths"] = std::to_string(counts.cut);
   file.attributes["bad_samples"] = std::to_string(counts.bad);
 }
@@ -107,10 +107,10 @@ RenderSettings render_settings(const Scene& scene, const std::string& kernel, st
 }
 
 void add_sums(ExrFile& file, const RenderSettings& settings, const Film& film, const Counts& counts,
-              const ExactSum& light_path_ties) {
+              const ExactSum& splat_covariance) {
   add_attributes(file, settings, counts);
-  if (!(light_path_ties == ExactSum{}))
-    file.attributes["light_path_tie_sum"] = to_text(light_path_ties);
+  if (!(splat_covariance == ExactSum{}))
+    file.attributes["light_path_tie_sum"] = to_text(splat_covariance);
   file.attributes["block"] = std::to_string(film.block());
   const std::size_t pixels = file.image.pixels.size();
   for (const std::string& name : all_channels())
@@ -255,10 +255,10 @@ Counts EarlierRender::counts() const {
           .light_paths = number("light_paths"),
           .cut = number("cut_paths"),
           .bad = number("bad_samples"),
-          .light_path_ties = real("light_path_ties")};
+          .splat_covariance = real("light_path_ties")};
 }
 
-ExactSum EarlierRender::light_path_ties() const {
+ExactSum EarlierRender::splat_covariance() const {
   const auto it = file_.attributes.find("light_path_tie_sum");
   if (it != file_.attributes.end()) {
     if (const auto sum = exact_sum_of(it->second)) return *sum;

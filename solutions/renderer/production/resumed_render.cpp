@@ -42,7 +42,7 @@ void fill_from(ProductionArguments& a, const EarlierRender& earlier) {
 RenderResult uniform_start(const EarlierRender& earlier, std::optional<std::uint32_t> spp) {
   RenderResult result{.film = earlier.film(),
                       .counts = earlier.counts(),
-                      .light_path_ties = earlier.light_path_ties()};
+                      .splat_covariance = earlier.splat_covariance()};
   result.seconds = earlier.seconds(result.film);
   const std::uint32_t block = result.film.block();
   const auto pixels =

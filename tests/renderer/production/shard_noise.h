@@ -32,7 +32,7 @@ class ShardNoise final : public NoiseIntegrator {
       splats.add(one, {units, units, units});
       splats.add(width * height - 1 - one, {units, units, units});
       const double splat = static_cast<double>(units) * splats.unit();
-      counts.light_path_ties += 2 * splat * splat;
+      counts.splat_covariance += 2 * splat * splat;
       ++counts.light_paths;
     }
   }
@@ -84,7 +84,7 @@ inline carlo::PartHeader noise_header(const ShardNoise& noise, std::uint32_t spp
   part.blocks =
       carlo::blocks_done(result.film, carlo::share_of(shard, part.grid, part.light_paths));
   part.counts = result.counts;
-  part.light_path_ties = result.light_path_ties;
+  part.splat_covariance = result.splat_covariance;
   part.microseconds = 1000 + shard.index;
   part.threads = result.threads;
   return part;
