@@ -56,12 +56,13 @@ HWY_INLINE V round_weight(const Emitters& light, V3 p, V3 n) {
 }
 
 /// A light's probability, from the weight of its group and its share in it.
-struct Chances {
+struct LightProbabilities {
   V per_weight, of_each;
 };
-HWY_INLINE V chance(const Chances& chances, V weight, V share) {
-  return hn::IfThenElseZero(hn::Ge(weight, set(0)),
-                            mul_add(hn::Mul(weight, chances.per_weight), share, chances.of_each));
+HWY_INLINE V probability(const LightProbabilities& probabilities, V weight, V share) {
+  return hn::IfThenElseZero(
+      hn::Ge(weight, set(0)),
+      mul_add(hn::Mul(weight, probabilities.per_weight), share, probabilities.of_each));
 }
 
 /// The weight of the environment map: the same everywhere.
@@ -72,8 +73,8 @@ HWY_INLINE V sky_weight(const LaneLights& lights) {
 /// The weights of all groups, one register per group.
 using Weights = std::array<float, LaneLights::most_groups * lanes>;
 
-inline HWY_NOINLINE Chances weigh_lights(const LaneLights& lights, const V3& p, const V3& n,
-                                         Weights& weights) {
+inline HWY_NOINLINE LightProbabilities weigh_lights(const LaneLights& lights, const V3& p,
+                                                    const V3& n, Weights& weights) {
   V sum = set(0), count = set(0);
   const auto add = [&](std::uint32_t g, V weight) HWY_ATTR {
     hn::Store(weight, d_, weights.data() + g * lanes);
@@ -102,8 +103,8 @@ inline HWY_NOINLINE Chances weigh_lights(const LaneLights& lights, const V3& p, 
 }
 
 struct Picked {
-  U index;   ///< a light
-  V chance;  ///< its probability
+  U index;  ///< a light
+  V probability;
 };
 
 /// Stretches u from [0, width) to [0, 1).
@@ -143,16 +144,16 @@ HWY_INLINE Picked pick_member(const LaneLights& lights, U group, V width, V by_s
 /// of 2^-23, twice the step of u, so they are exactly those with which groups are drawn. A small
 /// probability leaves few steps of u; `seed` decides between them.
 inline HWY_NOINLINE Picked pick_light(const LaneLights& lights, const Weights& weights,
-                                      const Chances& chances, U seed, V& u) {
+                                      const LightProbabilities& probabilities, U seed, V& u) {
   V sum = set(0), of_each = set(0), lower = set(0), upper = set(1);
   U group = set_word(0);
   for (std::uint32_t g = 0; g < lights.groups; ++g) {
     const V weight = hn::Load(d_, weights.data() + g * lanes);
     sum = hn::Add(sum, hn::Max(weight, set(0)));
-    of_each =
-        select(hn::Ge(weight, set(0)),
-               mul_add(chances.of_each, set(static_cast<float>(lights.size[g])), of_each), of_each);
-    const V exact = mul_add(sum, chances.per_weight, of_each);
+    of_each = select(
+        hn::Ge(weight, set(0)),
+        mul_add(probabilities.of_each, set(static_cast<float>(lights.size[g])), of_each), of_each);
+    const V exact = mul_add(sum, probabilities.per_weight, of_each);
     const V upto = hn::Sub(hn::Add(exact, set(1)), set(1));
     const M beyond = hn::Ge(u, upto);
     lower = select(beyond, upto, lower);
@@ -168,13 +169,14 @@ inline HWY_NOINLINE Picked pick_light(const LaneLights& lights, const Weights& w
   }
   const U place = hn::Add(hn::Mul(group, set_word(lanes)), hn::Iota(du_, 0));
   const V weight = hn::Max(gather(weights.data(), place), set(0));
-  const V by_strength = hn::Min(hn::Mul(weight, chances.per_weight), width);
+  const V by_strength = hn::Min(hn::Mul(weight, probabilities.per_weight), width);
   return pick_member(lights, group, width, by_strength, u);
 }
 
 /// The probability with which lights are chosen at points p of surfaces with normals n.
-inline HWY_NOINLINE V chance_of(const LaneLights& lights, const Chances& chances, U light,
-                                const V3& p, const V3& n) {
+inline HWY_NOINLINE V probability_of(const LaneLights& lights,
+                                     const LightProbabilities& probabilities, U light, const V3& p,
+                                     const V3& n) {
   const U group = gather_words(lights.group.data(), light);
   const auto column = [&](const auto& c) HWY_ATTR { return gather(c.data(), group); };
   const Emitters of{{column(lights.middle_x), column(lights.middle_y), column(lights.middle_z)},
@@ -188,7 +190,7 @@ inline HWY_NOINLINE V chance_of(const LaneLights& lights, const Chances& chances
     const M is_flat = hn::RebindMask(d_, hn::Gt(set_word(lights.first_round), group));
     weight = select(is_flat, weight, round_weight(of, p, n));
   }
-  return chance(chances, weight, gather(lights.share.data(), light));
+  return probability(probabilities, weight, gather(lights.share.data(), light));
 }
 
 inline HWY_NOINLINE U pick_start_among_many(const LaneLights& lights, std::uint32_t count, V& u) {

@@ -46,7 +46,7 @@ struct LaneLights {
   Column<float> share{};  ///< fraction of its group's strength
   /// For each light: the running sum of the probabilities with which light paths start there, in
   /// multiples of 2^-24, the step of the u's, so that they are exact; and each probability.
-  Column<float> start_upto{}, start_chance{};
+  Column<float> start_upto{}, start_probability{};
 
  private:
   void add_group(const std::vector<Light>& lights, const std::vector<std::uint32_t>& members,

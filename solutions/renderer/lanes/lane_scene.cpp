@@ -156,11 +156,11 @@ class Writer {
     }
     lanes_.choice = LaneLights(lights_);
     for (std::uint32_t l = 0; l < lanes_.lights; ++l) {
-      const auto chance = static_cast<double>(lanes_.choice.start_chance[l]);
+      const auto probability = static_cast<double>(lanes_.choice.start_probability[l]);
       if (l >= lanes_.first_point)
-        lanes_.point_emission[l] = rounded(chance / (4 * carlo::pi));
+        lanes_.point_emission[l] = rounded(probability / (4 * carlo::pi));
       else if (!lights_[l].everywhere)
-        lanes_.emission[lanes_.light_surface[l]] = rounded(chance / areas_[l] / carlo::pi);
+        lanes_.emission[lanes_.light_surface[l]] = rounded(probability / areas_[l] / carlo::pi);
     }
   }
 

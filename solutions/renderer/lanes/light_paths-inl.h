@@ -153,12 +153,13 @@ class LightPathWalk : Steps<Needs> {
     if (s_.lights == 1) return pdf;
     if (Needs::full && s_.choice.many()) {
       const M first = hn::And(paths.alive, same(paths.depth, set_word(1)));
-      return hn::Mul(pdf,
-                     chances_in_tree(s_.choice.tree, paths.light, shading.p, shading.n, first));
+      return hn::Mul(
+          pdf, probabilities_in_tree(s_.choice.tree, paths.light, shading.p, shading.n, first));
     }
     alignas(64) Weights weights;
-    const Chances chances = weigh_lights(s_.choice, shading.p, shading.n, weights);
-    return hn::Mul(pdf, chance_of(s_.choice, chances, paths.light, shading.p, shading.n));
+    const LightProbabilities probabilities = weigh_lights(s_.choice, shading.p, shading.n, weights);
+    return hn::Mul(pdf,
+                   probability_of(s_.choice, probabilities, paths.light, shading.p, shading.n));
   }
   HWY_INLINE static M is_nowhere(const Origins& from) { return same(from.last, set_word(nothing)); }
   /// LaneScene::emission or point_emission.

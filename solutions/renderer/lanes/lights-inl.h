@@ -285,19 +285,19 @@ HWY_INLINE LightPoints draw_light(const LaneScene& s, U index, V2 u, const OnBal
 }
 
 /// Chooses lights for points p of surfaces with normals n and samples them as seen from there;
-/// `chances` receives the probabilities of the choice if there are several. `seed`: a random word
-/// for each lane. Lanes that are not alive may be left out.
+/// `probabilities` receives the probabilities of the choice if there are several. `seed`: a random
+/// word for each lane. Lanes that are not alive may be left out.
 template <bool full, bool light_paths>
 HWY_INLINE LightPoints sample_light(const LaneScene& s, V3 p, V3 n, V2 u, U seed, M alive,
-                                    Chances& chances) {
+                                    LightProbabilities& probabilities) {
   if (!full && s.lights == 1) return sample_only_light<light_paths>(s, u);
   Picked picked{set_word(0), set(1)};
   if (full && s.choice.many()) {
     picked = pick_in_tree(s.choice.tree, p, n, seed, alive, u.x);
   } else if (s.lights > 1) {
     alignas(64) Weights weights;
-    chances = weigh_lights(s.choice, p, n, weights);
-    picked = pick_light(s.choice, weights, chances, seed, u.x);
+    probabilities = weigh_lights(s.choice, p, n, weights);
+    picked = pick_light(s.choice, weights, probabilities, seed, u.x);
   }
   LightPoints points = draw_light<full, light_paths>(
       s, picked.index, u,
@@ -307,11 +307,11 @@ HWY_INLINE LightPoints sample_light(const LaneScene& s, V3 p, V3 n, V2 u, U seed
           HWY_ATTR { sample_meshes(s, p, n, place, chosen, light); },
       [&](V2 place, LightPoints& light) HWY_ATTR { sample_beyond(s, p, place, light); });
   if (s.lights == 1) return points;
-  V per_chance = hn::Div(set(1), picked.chance);
+  V per_probability = hn::Div(set(1), picked.probability);
   if (full && s.choice.many())
-    per_chance = hn::IfThenElseZero(hn::Gt(picked.chance, set(0)), per_chance);
-  points.area = hn::Mul(points.area, per_chance);
-  points.solid_angle = hn::Mul(points.solid_angle, per_chance);
+    per_probability = hn::IfThenElseZero(hn::Gt(picked.probability, set(0)), per_probability);
+  points.area = hn::Mul(points.area, per_probability);
+  points.solid_angle = hn::Mul(points.solid_angle, per_probability);
   return points;
 }
 
@@ -335,12 +335,12 @@ HWY_INLINE LightPoints sample_start(const LaneScene& s, V2 u) {
 }
 
 /// The probability with which sample_light() chooses a light at points p of surfaces with normals
-/// n, where `chances` is what it returned.
+/// n, where `probabilities` is what it returned.
 template <bool full>
-HWY_INLINE V chance_of_light(const LaneScene& s, const Chances& chances, U light, const V3& p,
-                             const V3& n, M asked) {
-  if (full && s.choice.many()) return chances_in_tree(s.choice.tree, light, p, n, asked);
-  return chance_of(s.choice, chances, light, p, n);
+HWY_INLINE V probability_of_light(const LaneScene& s, const LightProbabilities& probabilities,
+                                  U light, const V3& p, const V3& n, M asked) {
+  if (full && s.choice.many()) return probabilities_in_tree(s.choice.tree, light, p, n, asked);
+  return probability_of(s.choice, probabilities, light, p, n);
 }
 
 /// The density per solid angle with which sample_light() draws, at p, the point that the ray from

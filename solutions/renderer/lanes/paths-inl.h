@@ -126,9 +126,10 @@ class Walk : Steps<Needs> {
     const Texels texels = sky_at(*s_.sky, paths.d, lost);
     V chosen = set(1);
     if (s_.choice.many())
-      chosen = chances_in_tree(s_.choice.tree, set_word(s_.sky_light), paths.from.o, paths.n, lost);
+      chosen = probabilities_in_tree(s_.choice.tree, set_word(s_.sky_light), paths.from.o, paths.n,
+                                     lost);
     else if (s_.lights > 1)
-      chosen = chance(paths.chances, sky_weight(s_.choice), set(1));
+      chosen = probability(paths.probabilities, sky_weight(s_.choice), set(1));
     const V by_light = hn::Div(hn::Mul(chosen, texels.pdf), paths.pdf);
     const M whole = hn::Lt(paths.pdf, set(0));
     return select(whole, set(1), this->weigh(by_light)) * texels.radiance;
@@ -157,7 +158,8 @@ class Walk : Steps<Needs> {
                                    vertex.hits.t, shading.cosine);
     if (s_.lights > 1) {
       const U light = at_surface(s_.light_of.data());
-      pdf = hn::Mul(pdf, chance_of_light<Needs::full>(s_, paths.chances, light, paths.from.o,
+      pdf = hn::Mul(pdf,
+                    probability_of_light<Needs::full>(s_, paths.probabilities, light, paths.from.o,
                                                       paths.n, hn::AndNot(whole, bright)));
     }
     V weight;
@@ -205,7 +207,7 @@ class Walk : Steps<Needs> {
     if (s_.lights > 1 || s_.any_mesh_light) paths.n = each(surface.n);
     const LightPoints light = sample_light<Needs::full, Needs::light_paths>(
         s_, surface.p, surface.n, vertex.u_light, hn::Xor(paths.key, paths.reversed_index),
-        paths.alive, paths.chances);
+        paths.alive, paths.probabilities);
     const V3 to_light = light.p - surface.p;
     const V distance2 = dot(to_light, to_light), inverse = hn::Div(set(1), hn::Sqrt(distance2));
     const V3 wi = inverse * to_light;

@@ -56,10 +56,10 @@ struct Paths {
   U reversed_index;  ///< of the sample
   U number;          ///< among the tile's samples (Starts::allow), or a call's light paths
   M alive;
-  V3 n;             ///< of the surface that d leaves, on its side,
-  Chances chances;  ///< and the probabilities with which lights were chosen there, if there are
-                    ///< several
-  V mis_ratio;      ///< for Features::light_paths (lane_kernel.h, LightPathJob)
+  V3 n;                              ///< of the surface that d leaves, on its side,
+  LightProbabilities probabilities;  ///< and the probabilities with which lights were chosen there,
+                                     ///< if there are several
+  V mis_ratio;  ///< for Features::light_paths (lane_kernel.h, LightPathJob)
   // For a light path:
   U light, triangle;  ///< where it started
   U pixel;            ///< the pixel in which the camera sees its vertex
