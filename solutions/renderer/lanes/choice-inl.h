@@ -28,18 +28,19 @@ namespace renderer {
 namespace HWY_NAMESPACE {
 
 // A group of lights (LaneLights) is chosen in proportion to its `weight`, an estimate of its
-// unoccluded irradiance. One sixteenth of the choices goes to all groups that can contribute,
-// equally for each light, so that none is missed where the weights are wrong. (LightTree does the
-// same for many lights, with its own estimates.)
+// unoccluded irradiance. One sixteenth of the choices is shared equally by all lights that can
+// contribute, so that none is missed where the weights are wrong. (LightTree does the same for many
+// lights, with its own estimates.)
 
-/// What is known about groups: a sphere around each, and its LaneLights::strength.
+/// Groups of lights: a sphere around each, and its LaneLights::strength.
 struct Emitters {
   V3 middle;
   V reach, strength;
 };
 
-/// The weights of groups at points p of surfaces with normals n. `height`: how far p lies in front
-/// of the group's plane, or the distance if it has none. Below 0 where the group cannot contribute.
+/// The weights of groups at points p of surfaces with normals n; below 0 where the group cannot
+/// contribute. `height`: the distance of p in front of the group's plane or, if it has none, from
+/// its middle.
 HWY_INLINE V flat_weight(const Emitters& light, V3 p, V3 n, V height) {
   const V3 d = light.middle - p;
   const V inwards = mul_add(n.x, d.x, mul_add(n.y, d.y, mul_add(n.z, d.z, light.reach)));
@@ -112,8 +113,8 @@ HWY_INLINE V stretch(V u, V width) {
   return hn::Min(hn::Div(u, width), set(0x1.fffffep-1f));
 }
 
-/// The members of groups that u in [0, width) leads to: the first `by_strength` of the width
-/// chooses by strength, the rest uniformly. u becomes uniform in [0, 1).
+/// Picks members of groups by u in [0, width): the first `by_strength` of the width chooses by
+/// strength, the rest uniformly. Rescales u to [0, 1).
 HWY_INLINE Picked pick_member(const LaneLights& lights, U group, V width, V by_strength, V& u) {
   const U first = gather_words(lights.first.data(), group);
   const U size = gather_words(lights.size.data(), group), end = hn::Add(first, size);
@@ -140,9 +141,9 @@ HWY_INLINE Picked pick_member(const LaneLights& lights, U group, V width, V by_s
   return {gather_words(lights.member.data(), at), mul_add(by_strength, share, of_each)};
 }
 
-/// Picks lights by u in [0, 1); u becomes uniform again. The probabilities of groups are multiples
-/// of 2^-23, twice the step of u, so they are exactly those with which groups are drawn. A small
-/// probability leaves few steps of u; `seed` decides between them.
+/// Picks lights by u in [0, 1), and rescales u. The probabilities of groups are multiples of 2^-23,
+/// twice the step of u, so they are exactly those with which groups are picked. A small probability
+/// leaves few steps of u; `seed` refines them.
 inline HWY_NOINLINE Picked pick_light(const LaneLights& lights, const Weights& weights,
                                       const LightProbabilities& probabilities, U seed, V& u) {
   V sum = set(0), of_each = set(0), lower = set(0), upper = set(1);
@@ -208,7 +209,7 @@ inline HWY_NOINLINE U pick_start_among_many(const LaneLights& lights, std::uint3
   return hn::Load(du_, index.data());
 }
 
-/// Picks one of `count` lights by u in [0, 1) and LaneLights::start_upto; u becomes uniform again.
+/// Picks one of `count` lights by u in [0, 1) and LaneLights::start_upto, and rescales u.
 template <bool full>
 HWY_INLINE U pick_start(const LaneLights& lights, std::uint32_t count, V& u) {
   if (full && lights.many()) return pick_start_among_many(lights, count, u);

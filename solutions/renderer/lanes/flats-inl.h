@@ -1,4 +1,4 @@
-// Finds the parallelograms and disks that rays meet, one ray per lane. Included once for each
+// Intersects rays with parallelograms and disks, one ray per lane. Included once for each
 // instruction set.
 
 #if defined(CARLO_FLATS_INL) == defined(HWY_TARGET_TOGGLE)
@@ -36,7 +36,8 @@ HWY_INLINE M inside(const LaneScene& s, std::size_t i, V3 p) {
   return hn::Le(outwards, set(reach));
 }
 
-/// Where a ray meets the plane of parallelogram or disk i, and whether that is inside it.
+/// The intersection of a ray with the plane of parallelogram or disk i, and whether it is inside
+/// the shape.
 struct PlaneHit {
   V3 n;
   V below;  ///< how far the origin lies from the plane, in direction -n
@@ -52,9 +53,9 @@ HWY_INLINE PlaneHit meet_plane(const LaneScene& s, std::size_t i, V3 o, V3 d) {
   return {n, below, along, t, inside<outline>(s, i, add_scaled(o, t, d))};
 }
 
-/// True for rays that cross the plane that their origins touch; n is its normal. An origin's
-/// coordinates cannot tell on which side of the plane it lies, but the path came to it on that
-/// side.
+/// True for rays that cross the plane which their origins touch; n is its normal. The coordinates
+/// of an origin cannot tell on which side of the plane it lies, but it is the side from which the
+/// path arrived.
 HWY_INLINE M goes_through(V3 n, V along, V3 arrival) {
   return hn::Gt(hn::Mul(along, dot(n, arrival)), set(0));
 }
@@ -80,8 +81,9 @@ HWY_INLINE void meet_flat(const LaneScene& s, std::uint32_t i, const Origins& fr
   take(hits, hn::And(hn::And(nearer, ahead), there), t, set_word(i));
 }
 
-/// Parallelogram or disk i is in between if the ends are on different sides of its plane. The ends
-/// themselves are compared: a distance to a far light would blur what is close to it.
+/// Parallelogram or disk i blocks a segment if the ends are on different sides of its plane. The
+/// ends themselves are compared: the distance to a far light is too inaccurate to tell what is
+/// close to it.
 template <bool close, Outline outline>
 HWY_INLINE M flat_blocks(const LaneScene& s, std::uint32_t i, const Segments& way, V of_origin) {
   const PlaneHit hit = meet_plane<outline>(s, i, way.from.o, way.d);
@@ -110,8 +112,8 @@ HWY_INLINE bool alike(const LaneScene& s, const Run& run, std::uint32_t i) {
   return s.nx[i] == s.nx[run.first] && s.ny[i] == s.ny[run.first] && s.nz[i] == s.nz[run.first];
 }
 
-/// Calls f with the numbers of a run that come close to one of the points p that are `asked` for;
-/// these lie in its plane.
+/// Calls f with the numbers of all parallelograms of those patches of a run that are near one of
+/// the points p in the lanes of `asked`; the points lie in its plane.
 template <class F>
 HWY_INLINE void for_places(const LaneScene& s, const Run& run, V3 p, M asked, const F& f) {
   const std::uint32_t i = run.first;
@@ -126,7 +128,7 @@ HWY_INLINE void for_places(const LaneScene& s, const Run& run, V3 p, M asked, co
   }
 }
 
-/// meet_flat() for each of a run, which is skipped where none of the rays meets the plane.
+/// meet_flat() for each of a run, which is skipped if no ray meets its plane.
 HWY_INLINE void meet_run(const LaneScene& s, const Run& run, const Origins& from, V3 d, V of_origin,
                          Hits& hits) {
   const std::uint32_t i = run.first;
@@ -144,7 +146,7 @@ HWY_INLINE void meet_run(const LaneScene& s, const Run& run, const Origins& from
   if (hn::AllFalse(d_, hn::Or(nearer, level))) return;
   const V3 p = add_scaled(from.o, hit.t, d);
   const M faced = hn::Lt(hit.along, set(0)), facing = hn::Gt(hit.along, set(0));
-  // Among overlapping ones, one that faces the ray.
+  // Among overlapping parallelograms the one that faces the ray wins.
   M open = nearer;
   for_places(s, run, p, hn::Or(nearer, level), [&](std::uint32_t k) HWY_ATTR {
     const M front = alike(s, run, k) ? faced : facing;

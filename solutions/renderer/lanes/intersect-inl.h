@@ -1,4 +1,4 @@
-// Finds the surfaces that rays meet, one ray per lane. Included once for each instruction set.
+// Finds the nearest surfaces along rays, one ray per lane. Included once for each instruction set.
 
 #if defined(CARLO_INTERSECT_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_INTERSECT_INL
@@ -52,8 +52,8 @@ HWY_INLINE U left(std::size_t k, V along) {
                  set_word(static_cast<std::uint32_t>(2 * k + 1)));
 }
 
-/// Where rays leave the enclosure. Those from surfaces start inside, even if their origins are
-/// rounded; the camera's may miss it.
+/// The points where rays leave the enclosure. Those from surfaces start inside, even if their
+/// origins are rounded; the camera's may miss it.
 HWY_INLINE Hits leave_enclosure(const LaneScene& s, V3 o, V3 d, U last) {
   const SlabHit x = meet_slab(s.enclosure, 0, o, d), y = meet_slab(s.enclosure, 1, o, d),
                 z = meet_slab(s.enclosure, 2, o, d);
@@ -108,7 +108,7 @@ HWY_INLINE void meet_solid(const LaneScene& s, std::uint32_t i, V3 o, V3 d, U la
   take(hits, nearer, enters, hn::Add(side, set_word(i * LaneScene::sides)));
 }
 
-/// Where a line meets a sphere: t at the middle of the chord and at its ends.
+/// The intersection of a line and a sphere: t at the middle of the chord and at its ends.
 struct Chord {
   V middle, enters, leaves;
   M met;
@@ -190,8 +190,8 @@ inline HWY_NOINLINE void closest_in_trees(const LaneScene& s, const Origins& fro
   });
 }
 
-/// The first surface along rays, without sdfs and meshes; d has length 1. Only those of `wanted`
-/// are sure to be found.
+/// The first surface along rays, without sdfs and meshes; d has length 1. Results are valid only
+/// for the lanes of `wanted`.
 template <bool close, bool full>
 HWY_INLINE Hits closest(const LaneScene& s, const Origins& from, V3 d, M wanted) {
   Hits hits{set(longest), set_word(nothing)};
@@ -282,8 +282,8 @@ inline HWY_NOINLINE M unoccluded_by_trees(const LaneScene& s, const Segments& wa
   return clear;
 }
 
-/// Those of `asked` that reach their end, a point of a light or the camera, without meeting
-/// anything in between; sdfs and meshes are not tested.
+/// The lanes of `asked` whose segments reach their end, a point of a light or the camera,
+/// unoccluded; sdfs and meshes are not tested.
 template <bool close, bool full, bool to_camera = false>
 HWY_INLINE M unoccluded(const LaneScene& s, const Segments& way, M asked) {
   if (full && s.many) return unoccluded_by_trees(s, way, asked);

@@ -1,5 +1,5 @@
-// Light paths, joined to the camera at their vertices (lane_kernel.h, LightPathJob). Included once
-// for each instruction set.
+// Light paths, connected to the camera at their vertices (lane_kernel.h, LightPathJob). Included
+// once for each instruction set.
 
 #if defined(CARLO_LIGHT_PATHS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_LIGHT_PATHS_INL
@@ -32,7 +32,7 @@ namespace renderer {
 namespace HWY_NAMESPACE {
 
 /// Traces light paths. In Paths, `pdf` is then the cosine at the light (below 0 for point lights),
-/// and `compressed` the largest channel of beta at the start.
+/// and `roulette_scale` the largest channel of beta at the start.
 template <class Needs>
 class LightPathWalk : Steps<Needs> {
  public:
@@ -45,7 +45,8 @@ class LightPathWalk : Steps<Needs> {
     up_ = set(c.up.x, c.up.y, c.up.z);
   }
 
-  /// Follows every path's ray to the next surface, joins it to the camera and draws the next ray.
+  /// Follows every path's ray to the next surface, connects it to the camera and samples the next
+  /// ray.
   HWY_INLINE void extend(Paths& paths) const {
     Vertex vertex;
     this->find(paths, vertex);
@@ -78,7 +79,7 @@ class LightPathWalk : Steps<Needs> {
     V next_mis_ratio = zeros<V>();
     if (Needs::full && s_.any_specular) {
       specular = this->reflect_some(paths, shading, vertex.u_lobe.x, next);
-      // Power, unlike radiance, is not compressed.
+      // Power, unlike radiance, is not scaled by refraction.
       next.weight = hn::Div(set(1), next.eta2) * (paths.beta * next.weight);
       next_mis_ratio = this->mis_ratio_after_specular(paths.mis_ratio, shading, next);
     }
@@ -92,7 +93,7 @@ class LightPathWalk : Steps<Needs> {
       paths.beta = select(specular, next.weight, paths.beta);
       paths.mis_ratio = select(specular, next_mis_ratio, paths.mis_ratio);
     }
-    this->roulette(paths, paths.compressed);
+    this->roulette(paths, paths.roulette_scale);
   }
 
   HWY_INLINE void gather(Paths& paths, const Vertex& vertex) const {
@@ -172,7 +173,7 @@ class LightPathWalk : Steps<Needs> {
   }
 
   HWY_INLINE V mis_ratio(const MisRatios& ratios, const Surfaces& surface, V cosine, V pdf) const {
-    const V back = this->way_back(surface, ratios.cosine, cosine, pdf);
+    const V back = this->reverse_pdf(surface, ratios.cosine, cosine, pdf);
     return this->together(hn::Mul(ratios.factor, back), ratios.of_lights);
   }
 
@@ -198,7 +199,7 @@ class LightPathWalk : Steps<Needs> {
     const Segments segment{paths.from, wi, eye_, hn::Mul(distance2, inverse), set_word(nothing)};
     const M clear = unoccluded<Needs::close, Needs::full, true>(s_, segment, asked);
     if (hn::AllFalse(d_, clear)) return;
-    const Bsdfs bsdf = this->reflected(surface, wi, cosine);
+    const Bsdfs bsdf = this->evaluate_bsdf(surface, wi, cosine);
     const V by_camera = camera_density(job_, set(-1) * wi);
     const V cosine_by_area = hn::Mul(cosine, hn::Mul(inverse, inverse));
     const V from_camera =
@@ -219,9 +220,9 @@ class LightPathWalk : Steps<Needs> {
 
   HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, V2 u,
                           const MisRatios& ratios) const {
-    const V3 wi = this->drawn(surface, u);
+    const V3 wi = this->sample_wi(surface, u);
     const V cosine = dot(surface.n, wi);
-    const Bsdfs bsdf = this->reflected(surface, wi, cosine);
+    const Bsdfs bsdf = this->evaluate_bsdf(surface, wi, cosine);
     const M above = hn::And(hn::Gt(cosine, set(0)), hn::Gt(bsdf.pdf, set(0)));
     paths.alive = hn::And(paths.alive, above);
     const V weight = hn::Div(cosine, bsdf.pdf);
@@ -239,9 +240,8 @@ class LightPathWalk : Steps<Needs> {
     paths.splat_luminance = hn::Add(paths.splat_luminance, more);
   }
 
-  /// Rounds to whole units, up as often as the fraction demands (`up` is uniform in [0, 1)). Next
-  /// to a light 1e12 times as bright, the contribution of a weak one may be less than a unit and
-  /// must not be lost.
+  /// Rounds to whole units without bias (`up` is uniform in [0, 1)): beside a light 1e12 times as
+  /// bright, the contribution of a weak one may be less than a unit and must not be lost.
   std::int64_t units(float value, double up) const {
     const double x = static_cast<double>(value) * scale_;
     constexpr double most = 0x1p62;
@@ -257,7 +257,7 @@ class LightPathWalk : Steps<Needs> {
   V3 eye_, forward_, right_, up_;
 };
 
-/// Starts a path at a point of the lights in each of these lanes, which have none.
+/// Starts a path at a sampled point of the lights in each of these free lanes.
 template <class Needs>
 HWY_INLINE void start_light_paths(const LightPathJob& job, U index, U key, M starts, Paths& paths) {
   const LaneScene& s = job.whole.scene;
@@ -270,7 +270,7 @@ HWY_INLINE void start_light_paths(const LightPathJob& job, U index, U key, M sta
   const SinCos azimuth = turn(v.y);
   const V z = select(light.point, neg_mul_add(v.x, set(2), set(1)), hn::Sqrt(hn::Sub(set(1), v.x)));
   const V r = hn::Sqrt(select(light.point, hn::Max(neg_mul_add(z, z, set(1)), set(0)), v.x));
-  // A point light has no normal: any axis will do.
+  // A point light has no normal: any axis serves.
   const V3 axis = select(light.point, set(0, 0, 1), light.n);
   const V3 d = to_world(frame_about(axis), hn::Mul(r, azimuth.cos), hn::Mul(r, azimuth.sin), z);
   const V3 beta = hn::Div(set(1), light.emission) * light.Le;
@@ -290,7 +290,7 @@ HWY_INLINE void start_light_paths(const LightPathJob& job, U index, U key, M sta
   paths.d = select(starts, d, paths.d);
   paths.beta = select(starts, beta, paths.beta);
   paths.splat_luminance = hn::IfThenZeroElse(starts, paths.splat_luminance);
-  paths.compressed = select(starts, max_element(beta), paths.compressed);
+  paths.roulette_scale = select(starts, max_element(beta), paths.roulette_scale);
   paths.pdf = select(starts, select(light.point, set(-1), z), paths.pdf);
   paths.mis_ratio = select(starts, hn::IfThenZeroElse(light.point, hn::Div(set(1), light.emission)),
                            paths.mis_ratio);

@@ -54,7 +54,7 @@ class LightNode {
   float lower(std::size_t c) const { return c == 0 ? 0 : upto_[c - 1]; }
   float probability(std::size_t c) const { return upto_[c] - lower(c); }
 
-  /// The child that u, in [0, 1) and a multiple of 2^-24, falls to.
+  /// The child that u selects; u in [0, 1), a multiple of 2^-24.
   HWY_INLINE std::size_t at(float u) const {
     std::size_t below = 0;
     for (const V4& four : four_)
@@ -87,8 +87,8 @@ class LightNode {
     return weight;
   }
 
-  /// Running sums within every four lanes, each one the last plus a number: another order of
-  /// additions might let them fall.
+  /// Running sums within every four lanes, each the previous one plus a number: in another order of
+  /// additions they might decrease.
   static HWY_INLINE V sums_of_four(V v) {
     V sum = v;
     for (int k = 0; k < 3; ++k)
@@ -101,7 +101,7 @@ class LightNode {
   bool some_;
 };
 
-/// Points and normals, for code that takes the lanes one by one.
+/// Points and normals, for code that handles lanes one by one.
 struct LanePoints {
   LanePoints() = default;
   HWY_INLINE LanePoints(const V3& p, const V3& n) { set_point(p, n); }
@@ -119,7 +119,7 @@ HWY_INLINE V3 set(carlo::Vec3 v) {
   return set(v.x, v.y, v.z);
 }
 
-/// Where x lies between `lower` and lower + width, as a fraction below 1.
+/// The position of x between `lower` and lower + width, as a fraction below 1.
 inline double within(double x, float lower, float width) {
   if (!(width > 0)) return 0;
   return std::min((x - static_cast<double>(lower)) / static_cast<double>(width), 1 - 0x1p-53);
@@ -155,8 +155,8 @@ inline HWY_NOINLINE V probabilities_in_tree(const LaneLightTree& tree, U light, 
   return hn::Load(d_, probability.data());
 }
 
-/// Picks lights by u in [0, 1) and the random words `seed`, which extend it; u becomes uniform
-/// again. A probability of 0: no light that u leads to can contribute.
+/// Picks lights by u in [0, 1) and the random words `seed`, which extend it, and rescales u. A
+/// probability of 0: no light that u selects can contribute.
 inline HWY_NOINLINE Picked pick_in_tree(const LaneLightTree& tree, const V3& p, const V3& n, U seed,
                                         M asked, V& u) {
   const LanePoints lane(p, n);
@@ -184,7 +184,7 @@ inline HWY_NOINLINE Picked pick_in_tree(const LaneLightTree& tree, const V3& p, 
       descends |= 1U << i;
     }
   }
-  // All lanes go down together, which keeps the processor busy: each waits long for its own sums.
+  // All lanes descend together, which hides the latency of each one's sums.
   while (descends != 0) {
     for (std::uint32_t left = descends; left != 0; left &= left - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(left));

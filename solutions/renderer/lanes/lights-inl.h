@@ -95,7 +95,7 @@ HWY_INLINE Balls balls(const LaneScene& s, const Numbers& at_surface) {
           at_surface(s.coordinates.data())};
 }
 
-/// The possible rounding error of a distance between a point and such a sphere.
+/// Bounds the rounding error of the distance between a point and such a sphere.
 HWY_INLINE V blur(const Balls& ball, V3 p) {
   return hn::Mul(set(rounding), hn::Add(coordinates(p), ball.coordinates));
 }
@@ -146,7 +146,7 @@ HWY_INLINE void sample_balls(const Balls& ball, V3 p, V2 u, M chosen, LightPoint
   points.solid_angle = hn::Mul(points.area, cone.one_minus_cos);
 }
 
-/// Values that only scalar code can compute, for some lanes.
+/// Inputs of scalar code, for lanes whose lights are meshes.
 struct LaneColumns : LanePoints {
   alignas(64) std::array<float, lanes> ux, uy;
   alignas(64) std::array<std::uint32_t, lanes> surface, triangle;

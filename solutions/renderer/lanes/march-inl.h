@@ -1,4 +1,4 @@
-// Marches along rays to where a signed distance function changes its sign. Included once for each
+// Marches along rays until a signed distance function changes its sign. Included once for each
 // instruction set.
 
 #if defined(CARLO_MARCH_INL) == defined(HWY_TARGET_TOGGLE)
@@ -68,7 +68,7 @@ struct Marching {
     back_reach = of(sdf.above.reach, sdf.below.reach);
   }
 
-  /// No root is nearer than this: up to there, F >= f + low h - bend h^2 / 2 > 0. Below 0 where no
+  /// A distance h without a root: up to there F >= f + low h - bend h^2 / 2 > 0. Below 0 where no
   /// such bound holds.
   HWY_INLINE VF free_way() const {
     const VF f_here = few(f), known = hn::Max(hn::Sub(f_here, few(fine)), few(0));
@@ -80,8 +80,8 @@ struct Marching {
     return hn::Min(hn::Mul(way, few(1 - 1e-5F)), hn::Sub(reach, f_here));
   }
 
-  /// Beyond this F has changed its sign, once: until then F' <= high + back h < 0. 0 where that is
-  /// not known.
+  /// A distance h within which F has changed its sign exactly once: up to there F' <= high + back h
+  /// < 0. 0 where that is not known.
   HWY_INLINE VF way_across() const {
     const VF at_most = few(hn::Add(f, fine)), square = hn::Mul(high, high);
     const VF rest = hn::Sub(square, hn::Mul(hn::Add(back, back), at_most));
@@ -91,7 +91,7 @@ struct Marching {
     return hn::IfThenElseZero(hn::And(falls, hn::Lt(hn::Sub(way, at_most), back_reach)), way);
   }
 
-  /// Learns about F' at the end of a step from the values of F at both ends.
+  /// Updates the bounds of F' at the end of a step from the values of F at both ends.
   HWY_INLINE void learn(VD way, VD next, MD stands) {
     const VF h = few(way), per_h = hn::Div(few(1), h);
     const VF rise = hn::Mul(few(hn::Sub(next, f)), per_h);
@@ -112,13 +112,13 @@ struct Marching {
   }
 };
 
-/// SphereTracer::first_root() in lanes, up to values of F of different signs; knowledge about F's
-/// slope and its changes lengthens the steps. A lane whose ray has ended takes the next.
+/// SphereTracer::first_root() in lanes, until two values of F have different signs; bounds on F's
+/// slope and curvature lengthen the steps. A lane whose ray has ended starts the next.
 class March {
  public:
   HWY_INLINE March(const LaneSdf& sdf, SdfRays& rays) : sdf_(sdf), rays_(rays) {}
 
-  /// Collects the rays that reach such values and returns their number.
+  /// Collects the rays for which F changes its sign and returns their number.
   HWY_INLINE std::size_t run(SdfRays::Row<std::int64_t>& found) {
     auto all = zeros<std::array<Marching, ways>>();
     std::size_t count = 0;
@@ -153,7 +153,7 @@ class March {
     MD certain;  ///< no root is missed, except two within a least step
   };
 
-  /// Where to evaluate F next.
+  /// The point at which to evaluate F next.
   HWY_INLINE Stride stride(const Marching& m) const {
     const VD across = many(m.way_across()), free = many(m.free_way());
     const VD relaxed = hn::Mul(m.f, many(hn::Div(few(2), hn::Sub(few(1), m.slope))));
@@ -164,11 +164,11 @@ class March {
     return {hn::IfThenElse(m.fresh, m.s, to), hn::Ge(sure, step)};
   }
 
-  /// Takes the value of F there; returns how many rays cross the surface on the way.
+  /// Advances by F's value there; returns the number of rays that crossed the surface.
   HWY_INLINE std::size_t step(Marching& m, const Stride& stride, VD value, std::int64_t* found) {
     const VD x = stride.to, way = hn::Sub(x, m.s), f = hn::Mul(value, m.side);
     const MD walking = hn::AndNot(m.fresh, m.going);
-    // A step longer than the safe one stands if the balls around both ends leave no gap.
+    // A step longer than the safe one is accepted if the balls around both ends leave no gap.
     const MD daring = hn::AndNot(stride.certain, hn::Gt(many(m.slope), number(-1)));
     const MD gap = hn::And(walking, hn::And(daring, hn::Gt(way, hn::Add(m.f, f))));
     const MD stands = hn::AndNot(gap, walking);

@@ -1,5 +1,4 @@
-// Meshes among a scene's surfaces: finds the triangles that a register of rays meets. Included once
-// for each instruction set.
+// Intersects a register of rays with the scene's meshes. Included once for each instruction set.
 
 #if defined(CARLO_MESH_HITS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_MESH_HITS_INL

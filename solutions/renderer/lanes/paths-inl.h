@@ -1,4 +1,4 @@
-// Paths in progress, one in each lane. Included once for each instruction set.
+// Camera paths in progress, one in each lane. Included once for each instruction set.
 
 #if defined(CARLO_PATHS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_PATHS_INL
@@ -31,13 +31,13 @@ HWY_BEFORE_NAMESPACE();
 namespace renderer {
 namespace HWY_NAMESPACE {
 
-/// Paths from the camera.
+/// Traces camera paths.
 template <class Needs>
 class Walk : Steps<Needs> {
  public:
   HWY_INLINE Walk(const LaneJob& job, carlo::Counts& counts) : Steps<Needs>(job, counts) {}
 
-  /// Follows every path's ray to the next surface, gathers light there and draws the next ray.
+  /// Follows every path's ray to the next surface, gathers light there and samples the next ray.
   HWY_INLINE void extend(Paths& paths) const {
     Vertex vertex;
     this->find(paths, vertex);
@@ -81,7 +81,7 @@ class Walk : Steps<Needs> {
     if (Needs::full && s_.any_specular)
       pass_on(paths, specular, next, shading, vertex.error, next_mis_ratio);
     if (Needs::full && s_.any_specular)
-      this->roulette(paths, paths.compressed);
+      this->roulette(paths, paths.roulette_scale);
     else
       this->roulette(paths);
   }
@@ -110,7 +110,7 @@ class Walk : Steps<Needs> {
     return {select(first, hn::Mul(factor, hn::Mul(t, t)), factor), first, shading.cosine};
   }
   HWY_INLINE V mis_ratio(const MisRatios& ratios, const Surfaces& surface, V cosine, V pdf) const {
-    const V back = this->way_back(surface, ratios.cosine, cosine, pdf);
+    const V back = this->reverse_pdf(surface, ratios.cosine, cosine, pdf);
     return select(ratios.first, ratios.factor, hn::Mul(ratios.factor, back));
   }
 
@@ -120,8 +120,8 @@ class Walk : Steps<Needs> {
     paths.L = select(lost, paths.L + paths.beta * sky, paths.L);
   }
 
-  /// The rays' radiance from the environment map, weighted against light sampling. No light
-  /// path starts there.
+  /// The environment map's radiance along the rays, weighted against light sampling. No light path
+  /// starts there.
   HWY_INLINE V3 image_around(const Paths& paths, M lost) const {
     const Texels texels = sky_at(*s_.sky, paths.d, lost);
     V chosen = set(1);
@@ -180,16 +180,17 @@ class Walk : Steps<Needs> {
     this->continue_paths(paths, specular, next, shading, error);
     paths.beta = select(specular, next.weight, paths.beta);
     paths.pdf = select(specular, set(-1), paths.pdf);
-    paths.compressed = select(specular, hn::Mul(paths.compressed, next.eta2), paths.compressed);
+    paths.roulette_scale =
+        select(specular, hn::Mul(paths.roulette_scale, next.eta2), paths.roulette_scale);
     if constexpr (Needs::light_paths)
       paths.mis_ratio = select(specular, next_mis_ratio, paths.mis_ratio);
   }
 
   HWY_INLINE void scatter(Paths& paths, const Surfaces& surface, V2 u,
                           const MisRatios& ratios) const {
-    const V3 wi = this->drawn(surface, u);
+    const V3 wi = this->sample_wi(surface, u);
     const V cosine = dot(surface.n, wi);
-    const Bsdfs bsdf = this->reflected(surface, wi, cosine);
+    const Bsdfs bsdf = this->evaluate_bsdf(surface, wi, cosine);
     const M above = hn::And(hn::Gt(cosine, set(0)), hn::Gt(bsdf.pdf, set(0)));
     paths.alive = hn::And(paths.alive, above);
     const V weight = this->lobes() ? hn::Div(cosine, bsdf.pdf) : set(pi);
@@ -201,7 +202,7 @@ class Walk : Steps<Needs> {
           hn::Mul(mis_ratio(ratios, surface, cosine, bsdf.pdf), hn::Div(cosine, bsdf.pdf));
   }
 
-  /// Adds light that arrives directly from points drawn on the lights.
+  /// Adds direct light from points sampled on the lights.
   HWY_INLINE void add_direct(Paths& paths, const Surfaces& surface, Vertex& vertex,
                              const MisRatios& ratios) const {
     if (s_.lights > 1 || s_.any_mesh_light) paths.n = each(surface.n);
@@ -226,7 +227,7 @@ class Walk : Steps<Needs> {
     counts_.rays += hn::CountTrue(d_, faces);
     const Segments way{paths.from, wi, light.p, hn::Mul(distance2, inverse), light.plane};
     const M clear = unoccluded<Needs::close, Needs::full>(s_, way, faces);
-    const Bsdfs bsdf = this->reflected(surface, wi, cosine);
+    const Bsdfs bsdf = this->evaluate_bsdf(surface, wi, cosine);
     // `solid_angle` is one over the density of wi by light sampling.
     V solid_angle = hn::Mul(hn::Mul(light.area, light_cosine), hn::Mul(inverse, inverse));
     if (Needs::full && (s_.sphere_lights || s_.sky))
@@ -253,8 +254,7 @@ class Walk : Steps<Needs> {
     }
   }
 
-  /// As in carlo::shadow_ray(), the segment ends in front of the surface that the light is fixed
-  /// to.
+  /// As in carlo::shadow_ray(), the segment ends in front of the surface that carries the light.
   HWY_INLINE void end_before_meshes(const LightPoints& light, ToLight& way) const {
     const V3 before = off_surface(light.p, light.error, light.n, set(0, 0, 0));
     way.to = s_.point_lights() ? select(light.point, light.p, before) : before;

@@ -1,5 +1,4 @@
-// Sdfs among a scene's surfaces: finds those that a batch of rays meets. Included once for each
-// instruction set.
+// Intersects a batch of rays with the scene's sdfs. Included once for each instruction set.
 
 #if defined(CARLO_SDF_HITS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_SDF_HITS_INL
@@ -33,7 +32,7 @@ struct Way {
 /// A register's segments from o to points of lights, none of which lies on an sdf.
 struct ToLight {
   V3 o, to;
-  V share;  ///< the share of the segment that a mesh may block: not the end, if the light is a mesh
+  V share;  ///< the part of the segment that a mesh may block: not its end, if the light is a mesh
   M clear;  ///< so far
 };
 
@@ -102,8 +101,8 @@ inline HWY_NOINLINE void place_on_sdfs(const LaneScene& s, const Vertex& vertex,
              n);
 }
 
-/// carlo::offset_origin(): moves the point p of a surface to the side of n, off the surface by what
-/// its rounding demands; for a path that came along d, |d| = 1, and stays on that side.
+/// carlo::offset_origin(): moves the point p of a surface off it, to the side of n, by as much as
+/// its rounding error requires; for a path that arrived along d, |d| = 1, and stays on that side.
 HWY_INLINE V3 off_surface(V3 p, V3 error, V3 n, V3 d) {
   const V3 size{hn::Abs(p.x), hn::Abs(p.y), hn::Abs(p.z)};
   const V3 back = add_scaled(p, hn::Mul(set(-2), hn::Sqrt(dot(error, error))), d);

@@ -1,4 +1,4 @@
-// A tile's samples, before they are paths. Included once for each instruction set.
+// Camera rays: a tile's samples before they become paths. Included once for each instruction set.
 
 #if defined(CARLO_STARTS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_STARTS_INL
@@ -41,8 +41,8 @@ HWY_INLINE V camera_density(const LaneJob& job, V3 d) {
   return hn::Div(set(per_film), hn::Mul(cosine, hn::Mul(cosine, cosine)));
 }
 
-/// A tile's samples as paths about to start, pixel by pixel. They are prepared for all lanes at
-/// once, and taken as lanes become free.
+/// A queue of a tile's samples, pixel by pixel, that start as lanes become free. They are prepared
+/// a register at a time.
 class Starts {
  public:
   HWY_ATTR explicit Starts(const LaneJob& job)
@@ -63,14 +63,14 @@ class Starts {
     return allowed_;
   }
 
-  /// Gives paths to lanes that have none, as long as there are some.
+  /// Starts queued samples in free lanes.
   template <class Needs>
   HWY_INLINE void refill(Paths& paths, carlo::Counts& counts) {
     const std::uint32_t alive = bits(paths.alive);
     if (alive == static_cast<std::uint32_t>((std::uint64_t{1} << lanes) - 1)) return;
     if (waiting_ < lanes && allowed_ > 0) prepare();
     if (waiting_ == 0) return;
-    // The place in the queue: the number of free lanes before this one.
+    // The position in the queue: the number of free lanes before this one.
     const U place = ranks(~alive);
     const M starts = hn::AndNot(paths.alive, hn::RebindMask(d_, hn::Gt(set_word(waiting_), place)));
     take<Needs>(paths, starts, hn::And(place, set_word(lanes - 1)));
@@ -99,7 +99,7 @@ class Starts {
     }
     if constexpr (Needs::full) {
       paths.from.through = hn::AndNot(starts, paths.from.through);
-      paths.compressed = select(starts, set(1), paths.compressed);
+      paths.roulette_scale = select(starts, set(1), paths.roulette_scale);
       paths.from.clear = select(starts, set(o.x, o.y, o.z), paths.from.clear);
     }
     paths.d = select(starts, {floats(dx_.data()), floats(dy_.data()), floats(dz_.data())}, paths.d);

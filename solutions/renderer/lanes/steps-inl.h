@@ -1,5 +1,5 @@
-// Paths in progress, one in each lane: what all kinds of paths have in common. Included once for
-// each instruction set.
+// Paths in progress, one in each lane: the steps shared by camera paths and light paths. Included
+// once for each instruction set.
 
 #if defined(CARLO_STEPS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef CARLO_STEPS_INL
@@ -50,7 +50,8 @@ struct Paths {
   Origins from;
   V3 d, beta, L;
   V pdf;             ///< of d; below 0: emission counts fully
-  V compressed;      ///< radiance compression by refractions so far; 1 outside glass
+  V roulette_scale;  ///< roulette takes beta relative to this: radiance scaled by refraction is not
+                     ///< brighter
   U depth;           ///< segments so far
   U key;             ///< of the next vertex
   U reversed_index;  ///< of the sample
@@ -59,7 +60,7 @@ struct Paths {
   V3 n;                              ///< of the surface that d leaves, on its side,
   LightProbabilities probabilities;  ///< and the probabilities with which lights were chosen there,
                                      ///< if there are several
-  V mis_ratio;  ///< for Features::light_paths (lane_kernel.h, LightPathJob)
+  V mis_ratio;                       ///< for Features::light_paths (lane_kernel.h, LightPathJob)
   // For a light path:
   U light, triangle;  ///< where it started
   U pixel;            ///< the pixel in which the camera sees its vertex
@@ -90,7 +91,7 @@ HWY_INLINE V2 points(const LaneJob& job, U reversed_index, U k) {
   return job.sobol ? sobol_2d(reversed_index, k) : random_2d(reversed_index, k);
 }
 
-/// What happens to paths at their vertices, wherever they start.
+/// The steps of camera paths and light paths alike at their vertices.
 template <class Needs>
 class Steps {
  public:
@@ -101,9 +102,8 @@ class Steps {
         per_threshold_(1 / job.choices.roulette_threshold) {}
 
  protected:
-  /// Takes one register of paths, or `batch` of them if there are sdfs, to their next vertices,
-  /// where `walk` shades them, and then lets it gather the contributions of those segments to_light
-  /// that nothing blocks.
+  /// Extends one register of paths, or `batch` of them if there are sdfs, to their next vertices;
+  /// there `walk` shades them and then gathers the contributions of unoccluded segments to_light.
   template <class Walk>
   HWY_INLINE void step_batch(const Walk& walk, std::span<Paths> paths) const {
     const bool sdfs = !s_.sdfs.empty();
@@ -214,7 +214,7 @@ class Steps {
     }
   }
 
-  /// For the lanes that met an sdf or a mesh; and the rounding error for all.
+  /// Points and normals of the lanes that hit an sdf or a mesh; rounding errors for all.
   HWY_INLINE void place_searched(Vertex& vertex, M alive, U number, V3& p, V3& normal) const {
     if (!s_.sdfs.empty()) place_on_sdfs(s_, vertex, number, p, normal);
     vertex.error = rounding_of(p);
@@ -238,7 +238,7 @@ class Steps {
     paths.key = hn::Add(paths.key, set_word(key_step));
   }
 
-  /// Splits off the paths on mirrors and glass, and computes where they go.
+  /// Separates the paths on mirrors and glass, and computes their next directions.
   HWY_INLINE M reflect_some(Paths& paths, const ShadingPoints& shading, V u,
                             Reflections& next) const {
     const Numbers& material = shading.material;
@@ -249,20 +249,20 @@ class Steps {
     return specular;
   }
 
-  /// True if there are lobes. Code compiled for everything asks the scene, so that a scene without
-  /// lobes gives the same bits as with code that knows none.
+  /// True if there are lobes. Code compiled for all features asks the scene, so that a scene
+  /// without lobes has the same bits as with code compiled without them.
   HWY_INLINE bool lobes() const { return Needs::phong && (!Needs::full || s_.phong); }
-  HWY_INLINE Bsdfs reflected(const Surfaces& surface, V3 wi, V cosine) const {
+  HWY_INLINE Bsdfs evaluate_bsdf(const Surfaces& surface, V3 wi, V cosine) const {
     return lobes() ? evaluate<Needs::phong>(surface, wi, cosine)
                    : evaluate<false>(surface, wi, cosine);
   }
-  HWY_INLINE V3 drawn(const Surfaces& surface, V2 u) const {
+  HWY_INLINE V3 sample_wi(const Surfaces& surface, V2 u) const {
     return lobes() ? sample_direction<Needs::phong>(surface, u)
                    : sample_direction<false>(surface, u);
   }
-  HWY_INLINE V way_back(const Surfaces& surface, V arrival, V cosine, V pdf) const {
-    return lobes() ? pdf_back<Needs::phong>(surface, arrival, cosine, pdf)
-                   : pdf_back<false>(surface, arrival, cosine, pdf);
+  HWY_INLINE V reverse_pdf(const Surfaces& surface, V arrival, V cosine, V pdf) const {
+    return lobes() ? reverse_pdf_of<Needs::phong>(surface, arrival, cosine, pdf)
+                   : reverse_pdf_of<false>(surface, arrival, cosine, pdf);
   }
 
   HWY_INLINE Surfaces surface_at(V3 d, const ShadingPoints& shading) const {
