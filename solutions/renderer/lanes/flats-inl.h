@@ -78,7 +78,7 @@ HWY_INLINE void meet_flat(const LaneScene& s, std::uint32_t i, const Origins& fr
   // Among surfaces of one plane, whose distances are equal, the one that faces the ray wins.
   if (close && s.coplanar)
     nearer = hn::Or(nearer, hn::And(hn::Eq(t, hits.t), hn::Lt(hit.along, set(0))));
-  take(hits, hn::And(hn::And(nearer, ahead), there), t, set_word(i));
+  keep_nearer(hits, hn::And(hn::And(nearer, ahead), there), t, set_word(i));
 }
 
 /// Parallelogram or disk i blocks a segment if the ends are on different sides of its plane. The
@@ -115,7 +115,7 @@ HWY_INLINE bool alike(const LaneScene& s, const Run& run, std::uint32_t i) {
 /// Calls f with the numbers of all parallelograms of those patches of a run that are near one of
 /// the points p in the lanes of `asked`; the points lie in its plane.
 template <class F>
-HWY_INLINE void for_places(const LaneScene& s, const Run& run, V3 p, M asked, const F& f) {
+HWY_INLINE void for_nearby_members(const LaneScene& s, const Run& run, V3 p, M asked, const F& f) {
   const std::uint32_t i = run.first;
   const V a = hn::Sub(dot(set(s.ax[i], s.ay[i], s.az[i]), p), set(s.a0[i]));
   const V b = hn::Sub(dot(set(s.bx[i], s.by[i], s.bz[i]), p), set(s.b0[i]));
@@ -148,11 +148,11 @@ HWY_INLINE void meet_run(const LaneScene& s, const Run& run, const Origins& from
   const M faced = hn::Lt(hit.along, set(0)), facing = hn::Gt(hit.along, set(0));
   // Among overlapping parallelograms the one that faces the ray wins.
   M open = nearer;
-  for_places(s, run, p, hn::Or(nearer, level), [&](std::uint32_t k) HWY_ATTR {
+  for_nearby_members(s, run, p, hn::Or(nearer, level), [&](std::uint32_t k) HWY_ATTR {
     const M front = alike(s, run, k) ? faced : facing;
     const M taken = hn::And(inside<Outline::quad>(s, k, p),
                             hn::Or(open, hn::And(hn::Or(nearer, level), front)));
-    take(hits, taken, t, set_word(k));
+    keep_nearer(hits, taken, t, set_word(k));
     open = hn::AndNot(taken, open);
   });
 }
@@ -174,7 +174,7 @@ HWY_INLINE M run_blocks(const LaneScene& s, const Run& run, const Segments& way,
   }
   const V3 p = add_scaled(way.from.o, hit.t, way.d);
   M within = hn::FirstN(d_, 0);
-  for_places(s, run, p, hn::And(there, between), [&](std::uint32_t k) HWY_ATTR {
+  for_nearby_members(s, run, p, hn::And(there, between), [&](std::uint32_t k) HWY_ATTR {
     within = hn::Or(within, inside<Outline::quad>(s, k, p));
   });
   return hn::And(there, hn::And(between, within));

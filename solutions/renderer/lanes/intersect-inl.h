@@ -105,7 +105,7 @@ HWY_INLINE void meet_solid(const LaneScene& s, std::uint32_t i, V3 o, V3 d, U la
   const M ahead = hn::Gt(hn::Add(enters, leaves), set(0));
   const M nearer = hn::And(hn::And(hn::Le(enters, leaves), hn::Lt(enters, hits.t)),
                            hn::And(ahead, differs(last_box, set_word(i))));
-  take(hits, nearer, enters, hn::Add(side, set_word(i * LaneScene::sides)));
+  keep_nearer(hits, nearer, enters, hn::Add(side, set_word(i * LaneScene::sides)));
 }
 
 /// The intersection of a line and a sphere: t at the middle of the chord and at its ends.
@@ -160,7 +160,7 @@ HWY_INLINE void meet_sphere(const LaneScene& s, std::uint32_t i, const Origins& 
     ahead = select_mask(touches, hn::Or(hn::Gt(chord.middle, set(0)), hn::Not(was_outside)), ahead);
   }
   const M met = hn::Or(chord.met, hn::And(starts, hn::Gt(from_inside, set(0))));
-  take(hits, hn::And(hn::And(met, ahead), hn::Lt(t, hits.t)), t, number);
+  keep_nearer(hits, hn::And(hn::And(met, ahead), hn::Lt(t, hits.t)), t, number);
 }
 
 /// closest() for scenes with hierarchies; `wanted`: the lanes that have a ray.
@@ -169,24 +169,24 @@ inline HWY_NOINLINE void closest_in_trees(const LaneScene& s, const Origins& fro
   const V of_origin = coordinates(from.o);
   const TreeSearch search(from.o, d, wanted);
   const auto far = [&]() HWY_ATTR { return hits.t; };
-  const auto take_for = [&](M rays, const Hits& found) HWY_ATTR {
-    take(hits, rays, found.t, found.surface);
+  const auto keep_for = [&](M rays, const Hits& found) HWY_ATTR {
+    keep_nearer(hits, rays, found.t, found.surface);
     return true;
   };
   for_shapes_near(s.quad_tree, search, wanted, far, [&](std::uint32_t i, M rays) HWY_ATTR {
     Hits found = hits;
     meet_flat<true, Outline::quad>(s, i, from, d, of_origin, found);
-    return take_for(rays, found);
+    return keep_for(rays, found);
   });
   for_shapes_near(s.disk_tree, search, wanted, far, [&](std::uint32_t i, M rays) HWY_ATTR {
     Hits found = hits;
     meet_flat<true, Outline::disk>(s, i, from, d, of_origin, found);
-    return take_for(rays, found);
+    return keep_for(rays, found);
   });
   for_shapes_near(s.sphere_tree, search, wanted, far, [&](std::uint32_t i, M rays) HWY_ATTR {
     Hits found = hits;
     meet_sphere<true>(s, i, from, d, of_origin, found);
-    return take_for(rays, found);
+    return keep_for(rays, found);
   });
 }
 

@@ -57,7 +57,7 @@ struct Marching {
   VF back, back_reach;  ///< F'' <= back where F > -back_reach
 
   /// Bounds of second derivatives, by the side that rays are on.
-  HWY_INLINE void take_bends(const LaneSdf& sdf) {
+  HWY_INLINE void set_bends(const LaneSdf& sdf) {
     const MD outside = hn::Gt(side, number(0));
     const auto of = [&](double below, double above) HWY_ATTR {
       return few(hn::IfThenElse(outside, number(below), number(above)));
@@ -234,7 +234,7 @@ class March {
     const VD side = hn::IfThenElse(outside, number(1), number(-1));
     m.side = hn::IfThenElse(m.fresh, side, m.side);
     m.f = hn::IfThenElse(m.fresh, f, m.f);
-    m.take_bends(sdf_);
+    m.set_bends(sdf_);
     // Far from the surface, slopes are not worth a gradient.
     along = hn::Mul(along, m.side);
     const auto bound = [&](double error, double none, VF known) HWY_ATTR {

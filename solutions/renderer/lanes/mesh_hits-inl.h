@@ -40,8 +40,8 @@ inline HWY_NOINLINE void meet_meshes(const LaneScene& s, const V3& o, const V3& 
                                      carlo::MeshRays& rays, Hits& hits) {
   store(o, d, hits.t, rays);
   const M met = mask_of(s.meshes->intersect(rays, bits(wanted)));
-  take(hits, met, hn::Load(d_, rays.t.data()),
-       hn::Add(hn::Load(du_, rays.mesh.data()), set_word(s.first_mesh)));
+  keep_nearer(hits, met, hn::Load(d_, rays.t.data()),
+              hn::Add(hn::Load(du_, rays.mesh.data()), set_word(s.first_mesh)));
 }
 
 /// One column per coordinate.

@@ -57,7 +57,7 @@ struct Hits {
   V t;
   U surface;
 };
-HWY_INLINE void take(Hits& hits, M nearer, V t, U surface) {
+HWY_INLINE void keep_nearer(Hits& hits, M nearer, V t, U surface) {
   hits.t = select(nearer, t, hits.t);
   hits.surface = hn::IfThenElse(hn::RebindMask(du_, nearer), surface, hits.surface);
 }

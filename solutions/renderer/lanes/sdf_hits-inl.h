@@ -69,8 +69,8 @@ inline HWY_NOINLINE void meet_sdfs(const LaneScene& s, std::array<Vertex, batch>
     }
     for (std::size_t w = 0; w < batch; ++w) {
       const V met = hn::Load(d_, t.data() + w * lanes);
-      take(vertices[w].hits, hn::Ge(met, set(0)), met,
-           set_word(s.first_sdf + static_cast<std::uint32_t>(k)));
+      keep_nearer(vertices[w].hits, hn::Ge(met, set(0)), met,
+                  set_word(s.first_sdf + static_cast<std::uint32_t>(k)));
     }
   }
 }

@@ -71,9 +71,10 @@ class Starts {
     if (waiting_ < lanes && allowed_ > 0) prepare();
     if (waiting_ == 0) return;
     // The position in the queue: the number of free lanes before this one.
-    const U place = ranks(~alive);
-    const M starts = hn::AndNot(paths.alive, hn::RebindMask(d_, hn::Gt(set_word(waiting_), place)));
-    take<Needs>(paths, starts, hn::And(place, set_word(lanes - 1)));
+    const U position = ranks(~alive);
+    const M starts =
+        hn::AndNot(paths.alive, hn::RebindMask(d_, hn::Gt(set_word(waiting_), position)));
+    start<Needs>(paths, starts, hn::And(position, set_word(lanes - 1)));
     const auto started = static_cast<std::uint32_t>(hn::CountTrue(d_, starts));
     first_ += started;
     waiting_ -= started;
@@ -82,8 +83,8 @@ class Starts {
 
  private:
   template <class Needs>
-  HWY_INLINE void take(Paths& paths, M starts, U place) const {
-    const auto from = hn::IndicesFromVec(d_, place);
+  HWY_INLINE void start(Paths& paths, M starts, U position) const {
+    const auto from = hn::IndicesFromVec(d_, position);
     const auto starts_u = hn::RebindMask(du_, starts);
     const auto floats = [&](const float* queue) HWY_ATTR {
       return hn::TableLookupLanes(hn::LoadU(d_, queue + first_), from);
@@ -124,11 +125,11 @@ class Starts {
     move(key_, du_), move(index_, du_), move(number_of_, du_);
     first_ = 0;
     for (std::size_t i = 0; i < at_a_time && allowed_ > 0; ++i)
-      join();
+      append_register();
   }
 
   /// After the tile's last sample the rest of the register does not count as waiting.
-  HWY_INLINE void join() {
+  HWY_INLINE void append_register() {
     const auto made = static_cast<std::uint32_t>(std::min<std::uint32_t>(lanes, allowed_));
     const std::uint32_t samples = job_.tile.samples;
     if (sample_ == samples) next_pixel();
