@@ -96,9 +96,9 @@ std::unique_ptr<carlo::Integrator> make_lane_integrator(const carlo::Scene& scen
                                                         std::optional<std::uint32_t> pilot_spp) {
   if (lane_instruction_sets().empty()) {
     throw carlo::Error(
-        "the vector kernel was compiled for another kind of processor than this machine's; cmake "
-        "--preset release -DCARLO_EVERY_INSTRUCTION_SET=ON and a build make it for all kinds, "
-        "--kernel scalar does without");
+        "the vector kernel was compiled for another kind of processor than this machine's; configure "
+        "with cmake --preset release -DCARLO_EVERY_INSTRUCTION_SET=ON and build again to support "
+        "all kinds, or render with --kernel scalar");
   }
   return std::make_unique<LaneIntegrator>(scene, seed, choices, pilot_spp);
 }

@@ -17,12 +17,12 @@ using Means = std::vector<std::array<double, 3>>;
 constexpr std::uint32_t blocks = 8, samples = 16;  ///< per pixel, and per block
 /// Each technique tries one in this many of a render's paths.
 constexpr double share = 512;
-/// The factor by which a ray gets dearer when some paths start at the lights (without mirrors,
-/// glass and the like).
-constexpr double dearer = 1.3;
-/// The factor by which they must seem better, since so short a trial may mislead. With mirrors or
-/// glass, which gather light, or lobes, which do so a little, they are expected to be.
-constexpr double clearly = 3, clearly_with_lobes = 1, clearly_with_mirrors = 0.8;
+/// The relative cost of a ray when light paths are traced, too (without mirrors, glass and the
+/// like).
+constexpr double ray_cost = 1.3;
+/// The factor by which light paths must seem better, since so short a trial may mislead. With
+/// mirrors or glass, which focus light, or lobes, which do so a little, they are expected to be.
+constexpr double least_gain = 3, least_gain_with_lobes = 1, least_gain_with_mirrors = 0.8;
 
 struct Trial {
   Means mean, variance;  ///< over the pixels of a block
@@ -106,14 +106,14 @@ bool try_light_paths(const carlo::Scene& scene, const LaneScene& lanes, std::uin
   const double side = std::sqrt(paths / (blocks * samples));
   const Pilot pilot(scene, lanes, seed, static_cast<int>(std::clamp(side, 8.0, 64.0)));
   const Trial without = pilot.run(false), with = pilot.run(true);
-  const double dear = lanes.full() ? 1 : dearer;
+  const double cost = lanes.full() ? 1 : ray_cost;
   // The better image serves both, so that light that one of them missed does not look dark.
   const double before = relative_variance(without, with.mean) * without.rays;
-  const double after = relative_variance(with, with.mean) * with.rays * dear;
-  const double better = lanes.any_specular ? clearly_with_mirrors
-                        : lanes.phong      ? clearly_with_lobes
-                                           : clearly;
-  return after * better < before;
+  const double after = relative_variance(with, with.mean) * with.rays * cost;
+  const double gain = lanes.any_specular ? least_gain_with_mirrors
+                      : lanes.phong      ? least_gain_with_lobes
+                                         : least_gain;
+  return after * gain < before;
 }
 
 }  // namespace renderer

@@ -20,7 +20,7 @@ std::size_t numbers(const LaneBoxes& boxes, const carlo::Scene& scene) {
          boxes.others.size() + static_cast<std::size_t>(others);
 }
 
-/// How many tests find the nearest surface if all are tried.
+/// The number of tests that find the nearest surface if all are tested.
 std::size_t tries(const LaneBoxes& boxes, const carlo::Scene& scene) {
   std::vector<Parallelogram> quads;
   for (const std::size_t i : boxes.others)

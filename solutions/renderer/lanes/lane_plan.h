@@ -7,9 +7,11 @@
 
 namespace renderer {
 
-// Whether a ray tries each surface of a scene, or trees find those near it (LaneScene::many).
+// Decides whether rays test all surfaces of a scene one by one, or find those near them by trees
+// (LaneScene::many).
 
-/// The boxes of a scene if all of its surfaces are tried; nothing if they are too many.
+/// The boxes of a scene if all of its surfaces are tested one by one; nothing if there are too
+/// many.
 std::optional<LaneBoxes> boxes_to_try(const carlo::Scene& scene);
 
 /// All parallelograms by themselves.

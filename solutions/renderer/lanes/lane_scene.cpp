@@ -92,7 +92,7 @@ class Writer {
     look(i, shape);
     if (!shape.emits()) return;
     lanes_.sphere_lights = true;
-    // From everywhere as bright as a disk of its radius.
+    // From every direction as bright as a disk of its radius.
     light(i, shape, sphere.flipped ? area(sphere) : 2 * carlo::pi, area(sphere),
           {.middle = Vec3d(sphere.center),
            .reach = static_cast<double>(sphere.radius),
@@ -164,7 +164,7 @@ class Writer {
     }
   }
 
-  /// Gives surfaces of one plane the number and the coordinates of the first.
+  /// Gives all surfaces of a plane the number and the coordinates of the first.
   void share_planes() {
     const carlo::Planes planes = carlo::find_planes(quads_);
     for (std::size_t k = 0; k < quads_.size(); ++k) {
@@ -181,7 +181,7 @@ class Writer {
   }
 
  private:
-  /// True if the parallelogram quads_[k] is met or aimed at on its own, not as a side of a box.
+  /// True if the parallelogram quads_[k] is hit or sampled on its own, not as a side of a box.
   bool by_itself(std::size_t k) const {
     const std::size_t i = numbers_[k];
     return i >= lanes_.first_quad || lanes_.light_density[i] > 0;
