@@ -58,7 +58,7 @@ struct EnvmapTable {
   double brightness = 0;  ///< the integral of R + G + B over the sphere
 
  private:
-  void add_row(std::size_t y, double chance, const std::vector<double>& luminances);
+  void add_row(std::size_t y, double probability, const std::vector<double>& luminances);
 };
 
 }  // namespace renderer

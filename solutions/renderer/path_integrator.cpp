@@ -107,7 +107,7 @@ class PathIntegrator final : public carlo::Integrator {
     float eta_scale = 1;    ///< radiance compression so far; undone when the path leaves the glass
     bool nee_done = false;  ///< was next-event estimation done for the ray's direction?
     float pdf = 0;          ///< if so: the pdf of the ray's direction,
-    Receiver vertex;        ///< and where it started
+    ShadingPoint vertex;    ///< and where it started
     std::uint32_t dimension = film_dimensions;  ///< the first dimension of the current vertex
   };
 

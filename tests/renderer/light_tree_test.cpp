@@ -1,5 +1,5 @@
-// The choice of a light: sample() agrees with chance(), no light is left out, and estimates are
-// close to the lights' actual contributions.
+// The choice of a light: sample() agrees with probability(), no light is left out, and estimates
+// are close to the lights' actual contributions.
 //
 // Error rates. Frequencies are tested by chi-square at alpha = 1e-4 with 2e5 numbers for each of 24
 // sets of lights; seeds are fixed, another would fail somewhere with probability 2.4e-3. Power: a
@@ -91,7 +91,7 @@ Here random_place(Rng& rng, const SomeLights& some) {
 std::vector<double> chances_at(const LightTree& tree, std::size_t count, const Here& here) {
   std::vector<double> chances;
   for (std::uint32_t i = 0; i < count; ++i)
-    chances.push_back(tree.chance(i, here.p, here.n));
+    chances.push_back(tree.probability(i, here.p, here.n));
   return chances;
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("Lights are chosen as often as their chances say, and what is left of 
       const auto choice = tree.sample(here.p, here.n, rng.uniform());
       ++counts[choice ? choice->light : some.count()];
       if (!choice) continue;
-      CHECK(std::abs(choice->chance / expected[choice->light] - 1) <= 1e-9);
+      CHECK(std::abs(choice->probability / expected[choice->light] - 1) <= 1e-9);
       REQUIRE((choice->u >= 0 && choice->u < 1));
       ++rest[static_cast<std::size_t>(choice->u * cells)];
       ++chosen;
@@ -177,7 +177,7 @@ TEST_CASE("Chances of a millionth are lengths of intervals of u") {
       left = right;
     }
     for (std::uint32_t i = 0; i < some.count(); ++i) {
-      const double chance = tree.chance(i, here.p, here.n);
+      const double chance = tree.probability(i, here.p, here.n);
       const double base =
           some.count() == 1 ? 0 : LightTree::floor / static_cast<double>(some.count());
       small += chance > base && chance - base < 1e-4 ? 1 : 0;
@@ -222,7 +222,7 @@ TEST_CASE("Lights in one place, one light, and lights where the point is, are ch
       for (const dvec3 n : {dvec3(0, 0, 1), dvec3(0, 0, -1)}) {
         double sum = 0;
         for (std::uint32_t i = 0; i < count; ++i) {
-          const double chance = tree.chance(i, p, n);
+          const double chance = tree.probability(i, p, n);
           CHECK(chance >= std::min(1.0, LightTree::floor / static_cast<double>(count)));
           sum += chance;
         }
@@ -232,7 +232,7 @@ TEST_CASE("Lights in one place, one light, and lights where the point is, are ch
           if (!choice) continue;
           CHECK(choice->light < count);
           CHECK((choice->u >= 0 && choice->u < 1));
-          CHECK(choice->chance > 0);
+          CHECK(choice->probability > 0);
         }
       }
     }
@@ -297,7 +297,7 @@ TEST_CASE("What groups of a tree are taken to bring is 0 only where that of all 
         const double brings = renderer::estimate_irradiance(some.lights[i], here.p, here.n);
         if (!(brings > 1e-3 * all) || !middle_faces(some.lights[i], here)) continue;
         ++bright;
-        CHECK(tree.chance(i, here.p, here.n) > floor);
+        CHECK(tree.probability(i, here.p, here.n) > floor);
       }
     }
   }
