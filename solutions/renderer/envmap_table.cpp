@@ -32,8 +32,8 @@ std::vector<float> running_probabilities(const std::vector<double>& weights) {
   return sums;
 }
 
-/// The step that u falls into, of `count` steps from first[0] = 0 to first[count] = 1, and u's
-/// place within it.
+/// The step that contains u, of `count` steps from first[0] = 0 to first[count] = 1, and the
+/// position of u within it.
 struct Picked {
   std::size_t index;
   float within;

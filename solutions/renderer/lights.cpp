@@ -148,7 +148,7 @@ LightBounds bounds_of(const Disk& s, double radiance) {
   const Vec3d half = static_cast<double>(s.radius) * glm::sqrt(glm::max(Vec3d(0), 1.0 - n * n));
   return {Vec3d(s.center) - half, Vec3d(s.center) + half, n, 1, radiance * area_of(s)};
 }
-/// From everywhere as bright as a disk of its radius.
+/// From every direction as bright as a disk of its radius.
 LightBounds bounds_of(const Sphere& s, double radiance) {
   const Vec3d half(static_cast<double>(s.radius));
   return {Vec3d(s.center) - half, Vec3d(s.center) + half, {}, -1, radiance * area_of(s) / 4};

@@ -22,7 +22,7 @@ struct RoundedPoint {
   Vec3 p{0}, error{0};
 };
 
-/// A point that receives light: n is the unit normal of the lit side.
+/// A shading point: n is the unit normal of the lit side.
 struct ShadingPoint : RoundedPoint {
   Vec3 n{0};
 };
@@ -57,7 +57,7 @@ class Lights {
   }
 
   /// Returns nothing when the light sends no radiance to `from`, or when rounding hides whether it
-  /// does, since a flat light does not light itself. Rays that meet the light account for that
+  /// does, since a flat light does not light itself. Rays that hit the light account for that
   /// radiance.
   std::optional<LightSample> sample(const ShadingPoint& from, float u_light, Vec2 u) const;
 
@@ -81,7 +81,7 @@ class Lights {
     bool shades_itself = true;  ///< as in LightSample
     std::uint32_t first_leaf = 0;
   };
-  /// What is chosen: an entry, or one triangle of a mesh entry.
+  /// A light that can be chosen: an entry, or one triangle of a mesh entry.
   struct Leaf {
     std::uint32_t entry;
     std::uint32_t triangle;

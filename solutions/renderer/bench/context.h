@@ -44,7 +44,7 @@ class Context {
   /// Reports the finished fraction of the current part, in [0, 1]. Throws Error after Ctrl-C.
   void progress(double fraction);
   void table(const std::string& key, const carlo::Table& table, std::string_view caption);
-  /// Prints a line that the reader should not miss, to the terminal and the page.
+  /// Prints a line to the terminal and the page.
   void remark(const std::string& line);
   /// The same in red, for a measurement that is not as it should be. The run continues, and fails
   /// in the end.

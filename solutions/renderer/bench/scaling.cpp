@@ -37,7 +37,7 @@ struct Case {
   double mean = 0;  ///< of the image, over channels
 };
 
-/// The runs of all cases take turns. With a reference, the efficiency is measured as well.
+/// The runs of all cases alternate. With a reference, the efficiency is measured as well.
 void run_all(Context& context, std::vector<Case>& cases, std::uint32_t samples, int runs,
              const Reference* reference = nullptr) {
   double done = 0;

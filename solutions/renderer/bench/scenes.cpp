@@ -59,7 +59,7 @@ struct Measured {
   std::vector<Rung> rungs;
 };
 
-/// The runs of all ways take turns, so that disturbances of the machine affect all of them.
+/// The runs of all ways alternate, so that disturbances of the machine affect all of them.
 std::vector<Measured> measure(Context& context, Scene scene, const Reference& reference,
                               const Plan& p, double from, double to) {
   std::vector<Measured> all;

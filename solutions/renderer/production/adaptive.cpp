@@ -22,12 +22,12 @@
 namespace carlo {
 namespace {
 
-/// Decisions are taken for squares with sides of this many pixels; work is handed out in squares
-/// with sides of up to `square_size`.
+/// Decisions are made for squares of this side, in pixels; work is handed out in squares of sides
+/// up to `square_size`.
 constexpr int unit_size = adaptive_unit_size, square_size = 16;
 /// Jobs per thread between possible checkpoints.
 constexpr std::ptrdiff_t jobs_at_once = 64;
-/// Samples per half; beyond these no pixel waits for unasked lights.
+/// Samples per half; beyond these no pixel waits for lights that have not been sampled.
 constexpr double most_for_lights = 1024;
 /// Larger jobs are split, so that all threads have work until the end.
 constexpr std::uint64_t most_paths_a_job = 1u << 20;
@@ -164,8 +164,8 @@ class AdaptiveJob {
     for (auto begin = left.begin(); begin < left.end();) {
       const auto end = begin + std::min<std::ptrdiff_t>(batch, left.end() - begin);
       tbb::parallel_for_each(begin, end, [&](const Work& w) { render(w, light_passes); });
-      // Counted with the last of the half's work, because a render that continues from a copy
-      // traces them again.
+      // Counted with the last of the half's work, since a render that continues from a copy traces
+      // them again.
       if (ours(0) &&
           std::all_of(left.begin(), left.end(), [&](const Work& w) { return done(w); })) {
         for (const LightPass& pass : light_passes)
@@ -178,7 +178,7 @@ class AdaptiveJob {
     return true;
   }
 
-  /// Whether the square has this round's samples, perhaps from an earlier render.
+  /// True if the square has this round's samples, perhaps from an earlier render.
   bool done(const Work& work) const {
     const GroupedMean& seen = state_.halves[work.half][state_.pixel(work.x, work.y)].seen();
     return seen.samples() > levels_.begin(state_.level);
@@ -281,7 +281,7 @@ class AdaptiveJob {
                                   state_.height);
   }
 
-  /// Takes the decisions of the round if the lights have been asked often enough.
+  /// Makes the decisions of the round if the lights have been sampled often enough.
   void decide() {
     const double n = levels_.end(state_.level), paths = static_cast<double>(counts_.paths);
     if (n < most_for_lights && asks(n) < enough_light_samples) {

@@ -138,7 +138,7 @@ RenderResult Merge::run(const std::function<void(double)>& progress) const {
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const PartFile file(parts_[i].path);
     if (difference_of(file.header(), header_) || file.header().blocks != parts_[i].blocks) {
-      throw Error("{} has become another part meanwhile", parts_[i].path.string());
+      throw Error("{} has been replaced by another part meanwhile", parts_[i].path.string());
     }
     file.add_to(result.film);
     if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(parts_.size()));

@@ -208,7 +208,8 @@ PartFile::PartFile(fs::path path) : path_(std::move(path)) {
   std::string line(std::min<std::uintmax_t>(size, part_first_line.size()), '\0');
   in.read(line.data(), static_cast<std::streamsize>(line.size()));
   if (!line.starts_with(part_magic)) {
-    throw Error("cannot read {}: it is no part of a render, which --shard writes", path_.string());
+    throw Error("cannot read {}: it is no part of a render, as --shard writes them",
+                path_.string());
   }
   if (line.size() == part_first_line.size() && line != part_first_line) {
     throw Error("cannot read {}: it is a part by another version of Carlo ('{}')", path_.string(),

@@ -105,7 +105,7 @@ SlurmFolder folder_of(const ProductionArguments& a) {
   return SlurmFolder::beside(output_stem(a.output, a.scene));
 }
 
-/// Whether light paths are traced, as decided when the render was begun.
+/// True if light paths are traced, as decided when the render was begun; nothing if none was.
 std::optional<bool> light_paths_of(const SlurmFolder& folder) {
   const auto plan = folder.plan();
   return plan ? std::optional(plan->light_paths) : std::nullopt;

@@ -62,7 +62,7 @@ void add_attributes(ExrFile& file, const RenderSettings& settings, const Counts&
   file.attributes["bad_samples"] = std::to_string(counts.bad);
 }
 
-/// Whether all pixels of each tile have the same number of blocks, as the driver leaves them.
+/// True if all pixels of each tile have the same number of blocks, as the driver leaves them.
 bool even_tiles(const Film& film) {
   for (int y = 0; y < film.height(); ++y) {
     for (int x = 0; x < film.width(); ++x) {
@@ -200,7 +200,7 @@ void EarlierRender::require_same(const RenderSettings& settings) const {
     // The effect of -D is already part of the scene.
     if (then == now || name == "definitions") continue;
     if (name == "scene_digest") {
-      throw Error("cannot resume {}: the scene or the film is another now ({}, then {})",
+      throw Error("cannot resume {}: the scene or the film has changed ({}, then {})",
                   path_.string(), now, then);
     }
     throw Error("cannot resume {}: its {} is {}, this render's {}", path_.string(), name, then,

@@ -15,9 +15,9 @@ static void fill_from_target(ProductionArguments& a, const EarlierRender& earlie
   const std::optional<double> target = earlier.target_error();
   if (!target) {
     if (a.target_error)
-      throw Error("{} has no target error: it goes on by --spp or --seconds", a.resume);
+      throw Error("{} has no target error: continue it with --spp or --seconds", a.resume);
     if (!a.spp && !a.seconds)
-      throw Error("--resume goes on up to --spp N or for --seconds S: which?");
+      throw Error("--resume continues up to --spp N or for --seconds S: which?");
     return;
   }
   if (a.target_error.value_or(*target) != *target) {
@@ -48,8 +48,9 @@ RenderResult uniform_start(const EarlierRender& earlier, std::optional<std::uint
   const auto pixels =
       static_cast<std::uint64_t>(earlier.width()) * static_cast<std::uint64_t>(earlier.height());
   if (spp && (*spp % block != 0 || *spp * pixels <= result.film.samples())) {
-    throw Error("--spp {} is no way to go on from {:.6g}: expected more, a multiple of {}", *spp,
-                static_cast<double>(result.film.samples()) / static_cast<double>(pixels), block);
+    throw Error(
+        "cannot continue from {1:.6g} samples to --spp {0}: expected more, a multiple of {2}", *spp,
+        static_cast<double>(result.film.samples()) / static_cast<double>(pixels), block);
   }
   return result;
 }

@@ -80,7 +80,7 @@ RenderResult result_of(const PartFile& file, const PartHeader& now, const BlockR
   return result;
 }
 
-/// Whether another process has by now written more of the same share; a node that seemed dead, for
+/// True if another process has by now written more of the same share; a node that seemed dead, for
 /// example.
 bool is_behind(const fs::path& path, const PartHeader& part) {
   try {

@@ -27,7 +27,7 @@ std::string own_array() {
   return variable("SLURM_ARRAY_JOB_ID");
 }
 
-/// Whether shards are missing; if so, submits them again, or sets `code` to 1 if the last jobs made
+/// True if shards are missing; then submits them again, or sets `code` to 1 if the last jobs made
 /// no progress.
 bool resubmit_missing(SlurmFolder& folder, const SlurmPlan& plan, int& code) {
   const SlurmFolder::State state = folder.look(plan);

@@ -40,7 +40,7 @@ AdaptiveGoal goal_of(const SlurmPlan& plan, const ShardRender& render) {
 
 std::string variable(const char* name) {
   const char* const value = std::getenv(name);
-  if (value == nullptr) throw Error("there is no {}: this is for Slurm's jobs alone", name);
+  if (value == nullptr) throw Error("{} is not set: only Slurm's jobs run this", name);
   return value;
 }
 

@@ -22,8 +22,8 @@ int end_early(int code, bool further);
 int render_round_share(const SlurmFolder& folder, const SlurmPlan& plan,
                        const Integrator& integrator, const ShardRender& render, int shard);
 
-/// Puts all shares of the current round together and takes its decisions. Throws Error if one
-/// cannot be read.
+/// Merges all shares of the current round and makes its decisions. Throws Error if one cannot be
+/// read.
 AdaptiveResult merge_round(const SlurmFolder& folder, const SlurmPlan& plan,
                            const Integrator& integrator, const ShardRender& render);
 
