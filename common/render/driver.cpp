@@ -68,8 +68,8 @@ class Job {
            film_.blocks(corner_x(tile), corner_y(tile));
   }
 
-  /// Whether a tile's block belongs to this share and no earlier render has it.
-  bool lacks(int tile, std::uint64_t pass) const {
+  /// True if a tile's block belongs to this share and no earlier render has it.
+  bool is_missing(int tile, std::uint64_t pass) const {
     return next_pass(tile) <= pass &&
            share_.contains(pass * tiles() + static_cast<std::uint64_t>(tile));
   }
@@ -79,7 +79,7 @@ class Job {
     std::uint64_t first = passes;
     for (int tile = 0; tile < columns_ * rows_; ++tile) {
       const std::uint64_t next = next_pass(tile);
-      if (next < first && lacks(tile, next)) first = next;
+      if (next < first && is_missing(tile, next)) first = next;
       blocks_done_ += film_.blocks(corner_x(tile), corner_y(tile));
     }
     return static_cast<std::uint32_t>(first);
@@ -106,7 +106,7 @@ class Job {
   }
 
   void run_tile(int number, std::uint32_t pass, const LightPass& light_pass) {
-    if (stopped(pass) || !lacks(number, pass)) return;
+    if (stopped(pass) || !is_missing(number, pass)) return;
     Tile tile;
     tile.x0 = corner_x(number);
     tile.y0 = corner_y(number);

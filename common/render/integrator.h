@@ -81,7 +81,7 @@ class BlockSum {
   std::array<double, 3> sum_{};
 };
 
-/// Whether Ctrl-C asked the running render to end. A path that may be very long checks it now and
+/// True if Ctrl-C asked the running render to end. A path that may be very long checks it now and
 /// then; its result is then discarded.
 bool render_interrupted();
 
@@ -94,10 +94,10 @@ class Integrator {
   /// The name of the chosen kernel, for the report.
   virtual std::string name() const = 0;
 
-  /// The seconds it took to decide how to render; they count as rendering time.
+  /// The seconds spent on deciding how to render; they count as rendering time.
   virtual double seconds_spent() const { return 0; }
 
-  /// The least probability with which a path asks a light that can reach its vertex
+  /// The least probability with which a path samples a light that can contribute at its vertex
   /// (light_coverage.h); 1 if there is no choice.
   virtual double least_light_chance() const { return 1; }
 
