@@ -2,6 +2,7 @@
 
 #include "course/report/page.h"
 #include "course/report/table.h"
+#include "image/image.h"
 #include "render/driver.h"
 #include "renderer/bench/spread.h"
 #include "scene/scene.h"
@@ -91,5 +92,15 @@ void bench_peers(Context& context);
 
 /// Measures one mesh in a process of its own, and prints the results for bench_triangles().
 void print_mesh_costs(const std::filesystem::path& scene);
+
+/// A reference image of tests/references/scenes on a film of `size` x `size`, and its own
+/// contribution to a mean square error against it.
+struct Reference {
+  carlo::Image image;
+  double noise = 0;  ///< the mean over pixels and channels of its squared standard error
+};
+
+/// Throws Error when the file's size is not a multiple of `size`, or it lacks the standard error.
+Reference read_reference(const std::filesystem::path& path, int size);
 
 }  // namespace bench

@@ -2,7 +2,6 @@
 #include "course/report/stopwatch.h"
 #include "image/metrics.h"
 #include "methods.h"
-#include "reference.h"
 #include "render/scene_film.h"
 #include "scene/load_scene.h"
 #include "support/error.h"

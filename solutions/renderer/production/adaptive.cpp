@@ -3,7 +3,7 @@
 #include "render/interrupt.h"
 #include "render/light_coverage.h"
 #include "render/light_pass.h"
-#include "render/threads.h"
+#include "render/driver.h"
 #include "renderer/production/adaptive_decisions.h"
 #include "renderer/production/adaptive_state.h"
 #include "support/error.h"
