@@ -1,6 +1,6 @@
 // Bounds of second derivatives along lines, against second differences of F and closed forms.
 
-#include "renderer/lanes/sdf_bends.h"
+#include "renderer/lanes/lane_sdf.h"
 
 #include "geometry/sphere_tracer.h"
 #include "random/rng.h"

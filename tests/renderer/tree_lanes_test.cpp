@@ -6,7 +6,7 @@
 #include "instruction_sets.h"
 #include "random/rng.h"
 #include "renderer/lanes/lane_scene.h"
-#include "renderer/lanes/lane_touching.h"
+#include "renderer/lanes/lane_plan.h"
 #include "scene/scene.h"
 
 #include <catch2/catch_test_macros.hpp>

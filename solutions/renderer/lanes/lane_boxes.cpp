@@ -1,7 +1,7 @@
 #include "renderer/lanes/lane_boxes.h"
 
 #include "geometry/planes.h"
-#include "renderer/lanes/lane_shape.h"
+#include "renderer/lanes/lane_plan.h"
 #include "scene/match.h"
 #include "scene/needs.h"
 

@@ -6,8 +6,6 @@
 #include "renderer/lanes/lane_columns.h"
 #include "renderer/lanes/lane_plan.h"
 #include "renderer/lanes/lane_runs.h"
-#include "renderer/lanes/lane_shape.h"
-#include "renderer/lanes/lane_touching.h"
 #include "scene/center.h"
 #include "scene/match.h"
 

@@ -2,7 +2,6 @@
 
 #include "geometry/mesh_tracer.h"
 #include "renderer/envmap_table.h"
-#include "renderer/lanes/column.h"
 #include "renderer/lanes/lane_lights.h"
 #include "renderer/lanes/lane_sdf.h"
 #include "renderer/lanes/lane_tree.h"
