@@ -1,7 +1,7 @@
 #include "course/cli/arguments.h"
 #include "course/report/lab_app.h"
 #include "experiments.h"
-#include "raw_stream.h"
+#include "generators.h"
 
 int main(int argc, char** argv) {
   std::string stream;

@@ -1,7 +1,7 @@
 #include "course/report/format.h"
 #include "course/report/stopwatch.h"
 #include "course/report/tiles.h"
-#include "noisy_image.h"
+#include "practice.h"
 #include "shown_error.h"
 
 #include <fmt/core.h>

@@ -3,8 +3,8 @@
 #include "course/report/tiles.h"
 #include "experiments.h"
 #include "images/views.h"
-#include "indirect.h"
 #include "photon_run.h"
+#include "practice.h"
 #include "shown_error.h"
 
 #include <fmt/core.h>

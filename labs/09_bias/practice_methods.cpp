@@ -1,6 +1,4 @@
 #include "given/sampled.h"
-#include "indirect.h"
-#include "noisy_image.h"
 #include "photon_run.h"
 #include "practice.h"
 

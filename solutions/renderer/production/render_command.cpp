@@ -31,7 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Throws unless both or neither have a target error.
-static void fill_from_target(ProductionArguments& a, const EarlierRender& earlier) {
+void fill_from_target(ProductionArguments& a, const EarlierRender& earlier) {
   const std::optional<double> target = earlier.target_error();
   if (!target) {
     if (a.target_error)
