@@ -49,7 +49,7 @@ class Argument {
 /// letter is a value only in "--name=value". Words after "--" are positional only.
 ///
 /// Not a library: every student's first verdict waits until this is compiled, and a library took
-/// longer than anything else there.
+/// most of that time.
 class CommandLine {
  public:
   /// `program` is the command that a user types to start it.

@@ -135,7 +135,7 @@ RenderReport make_report(const Scene& scene, const std::string& file, const Inte
   report.scene = file;
   report.kernel = integrator.name();
   report.seed = seed;
-  report.expect_asks(integrator.least_light_chance());
+  report.expect_light_samples(integrator.least_light_chance());
   report.needs = describe(needs(scene));
   report.sampler = name_of(scene.sampler);
   report.max_depth = scene.max_depth;
@@ -159,8 +159,8 @@ RenderReport make_report(const RenderResult& result) {
   return report;
 }
 
-void RenderReport::expect_asks(double least_light_chance) {
-  light_asks = expected_light_samples(least_light_chance, spp, width, height);
+void RenderReport::expect_light_samples(double least_light_chance) {
+  light_samples = expected_light_samples(least_light_chance, spp, width, height);
 }
 
 /// Before anything is rendered: an image of another size, or one that makes all errors NaN.
@@ -235,12 +235,12 @@ ReportLines to_lines(const RenderReport& r) {
     for (const std::string& note : r.reference->notes)
       line("note", note);
   }
-  if (r.light_asks && *r.light_asks < enough_light_samples) {
+  if (r.light_samples && *r.light_samples < enough_light_samples) {
     line("lights",
          fmt::format("some are sampled only about {:.2g} times in a pixel's neighbourhood; where "
                      "stronger lights are occluded, their light may be missing from the image and "
                      "from its error estimate",
-                     *r.light_asks));
+                     *r.light_samples));
   }
   if (r.counts.cut > 0) {
     line("WARNING", fmt::format("{} paths were cut at the maximum length: the image is too dark",
@@ -297,7 +297,7 @@ static void fields(JsonFields& json, RenderReport& r) {
   json.also("mean", list(r.mean.value));
   json.also("standard_error", list(r.mean.standard_error));
   json.also("relative_pixel_error", r.relative_error);
-  if (r.light_asks) json.also("least_light_asks", *r.light_asks);
+  if (r.light_samples) json.also("least_light_samples", *r.light_samples);
   json("reference", r.reference);
   for (const auto& more : r.fields)
     more(json);

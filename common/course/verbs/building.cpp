@@ -83,7 +83,7 @@ std::string from_here(const fs::path& path) {
   return text.starts_with(here) ? text.substr(here.size()) : text;
 }
 
-/// Whether a line of the build log is a command run by ninja or a message of ninja itself.
+/// True if a line of the build log is a command run by ninja or a message of ninja itself.
 bool is_command(const std::string& line) {
   if (line.starts_with("ninja: ") || line.starts_with("FAILED: ")) return true;
   const std::string program = fs::path(line.substr(0, line.find(' '))).filename();

@@ -30,7 +30,7 @@ int count(const std::string& text, const std::string& part) {
   return found;
 }
 
-/// Whether `typed` is a lab or an exercise, such as 1 or 1.2, with at most two digits each.
+/// True if `typed` is a lab or an exercise, such as 1 or 1.2, with at most two digits each.
 bool is_exercise_number(const std::string& typed) {
   const std::size_t point = typed.find('.');
   return is_number(typed.substr(0, point), 2) &&

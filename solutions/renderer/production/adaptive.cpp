@@ -1,9 +1,9 @@
 #include "renderer/production/adaptive.h"
 
+#include "render/driver.h"
 #include "render/interrupt.h"
 #include "render/light_coverage.h"
 #include "render/light_pass.h"
-#include "render/driver.h"
 #include "renderer/production/adaptive_decisions.h"
 #include "renderer/production/adaptive_state.h"
 #include "support/error.h"
@@ -107,7 +107,7 @@ class AdaptiveJob {
     summary.floor = adaptive_floor(state_, 0, 1);
     summary.within = expected_within(state_, goal_.target, summary.floor);
     summary.capped = capped();
-    summary.asks = asks(static_cast<double>(summary.least));
+    summary.light_samples = light_samples(static_cast<double>(summary.least));
     const auto taken = static_cast<double>(counts_.paths);
     summary.decided_only = taken > 0 ? 1 - static_cast<double>(film.samples()) / taken : 0;
     return summary;
@@ -276,7 +276,7 @@ class AdaptiveJob {
                                    : done / std::fmax(state_.expected_paths, done));
   }
 
-  double asks(double samples) const {
+  double light_samples(double samples) const {
     return expected_light_samples(integrator_.least_light_chance(), samples, state_.width,
                                   state_.height);
   }
@@ -284,7 +284,7 @@ class AdaptiveJob {
   /// Makes the decisions of the round if the lights have been sampled often enough.
   void decide() {
     const double n = levels_.end(state_.level), paths = static_cast<double>(counts_.paths);
-    if (n < most_for_lights && asks(n) < enough_light_samples) {
+    if (n < most_for_lights && light_samples(n) < enough_light_samples) {
       state_.expected_paths = std::fmax(state_.expected_paths, 2 * paths);
     } else {
       state_.expected_paths = paths + decide_round(state_, goal_.target, levels_);

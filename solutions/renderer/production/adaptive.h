@@ -25,7 +25,8 @@ struct AdaptiveSummary {
   double within = 0;  ///< expected fraction of the pixels whose error is within the target
   double capped = 0;  ///< fraction of the pixels that were cut off by spp, seconds or Ctrl-C
   std::uint64_t least = 0, median = 0, most = 0;  ///< samples per pixel
-  double asks = 0;  ///< expected_light_samples() (light_coverage.h) where samples are fewest
+  double light_samples =
+      0;  ///< expected_light_samples() (light_coverage.h) where samples are fewest
   double decided_only = 0;  ///< fraction of the samples used only for decisions, not for the image
 };
 

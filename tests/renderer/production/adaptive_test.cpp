@@ -155,9 +155,9 @@ TEST_CASE("No pixel is done before each light has been asked ten times around it
   };
   CHECK(finished(1).least == 64);
   CHECK(finished(1.0 / 1600).least == 256);
-  CHECK(finished(1.0 / 1600).asks >= 10);
+  CHECK(finished(1.0 / 1600).light_samples >= 10);
   CHECK(finished(1e-9).least == 2048);
-  CHECK(finished(1e-9).asks < 10);
+  CHECK(finished(1e-9).light_samples < 10);
 }
 
 TEST_CASE("No pixel gets more samples than spp, whatever the target") {
