@@ -62,7 +62,7 @@ constexpr std::array<Method, 2> methods{
     {{"sum_circle", "4 sqrt(1 - x^2)", Integrand::circle, circle_moments},
      {"sum_arctangent", "4 / (1 + x^2)", Integrand::arctangent, arctangent_moments}}};
 
-/// As the probes' parameter.
+/// Converts to the probes' parameter.
 double number_of(Integrand which) {
   return which == Integrand::circle ? 0 : 1;
 }

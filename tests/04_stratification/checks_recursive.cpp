@@ -221,8 +221,8 @@ double corner_share() {
   return record(corner, 16'384).at(0, 4);
 }
 
-/// Where the points go: into the corner where f varies, and into the estimate of the disc (0 if no
-/// strata are reported, which another test covers).
+/// The distribution of the points: in the corner where f varies, and in the estimate of the disc (0
+/// if no strata are reported, which another test covers).
 struct Spending {
   double in_corner = corner_share();
   double in_estimate = 0;

@@ -116,7 +116,7 @@ Params params_of(const Case& c) {
   return {.numbers = {{"family", static_cast<double>(c.family)}, {"p", c.p}, {"q", c.q}}};
 }
 
-/// Where the ends of a line are almost equal: each sample is NaN, or roughly right.
+/// True if each sample is NaN or roughly right, for a line whose ends are almost equal.
 bool lost_by_difference(const Case& c, const std::vector<double>& samples) {
   if (c.family != Family::linear || std::abs(c.q - c.p) > 1e-6 * c.p) return false;
   const std::vector<double> u = hard_numbers();

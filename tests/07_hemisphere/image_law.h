@@ -252,8 +252,8 @@ inline Verdict image_density_is(const std::string& what, const SkyImage& image,
   return verdict;
 }
 
-/// Of n directions that fell into texels with these shares of the power; infinite if more than a
-/// few fell where none can.
+/// Chi-square of the texels' counts of n directions, given their shares of the power; infinite if
+/// more than a few directions fell where none can.
 inline double chi_square(const std::vector<double>& counts, const std::vector<double>& shares,
                          double n) {
   double statistic = 0;

@@ -220,7 +220,7 @@ void judge_cells(const SampleCase& c, const Rows& rows) {
   judge(verdict);
 }
 
-/// What the samples' weights consist of, instead of f cos/pdf.
+/// Counts samples whose weights are not f cos/pdf, and those that typical mistakes explain.
 struct Weights {
   double some = 0, wrong = 0, no_pdf = 0, no_cosine = 0, one_lobe = 0, all_over_one = 0;
 

@@ -74,7 +74,7 @@ struct Seen {
   DensityVec emitted{0}, photons{0}, around{0};
 };
 
-/// What a single ray cannot show.
+/// Properties that take more than a single ray to show.
 struct Sights {
   bool alike = true;          ///< true if all rays of one sight have the same radiance
   bool density_right = true;  ///< true if radiance_within() is right, so that mistakes are the

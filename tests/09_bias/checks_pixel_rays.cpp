@@ -163,9 +163,9 @@ std::array<double, 4> weighed_sums(const RaysAnswer& answer, const Weight& weigh
       p = {std::clamp(p.x, -r, r), std::clamp(p.y, -r, r)};
     }
     const double w = weight(p);
-    sums[0] += w * answer.brought[i].r;
-    sums[1] += w * answer.brought[i].g;
-    sums[2] += w * answer.brought[i].b;
+    sums[0] += w * answer.radiances[i].r;
+    sums[1] += w * answer.radiances[i].g;
+    sums[2] += w * answer.radiances[i].b;
     sums[3] += w;
   }
   return sums;
@@ -199,7 +199,7 @@ std::vector<Diagnosis> of_pixel(const RaysAnswer& answer, bool weighted) {
   if (is(plain, n)) return {not_weighed};
   if (n > 1 && (is(plain, n - 1) || is(plain, n + 1))) return {wrong_divisor};
   for (const std::size_t i : {std::size_t{0}, answer.count() - 1}) {
-    const Brought& b = answer.brought[i];
+    const RayRadiance& b = answer.radiances[i];
     if (is({b.r, b.g, b.b, 1}, 1) || is({b.r, b.g, b.b, 1}, n)) return {one_ray_only};
   }
   if (!weighted) {
@@ -220,7 +220,8 @@ std::vector<Diagnosis> of_pixel(const RaysAnswer& answer, bool weighted) {
   if (is(across, across[3]) || is(down, down[3])) return {one_axis};
   const bool placed_right = answer.count() >= 64 && !all_on_film(answer) &&
                             all_offsets(answer, [&](PixelPoint p) { return within(filter, p); });
-  if (placed_right && std::abs(answer.pixel[0] - answer.brought[0].r) < 1e-4 * answer.brought[0].r)
+  if (placed_right &&
+      std::abs(answer.pixel[0] - answer.radiances[0].r) < 1e-4 * answer.radiances[0].r)
     return {other_weights};
   return {};
 }

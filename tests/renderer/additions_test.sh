@@ -18,7 +18,7 @@ cd "$tree"
 
 # Passes over kinds ---------------------------------------------------------------------------------
 
-# FILE|WHAT ITS LINE HOLDS|why no kind is forgotten there.
+# FILE|TEXT OF THE LINE|why no kind is forgotten there.
 reasons='
 common/scene/digits.cpp|get_if<Parallelogram>|only parallelograms have planes that floats misplace; what is near to them is thing_of()
 common/scene/duplicate_lights.cpp|holds_alternative<Mesh>|a kind that this does not know is compared whole: MiddleOf must know it

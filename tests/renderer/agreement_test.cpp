@@ -1,11 +1,11 @@
 // Three integrators that share no line of light transport agree, on every tile of every scene: lab
-// 08's solution by recursion as in the lecture, corrected (trace_path(), or trace_specular()), lab
-// 08's solution in a loop (path_radiance()), and the reference renderer.
+// 8's solution by recursion as in the lecture, corrected (trace_path(), or trace_specular()), lab
+// 8's solution in a loop (path_radiance()), and the reference renderer.
 //
 // The lecture's estimator must have finite variance: with lights that have an area and surfaces
 // that absorb, trace_path()'s has. A bounce weighs at most (n + 2)/(n + 1) and is survived with
 // probability kd + ks; ((n + 2)/(n + 1))^2 (kd + ks) < 1 in all our scenes, and the radiances that
-// paths meet are bounded. Lab 08 refuses point lights, which no direction meets, and no scene has
+// paths meet are bounded. Lab 8 refuses point lights, which no direction meets, and no scene has
 // them; it also refuses the environment map of `image_light`, which is left out here.
 // trace_specular() replaces trace_path() in three scenes: in `caustics` and `procedural`, since
 // trace_path() does not support mirrors and glass; and in `highlights`, where the variance is

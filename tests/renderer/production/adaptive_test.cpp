@@ -129,7 +129,7 @@ TEST_CASE("The target is met in nine pixels of ten, and noisy pixels get the sam
   CHECK(ratio <= 7 * 1.5);
 }
 
-/// White everywhere, as samples look that have not asked some light.
+/// White everywhere, like samples that have missed some light.
 class Unasked final : public common_test::NoiseIntegrator {
  public:
   explicit Unasked(double chance) : chance_(chance) {}
@@ -145,9 +145,9 @@ class Unasked final : public common_test::NoiseIntegrator {
 };
 
 TEST_CASE("No pixel is done before each light has been asked ten times around it") {
-  // 144 pixels of n samples per half, n = 32, 48, 64 ...: a light of chance 1/1600 has been asked
-  // ten times when n is 128, whatever the noise. One of 1e-9 is too rare to wait for, which the
-  // summary shows.
+  // 144 pixels of n samples per half, n = 32, 48, 64 ...: a light of probability 1/1600 has been
+  // sampled ten times when n is 128, whatever the noise. One of 1e-9 is too rare to wait for, which
+  // the summary shows.
   const auto finished = [](double chance) {
     return render_adaptively(Unasked(chance), 16, 16, {.01, 1 << 16, {}},
                              {.threads = 1, .progress = false})

@@ -13,7 +13,7 @@
 
 namespace common_test {
 
-/// Noise over five orders of magnitude, from the camera and from lights, for what is shared out.
+/// Noise over five orders of magnitude, from the camera and from lights, for tests of shards.
 class ShardNoise final : public NoiseIntegrator {
  public:
   static constexpr int width = 37, height = 21;  // 6 tiles
@@ -67,7 +67,7 @@ inline carlo::RenderResult render_noise(const ShardNoise& noise, std::uint32_t s
       {.spp = spp, .threads = threads, .progress = false, .earlier = earlier, .share = share});
 }
 
-/// The header of the noise's shard, of what is rendered of it.
+/// The header of a shard of the noise, for what has been rendered of it.
 inline carlo::PartHeader noise_header(const ShardNoise& noise, std::uint32_t spp,
                                       const carlo::Shard& shard,
                                       const carlo::RenderResult& result) {
@@ -90,7 +90,7 @@ inline carlo::PartHeader noise_header(const ShardNoise& noise, std::uint32_t spp
   return part;
 }
 
-/// Whether two films have the same sums.
+/// True if two films have the same sums.
 inline bool same_sums(const carlo::Film& a, const carlo::Film& b) {
   for (int y = 0; y < a.height(); ++y) {
     for (int x = 0; x < a.width(); ++x) {
