@@ -38,7 +38,7 @@ void add_measured(carlo::Table& table, const std::string& scene,
 }
 
 void add_predicted(carlo::Table& table, const std::string& scene,
-                  const std::vector<PracticeCurve>& curves) {
+                   const std::vector<PracticeCurve>& curves) {
   const PracticeCurve& paths = curves.front();
   for (const PracticeCurve& curve : curves) {
     const double overtaken = overtaking(paths, curve), after_hour = curve.predicted(hour);
@@ -123,7 +123,7 @@ void practice_experiment(Notebook& notebook) {
       {"scene", "method", "passes", "time", "bias²", "noise²", "relMSE", "over path tracing's"},
       {"scene", "method", "passes", "seconds", "bias2", "variance", "rel_mse", "ratio"});
   carlo::Table predicted({"scene", "method", "relMSE after an hour", "path tracing overtakes"},
-                        {"scene", "method", "hour", "overtaken"});
+                         {"scene", "method", "hour", "overtaken"});
   carlo::Table ahead({"scene", "ahead after " + carlo::duration_text(seconds), "after an hour"},
                      {"scene", "soon", "late"});
   std::vector<carlo::Chart> charts;

@@ -5,8 +5,8 @@
 
 #include "instruction_sets.h"
 #include "random/rng.h"
-#include "renderer/lanes/lane_scene.h"
 #include "renderer/lanes/lane_plan.h"
+#include "renderer/lanes/lane_scene.h"
 #include "scene/scene.h"
 
 #include <catch2/catch_test_macros.hpp>
