@@ -99,7 +99,7 @@ class Integrator {
 
   /// The least probability with which a path samples a light that can contribute at its vertex
   /// (light_coverage.h); 1 if there is no choice.
-  virtual double least_light_chance() const { return 1; }
+  virtual double least_light_probability() const { return 1; }
 
   /// The number of light paths that an image needs, besides its tiles, per sample of each
   /// pixel; 0 if all light is found from the camera.

@@ -52,7 +52,7 @@ class Lights {
 
   /// The least probability with which any light (a mesh as a whole) is chosen; 1 if there is no
   /// choice.
-  double least_chance() const {
+  double least_probability() const {
     return entries_.size() > 1 ? LightTree::floor / static_cast<double>(entries_.size()) : 1;
   }
 

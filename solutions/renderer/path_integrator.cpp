@@ -81,7 +81,7 @@ class PathIntegrator final : public carlo::Integrator {
 
   std::string name() const override { return "scalar path tracer, Embree"; }
 
-  double least_light_chance() const override { return lights_.least_chance(); }
+  double least_light_probability() const override { return lights_.least_probability(); }
 
   void render(const carlo::Tile& tile, std::span<std::array<double, 3>> means,
               Counts& counts) const override {

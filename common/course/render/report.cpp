@@ -135,7 +135,7 @@ RenderReport make_report(const Scene& scene, const std::string& file, const Inte
   report.scene = file;
   report.kernel = integrator.name();
   report.seed = seed;
-  report.expect_light_samples(integrator.least_light_chance());
+  report.expect_light_samples(integrator.least_light_probability());
   report.needs = describe(needs(scene));
   report.sampler = name_of(scene.sampler);
   report.max_depth = scene.max_depth;
@@ -159,8 +159,8 @@ RenderReport make_report(const RenderResult& result) {
   return report;
 }
 
-void RenderReport::expect_light_samples(double least_light_chance) {
-  light_samples = expected_light_samples(least_light_chance, spp, width, height);
+void RenderReport::expect_light_samples(double least_light_probability) {
+  light_samples = expected_light_samples(least_light_probability, spp, width, height);
 }
 
 /// Before anything is rendered: an image of another size, or one that makes all errors NaN.

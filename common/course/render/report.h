@@ -50,9 +50,9 @@ struct RenderReport {
   ReportLines behind_image, behind_error;
   std::vector<std::function<void(JsonFields&)>> fields;
 
-  /// Sets light_samples, from Integrator::least_light_chance, for the same number of samples in all
-  /// pixels.
-  void expect_light_samples(double least_light_chance);
+  /// Sets light_samples, from Integrator::least_light_probability, for the same number of samples
+  /// in all pixels.
+  void expect_light_samples(double least_light_probability);
 };
 
 /// Returns the image's mean and its standard error, including the covariances of paths that reach

@@ -159,7 +159,7 @@ class LaneIntegrator final : public carlo::Integrator {
 
   double seconds_spent() const override { return seconds_spent_; }
 
-  double least_light_chance() const override {
+  double least_light_probability() const override {
     return lanes_.lights > 1 ? LightTree::floor / lanes_.lights : 1;
   }
 

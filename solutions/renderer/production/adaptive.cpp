@@ -277,7 +277,7 @@ class AdaptiveJob {
   }
 
   double light_samples(double samples) const {
-    return expected_light_samples(integrator_.least_light_chance(), samples, state_.width,
+    return expected_light_samples(integrator_.least_light_probability(), samples, state_.width,
                                   state_.height);
   }
 

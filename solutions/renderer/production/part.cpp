@@ -88,8 +88,8 @@ void require_possible(const PartHeader& part, const fs::path& path) {
     fail(fmt::format("its {} blocks of {} samples are not the {} that were planned", grid.passes,
                      grid.block, part.settings.at("planned_spp")));
   }
-  if (!(part.least_light_chance >= 0 && part.least_light_chance <= 1)) {
-    fail(fmt::format("least_light_chance is {}", part.least_light_chance));
+  if (!(part.least_light_probability >= 0 && part.least_light_probability <= 1)) {
+    fail(fmt::format("least_light_chance is {}", part.least_light_probability));
   }
   if (part.blocks.end() > grid.blocks()) {
     fail(fmt::format("it has blocks up to {} of {}", part.blocks.end(), grid.blocks()));
@@ -152,7 +152,7 @@ static void fields(JsonFields& json, PartHeader& part) {
   json("settings", part.settings);
   json("grid", part.grid);
   json("light_paths", part.light_paths);
-  json("least_light_chance", part.least_light_chance);
+  json("least_light_chance", part.least_light_probability);
   json("shard", part.shard);
   json.as_text("parts", part.parts);
   as_words(

@@ -20,11 +20,11 @@ struct PartHeader {
   /// The settings of the whole render (resume.h), and the program's "version". All parts of a
   /// render have the same.
   RenderSettings settings;
-  std::string scene;              ///< its file
-  std::string needs;              ///< describe() of the scene's needs
-  BlockGrid grid;                 ///< of the whole render
-  bool light_paths = false;       ///< whether light paths are traced
-  double least_light_chance = 1;  ///< the integrator's
+  std::string scene;                   ///< its file
+  std::string needs;                   ///< describe() of the scene's needs
+  BlockGrid grid;                      ///< of the whole render
+  bool light_paths = false;            ///< whether light paths are traced
+  double least_light_probability = 1;  ///< the integrator's
   /// The share I/N; empty for parts that were merged from different N. `index` is 0 if several
   /// shares of the same N were merged.
   std::optional<Shard> shard;

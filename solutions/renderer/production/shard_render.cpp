@@ -41,7 +41,7 @@ PartHeader header_of(const Scene& scene, const Integrator& integrator, const Sha
   const std::uint32_t block = block_size(render.spp);
   part.grid = {scene.width, scene.height, block, render.spp / block};
   part.light_paths = integrator.light_paths() > 0;
-  part.least_light_chance = integrator.least_light_chance();
+  part.least_light_probability = integrator.least_light_probability();
   part.shard = render.shard;
   return part;
 }
