@@ -48,15 +48,15 @@ carlo::Table closed_forms(Notebook& notebook) {
     const World world(known.scene);
     Rng rng = notebook.rng();
     const std::int64_t n = notebook.options().n / 4;
-    carlo::RunningMean brought;
+    carlo::RunningMean radiance;
     for (std::int64_t i = 0; i < n; ++i) {
       // Rays that hit the ball at all distances from its middle.
       const Vec3 target(0.4f * rng.uniform_float(), 0, 0);
       const Ray ray{{0, 0, 1.5f}, glm::normalize(target - Vec3(0, 0, 1.5f))};
-      brought.add(static_cast<double>(trace_specular(world, ray, true, rng).g));
+      radiance.add(static_cast<double>(trace_specular(world, ray, true, rng).g));
     }
     table.add_row({known.name, known.exact,
-                   carlo::interval_cell(brought.mean(), std::max(1.96 * brought.error(), 1e-6))});
+                   carlo::interval_cell(radiance.mean(), std::max(1.96 * radiance.error(), 1e-6))});
   }
   return table;
 }

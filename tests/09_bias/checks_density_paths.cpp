@@ -55,7 +55,7 @@ std::vector<DensityPhoton> photons_on_target(std::uint64_t seed) {
 }
 
 /// The radiance due to the photons on the target.
-DensityVec target_photons_bring(const std::vector<DensityPhoton>& photons, Vec3 wo) {
+DensityVec photon_radiance_of_target(const std::vector<DensityPhoton>& photons, Vec3 wo) {
   const auto r = static_cast<double>(target_radius);
   DensityVec sum(0);
   for (const DensityPhoton& photon : photons) {
@@ -89,11 +89,11 @@ Seen see(Sight sight, bool caustic, Sights& sights) {
              .numbers = {{"sight", static_cast<double>(sight)}, {"caustic", caustic ? 1 : 0}}},
             {.rows = rays + 1, .columns = 3, .finite = false, .of = name_of(sight)});
   const std::vector<DensityPhoton> photons = photons_on_target(rows.seed);
-  std::vector<DensityVec> brought = radiances(rows);
+  std::vector<DensityVec> seen_radiances = radiances(rows);
   const DensityVec within =
       density_within(photons, DensityVec(0), {0, 0, 1}, static_cast<double>(target_radius));
-  sights.density_right = sights.density_right && same_radiance(brought.back(), within);
-  brought.pop_back();
+  sights.density_right = sights.density_right && same_radiance(seen_radiances.back(), within);
+  seen_radiances.pop_back();
   Seen seen;
   const DensityVec first(first_mirror), second(second_mirror);
   if (sight == Sight::mirror || sight == Sight::mirrored_sky) seen.weight = first;
@@ -104,10 +104,10 @@ Seen see(Sight sight, bool caustic, Sights& sights) {
     seen.around = DensityVec(sky);
   } else {
     seen.emitted = DensityVec(target_glow);
-    seen.photons = target_photons_bring(photons, target_wo(sight));
+    seen.photons = photon_radiance_of_target(photons, target_wo(sight));
   }
   bool found = false;
-  for (const DensityVec& value : brought) {
+  for (const DensityVec& value : seen_radiances) {
     // Glass reflects some rays, into nothing.
     if (sight == Sight::glass && value == DensityVec(0)) continue;
     if (!found) seen.is = value;

@@ -259,16 +259,16 @@ struct MeanSlip {
   glm::dvec3 mean;
 };
 
-std::vector<glm::dvec3> brought(const ProgressiveAnswer& answer) {
+std::vector<glm::dvec3> pass_radiances(const ProgressiveAnswer& answer) {
   carlo::Rng rng(answer.seed);
   std::vector<glm::dvec3> values;
   for (std::size_t i = 0; i < answer.pass.size(); ++i)
-    values.emplace_back(brought_by(static_cast<int>(i + 1), rng));
+    values.emplace_back(pass_radiance(static_cast<int>(i + 1), rng));
   return values;
 }
 
 std::vector<MeanSlip> mean_slips(const ProgressiveAnswer& answer) {
-  const std::vector<glm::dvec3> values = brought(answer);
+  const std::vector<glm::dvec3> values = pass_radiances(answer);
   const auto n = static_cast<double>(values.size());
   glm::dvec3 sum(0), folded(values[0]), areas(0);
   double area_sum = 0;
