@@ -58,7 +58,7 @@ class Mended {
   }
 
   /// The part of the integral over the light's cone; its density there is 1 over the solid angle.
-  /// It brings all radiance from whatever it meets, light or pillar.
+  /// Includes all radiance from whatever the ray meets, light or pillar.
   Rgb light_ray(const Surface& surface, const Cone& light, Vec2 u) {
     const Vec3 wi = light.sample(u);
     const float above = glm::dot(surface.n, wi);
