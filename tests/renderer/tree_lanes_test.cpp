@@ -74,15 +74,15 @@ HWY_ATTR void try_all(const LaneScene& s, const Register& r, const Segments& way
                       M& clear) {
   const V of_origin = coordinates(r.from.o);
   for (std::uint32_t i = s.first_quad; i < s.first_disk; ++i) {
-    meet_flat<true, Outline::quad>(s, i, r.from, r.d, of_origin, hits);
+    intersect_flat<true, Outline::quad>(s, i, r.from, r.d, of_origin, hits);
     clear = hn::AndNot(flat_blocks<true, Outline::quad>(s, i, way, of_origin), clear);
   }
   for (std::uint32_t i = s.first_disk; i < s.first_sphere; ++i) {
-    meet_flat<true, Outline::disk>(s, i, r.from, r.d, of_origin, hits);
+    intersect_flat<true, Outline::disk>(s, i, r.from, r.d, of_origin, hits);
     clear = hn::AndNot(flat_blocks<true, Outline::disk>(s, i, way, of_origin), clear);
   }
   for (std::uint32_t i = s.first_sphere; i < s.first_sdf; ++i) {
-    meet_sphere<true>(s, i, r.from, r.d, of_origin, hits);
+    intersect_sphere<true>(s, i, r.from, r.d, of_origin, hits);
     clear = hn::AndNot(sphere_blocks<true>(s, i, way), clear);
   }
 }

@@ -46,7 +46,7 @@ struct PlaneHit {
   M inside;
 };
 template <Outline outline>
-HWY_INLINE PlaneHit meet_plane(const LaneScene& s, std::size_t i, V3 o, V3 d) {
+HWY_INLINE PlaneHit intersect_plane(const LaneScene& s, std::size_t i, V3 o, V3 d) {
   const V3 n = set(s.nx[i], s.ny[i], s.nz[i]);
   const V below = hn::Sub(set(s.d[i]), dot(n, o)), along = dot(n, d);
   const V t = hn::Div(below, along);
@@ -61,9 +61,9 @@ HWY_INLINE M goes_through(V3 n, V along, V3 arrival) {
 }
 
 template <bool close, Outline outline>
-HWY_INLINE void meet_flat(const LaneScene& s, std::uint32_t i, const Origins& from, V3 d,
-                          V of_origin, Hits& hits) {
-  const PlaneHit hit = meet_plane<outline>(s, i, from.o, d);
+HWY_INLINE void intersect_flat(const LaneScene& s, std::uint32_t i, const Origins& from, V3 d,
+                               V of_origin, Hits& hits) {
+  const PlaneHit hit = intersect_plane<outline>(s, i, from.o, d);
   const M there = hn::And(hit.inside, differs(set_word(s.plane[i]), from.starts_on<close>()));
   V t = hit.t;
   M ahead = hn::Gt(t, set(0));
@@ -86,7 +86,7 @@ HWY_INLINE void meet_flat(const LaneScene& s, std::uint32_t i, const Origins& fr
 /// close to it.
 template <bool close, Outline outline>
 HWY_INLINE M flat_blocks(const LaneScene& s, std::uint32_t i, const Segments& way, V of_origin) {
-  const PlaneHit hit = meet_plane<outline>(s, i, way.from.o, way.d);
+  const PlaneHit hit = intersect_plane<outline>(s, i, way.from.o, way.d);
   const U plane = set_word(s.plane[i]);
   const M there = hn::And(hit.inside, hn::And(differs(plane, way.from.starts_on<close>()),
                                               differs(plane, way.to_plane)));
@@ -128,11 +128,11 @@ HWY_INLINE void for_nearby_members(const LaneScene& s, const Run& run, V3 p, M a
   }
 }
 
-/// meet_flat() for each of a run, which is skipped if no ray meets its plane.
-HWY_INLINE void meet_run(const LaneScene& s, const Run& run, const Origins& from, V3 d, V of_origin,
-                         Hits& hits) {
+/// intersect_flat() for each of a run, which is skipped if no ray meets its plane.
+HWY_INLINE void intersect_run(const LaneScene& s, const Run& run, const Origins& from, V3 d,
+                              V of_origin, Hits& hits) {
   const std::uint32_t i = run.first;
-  const PlaneHit hit = meet_plane<Outline::quad>(s, i, from.o, d);
+  const PlaneHit hit = intersect_plane<Outline::quad>(s, i, from.o, d);
   const M elsewhere = differs(set_word(s.plane[i]), from.plane);
   V t = hit.t;
   M ahead = hn::And(elsewhere, hn::Gt(t, set(0)));
@@ -165,7 +165,7 @@ HWY_INLINE M run_blocks(const LaneScene& s, const Run& run, const Segments& way,
   const M there =
       hn::And(asked, hn::And(differs(plane, way.from.plane), differs(plane, way.to_plane)));
   if (hn::AllFalse(d_, there)) return there;
-  const PlaneHit hit = meet_plane<Outline::quad>(s, i, way.from.o, way.d);
+  const PlaneHit hit = intersect_plane<Outline::quad>(s, i, way.from.o, way.d);
   const V below_end = hn::Sub(set(s.d[i]), dot(hit.n, way.to));
   M between = hn::Lt(hn::Mul(hit.below, below_end), set(0));
   if (s.touching) {

@@ -27,7 +27,7 @@ struct SlabHit {
   V enters, leaves;
   V along;  ///< the direction's component along the slab's axis
 };
-HWY_INLINE SlabHit meet_slab(const LaneBox& box, std::size_t k, V3 o, V3 d) {
+HWY_INLINE SlabHit intersect_slab(const LaneBox& box, std::size_t k, V3 o, V3 d) {
   const V3 axis = set(box.axis[k][0], box.axis[k][1], box.axis[k][2]);
   const V from =
       mul_add(axis.x, o.x, mul_add(axis.y, o.y, mul_sub(axis.z, o.z, set(box.center[k]))));
@@ -55,8 +55,8 @@ HWY_INLINE U left(std::size_t k, V along) {
 /// The points where rays leave the enclosure. Those from surfaces start inside, even if their
 /// origins are rounded; the camera's may miss it.
 HWY_INLINE Hits leave_enclosure(const LaneScene& s, V3 o, V3 d, U last) {
-  const SlabHit x = meet_slab(s.enclosure, 0, o, d), y = meet_slab(s.enclosure, 1, o, d),
-                z = meet_slab(s.enclosure, 2, o, d);
+  const SlabHit x = intersect_slab(s.enclosure, 0, o, d), y = intersect_slab(s.enclosure, 1, o, d),
+                z = intersect_slab(s.enclosure, 2, o, d);
   V leaves = x.leaves;
   U side = left(0, x.along);
   const auto choose = [&](V t, U number) HWY_ATTR {
@@ -89,10 +89,10 @@ HWY_INLINE U box_of(U surface) {
 
 /// Seen from outside, where every path is, a solid lies ahead if the middle of the chord does. This
 /// does not depend on the rounding of an origin that touches the solid.
-HWY_INLINE void meet_solid(const LaneScene& s, std::uint32_t i, V3 o, V3 d, U last_box,
-                           Hits& hits) {
-  const SlabHit x = meet_slab(s.solids[i], 0, o, d), y = meet_slab(s.solids[i], 1, o, d),
-                z = meet_slab(s.solids[i], 2, o, d);
+HWY_INLINE void intersect_solid(const LaneScene& s, std::uint32_t i, V3 o, V3 d, U last_box,
+                                Hits& hits) {
+  const SlabHit x = intersect_slab(s.solids[i], 0, o, d), y = intersect_slab(s.solids[i], 1, o, d),
+                z = intersect_slab(s.solids[i], 2, o, d);
   V enters = x.enters;
   U side = entered(0, x.along);
   const auto choose = [&](V t, U number) HWY_ATTR {
@@ -115,7 +115,7 @@ struct Chord {
 };
 /// Source: Haines et al., "Precision improvements for ray/sphere intersection", Ray Tracing Gems,
 /// chapter 7. d has length 1.
-HWY_INLINE Chord meet_sphere(const LaneScene& s, std::size_t i, V3 o, V3 d) {
+HWY_INLINE Chord intersect_sphere(const LaneScene& s, std::size_t i, V3 o, V3 d) {
   const V3 from_center = o - set(s.cx[i], s.cy[i], s.cz[i]);
   const V middle = hn::Neg(dot(from_center, d));
   const V3 closest = add_scaled(from_center, middle, d);
@@ -138,10 +138,10 @@ HWY_INLINE V turned(V3 arrival) {
 /// the opposite after passing through glass. It does so even if rounding puts a grazing ray's
 /// origin outside, so that the line misses the sphere.
 template <bool full>
-HWY_INLINE void meet_sphere(const LaneScene& s, std::uint32_t i, const Origins& from, V3 d,
-                            V of_origin, Hits& hits) {
+HWY_INLINE void intersect_sphere(const LaneScene& s, std::uint32_t i, const Origins& from, V3 d,
+                                 V of_origin, Hits& hits) {
   const U number = set_word(i);
-  const Chord chord = meet_sphere(s, std::size_t{i}, from.o, d);
+  const Chord chord = intersect_sphere(s, std::size_t{i}, from.o, d);
   const M starts = same(from.last, number);
   const V outwards = dot(from.arrival, from.o - set(s.cx[i], s.cy[i], s.cz[i]));
   V from_inside = hn::Mul(turned(from.arrival), outwards);
@@ -175,17 +175,17 @@ inline HWY_NOINLINE void closest_in_trees(const LaneScene& s, const Origins& fro
   };
   for_shapes_near(s.quad_tree, search, wanted, far, [&](std::uint32_t i, M rays) HWY_ATTR {
     Hits found = hits;
-    meet_flat<true, Outline::quad>(s, i, from, d, of_origin, found);
+    intersect_flat<true, Outline::quad>(s, i, from, d, of_origin, found);
     return keep_for(rays, found);
   });
   for_shapes_near(s.disk_tree, search, wanted, far, [&](std::uint32_t i, M rays) HWY_ATTR {
     Hits found = hits;
-    meet_flat<true, Outline::disk>(s, i, from, d, of_origin, found);
+    intersect_flat<true, Outline::disk>(s, i, from, d, of_origin, found);
     return keep_for(rays, found);
   });
   for_shapes_near(s.sphere_tree, search, wanted, far, [&](std::uint32_t i, M rays) HWY_ATTR {
     Hits found = hits;
-    meet_sphere<true>(s, i, from, d, of_origin, found);
+    intersect_sphere<true>(s, i, from, d, of_origin, found);
     return keep_for(rays, found);
   });
 }
@@ -205,30 +205,31 @@ HWY_INLINE Hits closest(const LaneScene& s, const Origins& from, V3 d, M wanted)
   for (std::uint32_t i = s.first_quad; i < s.first_disk; ++i) {
     const Run run = run_from(s, i);
     if (close && run.end > i + 1) {
-      meet_run(s, run, from, d, of_origin, hits);
+      intersect_run(s, run, from, d, of_origin, hits);
       i = run.end - 1;
     } else {
-      meet_flat<close, Outline::quad>(s, i, from, d, of_origin, hits);
+      intersect_flat<close, Outline::quad>(s, i, from, d, of_origin, hits);
     }
   }
   if constexpr (full) {
     for (std::uint32_t i = s.first_disk; i < s.first_sphere; ++i)
-      meet_flat<close, Outline::disk>(s, i, from, d, of_origin, hits);
+      intersect_flat<close, Outline::disk>(s, i, from, d, of_origin, hits);
   }
   if constexpr (close) {
     for (std::uint32_t i = s.first_sphere; i < s.first_sdf; ++i)
-      meet_sphere<full>(s, i, from, d, of_origin, hits);
+      intersect_sphere<full>(s, i, from, d, of_origin, hits);
   }
   const U last_box = box_of(from.last);
   for (std::uint32_t i = 0; i < s.solids.size(); ++i)
-    meet_solid(s, i, from.o, d, last_box, hits);
+    intersect_solid(s, i, from.o, d, last_box, hits);
   return hits;
 }
 
 /// Both ends lie outside, so the solid is in the way if the middle of the chord lies between them.
 HWY_INLINE M solid_blocks(const LaneBox& box, const Segments& way) {
-  const SlabHit x = meet_slab(box, 0, way.from.o, way.d), y = meet_slab(box, 1, way.from.o, way.d),
-                z = meet_slab(box, 2, way.from.o, way.d);
+  const SlabHit x = intersect_slab(box, 0, way.from.o, way.d),
+                y = intersect_slab(box, 1, way.from.o, way.d),
+                z = intersect_slab(box, 2, way.from.o, way.d);
   const V enters = hn::Max(x.enters, hn::Max(y.enters, z.enters)),
           leaves = hn::Min(x.leaves, hn::Min(y.leaves, z.leaves));
   const V twice_middle = hn::Add(enters, leaves);
@@ -241,7 +242,7 @@ HWY_INLINE M solid_blocks(const LaneBox& box, const Segments& way) {
 /// points only if they face inwards and the origin is outside.
 template <bool full>
 HWY_INLINE M sphere_blocks(const LaneScene& s, std::uint32_t i, const Segments& way) {
-  const Chord chord = meet_sphere(s, std::size_t{i}, way.from.o, way.d);
+  const Chord chord = intersect_sphere(s, std::size_t{i}, way.from.o, way.d);
   const V nearly = hn::Mul(way.distance, set(1 - 1e-6f));  // for a light inside of the sphere
   const M starts = same(way.from.last, set_word(i));
   const M outside = hn::AndNot(starts, hn::Gt(chord.enters, set(0)));

@@ -36,8 +36,8 @@ HWY_INLINE void store(V3 o, V3 d, V t, carlo::MeshRays& rays) {
 }
 
 /// Updates `hits` with nearer triangles, for the wanted rays o + t d.
-inline HWY_NOINLINE void meet_meshes(const LaneScene& s, const V3& o, const V3& d, M wanted,
-                                     carlo::MeshRays& rays, Hits& hits) {
+inline HWY_NOINLINE void intersect_meshes(const LaneScene& s, const V3& o, const V3& d, M wanted,
+                                          carlo::MeshRays& rays, Hits& hits) {
   store(o, d, hits.t, rays);
   const M met = mask_of(s.meshes->intersect(rays, bits(wanted)));
   keep_nearer(hits, met, hn::Load(d_, rays.t.data()),

@@ -50,7 +50,7 @@ struct Vertex {
 };
 
 /// Sphere tracing, only where an sdf may be nearer than the hits so far.
-inline HWY_NOINLINE void meet_sdfs(const LaneScene& s, std::array<Vertex, batch>& vertices) {
+inline HWY_NOINLINE void intersect_sdfs(const LaneScene& s, std::array<Vertex, batch>& vertices) {
   for (std::size_t k = 0; k < s.sdfs.size(); ++k) {
     SdfRays rays;
     for (std::size_t w = 0; w < batch; ++w) {

@@ -114,11 +114,12 @@ class Steps {
       vertex.way = {paths[w].from.clear, paths[w].d, paths[w].alive};
       vertex.to_light.clear = hn::FirstN(d_, 0);
     }
-    if (sdfs) meet_sdfs(s_, vertices);
+    if (sdfs) intersect_sdfs(s_, vertices);
     for (std::size_t w = 0; w < paths.size(); ++w) {
       Vertex& vertex = vertices[w];
       if (s_.meshes) {
-        meet_meshes(s_, vertex.way.o, vertex.way.d, vertex.way.wanted, vertex.of_mesh, vertex.hits);
+        intersect_meshes(s_, vertex.way.o, vertex.way.d, vertex.way.wanted, vertex.of_mesh,
+                         vertex.hits);
       }
       walk.shade(paths[w], vertex);
     }

@@ -45,10 +45,10 @@ class Beams {
   }
 
   /// The children of a node that some ray may hit before the distance `far`: one bit for each.
-  HWY_INLINE std::uint32_t may_meet(const LaneTree::Node& node, V far) const {
+  HWY_INLINE std::uint32_t may_intersect(const LaneTree::Node& node, V far) const {
     std::uint32_t met = 0;
     for (std::size_t c = 0; c < LaneTree::width; c += lanes)
-      met |= bits(may_meet(node, c, far)) << c;
+      met |= bits(may_intersect(node, c, far)) << c;
     return met;
   }
 
@@ -67,7 +67,7 @@ class Beams {
             hn::GetLane(to) < 0};
   }
 
-  HWY_INLINE M may_meet(const LaneTree::Node& node, std::size_t c, V far) const {
+  HWY_INLINE M may_intersect(const LaneTree::Node& node, std::size_t c, V far) const {
     constexpr float slack = 0x1p-20f;  // for the rounding of products
     V enters = set(0), leaves = far;
     for (std::size_t k = 0; k < axes_.size(); ++k) {
@@ -166,7 +166,7 @@ struct TreeVisit {
     children = ~0U;
     constexpr int few = 3;  // not worth a test of all together
     if (std::popcount(rays) > few) {
-      children = together.may_meet(tree.nodes[node], hn::MaxOfLanes(d_, far));
+      children = together.may_intersect(tree.nodes[node], hn::MaxOfLanes(d_, far));
       one_by_one = std::popcount(children) > std::popcount(rays);
       if (!one_by_one) return;
     }
