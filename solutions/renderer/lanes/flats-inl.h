@@ -85,17 +85,19 @@ HWY_INLINE void intersect_flat(const LaneScene& s, std::uint32_t i, const Origin
 /// ends themselves are compared: the distance to a far light is too inaccurate to tell what is
 /// close to it.
 template <bool close, Outline outline>
-HWY_INLINE M flat_blocks(const LaneScene& s, std::uint32_t i, const Segments& way, V of_origin) {
-  const PlaneHit hit = intersect_plane<outline>(s, i, way.from.o, way.d);
+HWY_INLINE M flat_occludes(const LaneScene& s, std::uint32_t i, const Segments& segments,
+                           V of_origin) {
+  const PlaneHit hit = intersect_plane<outline>(s, i, segments.from.o, segments.d);
   const U plane = set_word(s.plane[i]);
-  const M there = hn::And(hit.inside, hn::And(differs(plane, way.from.starts_on<close>()),
-                                              differs(plane, way.to_plane)));
-  const V below_end = hn::Sub(set(s.d[i]), dot(hit.n, way.to));
+  const M there = hn::And(hit.inside, hn::And(differs(plane, segments.from.starts_on<close>()),
+                                              differs(plane, segments.to_plane)));
+  const V below_end = hn::Sub(set(s.d[i]), dot(hit.n, segments.to));
   M between = hn::Lt(hn::Mul(hit.below, below_end), set(0));
   if (close && s.touching) {
     const M touches = hn::And(there, within_rounding(hit.below, of_origin, s.coordinates[i]));
     if (HWY_UNLIKELY(!hn::AllFalse(d_, touches)))
-      between = select_mask(touches, goes_through(hit.n, hit.along, way.from.arrival), between);
+      between =
+          select_mask(touches, goes_through(hit.n, hit.along, segments.from.arrival), between);
   }
   return hn::And(there, between);
 }
@@ -113,16 +115,16 @@ HWY_INLINE bool alike(const LaneScene& s, const Run& run, std::uint32_t i) {
 }
 
 /// Calls f with the numbers of all parallelograms of those patches of a run that are near one of
-/// the points p in the lanes of `asked`; the points lie in its plane.
+/// the points p in the lanes of `active`; the points lie in its plane.
 template <class F>
-HWY_INLINE void for_nearby_members(const LaneScene& s, const Run& run, V3 p, M asked, const F& f) {
+HWY_INLINE void for_nearby_members(const LaneScene& s, const Run& run, V3 p, M active, const F& f) {
   const std::uint32_t i = run.first;
   const V a = hn::Sub(dot(set(s.ax[i], s.ay[i], s.az[i]), p), set(s.a0[i]));
   const V b = hn::Sub(dot(set(s.bx[i], s.by[i], s.bz[i]), p), set(s.b0[i]));
   for (std::uint32_t k = i; k < run.end; k = s.patch_end[k]) {
     const M near = hn::And(hn::Le(hn::Abs(hn::Sub(a, set(s.patch_a[k]))), set(s.patch_half_a[k])),
                            hn::Le(hn::Abs(hn::Sub(b, set(s.patch_b[k]))), set(s.patch_half_b[k])));
-    if (hn::AllFalse(d_, hn::And(near, asked))) continue;
+    if (hn::AllFalse(d_, hn::And(near, active))) continue;
     for (std::uint32_t member = k; member < s.patch_end[k]; ++member)
       f(member);
   }
@@ -157,22 +159,22 @@ HWY_INLINE void intersect_run(const LaneScene& s, const Run& run, const Origins&
   });
 }
 
-/// flat_blocks() for any of a run.
-HWY_INLINE M run_blocks(const LaneScene& s, const Run& run, const Segments& way, M asked,
-                        V of_origin) {
+/// flat_occludes() for any of a run.
+HWY_INLINE M run_occludes(const LaneScene& s, const Run& run, const Segments& segments, M active,
+                          V of_origin) {
   const std::uint32_t i = run.first;
   const U plane = set_word(s.plane[i]);
-  const M there =
-      hn::And(asked, hn::And(differs(plane, way.from.plane), differs(plane, way.to_plane)));
+  const M there = hn::And(
+      active, hn::And(differs(plane, segments.from.plane), differs(plane, segments.to_plane)));
   if (hn::AllFalse(d_, there)) return there;
-  const PlaneHit hit = intersect_plane<Outline::quad>(s, i, way.from.o, way.d);
-  const V below_end = hn::Sub(set(s.d[i]), dot(hit.n, way.to));
+  const PlaneHit hit = intersect_plane<Outline::quad>(s, i, segments.from.o, segments.d);
+  const V below_end = hn::Sub(set(s.d[i]), dot(hit.n, segments.to));
   M between = hn::Lt(hn::Mul(hit.below, below_end), set(0));
   if (s.touching) {
     const M touches = within_rounding(hit.below, of_origin, s.coordinates[i]);
-    between = select_mask(touches, goes_through(hit.n, hit.along, way.from.arrival), between);
+    between = select_mask(touches, goes_through(hit.n, hit.along, segments.from.arrival), between);
   }
-  const V3 p = add_scaled(way.from.o, hit.t, way.d);
+  const V3 p = add_scaled(segments.from.o, hit.t, segments.d);
   M within = hn::FirstN(d_, 0);
   for_nearby_members(s, run, p, hn::And(there, between), [&](std::uint32_t k) HWY_ATTR {
     within = hn::Or(within, inside<Outline::quad>(s, k, p));

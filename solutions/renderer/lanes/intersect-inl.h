@@ -226,34 +226,34 @@ HWY_INLINE Hits closest(const LaneScene& s, const Origins& from, V3 d, M wanted)
 }
 
 /// Both ends lie outside, so the solid is in the way if the middle of the chord lies between them.
-HWY_INLINE M solid_blocks(const LaneBox& box, const Segments& way) {
-  const SlabHit x = intersect_slab(box, 0, way.from.o, way.d),
-                y = intersect_slab(box, 1, way.from.o, way.d),
-                z = intersect_slab(box, 2, way.from.o, way.d);
+HWY_INLINE M solid_occludes(const LaneBox& box, const Segments& segments) {
+  const SlabHit x = intersect_slab(box, 0, segments.from.o, segments.d),
+                y = intersect_slab(box, 1, segments.from.o, segments.d),
+                z = intersect_slab(box, 2, segments.from.o, segments.d);
   const V enters = hn::Max(x.enters, hn::Max(y.enters, z.enters)),
           leaves = hn::Min(x.leaves, hn::Min(y.leaves, z.leaves));
   const V twice_middle = hn::Add(enters, leaves);
   return hn::And(hn::Le(enters, leaves),
                  hn::And(hn::Gt(twice_middle, set(0)),
-                         hn::Lt(twice_middle, hn::Add(way.distance, way.distance))));
+                         hn::Lt(twice_middle, hn::Add(segments.distance, segments.distance))));
 }
 
 /// Rounding has a larger effect than an end that touches the sphere. A light occludes its own
 /// points only if they face inwards and the origin is outside.
 template <bool full>
-HWY_INLINE M sphere_blocks(const LaneScene& s, std::uint32_t i, const Segments& way) {
-  const Chord chord = intersect_sphere(s, std::size_t{i}, way.from.o, way.d);
-  const V nearly = hn::Mul(way.distance, set(1 - 1e-6f));  // for a light inside of the sphere
-  const M starts = same(way.from.last, set_word(i));
+HWY_INLINE M sphere_occludes(const LaneScene& s, std::uint32_t i, const Segments& segments) {
+  const Chord chord = intersect_sphere(s, std::size_t{i}, segments.from.o, segments.d);
+  const V nearly = hn::Mul(segments.distance, set(1 - 1e-6f));  // for a light inside of the sphere
+  const M starts = same(segments.from.last, set_word(i));
   const M outside = hn::AndNot(starts, hn::Gt(chord.enters, set(0)));
-  M by_near =
-      hn::And(outside, hn::Or(hn::Lt(chord.middle, way.distance), hn::Lt(chord.enters, nearly)));
-  const V outwards = dot(way.from.arrival, way.from.o - set(s.cx[i], s.cy[i], s.cz[i]));
-  const V from_inside = hn::Mul(turned(way.from.arrival), outwards);
+  M by_near = hn::And(
+      outside, hn::Or(hn::Lt(chord.middle, segments.distance), hn::Lt(chord.enters, nearly)));
+  const V outwards = dot(segments.from.arrival, segments.from.o - set(s.cx[i], s.cy[i], s.cz[i]));
+  const V from_inside = hn::Mul(turned(segments.from.arrival), outwards);
   const M ahead = hn::Gt(select(starts, from_inside, chord.leaves), set(0));
   M by_far = hn::And(hn::AndNot(outside, ahead), hn::Lt(chord.leaves, nearly));
   if constexpr (full) {
-    const M itself = same(way.to_plane, set_word(i));
+    const M itself = same(segments.to_plane, set_word(i));
     by_far = hn::AndNot(itself, by_far);
     if (s.radius[i] > 0) by_near = hn::AndNot(itself, by_near);
   }
@@ -262,58 +262,59 @@ HWY_INLINE M sphere_blocks(const LaneScene& s, std::uint32_t i, const Segments& 
 }
 
 /// unoccluded() for scenes with hierarchies.
-inline HWY_NOINLINE M unoccluded_by_trees(const LaneScene& s, const Segments& way, M asked) {
-  M clear = asked;
-  const V of_origin = coordinates(way.from.o);
-  const TreeSearch search(way.from.o, way.d, asked);
-  const auto far = [&]() HWY_ATTR { return way.distance; };
-  const auto block = [&](M blocks) HWY_ATTR {
-    clear = hn::AndNot(blocks, clear);
+inline HWY_NOINLINE M unoccluded_by_trees(const LaneScene& s, const Segments& segments, M active) {
+  M clear = active;
+  const V of_origin = coordinates(segments.from.o);
+  const TreeSearch search(segments.from.o, segments.d, active);
+  const auto far = [&]() HWY_ATTR { return segments.distance; };
+  const auto remove = [&](M occluded) HWY_ATTR {
+    clear = hn::AndNot(occluded, clear);
     return !hn::AllFalse(d_, clear);
   };
   for_shapes_near(s.quad_tree, search, clear, far, [&](std::uint32_t i, M rays) HWY_ATTR {
-    return block(hn::And(rays, flat_blocks<true, Outline::quad>(s, i, way, of_origin)));
+    return remove(hn::And(rays, flat_occludes<true, Outline::quad>(s, i, segments, of_origin)));
   });
   for_shapes_near(s.disk_tree, search, clear, far, [&](std::uint32_t i, M rays) HWY_ATTR {
-    return block(hn::And(rays, flat_blocks<true, Outline::disk>(s, i, way, of_origin)));
+    return remove(hn::And(rays, flat_occludes<true, Outline::disk>(s, i, segments, of_origin)));
   });
   for_shapes_near(s.sphere_tree, search, clear, far, [&](std::uint32_t i, M rays) HWY_ATTR {
-    return block(hn::And(rays, sphere_blocks<true>(s, i, way)));
+    return remove(hn::And(rays, sphere_occludes<true>(s, i, segments)));
   });
   return clear;
 }
 
-/// The lanes of `asked` whose segments reach their end, a point of a light or the camera,
+/// The lanes of `active` whose segments reach their end, a point of a light or the camera,
 /// unoccluded; sdfs and meshes are not tested.
 template <bool close, bool full, bool to_camera = false>
-HWY_INLINE M unoccluded(const LaneScene& s, const Segments& way, M asked) {
-  if (full && s.many) return unoccluded_by_trees(s, way, asked);
-  M clear = asked;
-  const U from_box = box_of(way.from.last);
+HWY_INLINE M unoccluded(const LaneScene& s, const Segments& segments, M active) {
+  if (full && s.many) return unoccluded_by_trees(s, segments, active);
+  M clear = active;
+  const U from_box = box_of(segments.from.last);
   for (std::uint32_t i = 0; i < s.solids.size(); ++i) {
-    const M blocks = hn::And(solid_blocks(s.solids[i], way), differs(from_box, set_word(i)));
-    clear = hn::AndNot(blocks, clear);
+    const M occluded =
+        hn::And(solid_occludes(s.solids[i], segments), differs(from_box, set_word(i)));
+    clear = hn::AndNot(occluded, clear);
   }
   V of_origin = set(0);
-  if (close) of_origin = coordinates(way.from.o);
+  if (close) of_origin = coordinates(segments.from.o);
   for (std::uint32_t i = s.first_quad; i < s.first_disk; ++i) {
     if (!to_camera && s.lights == 1 && i == s.light_surface[0] && !(full && s.other_lights()))
       continue;
     const Run run = run_from(s, i);
     if (close && run.end > i + 1) {
-      clear = hn::AndNot(run_blocks(s, run, way, clear, of_origin), clear);
+      clear = hn::AndNot(run_occludes(s, run, segments, clear, of_origin), clear);
       i = run.end - 1;
       continue;
     }
-    clear = hn::AndNot(flat_blocks<close, Outline::quad>(s, i, way, of_origin), clear);
+    clear = hn::AndNot(flat_occludes<close, Outline::quad>(s, i, segments, of_origin), clear);
   }
   if constexpr (full) {
     for (std::uint32_t i = s.first_disk; i < s.first_sphere; ++i)
-      clear = hn::AndNot(flat_blocks<close, Outline::disk>(s, i, way, of_origin), clear);
+      clear = hn::AndNot(flat_occludes<close, Outline::disk>(s, i, segments, of_origin), clear);
   }
   if constexpr (close) {
     for (std::uint32_t i = s.first_sphere; i < s.first_sdf; ++i)
-      clear = hn::AndNot(sphere_blocks<full>(s, i, way), clear);
+      clear = hn::AndNot(sphere_occludes<full>(s, i, segments), clear);
   }
   return clear;
 }

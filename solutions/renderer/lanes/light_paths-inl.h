@@ -180,9 +180,9 @@ class LightPathWalk : Steps<Needs> {
   /// Adds the path's contribution to the pixel in which the camera sees its vertex.
   HWY_INLINE void join_camera(Paths& paths, const Surfaces& surface, Vertex& vertex,
                               const MisRatios& ratios) const {
-    const V3 way = eye_ - surface.p;
-    const V distance2 = dot(way, way), inverse = hn::Div(set(1), hn::Sqrt(distance2));
-    const V3 wi = inverse * way;
+    const V3 to_eye = eye_ - surface.p;
+    const V distance2 = dot(to_eye, to_eye), inverse = hn::Div(set(1), hn::Sqrt(distance2));
+    const V3 wi = inverse * to_eye;
     const V cosine = dot(surface.n, wi);
     const carlo::Camera& c = job_.camera;
     const V ahead = hn::Neg(dot(wi, forward_));
@@ -193,11 +193,11 @@ class LightPathWalk : Steps<Needs> {
         hn::Mul(neg_mul_add(y, set(0.5f), set(0.5f)), set(static_cast<float>(job_.height)));
     const M seen = hn::And(hn::And(hn::Gt(cosine, set(0)), hn::Gt(ahead, set(0))),
                            hn::And(hn::Lt(hn::Abs(x), set(1)), hn::Lt(hn::Abs(y), set(1))));
-    const M asked = hn::And(paths.alive, seen);
-    if (hn::AllFalse(d_, asked)) return;
-    counts_.rays += hn::CountTrue(d_, asked);
-    const Segments segment{paths.from, wi, eye_, hn::Mul(distance2, inverse), set_word(nothing)};
-    const M clear = unoccluded<Needs::close, Needs::full, true>(s_, segment, asked);
+    const M active = hn::And(paths.alive, seen);
+    if (hn::AllFalse(d_, active)) return;
+    counts_.rays += hn::CountTrue(d_, active);
+    const Segments segments{paths.from, wi, eye_, hn::Mul(distance2, inverse), set_word(nothing)};
+    const M clear = unoccluded<Needs::close, Needs::full, true>(s_, segments, active);
     if (hn::AllFalse(d_, clear)) return;
     const Bsdfs bsdf = this->evaluate_bsdf(surface, wi, cosine);
     const V by_camera = camera_density(job_, set(-1) * wi);

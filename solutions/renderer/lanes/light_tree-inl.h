@@ -141,14 +141,14 @@ HWY_INLINE float probability_in_tree(const LaneLightTree& tree, std::uint32_t li
   return probability + uniform_part / static_cast<float>(tree.leaf_of.size());
 }
 
-/// The same for each of the lanes that are `asked`; 0 for the others.
+/// The same for each of the lanes that are `active`; 0 for the others.
 inline HWY_NOINLINE V probabilities_in_tree(const LaneLightTree& tree, U light, const V3& p,
-                                            const V3& n, M asked) {
+                                            const V3& n, M active) {
   const LanePoints lane(p, n);
   alignas(64) std::array<std::uint32_t, lanes> number;
   alignas(64) std::array<float, lanes> probability{};
   hn::Store(light, du_, number.data());
-  for (std::uint32_t left = bits(asked); left != 0; left &= left - 1) {
+  for (std::uint32_t left = bits(active); left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(left));
     probability[i] = probability_in_tree(tree, number[i], set(lane.p(i)), set(lane.n(i)));
   }
@@ -158,7 +158,7 @@ inline HWY_NOINLINE V probabilities_in_tree(const LaneLightTree& tree, U light, 
 /// Picks lights by u in [0, 1) and the random words `seed`, which extend it, and rescales u. A
 /// probability of 0: no light that u selects can contribute.
 inline HWY_NOINLINE Picked pick_in_tree(const LaneLightTree& tree, const V3& p, const V3& n, U seed,
-                                        M asked, V& u) {
+                                        M active, V& u) {
   const LanePoints lane(p, n);
   alignas(64) std::array<float, lanes> digits, probability{};
   alignas(64) std::array<std::uint32_t, lanes> more, light{}, node{};
@@ -166,7 +166,7 @@ inline HWY_NOINLINE Picked pick_in_tree(const LaneLightTree& tree, const V3& p, 
   hn::Store(u, d_, digits.data());
   hn::Store(mix(seed), du_, more.data());
   const auto count = static_cast<double>(tree.leaf_of.size());
-  const std::uint32_t wanted = bits(asked);
+  const std::uint32_t wanted = bits(active);
   std::uint32_t descends = 0;
   for (std::uint32_t left = wanted; left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(left));

@@ -76,13 +76,13 @@ inline HWY_NOINLINE void place_on_meshes(const LaneScene& s, const carlo::MeshRa
 
 /// Removes the lanes whose segment from o to `to`, up to the given share of its length, is blocked
 /// by a mesh.
-inline HWY_NOINLINE void block_by_meshes(const LaneScene& s, const V3& o, const V3& to, V share,
-                                         M& clear) {
+inline HWY_NOINLINE void occlude_by_meshes(const LaneScene& s, const V3& o, const V3& to, V share,
+                                           M& clear) {
   if (hn::AllFalse(d_, clear)) return;
   carlo::MeshRays rays;
-  const V3 way = to - o;
-  const V distance = hn::Sqrt(dot(way, way));
-  store(o, hn::Div(set(1), distance) * way, hn::Mul(distance, share), rays);
+  const V3 offset = to - o;
+  const V distance = hn::Sqrt(dot(offset, offset));
+  store(o, hn::Div(set(1), distance) * offset, hn::Mul(distance, share), rays);
   clear = hn::AndNot(mask_of(s.meshes->occluded(rays, bits(clear))), clear);
 }
 

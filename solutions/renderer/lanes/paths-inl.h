@@ -225,8 +225,8 @@ class Walk : Steps<Needs> {
                             hn::And(paths.alive, elsewhere));
     if (hn::AllFalse(d_, faces)) return;
     counts_.rays += hn::CountTrue(d_, faces);
-    const Segments way{paths.from, wi, light.p, hn::Mul(distance2, inverse), light.plane};
-    const M clear = unoccluded<Needs::close, Needs::full>(s_, way, faces);
+    const Segments segments{paths.from, wi, light.p, hn::Mul(distance2, inverse), light.plane};
+    const M clear = unoccluded<Needs::close, Needs::full>(s_, segments, faces);
     const Bsdfs bsdf = this->evaluate_bsdf(surface, wi, cosine);
     // `solid_angle` is one over the density of wi by light sampling.
     V solid_angle = hn::Mul(hn::Mul(light.area, light_cosine), hn::Mul(inverse, inverse));
@@ -255,12 +255,12 @@ class Walk : Steps<Needs> {
   }
 
   /// As in carlo::shadow_ray(), the segment ends in front of the surface that carries the light.
-  HWY_INLINE void end_before_meshes(const LightPoints& light, ToLight& way) const {
+  HWY_INLINE void end_before_meshes(const LightPoints& light, ToLight& segment) const {
     const V3 before = off_surface(light.p, light.error, light.n, set(0, 0, 0));
-    way.to = s_.point_lights() ? select(light.point, light.p, before) : before;
-    if (s_.sky) way.to = select(light.beyond, light.p, way.to);
+    segment.to = s_.point_lights() ? select(light.point, light.p, before) : before;
+    if (s_.sky) segment.to = select(light.beyond, light.p, segment.to);
     if (s_.any_mesh_light)
-      way.share = select(is_from(s_.first_mesh, light.plane), set(1 - 1e-6f), set(1));
+      segment.share = select(is_from(s_.first_mesh, light.plane), set(1 - 1e-6f), set(1));
   }
 };
 

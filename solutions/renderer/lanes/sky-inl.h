@@ -49,11 +49,11 @@ HWY_INLINE Texels texels(const EnvmapTable& table, U index) {
   return {{gather(first, at), gather(first + 1, at), gather(first + 2, at)}, gather(first + 3, at)};
 }
 
-/// EnvmapTable::at() for the lanes of `asked`.
-inline HWY_NOINLINE Texels sky_at(const EnvmapTable& table, const V3& d, M asked) {
+/// EnvmapTable::at() for the lanes of `active`.
+inline HWY_NOINLINE Texels sky_at(const EnvmapTable& table, const V3& d, M active) {
   const glm::mat3& m = table.rotation;
-  const V3 there = select(asked, d, set(m[1][0], m[1][1], m[1][2]));  // up, in lanes that do not
-                                                                      // ask
+  const V3 there = select(active, d, set(m[1][0], m[1][1], m[1][2]));  // up, in lanes that are not
+                                                                       // active
   const V x = dot(there, set(m[0][0], m[0][1], m[0][2])),
           y = dot(there, set(m[1][0], m[1][1], m[1][2])),
           z = dot(there, set(m[2][0], m[2][1], m[2][2]));

@@ -111,22 +111,22 @@ class Steps {
     for (std::size_t w = 0; w < paths.size(); ++w) {
       Vertex& vertex = vertices[w];
       find(paths[w], vertex);
-      vertex.way = {paths[w].from.clear, paths[w].d, paths[w].alive};
+      vertex.ray = {paths[w].from.clear, paths[w].d, paths[w].alive};
       vertex.to_light.clear = hn::FirstN(d_, 0);
     }
     if (sdfs) intersect_sdfs(s_, vertices);
     for (std::size_t w = 0; w < paths.size(); ++w) {
       Vertex& vertex = vertices[w];
       if (s_.meshes) {
-        intersect_meshes(s_, vertex.way.o, vertex.way.d, vertex.way.wanted, vertex.of_mesh,
+        intersect_meshes(s_, vertex.ray.o, vertex.ray.d, vertex.ray.wanted, vertex.of_mesh,
                          vertex.hits);
       }
       walk.shade(paths[w], vertex);
     }
-    if (sdfs) block_by_sdfs(s_, vertices);
+    if (sdfs) occlude_by_sdfs(s_, vertices);
     for (std::size_t w = 0; w < paths.size(); ++w) {
-      ToLight& way = vertices[w].to_light;
-      if (s_.meshes) block_by_meshes(s_, way.o, way.to, way.share, way.clear);
+      ToLight& segment = vertices[w].to_light;
+      if (s_.meshes) occlude_by_meshes(s_, segment.o, segment.to, segment.share, segment.clear);
       walk.gather(paths[w], vertices[w]);
     }
   }
