@@ -40,13 +40,14 @@ double lobe_albedo(int n, double theta) {
   return half + c * c / std::numbers::pi * sum + std::pow(s, n + 2) * wallis(n) / std::numbers::pi;
 }
 
-const Diagnosis about_wo{
-    "lobe-about-wo", "the lobe surrounds wo itself: light would be sent back where it came from."};
+const Diagnosis about_wo{"lobe-about-wo",
+                         "the lobe surrounds wo itself: light would be reflected back to where it "
+                         "came from."};
 const Diagnosis about_normal{"lobe-about-the-normal",
                              "the lobe surrounds the normal, not the mirror direction."};
 const Diagnosis below_surface{"mirror-direction-below",
-                              "the mirror direction points into the surface: both wo and it point "
-                              "away."};
+                              "the mirror direction points into the surface: it must point away, "
+                              "like wo."};
 const Diagnosis below_changed{
     "below-horizon-changed",
     "the lobe's directions below the horizon are missing: flipped or drawn "

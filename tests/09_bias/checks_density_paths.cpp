@@ -25,16 +25,15 @@ const Diagnosis mirrored_emission_lost{
     "emission that the camera sees in a mirror is missing: no photon stands for it, for no Phong "
     "surface lies between."};
 const Diagnosis photons_unweighted{"weight-missing-for-photons",
-                                   "what photons bring is added without the weights of the mirrors "
-                                   "and of the glass before it."};
+                                   "the photons' contribution is added without the weights of "
+                                   "the mirrors and of the glass before it."};
 const Diagnosis last_weight_only{"last-weight-only",
                                  "only the last mirror's weight counts: weights multiply."};
 const Diagnosis glass_as_flux{
     "radiance-not-scaled",
-    "radiance is scaled by eta^2 where the ray goes into glass. (Flux was "
-    "not.)"};
+    "radiance has to be scaled by eta^2 where the ray enters glass. (Flux was not.)"};
 const Diagnosis sky_missing{"environment-missing",
-                            "a ray that meets nothing brings the environment."};
+                            "the radiance of a ray that meets nothing is the environment's."};
 const Diagnosis sky_unweighted{"weight-missing-for-environment",
                                "the environment is added without the mirror's weight."};
 const Diagnosis samples_beside{"light-sampled-beside-the-map",

@@ -29,34 +29,34 @@ const Diagnosis pixel_upside_down{"filtered-pixels-upside-down",
                                   "y counts from the top, and so does the film's second "
                                   "coordinate."};
 const Diagnosis one_offset{"one-offset-for-all-rays",
-                           "all rays go through one place: each has an offset of its own."};
+                           "all rays go through one point: each needs its own offset."};
 const Diagnosis rays_uniform{"rays-uniform-in-square",
                              "rays are uniform in the filter's square; filtered_pixel() draws them "
                              "from the filter."};
 const Diagnosis rays_filtered{
     "weighted-rays-from-filter",
-    "offsets that are drawn from the filter are weighed by it as well: it "
-    "counts twice."};
+    "offsets that are drawn from the filter are also weighted by it: it counts twice."};
 const Diagnosis in_pixel_only{"offsets-in-pixel-only",
                               "offsets stay within the pixel; the filter reaches beyond it."};
 const Diagnosis rays_on_diagonal{"rays-on-diagonal",
                                  "across and down come from one random number."};
 const Diagnosis weighed_twice{"filter-weighed-twice",
-                              "the filter is in the rays' density; it is not to be a weight once "
-                              "more."};
+                              "the filter is already the rays' density; it must not be a weight "
+                              "as well."};
 const Diagnosis pixel_not_divided{"pixel-sum-not-mean", "the sum is returned, not the mean."};
 const Diagnosis wrong_divisor{"pixel-divided-by-other-number",
                               "the sum is not divided by the number of its rays."};
-const Diagnosis one_ray_only{"pixel-one-ray-only", "one ray decides, and the others are lost."};
+const Diagnosis one_ray_only{"pixel-one-ray-only",
+                             "only one ray is used, and the others are lost."};
 const Diagnosis not_weighed{"rays-not-weighed",
-                            "rays are not weighed by the filter: they are uniform in its square."};
+                            "rays are not weighted by the filter: they are uniform in its square."};
 const Diagnosis by_number{"weights-divided-by-number",
-                          "the weighted sum is divided by the number of rays; the sum of the "
-                          "weights is wanted."};
+                          "the weighted sum is divided by the number of rays; it should be the "
+                          "sum of the weights."};
 const Diagnosis by_area{"weights-by-known-sum",
-                        "the sum is divided by what the weights come to on average: that is "
-                        "unbiased, and another estimate. The sum of these rays' weights is "
-                        "wanted."};
+                        "the sum is divided by the expected sum of the weights: that is "
+                        "unbiased, but another estimate. Divide by the sum of these rays' "
+                        "weights."};
 const Diagnosis weights_squared{"weights-squared", "the weights are squared."};
 const Diagnosis weights_not_divided{"weights-not-divided",
                                     "the weighted sum is not divided by the sum of the weights."};

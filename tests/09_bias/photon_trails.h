@@ -11,8 +11,8 @@
 namespace lab09_photons {
 
 inline const Diagnosis counts_itself{"counts-the-surface-itself",
-                                     "phong and specular count what the photon met before: not the "
-                                     "surface where it is stored."};
+                                     "phong and specular count the surfaces that the photon met "
+                                     "before, not the one where it is stored."};
 inline const Diagnosis phong_not_counted{"phong-not-counted",
                                          "phong does not grow at Phong surfaces."};
 
