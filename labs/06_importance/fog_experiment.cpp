@@ -20,7 +20,7 @@ namespace {
 /// The ray runs from t = -3, the camera, to t = 9; t = 0 is nearest to the light.
 constexpr double first = -3, last = 9, fog = 0.5;
 
-/// Transmittance from the camera times the light source's light at t.
+/// Transmittance from the camera to t times the irradiance there.
 Function scattered(double height) {
   return [=](double t) {
     return t <= last ? std::exp(-fog * (t - first)) / (height * height + t * t) : 0;
@@ -177,10 +177,10 @@ std::string picture(double height, std::string_view title) {
 void fog_experiment(Notebook& notebook) {
   notebook.begin("A light in fog");
   notebook.say(
-      "What reaches the camera along a ray is an integral over the ray: at each point t the light's "
-      "light, 1/(height² + t²), dimmed by exp(-fog × way) on its way back. Two densities offer "
-      "themselves, one for each factor. Close to the light the one is hopeless, far from it the "
-      "other; both together are good in between and never hopeless.");
+      "The light that reaches the camera along a ray is an integral over the ray: at each point "
+      "t the irradiance, 1/(height² + t²), attenuated by exp(-fog × distance) on its way back. "
+      "Two densities suggest themselves, one for each factor. Close to the light one is "
+      "hopeless, far from it the other; both together are good in between and never hopeless.");
   notebook.attempt([&] {
     const std::string near = picture(0.1, "Close: the light's peak");
     notebook.raw_html(carlo::tiles(

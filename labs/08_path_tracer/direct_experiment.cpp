@@ -53,7 +53,8 @@ double irradiance(const Rectangle& r, double height, const Vec3& p) {
   return at(r.x1, r.y1) - at(r.x0, r.y1) - at(r.x1, r.y0) + at(r.x0, r.y0);
 }
 
-/// Radiance of the floor at p: the light source's light minus that of the part behind the screen.
+/// Radiance of the floor at p: that due to the whole light minus that of the part behind the
+/// screen.
 double exact(const Vec3& p) {
   constexpr double h = light_height, zoom = h / static_cast<double>(screen_height);
   const auto shadow = [&](double edge, float at) {

@@ -240,10 +240,10 @@ void slopes_and_crossing(Notebook& notebook) {
 void error_experiment(Notebook& notebook) {
   notebook.begin("Step a: bias and noise apart");
   notebook.say(fmt::format(
-      "Light of a glowing disc of radius 1 close to a point, {} above its middle: points "
-      "of the disc, uniform by area, bring 1/distance², which is {} right below and "
-      "seldom that large; the mean is {}. Clamping samples to c reduces the noise, "
-      "and makes the result too dark.",
+      "Light of a glowing disc of radius 1 close to a point, {} above its middle: points of the "
+      "disc, uniform by area, contribute 1/distance², which is {} right below and seldom that "
+      "large; the mean is {}. Clamping samples to c reduces the noise, and makes the result too "
+      "dark.",
       carlo::number_text(std::sqrt(glow.height2), 3), carlo::number_text(glow.largest()),
       carlo::number_text(glow.exact())));
   notebook.attempt([&] {

@@ -164,8 +164,8 @@ void thin_board(Notebook& notebook) {
   notebook.say(
       "A board under the open sky, and the dark floor at some height below it. Records on the "
       "board see far, and their normals are the floor's: for Ward's estimate the floor is next "
-      "door. Only that they lie in front of it keeps them from serving there, unless they do so by "
-      "less than a hundredth of their distance, which here is 1.");
+      "door. Only the test for records in front keeps them from being used there, and it "
+      "tolerates a hundredth of their distance, which here is 1.");
   notebook.table("thin_board", table, "What leaks through a board, in parts of the open sky");
 }
 
