@@ -38,7 +38,7 @@ struct LaneJob {
 /// (camera paths, light sampling, light paths) for each path:
 ///
 ///   p(from lights) / p(from camera) = light_paths x pixels / pixel's density at the first vertex
-///     x the densities along the way back / those along the way there x emission
+///     x the reverse densities / the forward densities of all vertices x emission
 ///
 /// all per area. Distances cancel, and at diffuse vertices so does everything but cosines.
 /// Paths::mis_ratio is this quotient up to the last vertex, without the factors of its BRDF and of
