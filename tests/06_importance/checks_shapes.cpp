@@ -259,7 +259,7 @@ void judge_mixture_pdf(std::size_t index, const Rows& rows) {
     }
   };
   of_both(pdf_maximum, [](double, double p, double q) { return std::max(p, q); });
-  // As if share were a position on the line, not a probability.
+  // The pdf if share were a position on the line, not a probability.
   of_both(pdf_of_one, [&](double x, double p, double q) { return x < s ? p : q; });
   if (s != 0.5) others.push_back({mixed(1 - s, s), pdf_exchanged});
   judge(all_match(fmt::format("the pdf for share {:g}", s), labels("x", at), measured,

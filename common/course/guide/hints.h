@@ -34,7 +34,7 @@ struct Hint {
   const Exercise* exercise = nullptr;
   int number = 1;  ///< from 1
   int count = 1;   ///< of the exercise's hints
-  /// Which further hints the text announces.
+  /// The text's last line about further hints.
   enum class More { unsaid, another, none_left, was_the_last } more = More::unsaid;
 };
 

@@ -113,7 +113,7 @@ inline HWY_NOINLINE void points_of(const LaneSdf& sdf, const SdfRays& rays, SdfP
   }
 }
 
-/// Those of the `wanted` rays o + t d, t up to `longest`, that may come near the sdf.
+/// Returns those of the `wanted` rays o + t d, t up to `longest`, that may come near the sdf.
 HWY_INLINE M near_sdf(const LaneSdf& sdf, V3 o, V3 d, V longest, M wanted) {
   const auto f = [](double x) HWY_ATTR { return set(static_cast<float>(x)); };
   const glm::dmat3& r = sdf.place.rotation;
