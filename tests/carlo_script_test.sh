@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# carlo_script_test.sh SOURCE VERBS: what ./carlo does before and around the programs that it starts, by
-# stand-ins for these. Bad calls: one line on stderr, exit code 1, and an end.
+# carlo_script_test.sh SOURCE VERBS: tests, with stand-ins for the programs that it starts, what
+# ./carlo does before and around them. A bad call gives one line on stderr and exit code 1.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/stand_in_tree.sh"
 
@@ -112,7 +112,7 @@ expect_no_answer 1
 mv "$scratch/stub.cpp" "$own"
 stand_in "$tree/build/release/bin/lab01_judge"
 
-# How a program ended.
+# Exit codes and signals of programs.
 program "$tree/build/release/bin/lab01" 'kill -SEGV $$'
 expect 1 'crashed: invalid memory access' lab 1
 expect 1 'To find the line .*CARLO_PRESET=debug ./carlo lab 1' lab 1
@@ -124,7 +124,7 @@ stand_in "$tree/build/release/bin/lab01"
 
 # --- builds --------------------------------------------------------------------------------------
 
-# What killed runs left goes, and nobody else's.
+# Removes the folders of killed runs, and no others.
 run=$tree/build/release/run
 mkdir -p "$run/999999999" "$run/$$"
 touch -t 202001010000 "$run/999999999" "$run/$$"
@@ -134,7 +134,7 @@ expect 0 '^lab01$' lab 1
 rm -r "${run:?}/$$"
 [ -z "$(ls "$run")" ] || failed "these stay: $(ls "$run")"
 
-# Who is to wait long is told, at once and then each ten seconds.
+# Announces a long wait at once, then every ten seconds.
 program "$tools/ninja" 'case " $* " in
   *" -n "*) for step in {1..21}; do printf "[%d] c++\n" "$step"; done ;;
   *) printf "@1/21 1.0 c++\n@10/21 11.5 c++\n@11/21 20.5 c++\n" ;;
@@ -149,12 +149,12 @@ expect 1 '^carlo_course explain --root' lab 1
 grep -q 'a.cpp:1:1: error: x' "$tree/build/release/build.log" || failed "the compiler's words are lost"
 program "$tools/ninja" 'echo "ninja: build stopped: interrupted by user."; exit 2'
 expect 130 '^carlo: stopped while building$' lab 1
-# A hint builds nothing where its program is there.
+# A hint builds nothing if its program exists.
 program "$tools/ninja" 'case " $* " in *" -n "*) ;; *) exit 1 ;; esac'
 expect 0 '^carlo_course hint' hint 1.2
 program "$tools/ninja" ''
 
-# Ctrl-C while it judges: the judge ends, and so do we.
+# A signal while it judges ends the judge and ./carlo.
 program "$tree/build/release/bin/lab01_judge" 'echo begun; sleep 60 & wait'
 (cd "$scratch" && PATH=$tools:$PATH exec setsid "$tree/carlo" test 1 >"$scratch/said" 2>&1) &
 carlo=$!
@@ -167,7 +167,7 @@ wait "$carlo" || code=$?
 
 # --- where it stands -----------------------------------------------------------------------------
 
-# Through a link, from elsewhere; the link of a link is none of its own folder.
+# Works through links, from any folder; a relative link is resolved from its own folder.
 mkdir "$scratch/links"
 ln -s ../tree/carlo "$scratch/links/first"
 ln -s "$scratch/links/first" "$scratch/second"

@@ -10,7 +10,7 @@
 
 namespace carlo::verbs {
 
-/// What all verbs work with.
+/// The context of all verbs.
 struct Course {
   Tree tree;
   std::string preset;  ///< CARLO_PRESET, by default release

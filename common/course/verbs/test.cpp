@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the command line asks for.
+/// The requests of the command line.
 struct TestWishes {
   std::vector<LabFolder> labs;
   Words exercises;  ///< as typed
@@ -116,7 +116,7 @@ std::string processors() {
   return said.substr(0, said.find('\n'));
 }
 
-/// Whether ctest's options choose among all tests.
+/// True if ctest's options choose among all tests.
 bool chooses(const Words& options) {
   return std::any_of(options.begin(), options.end(), [](const std::string& word) {
     return word.starts_with("-R") || word.starts_with("-L") || word.starts_with("-C") ||

@@ -43,7 +43,7 @@ int functions_in(const std::string& lab_json) {
   return quotes / 2;
 }
 
-/// Whether `typed` is a lab or an exercise, such as 1 or 1.2, with at most two digits each.
+/// True if `typed` is a lab or an exercise, such as 1 or 1.2, with at most two digits each.
 bool is_exercise_number(const std::string& typed) {
   const std::size_t point = typed.find('.');
   return is_number(typed.substr(0, point), 2) &&

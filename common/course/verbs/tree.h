@@ -27,7 +27,7 @@ struct ExerciseNumber {
 struct Tree {
   std::filesystem::path root;
 
-  /// Whether it holds all solutions, and so is the whole suite. A student's tree has at most those
+  /// True if it holds all solutions, and so is the whole suite. A student's tree has at most those
   /// of earlier labs.
   bool has_solutions() const;
   /// Throws Error, which says that a student's tree comes without `without`, unless it has the

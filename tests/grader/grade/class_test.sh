@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# class_test.sh SOURCE BUILD: grades a small class in lab 01: the marks are right, nothing outside
+# class_test.sh SOURCE BUILD: grades a small class in lab 1: the marks are right, nothing outside
 # the class is read or written, and a killed grader resumes, produces the same CSV, and leaves no
 # process or file behind.
 set -euo pipefail

@@ -141,7 +141,7 @@ std::vector<std::string> compile_command(const LabTools& tools) {
   for (const fs::path& include : tools.recipe.includes)
     argv.push_back("-I" + include.string());
   argv.insert(argv.end(), {"-fno-lto", "-fdiagnostics-color=never"});
-  // What the program prints of itself (__FILE__, an assertion) shows no path of ours.
+  // Keeps our paths out of what the program prints (__FILE__, an assertion).
   for (const fs::path& header : tools.headers)
     argv.push_back("-ffile-prefix-map=" + header.string() + "/=");
   return argv;
