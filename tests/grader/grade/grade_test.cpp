@@ -19,11 +19,11 @@ using nlohmann::json;
 namespace {
 
 Lab demo_lab() {
-  return {1,
-          "demo",
-          "Demo",
-          {{"Lab 1.1", "First", 2, "L", {"f"}, {"a", "b"}},
-           {"Lab 1.2", "Second", 3, "L", {"g"}, {"a", "b"}}}};
+  return {
+      1,
+      "demo",
+      "Demo",
+      {{"Lab 1.1", "First", 2, {"f"}, {"a", "b"}}, {"Lab 1.2", "Second", 3, {"g"}, {"a", "b"}}}};
 }
 
 LabResult verdict(double first, double second) {

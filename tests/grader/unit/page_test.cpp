@@ -74,9 +74,9 @@ LabPage demo_lab(const Verdict& verdict, const std::string& problem = "") {
   const carlo::Lab lab{7,
                        "demo",
                        "Demo",
-                       {{"Lab 7.1", "First", 2, "L", {"f"}, {"a", "b"}},
-                        {"Lab 7.2", "Second", 3, "L", {"g"}, {"a", "b"}},
-                        {"Lab 7.3", "Third", 1, "L", {"h"}, {"a", "b"}}}};
+                       {{"Lab 7.1", "First", 2, {"f"}, {"a", "b"}},
+                        {"Lab 7.2", "Second", 3, {"g"}, {"a", "b"}},
+                        {"Lab 7.3", "Third", 1, {"h"}, {"a", "b"}}}};
   TestRecord failed{"Lab 7.1", "it holds", {verdict, verdict}, Status::failed, problem, problem};
   const TestRecord passed{
       "Lab 7.2", "it is right", {holds("it", true, "1", "1")}, Status::passed, "", ""};
@@ -109,7 +109,7 @@ TEST_CASE("the page shows points, diagnosis, numbers, figure and the hint's comm
 }
 
 TEST_CASE("a crash stands first on the page, with how to find its line", "[page]") {
-  const carlo::Lab lab{1, "demo", "Demo", {{"Lab 1.1", "First", 2, "L", {"f"}, {"a", "b"}}}};
+  const carlo::Lab lab{1, "demo", "Demo", {{"Lab 1.1", "First", 2, {"f"}, {"a", "b"}}}};
   const TestRecord wrong{"Lab 1.1",      "small", {holds("it", false, "1", "2")},
                          Status::failed, "",      ""};
   TestRecord crash{"Lab 1.1", "empty", {}, Status::crashed, "it crashed: abort", ""};
