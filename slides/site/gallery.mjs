@@ -37,7 +37,7 @@ function sceneHtml({ root, out, book }, renderer, scene, folder) {
     kind: "loglog", narrow: true, xlabel: "seconds", ylabel: "relative error of a pixel", xunit: "seconds",
     guides: [{ slope: -0.5, at, to: points.at(-1)[0], label: "-1/2" }] },
     `Error against seconds, ${scene}`, [{ name: "", points }]);
-  const img = (file, alt) => `<img src="scenes/${file}.png" alt="${escaped(alt)}" width="192" height="192" loading="lazy">`;
+  const img = (file, alt) => `<img src="scenes/${file}.png" alt="${escaped(alt)}" width="192" height="192">`;
   return `<figure id="${scene}"><figcaption>${scene}<span>${escaped(teaches)}</span></figcaption>
 <div class="pair">${img(scene, `The scene ${scene}`)}${img(`${scene}.error`, `Map of the relative noise of ${scene}`)}</div>
 <p>${last.spp} samples a pixel in ${three(last.seconds)} s, ${three(last.paths / last.seconds / 1e6)} million paths a second; a pixel’s standard
@@ -55,7 +55,7 @@ export function gallery(context, programs, { markdown }) {
     name: "gallery.html",
     title: "The scenes",
     lead: "Rendered when this site was made, at 192 × 192 pixels, by <code>./carlo render</code>.",
-    body: `<div class="charts">${figures.join("\n")}</div>
+    body: `<div class="charts scenes">${figures.join("\n")}</div>
 <section><h2>Beside other renderers</h2><div class="text">${markdown.render(peers).replaceAll("<table>", '<div class="scroll" tabindex="0"><table>').replaceAll("</table>", "</table></div>")}</div></section>`,
   }));
 }

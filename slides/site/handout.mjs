@@ -24,29 +24,27 @@ export function texOf(line) {
   const inner = String.raw`\(((?:[^()]|\([^()]*\))*)\)`;
   return line
     .trim()
-    .replace(/[#%&$]/g, (c) => `\\${c}`)
+    .replace(/(\/?)([A-Za-z]{2,}(?:[ -](?!d[xyz]\b|and\b)[A-Za-z]{2,})*|d[ω])/g, (_, slash, words) => slash + wordsTex(words, slash))
     .replace(new RegExp(`√${inner}`, "g"), String.raw`\sqrt{$1}`)
-    .replace(/√(\p{L}|[0-9]+)/gu, String.raw`\sqrt{$1}`)
+    .replace(/√([A-Za-z]|[0-9]+)/g, String.raw`\sqrt{$1}`)
     .replace(new RegExp(`([_^])${inner}`, "g"), "$1{$2}")
-    .replace(/[\p{L}]{2,}(?:[ -](?!(?:dx|dy)\b)[\p{L}]{2,})*/gu, (words) =>
-      new RegExp(`^(${functionNames})$`).test(words)
-        ? String.raw`\operatorname{${words}}`
-        : /^d[\p{L}]$/u.test(words)
-          ? String.raw`\,\mathrm{d}${words[1]}`
-          : /^[\p{Script=Greek}]+$/u.test(words) || /^[a-z][\p{Script=Greek}]$/u.test(words) || /^[A-Z][a-z]$/.test(words) && words !== "Var"
-            ? [...words].join(" ")
-            : String.raw`\text{${words}}`)
-    .replace(/( {2,})/g, String.raw`\quad `)
+    .replace(/ {2,}/g, String.raw`\quad `)
     .replace(/[′″]/g, (c) => (c === "′" ? "'" : "''"))
-    .replace(/[−…·≈]/g, (c) => ({ "−": "-", "…": String.raw`\ldots `, "·": String.raw`\cdot `, "≈": String.raw`\approx ` })[c]);
+    .replace(/[−…·≈Σ]/g, (c) => ({ "−": "-", "…": "\\ldots ", "·": "\\cdot ", "≈": "\\approx ", Σ: "\\sum " })[c]);
 }
 
-/** An indented block: a formula a line; what KaTeX does not take stays as it is. */
+function wordsTex(words, slash) {
+  if (new RegExp(`^(${functionNames})$`).test(words)) return String.raw`\operatorname{${words}}`;
+  if (/^d[A-Zxyzω]$/.test(words)) return String.raw`${slash ? "" : "\\,"}\mathrm{d}${words[1]}`;
+  return /^w[io]$/.test(words) ? String.raw`\mathit{${words}}` : String.raw`\text{${words}}`;
+}
+
+/** An indented block: a formula a line; what is no formula, or none for KaTeX, stays as it is. */
 function formulaHtml(text, set) {
   const lines = text.trimEnd().split("\n");
   try {
-    if (/\||\.\/carlo|\bint \w+\(/.test(text)) throw new Error("no formula");
-    return `<div class="formula">${lines.map((line) => set(texOf(line), true)).join("\n")}</div>\n`;
+    if (!lines.every((line) => /[=≤≥≈∝]|→/.test(line) && !/(\|.*){3}/.test(line) && !line.includes("./"))) throw new Error("no formula");
+    return `<div class="formula" tabindex="0">${lines.map((line) => set(texOf(line), true)).join("\n")}</div>\n`;
   } catch {
     return `<pre class="scroll" tabindex="0">${escaped(text)}</pre>\n`;
   }

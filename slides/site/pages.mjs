@@ -77,7 +77,7 @@ the page’s address keeps controls and seed, so that a link shows the same numb
 ${live.map((name) => `<article class="live" id="${name}"></article>`).join("\n")}`],
     ["handout", "The handout", `<div class="text">${text.html}</div>`],
     ["formulas", "The lecture’s formulas", formulas.length && formulas.map((one) =>
-      `<div class="formula" id="${one.number}-${one.name}"><p>${one.number}:${one.name}, <em>${escaped(one.slide)}</em></p>${one.html}</div>`).join("\n")],
+      `<div class="formula" tabindex="0" id="${one.number}-${one.name}"><p>${one.number}:${one.name}, <em>${escaped(one.slide)}</em></p>${one.html}</div>`).join("\n")],
     ["plots", "Measured by the lab’s experiments", figures.length && `<p>From runs of <code>./carlo lab ${lab.number} --solutions</code>,
 as the lecture shows them.</p><div class="charts">${figures.join("\n")}</div>${decksOf(context, lab)}`],
   ].filter(([, , body]) => body);
@@ -101,16 +101,18 @@ export function frontPage(context, readme, { markdown }) {
   const first = /^ {4}(\.\/carlo lab 1 .*)$/m.exec(readme)[1];
   const alt = /!\[([^\]]*)\]\(common\/scenes\/cornell_phong.jpg\)/.exec(readme)[1];
   const cards = context.labs.map((lab) => `<li><a href="${lab.page}">${lab.picture
-    ? `<img src="lab${lab.digits}-${lab.picture}" alt="${escaped(lab.alt)}" loading="lazy">` : ""}<strong>Lab ${lab.number}</strong>
+    ? `<img src="lab${lab.digits}-${lab.picture}" alt="${escaped(lab.alt)}">` : ""}<strong>Lab ${lab.number}</strong>
 ${escaped(lab.title)}</a></li>`).join("\n");
   return page(context, {
     name: "index.html",
     title: "Carlo",
     lead: markdown.renderInline(lead),
-    body: `<figure class="hero"><img src="cornell_phong.jpg" alt="${escaped(alt)}" width="384" height="384">
+    body: `<div class="hero"><figure><img src="cornell_phong.jpg" alt="${escaped(alt)}" width="384" height="384">
 <figcaption><span>${markdown.renderInline(picture)}</span></figcaption></figure>
-<section><h2>Three commands</h2><p>On a Debian 12 machine, in a clone of the repository; each installs what is missing.</p>
-<pre class="scroll" tabindex="0">${escaped([...commands, first].join("\n"))}</pre></section>
+<div><h2>Three commands</h2><p>On a Debian 12 machine, in a clone of the repository; each installs what is missing.</p>
+<pre class="scroll" tabindex="0">${escaped([...commands, first].join("\n"))}</pre>
+<p>Nothing to install: the experiments on the labs’ pages run here. Begin with <a href="lab01.html#curse">the curse of
+dimensions</a>, or with <a href="lab08.html#tracer">the path tracer</a>.</p></div></div>
 <section><h2>The labs</h2><p>Each page has the handout, the lecture’s formulas and experiments to try here, on the suite’s own code.</p>
 <ul class="cards">${cards}</ul></section>
 <section><h2>How fast, how accurate</h2><div class="text">${markdown.render(part("    ./carlo bench render\n", "    ./carlo test --hard")).replaceAll("<table>", '<div class="scroll" tabindex="0"><table>').replaceAll("</table>", "</table></div>")}</div>

@@ -53,10 +53,18 @@ carlo.experiment("planes", {
       ["3", carlo.digits(nu, 5), carlo.digits(ideal[1]), normal.join(", ")],
       ["4", lattice <= 2 ** 31 ? carlo.digits(four[0], 5) : "–", carlo.digits(ideal[2]), lattice <= 2 ** 31 ? four.slice(2).join(", ") : ""],
     ], "ν: one over the distance of neighbouring lines, planes, hyperplanes; “at best” is Hermite’s bound");
+    await integrals(view, lcg, values.seed || 1);
     view.say(`${carlo.escaped(lcg.name)}: all triples lie on at most ${carlo.digits(planes)} planes, ${carlo.digits(1 / nu)} apart ` +
       `(a perfect lattice of as many points: ${carlo.digits(1 / ideal[1])}).`);
   },
 });
+
+/** Two integrals from the generator's numbers; dashed: independent numbers would have these errors. */
+const integrals = (view, { a, b, c }, x) => view.ladder({ xlabel: "points N", runs: () => 32,
+  methods: [["mean of x", 12 ** -0.5], ["ball", Math.sqrt(Math.PI / 6 * (1 - Math.PI / 6))]].map(([name, sigma], which) => ({
+    name, sizes: [16, 64, 256, 1024, 4096, 16384, 65536],
+    error: (n, runs) => carlo.call("3.integral", a, b, c, x, n, runs)[which],
+    exact: (n) => sigma / Math.sqrt(n) })) });
 
 /** Rows of a rotation whose first axis is across the planes. */
 function alongOf(normal) {
@@ -83,7 +91,7 @@ carlo.experiment("battery", {
   intro: "The lab's battery of statistical tests on growing numbers of words. A test catches a generator where its p-value is below 10⁻⁹; a good generator gives p-values uniform on [0, 1].",
   question: "which simple test cannot see RANDU's planes however long it looks?",
   choices: ["the frequencies of single numbers", "pairs as points of a square", "triples as points of a cube"],
-  controls: { ...lcgControls, k: { label: "words, at most", steps: [12, 14, 16, 18, 20], value: 16, text: (k) => `2^${k}` } },
+  controls: { ...lcgControls, k: { label: "words, at most", steps: [12, 14, 16, 18, 20], value: 16, text: (k) => carlo.digits(2 ** k, 7) } },
   async run(values, view) {
     const { a, b, c, name } = lcgOf(values), x = values.seed || 1;
     const found = testNames.map(() => []), sizes = [];
@@ -96,17 +104,14 @@ carlo.experiment("battery", {
       }
     }
     const caught = testNames.filter((_, t) => found[t].some((p) => p >= 0 && p < 1e-9));
-    view.say(`${carlo.escaped(name)}: ${caught.length ? `caught by ${caught.join("; ")}` : "no test catches it"} within 2^${values.k} words.`);
-    await view.ladder({ xlabel: "points N", methods: [["mean of x", 0, 12 ** -0.5], ["ball, from triples", 1, Math.sqrt(0.5236 * 0.4764)]].map(
-      ([title, which, sigma]) => ({ name: title, sizes: [16, 64, 256, 1024, 4096, 16384, 65536], theory: -0.5,
-        error: (n, runs) => carlo.call("3.integral", a, b, c, x, n, runs)[which],
-        exact: (n) => sigma / Math.sqrt(n) })), runs: () => 32 });
+    view.say(`${carlo.escaped(name)}: ${caught.length ? `caught by ${caught.join("; ")}` : "no test catches it"} within 2<sup>${values.k}</sup> words.`);
+    await integrals(view, { a, b, c }, x);
   },
 });
 
 function drawBattery(view, found, sizes) {
   const verdict = (p) => (p === undefined ? "" : p < 0 ? "–" : p < 1e-9 ? `<strong class="c2">${carlo.digits(p, 1)}</strong>` : carlo.digits(p, 2));
-  view.table("p-values", ["test", ...sizes.map((n) => `2^${Math.log2(n)}`)],
+  view.table("p-values", ["test", ...sizes.map((n) => `2<sup>${Math.log2(n)}</sup>`)],
     testNames.map((test, t) => [test, ...sizes.map((_, i) => verdict(found[t][i]))]),
     "orange: caught; –: no verdict on so many words of so many bits");
 }

@@ -9,7 +9,7 @@ carlo.experiment("mis", {
   question: "a small light and a rough plate: which technique alone is the better one?",
   choices: ["points of the light", "directions of the lobe", "they are equal"],
   controls: {
-    half: { label: "half width of the light", steps: [0.0003, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3], value: 0.03 },
+    half: { label: "half width of the light", steps: [0.0003, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3], value: 0.003 },
     scale: { label: "roughness: scale of the lobe", steps: [0.0003, 0.001, 0.003, 0.01, 0.03, 0.1], value: 0.03 },
     m: { label: "mirror direction m", min: 0.3, max: 0.7, step: 0.01, value: 0.54 },
   },
@@ -61,6 +61,12 @@ carlo.experiment("plates", {
         note: way === 3 ? "closed form" : `RMS error ${carlo.digits(error)}, ${carlo.digits(1000 * seconds[way])} ms in this browser` });
     }
     const errors = sums.map((sum) => Math.sqrt(sum / (4 * rows * columns)));
+    const methods = names.slice(0, 3).map((_, way) => ({ name: ["lights", "lobe", "both"][way], theory: -0.5, sizes: [2, 4, 8, 16, 32, 64],
+      error: (size) => Math.sqrt([0, 1, 2, 3].reduce((sum, plate) => {
+        const pixels = carlo.call("6.plate", way, size, seed, plate, columns, rows);
+        return pixels.reduce((total, value, i) => total + (value - truth[plate * rows * columns + i]) ** 2, sum);
+      }, 0) / (4 * rows * columns)) }));
+    view.slopes(methods, await view.ladder({ methods, runs: () => 1, xlabel: "samples a pixel", ylabel: "RMS error of a pixel" }));
     view.say(`RMS errors with ${n} samples a pixel: lights ${carlo.digits(errors[0])}, lobe ${carlo.digits(errors[1])}, both ${carlo.digits(errors[2])}.`);
   },
 });

@@ -15,8 +15,8 @@ const isSpecular = (scene) => ["room with balls", "caustics"].includes(sceneName
 carlo.experiment("tracer", {
   title: "The path tracer",
   intro: "Lab 8's tracers at 128 × 128 pixels, one thread. Two of them side by side get the same time, in turns. The error is the root mean square of the pixels' standard errors, relative to the mean luminance; touch or hover over a pixel, or move with the arrow keys, for its own.",
-  question: "the same 10 seconds, the Cornell box: how much less noise has the tracer that samples lights?",
-  choices: ["as much noise", "half as much", "a tenth", "a hundredth"],
+  question: "the same seconds, the Cornell box: how large is the error of the tracer that samples lights, compared with that of TracePath?",
+  choices: ["the same", "about two thirds", "a tenth", "a hundredth"],
   controls: {
     scene: { label: "scene", options: sceneNames, value: 0 },
     left: { label: "left", options: tracers, value: 1 },
@@ -31,15 +31,15 @@ carlo.experiment("tracer", {
       time: 0, times: [], errors: [], next: 0.25 }));
     for (const { tracer, id } of sides) carlo.call("8.start", number, tracer, size, seed, depth, id);
     let white = 0;
+    sides.forEach((side) => drawSide(view, side, size, 1));
     while (sides.some((side) => side.time < seconds)) {
       const side = sides[0].time <= sides[1].time ? sides[0] : sides[1];
-      const [, time] = view.timed(() => carlo.call("8.rows", side.id, side.row, band));
-      side.time += time;
+      side.time += view.clocked(() => carlo.call("8.rows", side.id, side.row, band));
       side.row = (side.row + band) % size;
       if (!side.row && ++side.samples && side.time > side.next) {
         side.next = side.time * 1.3;
         const [mean, error] = carlo.call("8.noise", side.id);
-        white ||= 4 * mean;
+        white ||= 2.5 * mean;
         if (side.samples > 1) side.times.push(side.time), side.errors.push(error / mean);
         drawSide(view, side, size, white);
         drawErrors(view, sides);
@@ -97,8 +97,8 @@ function drawErrors(view, sides) {
 carlo.experiment("furnace", {
   title: "TracePath's error bars in a furnace",
   intro: "A closed sphere emits 1 and reflects the share ρ: the radiance is 1/(1 − ρ) everywhere. The lecture's TracePath chooses emission with probability .9; the corrected one always adds it (lab 8.4).",
-  question: "at ρ = .5, what does the lecture's error bar, one run of 16 000 paths, tell?",
-  choices: ["the truth lies within it", "it is too small, and the mean too low", "it is infinite"],
+  question: "at ρ = .5, how often do the lecture's 95 % error bars hold the truth?",
+  choices: ["in 95 % of all runs", "in about half of them", "hardly ever"],
   controls: {
     rho: { label: "albedo ρ", min: 0.05, max: 0.9, step: 0.05, value: 0.5 },
     n: { label: "paths N, at most", steps: [1000, 4000, 16000, 64000], value: 16000 },
@@ -137,11 +137,11 @@ carlo.experiment("furnace", {
 carlo.experiment("recap", {
   title: "The Recap's slip",
   intro: "A ball of light at the centre of a spherical room. TracePath as printed in the lecture's Recap multiplies by p_light, one over the light's solid angle, where its density demands a division; the corrected form divides.",
-  question: "a ball of a tenth of the room's radius: what does the printed form give?",
-  choices: ["the right radiance, with more noise", "too little by a constant factor", "far too much"],
+  question: "a ball of three tenths of the room's radius: what does the printed form give?",
+  choices: ["the right radiance, with more noise", "a third of it", "three times as much", "no value at all"],
   controls: {
     albedo: { label: "albedo of the wall", min: 0.1, max: 0.9, step: 0.1, value: 0.5 },
-    ball: { label: "ball's radius over the room's", steps: [0.05, 0.1, 0.2, 0.3, 0.5, 0.7], value: 0.1 },
+    ball: { label: "ball's radius over the room's", steps: [0.05, 0.1, 0.2, 0.3, 0.5, 0.7], value: 0.3 },
     n: { label: "paths N", steps: [1000, 10000, 100000], value: 10000 },
   },
   async run({ albedo, ball, n, seed }, view) {
@@ -165,7 +165,8 @@ carlo.experiment("recap", {
       series: methods.map(({ name }, i) => ({ name, x: sizes, y: errors[i] })) });
     view.plot("Error against seconds", { x: { label: "seconds in this browser", log: true, unit: "seconds" }, y: { label: "relative error, one run", log: true },
       series: methods.map(({ name, seconds }, i) => ({ name, x: seconds, y: errors[i] })) });
-    view.say(`The printed forms converge, but to ${carlo.digits(methods[0].points[0][3] / exact)} and ${carlo.digits(methods[0].points[0][4] / exact)} times the radiance: ` +
-      "no number of paths mends a wrong weight.");
+    const [, , , printed, random] = methods[0].points[0];
+    const times = (mean) => (mean < Infinity ? `has ${carlo.digits(mean / exact)} times the radiance as its mean` : "has no finite mean: each bounce brings more than the one before");
+    view.say(`The Recap as printed ${times(printed)}; a random direction, not divided by its density, ${times(random)}. No number of paths mends a wrong weight.`);
   },
 });

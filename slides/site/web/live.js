@@ -16,7 +16,7 @@ const carlo = (() => {
     module._free(at);
     const results = module._site_results() / 8;
     const values = module.HEAPF64.slice(results, results + count);
-    window.carloLog?.push({ name, numbers, values: Array.from(values) });
+    window.carloLog?.push({ name, numbers, values: Array.from(values.subarray(0, 3000)) });
     return values;
   }
 
@@ -77,6 +77,13 @@ const carlo = (() => {
       if (!this.alive()) throw new Stopped();
     }
 
+    /** The seconds of one call, of those that change something. */
+    clocked(work) {
+      const start = performance.now();
+      work();
+      return (performance.now() - start) / 1000;
+    }
+
     /** The call's result and its seconds: one call's, repeated where the browser's clock is too coarse. */
     timed(work) {
       const start = performance.now(), log = window.carloLog;
@@ -89,7 +96,7 @@ const carlo = (() => {
     }
 
     /** A figure of this title; it stays in its place from one run to the next. */
-    figure(title, note = "") {
+    figure(title, note) {
       let figure = [...this.box.children].find((one) => one.dataset.title === title);
       if (!figure) {
         figure = document.createElement("figure");
@@ -97,7 +104,8 @@ const carlo = (() => {
         figure.innerHTML = "<figcaption></figcaption><div></div>";
         this.box.append(figure);
       }
-      figure.firstChild.innerHTML = `${escaped(curly(title))}${note ? `<span>${note}</span>` : ""}`;
+      if (note !== undefined || !figure.firstChild.firstChild)
+        figure.firstChild.innerHTML = `${escaped(curly(title))}${note ? `<span>${note}</span>` : ""}`;
       return figure.lastChild;
     }
 
@@ -110,7 +118,9 @@ const carlo = (() => {
     table(title, head, rows, note) {
       const cells = (row, tag) => row.map((cell, i) =>
         `<${tag} class="${i ? "number" : ""}">${cell}</${tag}>`).join("");
-      this.figure(title, note).innerHTML =
+      const place = this.figure(title, note);
+      place.parentNode.classList.toggle("wide", head.length > 4);
+      place.innerHTML =
         `<div class="scroll" tabindex="0"><table><thead><tr>${cells(head, "th")}</tr></thead><tbody>` +
         `${rows.map((row) => `<tr>${cells(row, "td")}</tr>`).join("")}</tbody></table></div>`;
     }
