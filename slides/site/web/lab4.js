@@ -15,7 +15,8 @@ function overIntegrand(view, title, f, note, draw) {
     g.fillStyle = carlo.colour("--soft");
     values.forEach((value, i) => {
       g.globalAlpha = 0.45 * value / most;
-      g.fillRect(i % side * cell, Math.floor(i / side) * cell, cell + 0.5, cell + 0.5);
+      const [left, top] = [i % side, Math.floor(i / side)].map((k) => Math.floor(k * cell));
+      g.fillRect(left, top, Math.floor((i % side + 1) * cell) - left, Math.floor((Math.floor(i / side) + 1) * cell) - top);
     });
     g.globalAlpha = 1;
     draw(g, width);
@@ -37,10 +38,10 @@ carlo.experiment("strata", {
   async run({ set, f, n, seed }, view) {
     const xy = carlo.call("4.points", set, n, seed), cells = Math.sqrt(n);
     overIntegrand(view, "The points", f, `${n} points: ${setNames[set]}; darker: larger values of the integrand`, (g, width) => {
-      g.strokeStyle = carlo.colour("--rule");
+      g.strokeStyle = carlo.colour("--soft");
       for (let i = 1; set === 1 && i < cells; ++i) {
-        g.strokeRect(i / cells * width, -1, 0.01, width + 2);
-        g.strokeRect(-1, i / cells * width, width + 2, 0.01);
+        g.fillRect(i / cells * width, 0, 0.5, width);
+        g.fillRect(0, i / cells * width, width, 0.5);
       }
       g.fillStyle = carlo.colour("--series-2");
       for (let i = 0; i < xy.length; i += 2) {

@@ -28,7 +28,7 @@ carlo.experiment("dome", {
     // The normal is up on the screen.
     for (let i = 0; i + 2 < found.length; i += 3) points.push(found[i], found[i + 2], -found[i + 1]);
     const turn = theta / 180 * Math.PI, wo = [-Math.sin(turn), Math.cos(turn), 0], mirror = [Math.sin(turn), Math.cos(turn), 0];
-    view.turntable("The directions", { points, centre: [0, 0.35, 0], size: 2.7, shape: 0.8,
+    view.turntable("The directions", { points, centre: [0, 0.4, 0], size: 2.4, shape: 0.75,
       lines: [...domeLines(), [[0, 0, 0], [0, 1.15, 0]], ...(which === 3 ? [[[0, 0, 0], wo], [[0, 0, 0], mirror]] : [])],
       note: `${carlo.digits(count)} directions from ${carlo.digits(found.at(-1))} draws; drag to turn, or use the arrow keys`,
       axes: [["n", [0, 1.2, 0]], ...(which === 3 ? [["wo", wo], ["mirror", mirror]] : [])] });
@@ -47,7 +47,7 @@ carlo.experiment("dome", {
       error: (size, runs) => carlo.call("7.floor", 0, technique, 0.4, 0, size, runs, seed)[0] }));
     await view.ladder({ methods, runs: () => 64, xlabel: "directions N", ylabel: "relative error of irradiance" });
     view.say(which === 3 ? `Mean angle with the mirror direction: ${carlo.digits(rows[0][2])}°; ${carlo.digits(100 * rows[0][1])} % of the directions lie below the horizon and carry nothing.`
-      : `${carlo.digits(found.at(-1) / count)} draws a direction${which ? "" : " (closed form for rejection: 6/π = 1.91)"}.`);
+      : which ? "By inversion every pair of numbers gives a direction." : `Rejection throws ${carlo.digits(found.at(-1) / count)} darts a direction; by the volumes of cube and ball it should be 6/π = 1.91.`);
   },
 });
 

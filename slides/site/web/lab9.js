@@ -3,7 +3,7 @@
 carlo.experiment("density", {
   title: "Bias and noise of a disc of photons",
   intro: "A point light at height 1 emits photons; those within a radius of its foot estimate the irradiance there, which is 1 (lab 9.5). A large disc averages over darker floor: bias. A small one holds few photons: noise. Both are known in closed form.",
-  question: "which radius is best, and what happens to it if 16 times as many photons are emitted?",
+  question: "what happens to the best radius if 16 times as many photons are emitted?",
   choices: ["it stays", "it shrinks", "it grows"],
   controls: {
     photons: { label: "photons emitted", steps: [512, 2048, 8192, 32768], value: 8192 },
@@ -86,9 +86,9 @@ carlo.experiment("photons", {
     const reference = image(ways[2]), mean = reference.reduce((a, b) => a + b) / reference.length;
     const difference = (pixels) => Math.sqrt(pixels.reduce((sum, x, i) => sum + (x - reference[i]) ** 2, 0) / pixels.length) / mean;
     const series = (x) => ways.slice(0, 2).map((way) => ({ name: ["stays", "shrinks"][way.id], x: way.log.map((one) => one[x]), y: way.log.map((one) => difference(one[2])) }));
-    const y = { label: "difference to the paths' image", log: true };
-    view.plot("Difference against seconds", { x: { label: "seconds in this browser", log: true, unit: "seconds" }, y, series: series(0) });
-    view.plot("Difference against passes", { x: { label: "passes N", log: true, unit: "count" }, y, series: series(1) });
+    const y = { label: "relative difference", log: true };
+    view.plot("Difference to the paths' image", { x: { label: "seconds in this browser", log: true, unit: "seconds" }, y, series: series(0) });
+    view.plot("The same against passes", { x: { label: "passes N", log: true, unit: "count" }, y, series: series(1) });
     const [level, noise] = carlo.call("8.noise", 0);
     view.say(`${ways.map((way) => `${way.title}: ${way.passes} ${way.id < 2 ? "passes" : "samples a pixel"}`).join(", ")}. ` +
       `The difference to the image by paths holds the paths' own noise too, ${carlo.digits(100 * noise / level)} % of the mean luminance.`);

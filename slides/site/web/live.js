@@ -20,6 +20,7 @@ const carlo = (() => {
     return values;
   }
 
+  const curly = (text) => text.replaceAll("'", "’");
   const number = (x) => (Number.isFinite(x) ? x : "nan");
   const visible = (axis, x) => Number.isFinite(x) && (!axis.log || x > 0);
 
@@ -29,7 +30,7 @@ const carlo = (() => {
     const kept = series.map((one) => {
       const both = one.x.map((at, i) => [at, one.y[i]])
         .filter(([a, b]) => visible(x, a) && visible(y, b));
-      return { name: one.name ?? "", x: both.map(([a]) => a), y: both.map(([, b]) => number(b)),
+      return { name: curly(one.name ?? ""), x: both.map(([a]) => a), y: both.map(([, b]) => number(b)),
                guide: one.guide ?? false, ...(one.colour === undefined ? {} : { colour: one.colour }) };
     });
     if (!kept.some((one) => one.x.length)) return "";
@@ -39,7 +40,6 @@ const carlo = (() => {
     return module.ccall("site_plot", "string", ["string"], [json]);
   }
 
-  const curly = (text) => text.replaceAll("'", "’");
   const escaped = (text) => String(text).replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
 
   /** Three digits, powers of ten set as such. */
@@ -84,15 +84,17 @@ const carlo = (() => {
       return (performance.now() - start) / 1000;
     }
 
-    /** The call's result and its seconds: one call's, repeated where the browser's clock is too coarse. */
+    /** The call's result and its seconds; of short calls, which begin slowly, those of some more. */
     timed(work) {
-      const start = performance.now(), log = window.carloLog;
-      const result = work();
+      let start = performance.now();
+      const log = window.carloLog, result = work();
+      if (performance.now() - start > 4) return [result, (performance.now() - start) / 1000];
       window.carloLog = undefined;
-      let calls = 1, spent = performance.now() - start;
-      for (; spent < 4 && calls < 500; ++calls, spent = performance.now() - start) work();
+      start = performance.now();
+      let calls = 0;
+      do work(); while (++calls < 500 && performance.now() - start < 4);
       window.carloLog = log;
-      return [result, spent / calls / 1000];
+      return [result, (performance.now() - start) / calls / 1000];
     }
 
     /** A figure of this title; it stays in its place from one run to the next. */
@@ -249,7 +251,7 @@ const carlo = (() => {
     /** A table of fitted slopes beside those of theory. */
     slopes(methods, fits) {
       this.table("Slopes of log error against log N", ["", "measured", "theory"],
-        methods.map((method, i) => [escaped(method.name),
+        methods.map((method, i) => [escaped(curly(method.name)),
           fits[i] ? `${digits(fits[i][0])} ± ${digits(fits[i][1], 2)}` : "too few points",
           method.theory === undefined ? "" : digits(method.theory)]));
     }
@@ -261,9 +263,9 @@ const carlo = (() => {
 
   /** Each control keeps a number: a range's place in `steps` or its value, a menu's index, a typed number. */
   function controlHtml(name, id, control) {
-    const at = `${name}-${id}`, label = `<label for="${at}">${control.label}</label>`, value = `<output for="${at}"></output>`;
+    const at = `${name}-${id}`, label = `<label for="${at}">${curly(control.label)}</label>`, value = `<output for="${at}"></output>`;
     if (control.options) {
-      const options = control.options.map((text, i) => `<option value="${i}">${text}</option>`).join("");
+      const options = control.options.map((text, i) => `<option value="${i}">${curly(text)}</option>`).join("");
       return `<div>${label}<select id="${at}" data-id="${id}">${options}</select></div>`;
     }
     if (control.typed) {
