@@ -79,7 +79,7 @@ ${live.map((name) => `<article class="live" id="${name}"></article>`).join("\n")
     ["formulas", "The lecture’s formulas", formulas.length && formulas.map((one) =>
       `<div class="formula" tabindex="0" id="${one.number}-${one.name}"><p>${one.number}:${one.name}, <em>${escaped(one.slide)}</em></p>${one.html}</div>`).join("\n")],
     ["plots", "Measured by the lab’s experiments", figures.length && `<p>From runs of <code>./carlo lab ${lab.number} --solutions</code>,
-as the lecture shows them.</p><div class="charts">${figures.join("\n")}</div>${decksOf(context, lab)}`],
+as the lecture shows them.</p><div class="charts plots">${figures.join("\n")}</div>${decksOf(context, lab)}`],
   ].filter(([, , body]) => body);
   return page(context, {
     name: lab.page,
